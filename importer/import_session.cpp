@@ -893,6 +893,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   report.doubt = std::move(gravest);
   report.quality = request.quality;
   report.remarks = std::move(log->remarks);
+  report.pressSpeed = log->pressSpeed, report.releaseSpeed = log->releaseSpeed;
   report.seconds = seconds;
   return report;
 }

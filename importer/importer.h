@@ -173,8 +173,9 @@ struct ImportReport {
   std::vector<PageLook> looks;    ///< in the order they were made; empty where one was all there was to be
   bool endedByTimeLimit = false;  ///< ImportRequest::timeLimit passed: more could have been done
   std::vector<Remark> remarks;
-  std::shared_ptr<const GraphEvidence> evidence;  ///< null for force logs
-  std::string brief() const;                      ///< one line for people
+  std::optional<StrokeSpeed> pressSpeed, releaseSpeed;  ///< of force logs with a column of times
+  std::shared_ptr<const GraphEvidence> evidence;        ///< null for force logs
+  std::string brief() const;                            ///< one line for people
 };
 
 /// An import, and what it looked at even where it failed.

@@ -2,6 +2,7 @@
 #include "editor/feel/force_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -97,6 +98,18 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
     case playback::ForceRemarkKind::dampingLimited:
       words = tr("the damping of %1 at %2 is felt as %3")
                   .arg(in(remark.value, Quantity::damping), at, in(remark.limit, Quantity::damping));
+      break;
+    case playback::ForceRemarkKind::speedsCross:
+      words = tr("a release lies up to %1 above the press of another speed at %2, which would make energy; "
+                 "the press is felt as "
+                 "that release there")
+                  .arg(in(remark.value, Quantity::force), at);
+      break;
+    case playback::ForceRemarkKind::speedLimited:
+      words = (remark.value > 0 ? tr("speed damps by %1 at %2; %3 is felt")
+                                : tr("speed drives by %1 at %2; %3 is felt"))
+                  .arg(in(std::abs(remark.value), Quantity::damping), at,
+                       in(std::abs(remark.limit), Quantity::damping));
       break;
     case playback::ForceRemarkKind::wideReturn:
       words = tr("from press to release would take %1 on this device; it is cut to %2 and may be unsteady")

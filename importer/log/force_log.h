@@ -18,12 +18,20 @@ struct LogHints {
   std::string curve = {};  ///< of several switches in a file: name, or number from 1
 };
 
+/// How fast a recorded stroke was travelled: mean from 10 to 90 % of the travel, and how much faster one half of that was than the other.
+struct StrokeSpeed {
+  double mean_mm_per_s = 0;  ///< > 0
+  double uneven = 1;         ///< >= 1
+};
+
 struct ForceLog {
   StrokePair strokes;
   std::string xUnit, yUnit;                                ///< as found
   double preload_N = 0;                                    ///< offset removed (or 0)
   double noise_mm = 0, noise_N = 0;                        ///< estimated from the samples
   std::optional<double> operatingPoint_mm, resetPoint_mm;  ///< where the file says them
+  /// Of the first press and of the release after it; empty without a column of times.
+  std::optional<StrokeSpeed> pressSpeed, releaseSpeed;
   long rowsRead = 0, rowsSkipped = 0;
   std::vector<Remark> remarks;
 };

@@ -266,6 +266,16 @@ std::vector<ColumnPair> pairsOf(const std::vector<ColumnFacts>& columns) {
   return pairs;
 }
 
+double secondsOf(std::string_view title) {
+  double seconds = 1;
+  for (const std::string& word : wordsOf(lowered(title))) {
+    if (word == "ms" || word == "msec") seconds = 1e-3;
+    if (word == "us" || word == "µs" || word == "μs") seconds = 1e-6;
+    if (word == "min") seconds = 60;
+  }
+  return seconds;
+}
+
 }  // namespace
 
 std::optional<Stroke> strokeNamed(std::string_view text) {
@@ -312,6 +322,8 @@ std::optional<LogColumns> columnsOf(const std::vector<std::string>& lines, Table
     if (columns[c].values.empty() && columns[c].role != Role::label) columns[c].role = Role::other;
   }
   guessRoles(columns);
+  for (std::size_t c = 0; c < columns.size() && !found.time; ++c)
+    if (columns[c].role == Role::time) found.time = c, found.secondsPerTime = secondsOf(columns[c].title);
   found.pairs = pairsOf(columns);
   if (found.pairs.empty()) return std::nullopt;
   if (found.label) found.pairs.resize(1);

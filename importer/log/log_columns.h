@@ -22,6 +22,8 @@ struct ColumnPair {
 struct LogColumns {
   std::vector<ColumnPair> pairs;     ///< 1 or 2
   std::optional<std::size_t> label;  ///< column whose cells say press or release
+  std::optional<std::size_t> time;   ///< numbers under a title that says time
+  double secondsPerTime = 1;         ///< of its unit; a title without one means seconds
   std::optional<LengthUnit> xUnit;   ///< as printed; nullopt: none found
   std::optional<ForceUnit> yUnit;
   std::string header;        ///< the header line as found, "" if there is none

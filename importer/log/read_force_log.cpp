@@ -76,6 +76,7 @@ double forceAtEnds_N(const std::vector<CurvePoint>& samples) {
 /// All numbers of a file in columns' units: one run, or press and release apart where the file says so.
 struct LogRows {
   BoundedRun run, press, release;
+  BoundedRun clock;  ///< times instead of forces' places: (s, as the displacements are written)
   bool isSplit = false;
   long rows = 0, skipped = 0;
   long firstSkippedLine = 0;
@@ -95,6 +96,7 @@ class LogReader {
     if (const auto failure = formStrokes()) return *failure;
     removePreload();
     placeContacts();
+    tellSpeeds();
     noteRows();
     return std::move(log_);
   }
@@ -169,7 +171,7 @@ class LogReader {
     if (reader.isBroken())
       return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
                      "the file cannot be read further", "Export the measurement again");
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) run->flush();
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release, &rows_.clock}) run->flush();
     return {};
   }
 
@@ -184,6 +186,8 @@ class LogReader {
       BoundedRun* run = runFor(pair);
       if (!run) continue;
       run->add({*x, *f});
+      if (const auto time = columns_.time ? numberAt(*columns_.time) : std::nullopt; time && !taken)
+        rows_.clock.add({*time * columns_.secondsPerTime, *x});
       taken = true;
     }
     ++rows_.rows;
@@ -242,6 +246,7 @@ class LogReader {
     const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
     for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
       for (CurvePoint& p : run->samples()) p.displacement_mm *= mm, p.force_N *= newton;
+    for (CurvePoint& p : rows_.clock.samples()) p.force_N *= mm;
     for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
       if (*contact_mm) **contact_mm *= mm;
     return {};
@@ -326,6 +331,8 @@ class LogReader {
         if (turned) p.force_N = -p.force_N;
         if (reversed) p.displacement_mm = -p.displacement_mm;
       }
+    for (CurvePoint& p : rows_.clock.samples())
+      if (reversed) p.force_N = -p.force_N;
   }
 
   std::optional<Failure> splitRun(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
@@ -414,6 +421,40 @@ class LogReader {
     keepWithin(log_.operatingPoint_mm, log_.strokes.press.points);
     keepWithin(log_.resetPoint_mm,
                log_.strokes.release ? log_.strokes.release->points : log_.strokes.press.points);
+  }
+
+  /// From the first way down that is complete, and the way back after it.
+  void tellSpeeds() {
+    const std::vector<CurvePoint>& clock = rows_.clock.samples();
+    if (clock.size() < 8) return;
+    const auto [least, most] = std::ranges::minmax(clock, {}, &CurvePoint::force_N);
+    const double range_mm = most.force_N - least.force_N;
+    if (!(range_mm > 0)) return;
+    constexpr double endShare = 0.1;  // of the travel, at each end: there a stroke begins and stops
+    const double low_mm = least.force_N + endShare * range_mm, middle_mm = least.force_N + 0.5 * range_mm,
+                 high_mm = most.force_N - endShare * range_mm;
+    // When a place is passed, straight between samples; from `at` on.
+    const auto passes = [&](double place_mm, bool down, std::size_t& at) -> std::optional<double> {
+      for (at = std::max<std::size_t>(at, 1); at < clock.size(); ++at) {
+        const CurvePoint &a = clock[at - 1], &b = clock[at];
+        if (down ? a.force_N < place_mm && b.force_N >= place_mm
+                 : a.force_N > place_mm && b.force_N <= place_mm)
+          return std::lerp(a.displacement_mm, b.displacement_mm,
+                           (place_mm - a.force_N) / (b.force_N - a.force_N));
+      }
+      return {};
+    };
+    std::size_t at = 1;
+    const auto stroke = [&](bool down) -> std::optional<StrokeSpeed> {
+      const auto begun_s = passes(down ? low_mm : high_mm, down, at);
+      const auto half_s = passes(middle_mm, down, at), ended_s = passes(down ? high_mm : low_mm, down, at);
+      if (!begun_s || !half_s || !ended_s || !(*half_s > *begun_s) || !(*ended_s > *half_s)) return {};
+      const double first_s = *half_s - *begun_s, second_s = *ended_s - *half_s;
+      return StrokeSpeed{(high_mm - low_mm) / (*ended_s - *begun_s),
+                         std::max(first_s / second_s, second_s / first_s)};
+    };
+    log_.pressSpeed = stroke(true);
+    if (log_.pressSpeed) log_.releaseSpeed = stroke(false);
   }
 
   void noteRows() {

@@ -110,6 +110,10 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
       "NAME|N: of several switches in one plot the one to import, by its name in the legend or by its "
       "number; --list shows both");
   app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
+  app.add_flag(
+      "--family", a.family,
+      "two to four INPUTs are records of one button, pressed at different speeds, with a column of times: "
+      "one button with a graph at each of these speeds; the first stands where no speed is known");
   app.add_flag("--list", a.list,
                "only list the graphs found: page, graph, box, axes, units, confidence, switches");
   addChoice(
@@ -288,8 +292,14 @@ void settle(const RawOptions& raw, Arguments& a) {
   if (a.batch && a.timeLimit_s) a.batchOptions.timeLimit_s = *a.timeLimit_s;
   if (a.batch && a.outDir.empty())
     throw CLI::ValidationError("--batch", "needs --out-dir DIR for its results");
-  if (!a.batch && a.inputs.size() != 1) {
-    throw CLI::ValidationError("INPUT", "one input at a time; pass --batch with --out-dir DIR for several");
+  if (a.family &&
+      (a.batch || a.all || a.list || !a.csvPath.empty() || !a.tracePath.empty() || !a.overlayPath.empty()))
+    throw CLI::ValidationError(
+        "--family", "cannot be combined with --batch, --all, --list, --csv, --trace-csv, --overlay");
+  if (!a.batch && !a.family && a.inputs.size() != 1) {
+    throw CLI::ValidationError("INPUT",
+                               "one input at a time; pass --batch with --out-dir DIR for several, --family "
+                               "for records of one button at several speeds");
   }
   if (!a.batch && a.withoutOverlays)
     throw CLI::ValidationError("--no-overlays", "is for --batch; without it --overlay asks for one");

@@ -21,6 +21,8 @@ struct Arguments {
   bool jsonLines = false;                                   ///< with it json
   std::string buttonPath, csvPath, tracePath, overlayPath;  ///< empty: not asked for
 
+  bool family = false;  ///< `inputs` are records of one button at different speeds
+
   bool batch = false;
   bool resume = false;
   bool withoutOverlays = false;  ///< of a batch

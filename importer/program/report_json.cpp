@@ -104,6 +104,8 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   if (state.operatingPoint_mm) json["operating_point_mm"] = *state.operatingPoint_mm;
   if (state.resetPoint_mm) json["reset_point_mm"] = *state.resetPoint_mm;
   json["travel_mm"] = state.graph.travel_mm();
+  if (report.pressSpeed) json["press_speed_mm_per_s"] = report.pressSpeed->mean_mm_per_s;
+  if (report.releaseSpeed) json["release_speed_mm_per_s"] = report.releaseSpeed->mean_mm_per_s;
   json["quality"] = nameOf(report.quality);
   json["confidence"] = report.confidence;
   if (report.pageClass) json["page_class"] = nameOf(*report.pageClass);

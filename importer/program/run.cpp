@@ -14,6 +14,7 @@
 #include "importer/overlay/encode_png.h"
 #include "importer/overlay/overlay.h"
 #include "importer/program/batch_report.h"
+#include "importer/program/family.h"
 #include "importer/program/forced_end.h"
 #include "importer/program/progress_json.h"
 #include "importer/program/progress_line.h"
@@ -186,6 +187,18 @@ int runImport(const Arguments& a, const Progress& progress) {
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath};
   Told told;
   int exitCode = 0;
+  if (a.family) {
+    const Result<Family> family = importFamily(a.inputs, request, progress);
+    Result<Done> written = Done{};
+    if (family && !a.buttonPath.empty()) written = writeButtonFile(a.buttonPath, family->button);
+    if (family && written) {
+      print(a, familyJson(*family, a.buttonPath) + "\n", familyText(*family, a.buttonPath), 0);
+      return 0;
+    }
+    const Failure& failure = family ? written.failure() : family.failure();
+    print(a, failureJson(failure, a.inputs.front()) + "\n", failure.sentence() + "\n", failure.exitCode());
+    return failure.exitCode();
+  }
   if (a.all) {
     exitCode = importAll(request, paths, progress, told);
     print(a, "{\"imports\":[" + joined(told.objects, ",") + "]}\n", told.text, exitCode);  // still one object

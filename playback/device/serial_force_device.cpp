@@ -189,6 +189,13 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
 Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
   Failure refused{FailureCode::deviceTrouble, info_.name, "", "does not take the force table",
                   "Check the firmware and the cable; without --upload the host runs the law"};
+  if (program.states[0].speedCount > 1) {
+    return Failure{FailureCode::wrongUsage, info_.name, "",
+                   "holds the force of one speed, and this button has graphs at " +
+                       std::to_string(program.states[0].speedCount),
+                   "Leave --upload out: the host runs the law; or upload the button of one speed, which "
+                   "detent-graph convert --speed V writes"};
+  }
   if (program.stateCount != 1) {
     return Failure{FailureCode::wrongUsage, info_.name, "",
                    "runs one state only, and this button has " + std::to_string(program.stateCount),

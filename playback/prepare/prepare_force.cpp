@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <string>
 
 #include "model/damping.h"
 #include "model/sections.h"
+#include "model/speed_family.h"
 #include "playback/prepare/damping.h"
+#include "playback/prepare/speed_change.h"
 
 namespace detent::playback {
 
@@ -22,6 +25,8 @@ constexpr double restraint_N = 0.5, restraint_mm = 3, restraintEnd_mm = 1;
 constexpr double settle_mm = 0.05;
 constexpr double widestPlayOfTravel = 0.25;
 constexpr double noticedCrossing_N = 0.001;
+// Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a press.
+constexpr double mostFedShare = 0.02;
 // A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is about as drawn.
 constexpr double risenShare = 0.96;
 
@@ -77,12 +82,32 @@ double startForce_N(const StrokeCurve& curve, double largest_N) {
   return std::clamp(curve.knots().front().force_N, -largest_N, largest_N);
 }
 
+/// A state's graphs by rising speed, or its only one.
+using Graphs = std::vector<const ForceGraph*>;
+
+ForceCurveRow& curveRow(ForceStateTable& t, std::size_t speed, std::size_t row) {
+  if (speed == 0) return t.rows[row];
+  return t.faster[speed - 1][row];
+}
+
+/// Where graphs at several speeds would make energy, and how much.
+struct FedBySpeeds {
+  double fed_mJ = 0, at_mm = 0, value = 0, limit = 0;
+  std::size_t pressed = 0, released = 0;  ///< of the worst place
+
+  void add(double each_mJ, double size, const FedBySpeeds& there) {
+    const double sum_mJ = fed_mJ + each_mJ;
+    if (size > std::abs(value)) *this = there;
+    fed_mJ = sum_mJ;
+  }
+};
+
 class Preparation {
  public:
   Preparation(const Button& button, const ForceDeviceProfile& device, const ForceSettings& settings)
       : button_(button), device_(device), settings_(settings) {}
 
-  PreparedForce run() {
+  Result<PreparedForce> run() {
     ForceProgram& p = prepared_.program;
     p.period_s = 1 / settings_.rate_Hz.value_or(device_.rate_Hz);
     p.step_mm = device_.step_mm;
@@ -96,42 +121,178 @@ class Preparation {
     if (p.stateCount > 1) p.law.catchDamping_Ns_per_mm = largestDamping_Ns_per_mm(device_, 1 / p.period_s);
     prepared_.summary.slopeLimit_N_per_mm = slope_ = device_.largestSlope_N_per_mm;
     for (std::size_t s = 0; s < p.stateCount; ++s) prepareState(s);
+    if (refused_) return *std::move(refused_);
     setPlayRadius();
     setRest();
     return std::move(prepared_);
   }
 
  private:
+  /// Of several speeds the worst place tells for all.
   void remark(ForceRemarkKind kind, std::size_t state, double at_mm, double value, double limit) {
-    prepared_.summary.remarks.push_back({kind, state, at_mm, value, limit});
+    std::vector<ForceRemark>& remarks = prepared_.summary.remarks;
+    if (prepared_.program.states[state].speedCount > 1) {
+      const auto same = std::ranges::find_if(
+          remarks, [&](const ForceRemark& r) { return r.kind == kind && r.state == state; });
+      if (same != remarks.end()) {
+        if (std::abs(value) > std::abs(same->value)) *same = {kind, state, at_mm, value, limit};
+        return;
+      }
+    }
+    remarks.push_back({kind, state, at_mm, value, limit});
   }
 
   void prepareState(std::size_t s) {
     const ButtonState& from = button_.states()[s];
     ForceStateTable& to = prepared_.program.states[s];
-    const StrokeCurve& press = from.graph.press();
-    const StrokeCurve& release =
-        settings_.law == ForceLawKind::graph ? from.graph.curve(Stroke::release) : press;
-    setPlaces(press, release, to);
-    setStrokes(press, release, to, s);
-    setDamping(from, to, s);
-    if (button_.selfLocking()) {
-      fill(press, restOf(press), to, &ForceRow::pending_N);
-      setStored(&ForceRow::pending_N, &ForceRow::pendingStored_mJ, to);
-      setActuation(from, release, to);
+    // The paper's law knows no speed but v itself.
+    const bool graphs = settings_.law == ForceLawKind::graph;
+    const std::vector<double> speeds = graphs ? speedsOf(from) : std::vector<double>{};
+    Graphs members{&from.graph};
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      to.speeds_mm_per_s[k] = speeds[k];
+      if (k == 0) members.clear();
+      members.push_back(&graphAt(from, k));
     }
-    setStored(&ForceRow::release_N, &ForceRow::stored_mJ, to);
+    to.speedCount = static_cast<std::uint32_t>(speeds.size());
+    const auto releaseOf = [&](const ForceGraph& graph) -> const StrokeCurve& {
+      return graphs ? graph.curve(Stroke::release) : graph.press();
+    };
+    setPlaces(members, to);
+    for (std::size_t k = 0; k < members.size(); ++k)
+      setStrokes(members[k]->press(), releaseOf(*members[k]), to, s, k);
+    setDamping(from, to, s);
+    const StrokeCurve& press = members.front()->press();
+    if (button_.selfLocking())
+      for (std::size_t k = 0; k < members.size(); ++k)
+        fill(members[k]->press(), restOf(members[k]->press()), to, &ForceCurveRow::pending_N, k);
+    if (members.size() > 1) limitSpeeds(members, from, to, s);
+    if (button_.selfLocking()) {
+      setStored([&](std::size_t i) { return to.rows[i].pending_N; }, &ForceRow::pendingStored_mJ, to);
+      setActuation(from, press, releaseOf(*members.front()), to);
+    }
+    setStored([&](std::size_t i) { return strongestRelease_N(to, members.size(), i); }, &ForceRow::stored_mJ,
+              to);
     prepared_.summary.travel_mm = std::max(prepared_.summary.travel_mm, from.graph.travel_mm());
     prepared_.summary.rowSpacing_mm = std::max(prepared_.summary.rowSpacing_mm, to.spacing_mm);
   }
 
+  /// What a finger can get back at a place, at whatever speed.
+  static float strongestRelease_N(ForceStateTable& t, std::size_t speeds, std::size_t row) {
+    float most_N = t.rows[row].release_N;
+    for (std::size_t k = 1; k < speeds; ++k) most_N = std::max(most_N, curveRow(t, k, row).release_N);
+    return most_N;
+  }
+
+  /// Where graphs are held against each other: on a wall a hair of displacement is any force.
+  static std::pair<double, double> comparedOn(const Graphs& members) {
+    double from_mm = 0, to_mm = longestTravel_mm;
+    for (const ForceGraph* graph : members)
+      for (const StrokeCurve* curve : {&graph->press(), &graph->curve(Stroke::release)}) {
+        const BottomOut foot = bottomOutOf(*curve);
+        from_mm = std::max(from_mm, curve->start_mm());
+        to_mm = std::min({to_mm, curve->end_mm(), foot.wall ? foot.displacement_mm : curve->end_mm()});
+      }
+    return {from_mm, to_mm};
+  }
+
+  // Whatever is pressed at one speed and released at another takes energy: no release lies above a press of any speed; and a force
+  // that falls with speed drives the handle no harder than its damper takes, one that rises damps no more than its mass bears.
+  // docs/decisions/1111-graphs-at-several-speeds.md
+  void limitSpeeds(const Graphs& members, const ButtonState& from, ForceStateTable& to, std::size_t s) {
+    const SpeedDamping allowed = renderedSpeedDamping(from, device_, 1 / prepared_.program.period_s);
+    const auto [from_mm, to_mm] = comparedOn(members);
+    const std::size_t speeds = members.size();
+    std::vector<FedBySpeeds> crossed(speeds), driven(speeds);
+    FedBySpeeds damped;
+    std::vector<double> work_mJ(speeds, 0);
+    for (std::size_t i = 0; i < to.rowCount; ++i) {
+      const double at_mm = placeOf(to, i);
+      const bool counts = at_mm >= from_mm && at_mm <= to_mm;
+      const double way_mm = counts ? to.spacing_mm : 0;
+      if (!from.graph.release()) shareLeast(to, speeds, i);
+      std::size_t released = 0;
+      for (std::size_t k = 1; k < speeds; ++k)
+        if (curveRow(to, k, i).release_N > curveRow(to, released, i).release_N) released = k;
+      const float given_N = curveRow(to, released, i).release_N;
+      for (std::size_t k = 0; k < speeds; ++k) {
+        ForceCurveRow& row = curveRow(to, k, i);
+        work_mJ[k] += way_mm * static_cast<double>(std::abs(row.press_N));
+        const double above_N = static_cast<double>(given_N - row.press_N);
+        if (above_N <= 0) continue;
+        if (counts) crossed[k].add(way_mm * above_N, above_N, {0, at_mm, above_N, 0, k, released});
+        row.press_N = given_N;
+      }
+      for (std::size_t k = 1; k < speeds; ++k) {
+        const ForceCurveRow& slower = curveRow(to, k - 1, i);
+        ForceCurveRow& row = curveRow(to, k, i);
+        const double by = to.speeds_mm_per_s[k] - to.speeds_mm_per_s[k - 1];
+        const auto limit = [&](float& force_N, float slower_N, double sign) {
+          const double change = sign * static_cast<double>(force_N - slower_N) / by,
+                       felt = std::clamp(change, allowed.least, allowed.most);
+          if (felt == change) return;
+          force_N = static_cast<float>(static_cast<double>(slower_N) + sign * felt * by);
+          const double off_N = by * std::abs(change - felt);
+          const FedBySpeeds there{0, at_mm, change, felt, k, k - 1};
+          if (counts && off_N > noticedCrossing_N)
+            (change < 0 ? driven[k] : damped).add(way_mm * off_N, std::abs(change), there);
+        };
+        limit(row.press_N, slower.press_N, 1);
+        limit(row.release_N, slower.release_N, -1);
+        limit(row.pending_N, slower.pending_N, 1);
+      }
+      for (std::size_t k = 0; k < speeds; ++k)
+        to.hysteresis = to.hysteresis || curveRow(to, k, i).release_N < curveRow(to, k, i).press_N;
+    }
+    for (std::size_t k = 0; k < speeds; ++k) {
+      refuseIfFed(crossed[k], driven[k], work_mJ[k], from, to);
+      if (crossed[k].value > noticedCrossing_N)
+        remark(ForceRemarkKind::speedsCross, s, crossed[k].at_mm, crossed[k].value, 0);
+      if (driven[k].value < 0)
+        remark(ForceRemarkKind::speedLimited, s, driven[k].at_mm, driven[k].value, driven[k].limit);
+    }
+    if (damped.value > 0) remark(ForceRemarkKind::speedLimited, s, damped.at_mm, damped.value, damped.limit);
+  }
+
+  /// A press alone is released with the least of its forces: with any other a press at one speed would pay for a release at another.
+  static void shareLeast(ForceStateTable& to, std::size_t speeds, std::size_t row) {
+    float least_N = to.rows[row].press_N;
+    for (std::size_t k = 1; k < speeds; ++k) least_N = std::min(least_N, curveRow(to, k, row).press_N);
+    for (std::size_t k = 0; k < speeds; ++k) curveRow(to, k, row).release_N = least_N;
+  }
+
+  void refuseIfFed(const FedBySpeeds& crossed, const FedBySpeeds& driven, double work_mJ,
+                   const ButtonState& from, const ForceStateTable& to) {
+    if (refused_ || !(crossed.fed_mJ + driven.fed_mJ > mostFedShare * work_mJ)) return;
+    const FedBySpeeds& worst = crossed.fed_mJ >= driven.fed_mJ ? crossed : driven;
+    const double pressed = to.speeds_mm_per_s[worst.pressed], other = to.speeds_mm_per_s[worst.released];
+    char text[320];
+    if (&worst == &crossed)
+      std::snprintf(text, sizeof text,
+                    "the release at %g mm/s lies up to %.3g N above the press at %g mm/s, at %.2f mm: "
+                    "pressed at one and "
+                    "released at the other, the motor would give %.3g mJ a press",
+                    other, worst.value, pressed, worst.at_mm, worst.fed_mJ);
+    else
+      std::snprintf(text, sizeof text,
+                    "from %g to %g mm/s the force drives the handle by %.2g N·s/mm at %.2f mm; %s takes %.2g "
+                    "N·s/mm, and %.3g mJ a press would come from the motor",
+                    other, pressed, -worst.value, worst.at_mm, device_.name.c_str(), -worst.limit,
+                    worst.fed_mJ);
+    refused_ =
+        outOfRange(from.name.empty() ? "graphs at several speeds" : "graphs of state " + from.name, text,
+                   "Draw the graphs closer together, give the button damping, or play one speed: "
+                   "detent-graph convert --speed V");
+  }
+
   // A press that lies below its release would make energy: there both have the release's force.
-  void setStrokes(const StrokeCurve& press, const StrokeCurve& release, ForceStateTable& to, std::size_t s) {
-    fill(release, beforeRelease(press, release), to, &ForceRow::release_N);
-    fill(press, beforePress(press, release), to, &ForceRow::press_N);
+  void setStrokes(const StrokeCurve& press, const StrokeCurve& release, ForceStateTable& to, std::size_t s,
+                  std::size_t speed) {
+    fill(release, beforeRelease(press, release), to, &ForceCurveRow::release_N, speed);
+    fill(press, beforePress(press, release), to, &ForceCurveRow::press_N, speed);
     double crossing_N = 0, crossing_mm = 0;
     for (std::size_t i = 0; i < to.rowCount; ++i) {
-      ForceRow& row = to.rows[i];
+      ForceCurveRow& row = curveRow(to, speed, i);
       const double apart_N = static_cast<double>(row.release_N - row.press_N), at_mm = placeOf(to, i);
       if (apart_N > crossing_N && at_mm > std::max(press.start_mm(), release.start_mm()) + apart_N / slope_) {
         crossing_N = apart_N;
@@ -145,13 +306,21 @@ class Preparation {
     if (!(release == press)) remarkSteepness(release, s);
   }
 
-  void setPlaces(const StrokeCurve& press, const StrokeCurve& release, ForceStateTable& to) {
+  void setPlaces(const Graphs& members, ForceStateTable& to) {
     const auto held_mm = [&](const StrokeCurve& c) {
       const double ramp_mm = std::max(0.0, startForce_N(c, device_.limits.force_N)) / slope_;
       return c.start_mm() - (ramp_mm + restraint_mm + restraintEnd_mm);
     };
-    to.first_mm = std::min(held_mm(press), held_mm(release));
-    const double end_mm = std::max(press.end_mm(), release.end_mm());
+    double end_mm = 0;
+    for (const ForceGraph* graph : members) {
+      const StrokeCurve &press = graph->press(), &release = settings_.law == ForceLawKind::graph
+                                                                ? graph->curve(Stroke::release)
+                                                                : press;
+      const double held = std::min(held_mm(press), held_mm(release)),
+                   end = std::max(press.end_mm(), release.end_mm());
+      to.first_mm = graph == members.front() ? held : std::min(to.first_mm, held);
+      end_mm = graph == members.front() ? end : std::max(end_mm, end);
+    }
     to.rowCount = maxForceRows;
     to.spacing_mm = (end_mm - to.first_mm) / (maxForceRows - 1);
     to.wallSlope_N_per_mm = slope_;
@@ -192,7 +361,7 @@ class Preparation {
   /// A stroke on the table's places, nowhere steeper than the device can render: steeper rises come later, steeper falls last
   /// longer, so a peak keeps its force.
   void fill(const StrokeCurve& curve, const Force& beforeStart, ForceStateTable& to,
-            float ForceRow::*force) const {
+            float ForceCurveRow::*force, std::size_t speed) const {
     const double change_N = slope_ * to.spacing_mm;
     double before_N = 0;
     for (std::size_t i = 0; i < to.rowCount; ++i) {
@@ -201,7 +370,7 @@ class Preparation {
                                   ? beforeStart(at_mm)
                                   : forceOn(curve, at_mm, slope_, device_.limits.force_N);
       before_N = i == 0 ? wanted_N : std::clamp(wanted_N, before_N - change_N, before_N + change_N);
-      to.rows[i].*force = static_cast<float>(before_N);
+      curveRow(to, speed, i).*force = static_cast<float>(before_N);
     }
   }
 
@@ -241,29 +410,30 @@ class Preparation {
   }
 
   /// How far behind the last row the wall pushes back as strongly as the curve's end pulls; 0 where it does not pull.
-  static double pulledIntoWall_mm(const ForceStateTable& t, float ForceRow::*force) {
-    return std::max(0.0, -static_cast<double>(t.rows[t.rowCount - 1].*force)) / t.wallSlope_N_per_mm;
+  static double pulledIntoWall_mm(const ForceStateTable& t, float end_N) {
+    return std::max(0.0, -static_cast<double>(end_N)) / t.wallSlope_N_per_mm;
   }
-  static double givenByWall_mJ(const ForceStateTable& t, float ForceRow::*force) {
-    const double pulled_mm = pulledIntoWall_mm(t, force);
+  static double givenByWall_mJ(const ForceStateTable& t, float end_N) {
+    const double pulled_mm = pulledIntoWall_mm(t, end_N);
     return 0.5 * t.wallSlope_N_per_mm * pulled_mm * pulled_mm;
   }
 
-  static void setStored(float ForceRow::*force, float ForceRow::*stored, ForceStateTable& to) {
+  template <class ForceOfRow>
+  static void setStored(const ForceOfRow& force_N, float ForceRow::*stored, ForceStateTable& to) {
     double stored_mJ = 0, least_mJ = 0;
     std::vector<double> sums_mJ(to.rowCount, 0.0);
     for (std::size_t i = 1; i < to.rowCount; ++i) {
-      stored_mJ += 0.5 * static_cast<double>(to.rows[i].*force + to.rows[i - 1].*force) * to.spacing_mm;
+      stored_mJ += 0.5 * static_cast<double>(force_N(i) + force_N(i - 1)) * to.spacing_mm;
       sums_mJ[i] = stored_mJ;
       least_mJ = std::min(least_mJ, stored_mJ);
     }
-    least_mJ = std::min(least_mJ, stored_mJ - givenByWall_mJ(to, force));
+    least_mJ = std::min(least_mJ, stored_mJ - givenByWall_mJ(to, force_N(to.rowCount - 1)));
     for (std::size_t i = 0; i < to.rowCount; ++i)
       to.rows[i].*stored = static_cast<float>(sums_mJ[i] - least_mJ);
   }
 
-  void setActuation(const ButtonState& from, const StrokeCurve& release, ForceStateTable& to) {
-    const StrokeCurve& press = from.graph.press();
+  void setActuation(const ButtonState& from, const StrokeCurve& press, const StrokeCurve& release,
+                    ForceStateTable& to) {
     double acts_mm =
         press.end_mm();  // without a stated operating point: where the last jump ends, else at the bottom
     for (const Section& section : sectionsOf(press, Stroke::press)) {
@@ -291,14 +461,15 @@ class Preparation {
   void setRest() {
     const ForceStateTable& t = prepared_.program.states[0];
     const auto held = button_.selfLocking() ? &ForceRow::pendingStored_mJ : &ForceRow::stored_mJ;
-    const auto force = button_.selfLocking() ? &ForceRow::pending_N : &ForceRow::release_N;
+    const auto force = button_.selfLocking() ? &ForceCurveRow::pending_N : &ForceCurveRow::release_N;
     const auto end = t.rows.begin() + t.rowCount;
     const auto least = std::min_element(
         t.rows.begin(), end, [held](const ForceRow& a, const ForceRow& b) { return a.*held < b.*held; });
     prepared_.summary.rest_mm = placeOf(t, static_cast<std::size_t>(least - t.rows.begin()));
     const ForceRow& last = t.rows[t.rowCount - 1];
-    if (static_cast<double>(last.*held) - givenByWall_mJ(t, force) < static_cast<double>((*least).*held))
-      prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoWall_mm(t, force);
+    if (static_cast<double>(last.*held) - givenByWall_mJ(t, last.*force) <
+        static_cast<double>((*least).*held))
+      prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoWall_mm(t, last.*force);
   }
 
   // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the slope limit.
@@ -308,8 +479,16 @@ class Preparation {
       const ForceStateTable& t = prepared_.program.states[s];
       if (!t.hysteresis) continue;
       for (std::size_t i = 1; i < t.rowCount; ++i) {
-        const double apart_N = static_cast<double>(t.rows[i].press_N - t.rows[i].release_N);
-        const double rise = static_cast<double>(t.rows[i].press_N - t.rows[i - 1].press_N) / t.spacing_mm;
+        double apart_N = static_cast<double>(t.rows[i].press_N - t.rows[i].release_N);
+        double rise = static_cast<double>(t.rows[i].press_N - t.rows[i - 1].press_N) / t.spacing_mm;
+        // One stroke is that of the lowest speed, the other any.
+        for (std::size_t k = 1; k < t.speedCount; ++k) {
+          const ForceCurveRow& row = t.faster[k - 1][i];
+          apart_N = std::max({apart_N, static_cast<double>(row.press_N - t.rows[i].release_N),
+                              static_cast<double>(t.rows[i].press_N - row.release_N)});
+          rise = std::max(rise,
+                          static_cast<double>(row.press_N - t.faster[k - 1][i - 1].press_N) / t.spacing_mm);
+        }
         radius_mm = std::max(radius_mm, apart_N / (2 * std::max(slope_ - std::max(rise, 0.0), 0.5 * slope_)));
       }
     }
@@ -325,6 +504,7 @@ class Preparation {
   const ForceDeviceProfile& device_;
   const ForceSettings& settings_;
   double slope_ = 0;
+  std::optional<Failure> refused_;
   PreparedForce prepared_;
 };
 

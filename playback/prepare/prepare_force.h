@@ -31,7 +31,9 @@ enum class ForceRemarkKind : std::uint8_t {
   forceClipped,    ///< value: strongest force, limit: of the device (N)
   strokesCross,    ///< value: how far the release lies above the press (N); rendered as equal there
   dampingLimited,  ///< value: strongest damping, limit: rendered (N·s/mm)
-  wideReturn,      ///< value: play radius, limit: a quarter of the travel (mm); the radius is cut to it
+  speedsCross,  ///< value: how far a release lies above the press of another speed (N); rendered as equal there
+  speedLimited,  ///< value: strongest change of force with speed, above 0 where it damps; limit: rendered (N·s/mm)
+  wideReturn,  ///< value: play radius, limit: a quarter of the travel (mm); the radius is cut to it
 };
 struct ForceRemark {
   ForceRemarkKind kind{};
@@ -54,7 +56,7 @@ struct PreparedForce {
 };
 
 /// Failure wrongUsage names the value of device or settings that is out of its range, a travel outside 0.1..100 mm, or
-/// one that ends beyond the device's reach. Any thread; allocates.
+/// one that ends beyond the device's reach, or graphs at several speeds that would make energy. Any thread; allocates.
 Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfile& device,
                                    const ForceSettings& settings = {});
 

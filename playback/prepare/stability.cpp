@@ -9,6 +9,7 @@
 #include "model/sampling.h"
 #include "playback/prepare/damping.h"
 #include "playback/prepare/loop_limit.h"
+#include "playback/prepare/speed_change.h"
 
 namespace detent::playback {
 
@@ -22,12 +23,30 @@ constexpr double limitedTo =
 
 double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.late_s(); }
 
-/// Of the smallest and the largest damping along the travel.
-LoopLimits limitsOf(const std::vector<DampingPoint>& damping, const ForceDeviceProfile& device,
-                    double rate_Hz) {
+/// What a change of force with speed damps at a place, as far as it is rendered.
+SpeedDamping renderedAt(const ButtonState& state, const SpeedDamping& rendered, double at_mm) {
+  if (state.otherSpeeds.empty()) return {};
+  const SpeedDamping drawn = speedDampingAt(state, at_mm);
+  return {std::max(drawn.least, rendered.least), std::min(drawn.most, rendered.most)};
+}
+
+/// Of the smallest and the largest damping along the travel, that by speed included.
+LoopLimits limitsOf(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz) {
   double most_Ns_per_mm = 0;
-  for (const DampingPoint& d : damping) most_Ns_per_mm = std::max(most_Ns_per_mm, d.damping_Ns_per_mm);
-  return {device, rate_Hz, leastDamping(damping), most_Ns_per_mm};
+  for (const DampingPoint& d : state.damping) most_Ns_per_mm = std::max(most_Ns_per_mm, d.damping_Ns_per_mm);
+  double least_Ns_per_mm = leastDamping(state.damping);
+  if (!state.otherSpeeds.empty()) {
+    const SpeedDamping rendered = renderedSpeedDamping(state, device, rate_Hz);
+    SpeedDamping found;
+    for (std::size_t i = 0; i < places; ++i) {
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(places);
+      const SpeedDamping there = renderedAt(state, rendered, share * state.graph.travel_mm());
+      found = {std::min(found.least, there.least), std::max(found.most, there.most)};
+    }
+    least_Ns_per_mm += found.least;
+    most_Ns_per_mm += found.most;
+  }
+  return {device, rate_Hz, least_Ns_per_mm, most_Ns_per_mm};
 }
 
 MarginPoint allowedFor(const ForceDeviceProfile& device, double byLoop_N_per_mm) {
@@ -53,7 +72,10 @@ double slopeOver(const StrokeCurve& curve, double from_mm, double to_mm) {
 class MarginOfState {
  public:
   MarginOfState(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz)
-      : state_(state), device_(device), limits_(limitsOf(state.damping, device, rate_Hz)) {}
+      : state_(state),
+        device_(device),
+        limits_(limitsOf(state, device, rate_Hz)),
+        rendered_(renderedSpeedDamping(state, device, rate_Hz)) {}
 
   void add(std::size_t index, StabilityMargin& margin) const {
     std::vector<MarginPoint> points;
@@ -61,13 +83,13 @@ class MarginOfState {
     bool broken = false;
     for (std::size_t i = 0; i < places; ++i) {
       const double from_mm = static_cast<double>(i) * spacing_mm;
-      const double rise = slopeOver(state_.graph.press(), from_mm, from_mm + spacing_mm);
-      const double releaseRise =
-          slopeOver(state_.graph.curve(Stroke::release), from_mm, from_mm + spacing_mm);
-      const double steepest = std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
+      double steepest = steepestOf(state_.graph, from_mm, from_mm + spacing_mm);
+      for (const SpeedGraph& other : state_.otherSpeeds) {
+        const double its = steepestOf(other.graph, from_mm, from_mm + spacing_mm);
+        if (std::abs(its) > std::abs(steepest)) steepest = its;
+      }
       const double middle_mm = from_mm + spacing_mm / 2;
-      MarginPoint p = allowedFor(
-          device_, limits_.at_N_per_mm(state_.damping.empty() ? 0 : dampingAt(state_.damping, middle_mm)));
+      MarginPoint p = allowedFor(device_, loopLimitAt(middle_mm));
       p.displacement_mm = middle_mm;
       p.slope_N_per_mm = std::abs(steepest);
       points.push_back(p);
@@ -83,6 +105,22 @@ class MarginOfState {
   }
 
  private:
+  static double steepestOf(const ForceGraph& graph, double from_mm, double to_mm) {
+    const double rise = slopeOver(graph.press(), from_mm, to_mm);
+    const double releaseRise = slopeOver(graph.curve(Stroke::release), from_mm, to_mm);
+    return std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
+  }
+
+  /// The least of what the loop bears at rest and at speeds between stated ones, where force follows speed late.
+  double loopLimitAt(double at_mm) const {
+    const double damping = state_.damping.empty() ? 0 : dampingAt(state_.damping, at_mm);
+    const double still = limits_.at_N_per_mm(damping);
+    if (state_.otherSpeeds.empty()) return still;
+    const SpeedDamping change = renderedAt(state_, rendered_, at_mm);
+    return std::min(
+        {still, limits_.at_N_per_mm(damping + change.least), limits_.at_N_per_mm(damping + change.most)});
+  }
+
   static void extend(UnstableStretch& stretch, double to_mm, const MarginPoint& p, bool falling) {
     stretch.to_mm = to_mm;
     if (p.margin_N_per_mm() >= stretch.worst.margin_N_per_mm()) return;
@@ -93,6 +131,7 @@ class MarginOfState {
   const ButtonState& state_;
   const ForceDeviceProfile& device_;
   LoopLimits limits_;
+  SpeedDamping rendered_;
 };
 
 /// The least damping under which the loop bears the slope, of a few up to `most`; that which bears most where none does.
@@ -141,17 +180,43 @@ Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, Sta
   return curveThroughDensePoints(points, std::min(samplingTolerance * range_N, spare_N));
 }
 
+Result<ForceGraph> limited(const ForceGraph& graph, double slope_N_per_mm, StabilityChange& change) {
+  Result<StrokeCurve> press = limited(graph.press(), slope_N_per_mm, change);
+  if (!press) return press.failure();
+  std::optional<StrokeCurve> release;
+  if (graph.release()) {
+    Result<StrokeCurve> slower = limited(*graph.release(), slope_N_per_mm, change);
+    if (!slower) return slower.failure();
+    release = *std::move(slower);
+  }
+  return ForceGraph::fromCurves(*std::move(press), std::move(release));
+}
+
+/// The size of the strongest change of force with speed, either way: late, both work against a finger.
+double strongestBySpeed(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz) {
+  if (state.otherSpeeds.empty()) return 0;
+  const SpeedDamping rendered = renderedSpeedDamping(state, device, rate_Hz);
+  double strongest = 0;
+  for (std::size_t i = 0; i < places; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(places);
+    const SpeedDamping there = renderedAt(state, rendered, share * state.graph.travel_mm());
+    strongest = std::max({strongest, there.most, -there.least});
+  }
+  return strongest;
+}
+
 }  // namespace
 
 StabilityMargin stabilityOf(const Button& button, const ForceDeviceProfile& device, double rate_Hz) {
   StabilityMargin margin;
-  double strongest = 0;
+  double strongest = 0, bySpeed = 0;
   for (std::size_t s = 0; s < button.states().size(); ++s) {
     MarginOfState(button.states()[s], device, rate_Hz).add(s, margin);
     for (const DampingPoint& d : button.states()[s].damping)
       strongest = std::max(strongest, d.damping_Ns_per_mm);
+    bySpeed = std::max(bySpeed, strongestBySpeed(button.states()[s], device, rate_Hz));
   }
-  margin.anyFinger_N_per_mm = (device.damping_Ns_per_mm - strongest) / late_s(device, rate_Hz);
+  margin.anyFinger_N_per_mm = (device.damping_Ns_per_mm - strongest - bySpeed) / late_s(device, rate_Hz);
   return margin;
 }
 
@@ -173,23 +238,20 @@ Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfil
       change.addedDamping_Ns_per_mm = raiseDamping(state.damping, needed, state.graph.travel_mm());
     }
     const double allowed =
-        allowedFor(device, limitsOf(state.damping, device, rate_Hz).least_N_per_mm()).allowed_N_per_mm;
+        allowedFor(device, limitsOf(state, device, rate_Hz).least_N_per_mm()).allowed_N_per_mm;
     if (allowed < leastAllowed_N_per_mm) {
       return Failure{FailureCode::wrongUsage, device.name, "",
                      "has so little friction or damping that no button is stable on it",
                      "Give its friction and damping, or choose another device"};
     }
-    Result<StrokeCurve> press = limited(state.graph.press(), limitedTo * allowed, change);
-    if (!press) return press.failure();
-    std::optional<StrokeCurve> release;
-    if (state.graph.release()) {
-      Result<StrokeCurve> slower = limited(*state.graph.release(), limitedTo * allowed, change);
-      if (!slower) return slower.failure();
-      release = *std::move(slower);
-    }
-    Result<ForceGraph> graph = ForceGraph::fromCurves(*std::move(press), std::move(release));
+    Result<ForceGraph> graph = limited(state.graph, limitedTo * allowed, change);
     if (!graph) return graph.failure();
     state.graph = *std::move(graph);
+    for (SpeedGraph& other : state.otherSpeeds) {
+      Result<ForceGraph> its = limited(other.graph, limitedTo * allowed, change);
+      if (!its) return its.failure();
+      other.graph = *std::move(its);
+    }
     if (change.largestForceChange_N > 0 || change.addedDamping_Ns_per_mm > 0) changes.push_back(change);
   }
   Result<Button> stable = Button::fromStates(button.name(), std::move(states), button.provenance());

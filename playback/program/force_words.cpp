@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/force_words.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace detent::playback {
@@ -41,6 +42,15 @@ std::string sentenceOf(const ForceRemark& r, const Button& button) {
       return where +
              worded("damping of %.3g N·s/mm at %.2f mm is more than the device renders; %.3g N·s/mm is felt",
                     r.value, r.at_mm, r.limit);
+    case ForceRemarkKind::speedsCross:
+      return where +
+             worded(
+                 "a release lies up to %.3g N above the press of another speed at %.2f mm, which would make "
+                 "energy; the press is felt as that release there",
+                 r.value, r.at_mm);
+    case ForceRemarkKind::speedLimited:
+      return where + worded("the force %s with speed by %.2g N·s/mm at %.2f mm; %.2g N·s/mm is felt",
+                            r.value > 0 ? "damps" : "drives", std::abs(r.value), r.at_mm, std::abs(r.limit));
     case ForceRemarkKind::wideReturn:
       return where + worded(
                          "from press to release would take %.3g mm on this device; it is cut to %.3g mm and "
@@ -62,6 +72,10 @@ std::string codeOf(ForceRemarkKind kind) {
       return "strokes_cross";
     case ForceRemarkKind::dampingLimited:
       return "damping_limited";
+    case ForceRemarkKind::speedsCross:
+      return "speeds_cross";
+    case ForceRemarkKind::speedLimited:
+      return "speed_limited";
     case ForceRemarkKind::wideReturn:
       return "wide_return";
   }

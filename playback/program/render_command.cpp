@@ -12,7 +12,9 @@
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
 #include "model/program/command_line.h"
+#include "model/speed_family.h"
 #include "playback/measurement/exact_number.h"
+#include "playback/offline/press_speed.h"
 #include "playback/offline/render_press.h"
 #include "playback/prepare/felt_level.h"
 #include "playback/program/json_output.h"
@@ -106,6 +108,20 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
   Result<PressTrace> trace =
       a.standardPress ? Result<PressTrace>(standardPress(prepared->program)) : readPressTrace(a.pressFile);
   if (!trace) return fail(trace.failure());
+  std::optional<double> speed;
+  if (const std::vector<double> speeds = speedsOf(*button); !speeds.empty()) {
+    speed = pressSpeed_mm_per_s(prepared->program, *trace);
+    Result<Button> felt = feltAtSpeed(*button, speed.value_or(speeds.front()));
+    if (!felt) return fail(felt.failure());
+    prepared = prepareProgram(*felt, *profile, a.feel.settings);
+    if (!prepared) return fail(prepared.failure());
+    if (speed)
+      std::fprintf(stderr, "pressed at %.3g mm/s: the button is that of this speed\n", *speed);
+    else
+      std::fprintf(stderr,
+                   "no press goes through the travel: the button is that of its lowest speed, %.3g mm/s\n",
+                   speeds.front());
+  }
   RenderSettings settings;
   settings.sampleRate_Hz = a.sampleRate_Hz;
   settings.format = a.format;
@@ -140,24 +156,26 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
                static_cast<unsigned long long>(n.pressJumps), static_cast<unsigned long long>(n.releaseJumps),
                static_cast<unsigned long long>(n.bottomOuts), summary->timesRealTime());
   if (a.json) {
-    print({{"status", "ok"},
-           {"output", a.outputFile},
-           {"sample_rate_Hz", a.sampleRate_Hz},
-           {"duration_s", summary->duration_s},
-           {"peak", summary->peak},
-           {"felt_dB", std::isfinite(summary->felt_dB) ? Json(summary->felt_dB) : Json(nullptr)},
-           {"full_scale_dB", fullScale_dB(*profile)},
-           {"full_scale_measured", profile->fullScale_dB.has_value()},
-           {"grains", n.grains},
-           {"press_jumps", n.pressJumps},
-           {"release_jumps", n.releaseJumps},
-           {"bottom_outs", n.bottomOuts},
-           {"suppressed", n.suppressed},
-           {"rejected_readings", rejected},
-           {"table_error_N", prepared->summary.tableError_N},
-           {"warnings", warnings},
-           {"warning_codes", warningCodes},
-           {"times_real_time", summary->timesRealTime()}});
+    Json json = {{"status", "ok"},
+                 {"output", a.outputFile},
+                 {"sample_rate_Hz", a.sampleRate_Hz},
+                 {"duration_s", summary->duration_s},
+                 {"peak", summary->peak},
+                 {"felt_dB", std::isfinite(summary->felt_dB) ? Json(summary->felt_dB) : Json(nullptr)},
+                 {"full_scale_dB", fullScale_dB(*profile)},
+                 {"full_scale_measured", profile->fullScale_dB.has_value()},
+                 {"grains", n.grains},
+                 {"press_jumps", n.pressJumps},
+                 {"release_jumps", n.releaseJumps},
+                 {"bottom_outs", n.bottomOuts},
+                 {"suppressed", n.suppressed},
+                 {"rejected_readings", rejected},
+                 {"table_error_N", prepared->summary.tableError_N},
+                 {"warnings", warnings},
+                 {"warning_codes", warningCodes},
+                 {"times_real_time", summary->timesRealTime()}};
+    if (speed) json["press_speed_mm_per_s"] = *speed;
+    print(json);
   }
   return 0;
 }

@@ -36,26 +36,42 @@ void ForceLaw::restart(double position_mm, double pressShare) {
 }
 
 double ForceLaw::Place::between(float ForceRow::*column) const {
-  return playback::between(static_cast<double>(below->*column), static_cast<double>(above->*column), share);
+  const ForceRow &low = table->rows[below], &high = table->rows[above];
+  return playback::between(static_cast<double>(low.*column), static_cast<double>(high.*column), share);
+}
+
+double ForceLaw::Place::curve_N(float ForceCurveRow::*stroke, std::uint32_t speed) const {
+  if (speed == 0) return between(stroke);
+  const auto& rows = table->faster[speed - 1];
+  return playback::between(static_cast<double>(rows[below].*stroke), static_cast<double>(rows[above].*stroke),
+                           share);
+}
+
+double ForceLaw::Place::force_N(float ForceCurveRow::*stroke, double speed_mm_per_s) const {
+  const ForceStateTable& t = *table;
+  if (t.speedCount < 2 || !(speed_mm_per_s > t.speeds_mm_per_s[0])) return force_N(stroke);
+  std::uint32_t i = 1;
+  while (i + 1 < t.speedCount && speed_mm_per_s > t.speeds_mm_per_s[i]) ++i;
+  const double from = t.speeds_mm_per_s[i - 1], to = t.speeds_mm_per_s[i];
+  const double part = speed_mm_per_s < to ? (speed_mm_per_s - from) / (to - from) : 1;
+  return playback::between(curve_N(stroke, i - 1), curve_N(stroke, i), part) + wall_N;
 }
 
 ForceLaw::Place ForceLaw::placeAt(double position_mm) const {
   const ForceStateTable& t = table();
   const double place = (position_mm - t.first_mm) / t.spacing_mm;
   const double last = static_cast<double>(t.rowCount - 1);
-  if (!(place > 0)) return {&t.rows[0], &t.rows[0], 0, 0};
-  if (place >= last) {
-    const ForceRow& end = t.rows[t.rowCount - 1];
-    return {&end, &end, 0, t.wallSlope_N_per_mm * (place - last) * t.spacing_mm};
-  }
+  if (!(place > 0)) return {&t, 0, 0, 0, 0};
+  if (place >= last)
+    return {&t, t.rowCount - 1, t.rowCount - 1, 0, t.wallSlope_N_per_mm * (place - last) * t.spacing_mm};
   const auto i = static_cast<std::uint32_t>(place);
-  return {&t.rows[i], &t.rows[i + 1], place - i, 0};
+  return {&t, i, i + 1, place - i, 0};
 }
 
 double ForceLaw::stored_mJ(double position_mm) const {
   const ForceStateTable& t = table();
   const auto held = pending() ? &ForceRow::pendingStored_mJ : &ForceRow::stored_mJ;
-  const auto force = pending() ? &ForceRow::pending_N : &ForceRow::release_N;
+  const auto force = pending() ? &ForceCurveRow::pending_N : &ForceCurveRow::release_N;
   const double place = (position_mm - t.first_mm) / t.spacing_mm, last = static_cast<double>(t.rowCount - 1);
   if (place >= last) {
     const double above_mm = (place - last) * t.spacing_mm;
@@ -82,23 +98,25 @@ double ForceLaw::playStored_mJ(double position_mm) const {
          (2 * apart_N(position_mm - radius_mm * share) + apart_N(position_mm));
 }
 
-double ForceLaw::curveForce_N(const Place& place, double pressShare) const {
-  if (pending()) return place.force_N(&ForceRow::pending_N);
-  const double press_N = place.force_N(&ForceRow::press_N);
-  return table().hysteresis ? between(place.force_N(&ForceRow::release_N), press_N, pressShare) : press_N;
+double ForceLaw::curveForce_N(const Place& place, double pressShare, double velocity_mm_per_s) const {
+  if (pending()) return place.force_N(&ForceRow::pending_N, velocity_mm_per_s);
+  const double press_N = place.force_N(&ForceRow::press_N, velocity_mm_per_s);
+  return table().hysteresis
+             ? between(place.force_N(&ForceRow::release_N, -velocity_mm_per_s), press_N, pressShare)
+             : press_N;
 }
 
 // A sampled force acts late. Of the force here and the force where the finger will be when it acts, the one that takes more
 // energy: a spring rendered this way gives back no more than was put in, whatever damping the device lacks.
 double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const {
   const Place here = placeAt(position_mm);
-  double force_N = curveForce_N(here, pressShare);
+  double force_N = curveForce_N(here, pressShare, velocity_mm_per_s);
   if (velocity_mm_per_s == 0) return force_N;
   const double lead_mm =
       velocity_mm_per_s * program_->law.holdLead_s +
       0.5 * program_->step_mm * std::clamp(velocity_mm_per_s / leadSpeed_mm_per_s_, -1.0, 1.0);
   const double aheadShare = std::clamp(pressShare + 0.5 * lead_mm / program_->law.playRadius_mm, 0.0, 1.0);
-  const double ahead_N = curveForce_N(placeAt(position_mm + lead_mm), aheadShare);
+  const double ahead_N = curveForce_N(placeAt(position_mm + lead_mm), aheadShare, velocity_mm_per_s);
   force_N = velocity_mm_per_s > 0 ? std::max(force_N, ahead_N) : std::min(force_N, ahead_N);
   return table().damped ? force_N + here.damping_Ns_per_mm() * velocity_mm_per_s : force_N;
 }
@@ -106,7 +124,7 @@ double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, dou
 double ForceLaw::step(double position_mm, double velocity_mm_per_s) {
   const double radius_mm = program_->law.playRadius_mm;
   if (program_->stateCount > 1)
-    followState(position_mm, std::max(0.0, velocity_mm_per_s * program_->law.holdLead_s));
+    followState(position_mm, std::max(0.0, velocity_mm_per_s * program_->law.holdLead_s), velocity_mm_per_s);
   pressShare_ = 1;
   if (table().hysteresis && !pending()) {
     play_.update(position_mm, radius_mm);
@@ -139,7 +157,7 @@ void ForceLaw::fade(double position_mm, double velocity_mm_per_s) {
 
 // Before the operating point a press can only be taken back, on its own curve. After it the release curve counts, and where
 // that comes to rest the other state begins.
-void ForceLaw::followState(double position_mm, double lead_mm) {
+void ForceLaw::followState(double position_mm, double lead_mm, double velocity_mm_per_s) {
   if (!actuated_) {
     if (!caught_ || position_mm + lead_mm < table().operating_mm) return;
     const double at_mm = std::max(position_mm, table().operating_mm);
@@ -157,8 +175,8 @@ void ForceLaw::followState(double position_mm, double lead_mm) {
   if (position_mm > table().rest_mm + program_->law.settle_mm) return;
   play_.update(position_mm, program_->law.playRadius_mm);
   const double held_mJ = stored_mJ(position_mm);
-  const double before_N =
-      curveForce_N(placeAt(position_mm), play_.pressShare(position_mm, program_->law.playRadius_mm));
+  const double before_N = curveForce_N(
+      placeAt(position_mm), play_.pressShare(position_mm, program_->law.playRadius_mm), velocity_mm_per_s);
   state_ = (state_ + 1) % program_->stateCount;
   actuated_ = caught_ = false;
   calm_s_ = 0;
@@ -166,7 +184,7 @@ void ForceLaw::followState(double position_mm, double lead_mm) {
   stateEnergy_mJ_ += change_mJ;
   fadeLeft_mJ_ = std::max(0.0, -change_mJ);
   fadedAt_mm_ = position_mm;
-  fading_N_ += before_N - placeAt(position_mm).force_N(&ForceRow::pending_N);
+  fading_N_ += before_N - placeAt(position_mm).force_N(&ForceRow::pending_N, velocity_mm_per_s);
 }
 
 }  // namespace detent::playback

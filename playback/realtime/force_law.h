@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The force of a button at a position and a velocity: F = F(x) + b(x) v, with press and release joined by a play operator
-// and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in the place of k(x) x.
+// The force of a button at a position and a velocity: F = F(x, v) + b(x) v, with press and release joined by a play operator
+// and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in the place of k(x) x. Where there are
+// graphs at several speeds, the press curve follows the speed of pressing and the release curve that of releasing: at rest and where
+// the handle turns both are those of the lowest speed, so that no force jumps with a velocity's sign.
 
 #include <cstdint>
 
@@ -34,21 +36,25 @@ class ForceLaw {
  private:
   /// Between two rows, or in the wall behind the last. What a button does not have is not read from them.
   struct Place {
-    const ForceRow *below, *above;
+    const ForceStateTable* table;
+    std::uint32_t below, above;
     double share, wall_N;
 
-    double force_N(float ForceRow::*stroke) const { return between(stroke) + wall_N; }
+    /// At the lowest speed.
+    double force_N(float ForceCurveRow::*stroke) const { return between(stroke) + wall_N; }
+    double force_N(float ForceCurveRow::*stroke, double speed_mm_per_s) const;
     double damping_Ns_per_mm() const { return between(&ForceRow::damping_Ns_per_mm); }
 
    private:
     double between(float ForceRow::*column) const;
+    double curve_N(float ForceCurveRow::*stroke, std::uint32_t speed) const;
   };
   Place placeAt(double position_mm) const;
-  double curveForce_N(const Place& place, double pressShare) const;
+  double curveForce_N(const Place& place, double pressShare, double velocity_mm_per_s) const;
   bool pending() const { return program_->stateCount > 1 && !actuated_; }
   double movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const;
   /// `lead_mm` >= 0: how far on the handle is when the force acts.
-  void followState(double position_mm, double lead_mm);
+  void followState(double position_mm, double lead_mm, double velocity_mm_per_s);
   double playStored_mJ(double position_mm) const;
   void fade(double position_mm, double velocity_mm_per_s);
   double caughtBy_N(double velocity_mm_per_s);

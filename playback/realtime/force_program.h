@@ -16,11 +16,17 @@ inline constexpr std::size_t maxForceRows =
     2048;  ///< per state; a travel of 4 mm is stored every 3 µm or finer
 inline constexpr std::size_t maxForceStates = 2;  ///< momentary: 1, self-locking: 2
 
-/// Everything a state feels at one displacement; linear between rows.
-struct ForceRow {
+inline constexpr std::size_t maxForceSpeeds = 4;  ///< of a button that feels different at different speeds
+
+/// The forces of a state at one displacement and one speed; linear between rows.
+struct ForceCurveRow {
   float press_N = 0, release_N = 0;  ///< press >= release
   float pending_N =
       0;  ///< self-locking: both ways before the actuation, held at the rest the state began with
+};
+
+/// Everything a state feels at one displacement, at its lowest speed or its only one.
+struct ForceRow : ForceCurveRow {
   float damping_Ns_per_mm = 0;
   float stored_mJ = 0;         ///< what a finger that lets go here gets back, slowly, along the release
   float pendingStored_mJ = 0;  ///< and before the actuation (self-locking)
@@ -37,6 +43,11 @@ struct ForceStateTable {
   double rest_mm = 0;             ///< where a release ends after an actuation (self-locking)
   double operating_mm = 0;        ///< a press that arrives here has actuated (self-locking)
   std::array<ForceRow, maxForceRows> rows{};
+  /// 0: one graph for every speed. Else the speeds of the graphs, rising, and the rows of all but the lowest; linear in speed between them,
+  /// held outside. No release of any of them lies above a press of any.
+  std::uint32_t speedCount = 0;
+  std::array<double, maxForceSpeeds> speeds_mm_per_s{};
+  std::array<std::array<ForceCurveRow, maxForceRows>, maxForceSpeeds - 1> faster{};
 };
 
 enum class VelocityMethod : std::uint8_t { kalman, foaw, difference };

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A button with graphs at several speeds, evaluated by scipy from its file's knots alone.
 
-    speed_family_test.py --bin FOLDER
+    speed_family_test.py --bin FOLDER --samples FOLDER
 
 Needs Debian's python3-scipy: without it, SKIPPED.
 """
 
 import argparse
+import hashlib
 import json
 import pathlib
 import subprocess
@@ -23,6 +24,14 @@ except ImportError:
 
 ARGUMENTS = None
 X_MM = np.linspace(0, 4, 801)
+# What buttons of one speed played before there were others. Who changes what they play on purpose writes the new ones.
+RECORDED = {
+    ("push", "sim:falcon"): "3dedadb452dfece7e726dbdfbfb950074f0f3b1021bbdbf3c00f946d6875936e",
+    ("latch", "sim:rig"): "cc1e0e213aeb6dc95227af4e918fcc21da994d808e83c39c7cc43982727549c5",
+    ("B", "sim:rig"): "bddbfbd18abf3ef242ba9b7559019823153c4a58bf67401e35de8e46594b2670",
+    ("B", "wav"): "0ee96c64bda684a70fbbc84bc97f8cd2fe230db8e33c00fd882659224ced34dd",
+    ("latch", "wav"): "71739696e71da1f45fec8e602e5057c54b627dfbb9a43b015366de5f44f8ecc9",
+}
 
 
 def run(program, *arguments):
@@ -90,6 +99,127 @@ class SpeedFamily(unittest.TestCase):
                 worst = np.max(np.abs(force_N(written["states"][0][stroke], X_MM) - at(speed)))
                 self.assertLess(worst, 1e-12, f"{stroke} at {speed} mm/s")
 
+    def test_a_button_of_one_speed_plays_the_bytes_it_played(self):
+        out = self.folder / "played"
+        for (name, device), recorded in RECORDED.items():
+            button = ARGUMENTS.samples / f"{name}.button.json"
+            if device == "wav":
+                out = out.with_suffix(".wav")
+                played = run("detent-play", "render", button, "--standard-press", "-o", out)
+            else:
+                out = out.with_suffix(".csv")
+                played = run("detent-play", "force", button, "--device", device, "--seconds", 2, "--fast", "--log", out)
+            self.assertEqual(played.returncode, 0, played.stderr)
+            self.assertEqual(hashlib.sha256(out.read_bytes()).hexdigest(), recorded, f"{name} on {device}")
+
+    def test_a_button_of_one_speed_is_written_as_it_was(self):
+        for sample in sorted(ARGUMENTS.samples.glob("*.button.json")):
+            out = self.folder / sample.name
+            self.assertEqual(run("detent-graph", "convert", sample, out).returncode, 0)
+            self.assertEqual(out.read_bytes(), sample.read_bytes(), sample.name)
+
+    def test_force_says_why_a_family_cannot_be_played(self):
+        files = [write(self.folder / f"{speed}.button.json", [{"press": [knot(0, 0.1, 0.4), knot(1, peak, 0), knot(4, 1.2, 0.6)],
+                                                               "release": [knot(0, 0.05, 0.1), knot(1.5, low, 0), knot(4, 1.2, 0.7)]}])
+                 for speed, peak, low in ((10, 0.9, 0.7), (100, 0.4, 0.1))]
+        family = self.folder / "f.button.json"
+        self.assertEqual(run("detent-graph", "family", *files, "--speeds", "10,1000", "-o", family).returncode, 0)
+        self.assertIn("speeds-give-energy", run("detent-graph", "check", family).stdout)
+        refused = run("detent-play", "force", family, "--device", "sim", "--seconds", 1, "--fast")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("the release at 10 mm/s lies up to", refused.stderr)
+        one = self.folder / "one.button.json"
+        self.assertEqual(run("detent-graph", "convert", family, one, "--speed", 1000).returncode, 0)
+        self.assertEqual(run("detent-play", "force", one, "--device", "sim", "--seconds", 1, "--fast").returncode, 0)
+
+    def test_a_press_at_a_stated_speed_sounds_as_the_button_of_that_speed(self):
+        family = self.family([20.0, 5.0, 200.0, 90.0])
+        peaks = {}
+        for speed in (3.0, 5.0, 20.0, 50.0, 90.0, 200.0, 400.0):
+            trace = self.folder / "trace.csv"
+            times = [0, 0.05, 0.05 + 4.2 / speed, 0.15 + 4.2 / speed, 0.15 + 8.4 / speed]
+            trace.write_text("time_s,displacement_mm\n" + "".join(
+                f"{t:.9f},{x}\n" for t, x in zip(times, (-0.1, -0.1, 4.1, 4.1, -0.1))), encoding="utf-8")
+            rendered = {}
+            one = self.folder / "one.button.json"
+            run("detent-graph", "convert", family, one, "--speed", speed)
+            for name, button in (("family", family), ("one", one)):
+                out = self.folder / f"{name}.wav"
+                played = run("detent-play", "render", button, "--press", trace, "-o", out, "--json")
+                self.assertEqual(played.returncode, 0, played.stderr)
+                rendered[name] = out.read_bytes()
+                if name == "family":
+                    told = json.loads(played.stdout)["press_speed_mm_per_s"]
+                    self.assertLess(abs(told / speed - 1), 1e-6)
+            if speed != 50:  # between stated speeds the two speeds differ by rounding
+                self.assertEqual(rendered["family"], rendered["one"], f"{speed} mm/s")
+            peaks[speed] = hashlib.sha256(rendered["one"]).hexdigest()
+        self.assertGreaterEqual(len(set(peaks.values())), 5)
+
+    def record(self, speed, name=None, timed=True, halves=1.0, release_speed=None, noise_N=0.002):
+        """A force meter's log at 2000 Hz of a press and release of the dome, with noise."""
+        chance = np.random.default_rng(int(1000 * speed))
+        rate = 2000
+        one = graph(speed)
+        down = 4.0 / speed
+        t = np.arange(0, down, 1 / rate)
+        x = np.where(t < down / 2, t * speed * 2 * halves / (1 + halves), 0)
+        x = np.where(t >= down / 2, 4 - (down - t) * speed * 2 / (1 + halves), x)
+        back = release_speed or speed
+        up = np.arange(0, 4.0 / back, 1 / rate)
+        places = np.concatenate([x, 4 - up * back])
+        forces = np.concatenate([force_N(one["press"], x), force_N(one["release"], 4 - up * back)])
+        times = np.arange(len(places)) / rate
+        path = self.folder / (name or f"at-{speed:g}.csv")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("Time (s),Travel (mm),Force (N)\n" if timed else "Travel (mm),Force (N)\n")
+            for when, where, force in zip(times, places, forces + chance.normal(0, noise_N, len(places))):
+                file.write((f"{when:.5f}," if timed else "") + f"{where:.4f},{force:.4f}\n")
+        return path
+
+    def test_timed_records_make_a_family(self):
+        speeds = [20.0, 5.0, 90.0]
+        out = self.folder / "recorded.button.json"
+        made = run("detent-import", "--family", *map(self.record, speeds), "-o", out, "--json")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        told = json.loads(made.stdout)
+        self.assertEqual(told["warning_codes"], [])
+        for record, speed in zip(told["records"], speeds):
+            self.assertLess(abs(record["press_speed_mm_per_s"] / speed - 1), 0.01)
+            self.assertLess(abs(record["release_speed_mm_per_s"] / speed - 1), 0.01)
+        state = json.loads(out.read_text(encoding="utf-8"))["states"][0]
+        members = [state, *state["otherSpeeds"]]
+        self.assertEqual(members[0]["speed_mm_per_s"], told["records"][0]["press_speed_mm_per_s"])
+        inner = X_MM[(X_MM > 0.05) & (X_MM < 3.95)]
+        for member in members:
+            truth = graph(min(speeds, key=lambda speed: abs(speed - member["speed_mm_per_s"])))
+            for stroke in ("press", "release"):
+                off = force_N(member[stroke], inner) - force_N(truth[stroke], inner)
+                self.assertLess(np.sqrt(np.mean(off ** 2)), 0.003, f"{stroke} at {member['speed_mm_per_s']} mm/s")
+
+    def test_records_that_are_no_family_are_refused_and_doubtful_ones_told(self):
+        out = self.folder / "o.button.json"
+        slow, fast = self.record(5.0), self.record(50.0)
+        untimed, same = self.record(20.0, "untimed.csv", timed=False), self.record(5.1, "same.csv")
+        for records, code, part in (
+                ([slow], 2, "all that is there was pressed at one speed, 5 mm/s"),
+                ([slow, same], 2, "at least one and a half times as fast"),
+                ([slow, fast, same], 2, "it was pressed at 5.1 mm/s, as "),
+                ([slow, untimed], 3, "no column of times tells how fast it was pressed"),
+                ([slow, fast, slow, fast, slow], 2, "is given 5 records")):
+            result = run("detent-import", "--family", *records, "-o", out)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertIn(part, result.stderr)
+            self.assertFalse(out.exists())
+        close, uneven = self.record(7.0), self.record(40.0, "uneven.csv", halves=2.0)
+        apart = self.record(30.0, "apart.csv", release_speed=10.0)
+        for records, code in (([slow, close], "speeds-close"), ([slow, uneven], "press-uneven"),
+                              ([slow, apart], "release-apart")):
+            result = run("detent-import", "--family", *records, "-o", out, "--json")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(json.loads(result.stdout)["warning_codes"], [code])
+        self.assertEqual(run("detent-import", slow, fast).returncode, 2)
+
     def test_what_the_commands_refuse_they_name(self):
         family = self.family([10.0, 100.0])
         plain = self.folder / "10.button.json"
@@ -110,5 +240,6 @@ class SpeedFamily(unittest.TestCase):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--bin", type=pathlib.Path, required=True)
+    parser.add_argument("--samples", type=pathlib.Path, required=True)
     ARGUMENTS, others = parser.parse_known_args()
     unittest.main(argv=["speed_family_test.py", *others])

@@ -166,6 +166,18 @@ TEST_CASE("an uploaded table gives no more than the largest force either", "[upl
   }
 }
 
+TEST_CASE("a button with graphs at several speeds is not uploaded, with the way out", "[upload]") {
+  SerialEmulator device({});
+  const Ran ran = play("../../tests/model/file/fixtures/version-5", "serial:" + device.port(),
+                       {"--seconds", "0.2", "--max-N", "5", "--step-mm", "0.001", "--upload"});
+  device.halt();
+  INFO(ran.said);
+  CHECK(ran.exitCode == 2);
+  CHECK_FALSE(device.ranTable());
+  CHECK_THAT(ran.said, Catch::Contains("holds the force of one speed, and this button has graphs at 3") &&
+                           Catch::Contains("convert --speed"));
+}
+
 TEST_CASE("uploaded, by the host and simulated: the same force under the same limits", "[upload]") {
   for (const char* button : {"B", "push"}) {
     SerialEmulatorSettings settings;
