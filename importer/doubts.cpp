@@ -237,6 +237,7 @@ class Doubts {
     otherLine();
     place();
     pageClass();
+    for (WeighedDoubt& each : doubts_) each.doubt.remedies = leftToTry(each.doubt.remedies, hints_);
     return std::move(doubts_);
   }
 
@@ -402,11 +403,10 @@ class Doubts {
       add(DoubtCode::cutAtPictureEdge, unconfirmed, {},
           {{RemedyKind::advice, "Use the whole picture"},
            {RemedyKind::giveFrame, "if the curve ends there"}});
-    if (hints_.frame.empty()) {
-      edges(strokes.press);
-      if (strokes.release) edges(*strokes.release);
-    }
-    if (findings_.graph.axes.otherRightScale)
+    edges(strokes.press);
+    if (strokes.release) edges(*strokes.release);
+    const bool curvesChosen = hints_.trace.pressColor || !hints_.drawn.press.empty();
+    if (findings_.graph.axes.otherRightScale && !curvesChosen)
       add(DoubtCode::otherScale, unconfirmed, {},
           {{RemedyKind::pickPress, {}},
            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
@@ -450,13 +450,14 @@ class Doubts {
     const bool nearTop =
         end.y < std::max(topLeft.y, topRight.y) + nearShare * (bottomLeft.y - topLeft.y) + atEdge_px;
     const bool broken = nearTop && (labelAbove(topLeft) || (!drawnAtTop() && numberAbove(topLeft)));
-    if (broken || (atEdge && goesOn(line, color, picture)))
-      add(DoubtCode::leavesThePlot,
-          broken || labelContradicts() || (atRight && goesFarOn(findings_.graph.frame.value, color, picture))
-              ? unconfirmed
-              : inPart,
+    if (broken || (atEdge && goesOn(line, color, picture))) {
+      // Whoever gives the frame says where the plot ends; that its curve goes on there is still said.
+      const bool cutShort =
+          broken || labelContradicts() || (atRight && goesFarOn(findings_.graph.frame.value, color, picture));
+      add(DoubtCode::leavesThePlot, cutShort && hints_.frame.empty() ? unconfirmed : inPart,
           {{forceAtRight(stroke), Measure::force_N}},
-          {{RemedyKind::giveFrame, "with the whole curve in it"}, {RemedyKind::giveXAxis, {}}});
+          {{RemedyKind::giveFrame, "with the whole curve in it"}});
+    }
 
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const Point foot = axes.toUnits(bottomLeft);
@@ -558,7 +559,7 @@ std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStr
                                       const ImportHints& hints) {
   std::vector<WeighedDoubt> doubts;
   const auto add = [&](DoubtCode code, double confidence, std::vector<MessageValue> values, Remedies helps) {
-    doubts.push_back({{code, std::move(values), std::move(helps)}, confidence});
+    doubts.push_back({{code, std::move(values), leftToTry(helps, hints)}, confidence});
   };
   const Remedies takeOut(Message("Take out of the file what the sensor did not measure"));
   const Extent travel = travelOf(strokes.press), force = forceOf(strokes.press);

@@ -982,8 +982,17 @@ Result<std::vector<PlotSwitch>> ImportSession::switches(const ListedGraph& graph
 }
 
 ImportAttempt ImportSession::attempt(const ImportRequest& request, const Progress& progress) {
-  if (isForceLog()) return {impl_->importLog(request, progress), {}};
-  return impl_->importPlot(request, progress);
+  ImportAttempt made = isForceLog() ? ImportAttempt{impl_->importLog(request, progress), {}}
+                                    : impl_->importPlot(request, progress);
+  const auto restOf = [&](Remedies& remedies) { remedies = leftToTry(remedies, request.hints); };
+  if (!made.report && !made.report.failure().reason.empty()) {
+    Failure doubted = made.report.failure();
+    restOf(doubted.remedies);
+    made.report = std::move(doubted);
+  } else if (made.report && made.report->doubt) {
+    restOf(made.report->doubt->remedies);
+  }
+  return made;
 }
 
 Result<ImportReport> ImportSession::importGraph(const ImportRequest& request, const Progress& progress) {

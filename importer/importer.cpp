@@ -33,4 +33,39 @@ std::string ImportReport::brief() const {
 
 void loadTextEngine() { static_cast<void>(TextReader::available()); }
 
+namespace {
+
+bool isGiven(const ImportHints& hints, RemedyKind kind) {
+  const AxisHints& axes = hints.axes;
+  switch (kind) {
+    case RemedyKind::giveFrame:
+      return !hints.frame.empty();
+    case RemedyKind::giveXAxis:
+      return axes.xMin && axes.xMax;
+    case RemedyKind::giveYAxis:
+      return axes.yMin && axes.yMax;
+    case RemedyKind::giveXUnit:
+      return axes.xUnit.has_value();
+    case RemedyKind::giveYUnit:
+      return axes.yUnit.has_value();
+    case RemedyKind::pickPress:
+      return hints.trace.pressColor.has_value();
+    case RemedyKind::pickRelease:
+      return hints.trace.releaseColor.has_value();
+    case RemedyKind::setResolution:
+      return hints.dpi.has_value();
+    default:
+      return false;  // masks and words can be given again
+  }
+}
+
+}  // namespace
+
+Remedies leftToTry(const Remedies& remedies, const ImportHints& hints) {
+  const Remedies left = remedies.without([&](RemedyKind kind) { return isGiven(hints, kind); });
+  if (!left.empty() || remedies.empty()) return left;
+  if (hints.drawn.press.empty()) return Message("Draw the whole curve by hand: --press-line");
+  return Message("Where the overlay shows that it is right, take it as it is: --sure 0");
+}
+
 }  // namespace detent::importer

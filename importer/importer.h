@@ -55,6 +55,10 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
+/// Of what helps against a doubt that which has not been given by hand yet: what was given and left the doubt as it was is not asked for
+/// again. Where nothing else is left: to draw the strokes by hand, then the person's own word.
+Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
+
 /// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets another bar. Set
 /// from the corpus (docs/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;

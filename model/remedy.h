@@ -3,6 +3,7 @@
 // What helps against a Failure, a doubt or what a warning speaks of. What a person can do differs from edge to edge
 // (an option at the command line, a tool in the editor), so it is named here and worded there.
 
+#include <concepts>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -59,6 +60,13 @@ class Remedies {
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }
   bool include(RemedyKind kind) const;
+  /// All but those of a kind that `is` says true of.
+  template <std::predicate<RemedyKind> Is>
+  Remedies without(Is is) const {
+    Remedies left = *this;
+    std::erase_if(left.all_, [&](const Remedy& each) { return is(each.kind); });
+    return left;
+  }
 
  private:
   std::vector<Remedy> all_;

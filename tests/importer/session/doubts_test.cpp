@@ -341,8 +341,8 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // a part of another frame
   labels.insert(labels.end(), 20, labels.front());
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);  // one misprint among many
-  leaves.hints.frame = {{100, 100}, {500, 500}};                      // a person says so
-  CHECK(leaves.doubts().empty());
+  leaves.hints.frame = {{100, 100}, {500, 500}};  // a person says so: taken, and still said
+  CHECK(leaves.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
 }
 
 TEST_CASE("a wall on the frame's side, in the frame's ink, does not leave the plot below its top") {
@@ -369,6 +369,91 @@ TEST_CASE("a curve that ends where the picture does, and a second scale") {
   Import scales;
   scales.graph.axes.otherRightScale = true;
   CHECK(scales.doubted(DoubtCode::otherScale));
+}
+
+TEST_CASE("a second scale is denied by the colours of the curves that count") {
+  Import scales;
+  scales.graph.axes.otherRightScale = true;
+  CHECK(scales.doubted(DoubtCode::otherScale));
+  scales.hints.trace.pressColor = Rgb{200, 30, 30};
+  CHECK_FALSE(scales.doubted(DoubtCode::otherScale));
+}
+
+namespace {
+
+/// As a person does who follows advice: gives by hand what is asked for.
+void give(RemedyKind kind, ImportHints& hints) {
+  switch (kind) {
+    case RemedyKind::giveFrame:
+      hints.frame = {{100, 100}, {500, 500}};
+      break;
+    case RemedyKind::giveXAxis:
+      hints.axes.xMin = 0, hints.axes.xMax = 4;
+      break;
+    case RemedyKind::giveYAxis:
+      hints.axes.yMin = 0, hints.axes.yMax = 4;
+      break;
+    case RemedyKind::giveXUnit:
+      hints.axes.xUnit = LengthUnit::millimetre;
+      break;
+    case RemedyKind::giveYUnit:
+      hints.axes.yUnit = ForceUnit::newton;
+      break;
+    case RemedyKind::pickPress:
+      hints.trace.pressColor = Rgb{};
+      break;
+    case RemedyKind::pickRelease:
+      hints.trace.releaseColor = Rgb{};
+      break;
+    case RemedyKind::setResolution:
+      hints.dpi = 300;
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what was given by hand is not asked for again, and something is always left to try") {
+  Import pulls;
+  pulls.press = {{-1, -0.5}, {1, -0.7}, {1.5, -0.5}, {3, 0.1}};
+  pulls.release = {{3, 0.1}, {2, 0.9}, {-1, -0.5}};
+  pulls.graph.axes.otherRightScale = true;
+  pulls.graph.axes.calibration.value.x.unitFound = false;
+  pulls.graph.axes.calibration.value.y.otherQuantity = "kPa";
+  pulls.tactilePoints = 9;
+  pulls.pageClass = PageClass::photo;
+  for (int step = 0; step < 12; ++step) {
+    const auto doubts = doubtsOf(pulls.findings(), pulls.checks, pulls.hints);
+    REQUIRE_FALSE(doubts.empty());  // no hint makes a pull a press
+    std::optional<RemedyKind> next;
+    for (const WeighedDoubt& each : doubts) {
+      INFO(nameOf(each.doubt.code));
+      CHECK_FALSE(each.doubt.remedies.empty());
+      for (const Remedy& remedy : each.doubt.remedies) {
+        ImportHints given = pulls.hints;
+        give(remedy.kind, given);
+        const bool asksAnew = remedy.kind == RemedyKind::addMask || remedy.kind == RemedyKind::advice;
+        CHECK((asksAnew || given != pulls.hints));
+        if (!asksAnew) next = remedy.kind;
+      }
+    }
+    if (!next) return;
+    give(*next, pulls.hints);
+  }
+  FAIL("twelve times asked, and not at an end");
+}
+
+TEST_CASE("after the last hint the strokes are drawn by hand, then the person's word counts") {
+  ImportHints hints;
+  hints.axes.xMin = 0, hints.axes.xMax = 4;
+  const Remedies asked = RemedyKind::giveXAxis;
+  CHECK(commandLineWords(leftToTry(asked, {})) == commandLineWords(asked));
+  CHECK(commandLineWords(leftToTry(asked, hints)).find("--press-line") != std::string::npos);
+  hints.drawn.press = {{0, 0}, {1, 1}};
+  CHECK(commandLineWords(leftToTry(asked, hints)).find("--sure") != std::string::npos);
+  CHECK(leftToTry({}, hints).empty());
 }
 
 TEST_CASE("points that make no curve are refused, however sure the steps before were") {
