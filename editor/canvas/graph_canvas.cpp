@@ -234,6 +234,12 @@ QRectF GraphCanvas::contentRange() const {
     const auto [lowest, highest] = other.graph.press().forceRange_N();
     low = std::min(low, lowest);
     high = std::max(high, highest);
+    for (const SpeedGraph& speed : other.otherSpeeds) {
+      const auto [least, most] = speed.graph.press().forceRange_N();
+      end = std::max(end, speed.graph.travel_mm());
+      low = std::min(low, least);
+      high = std::max(high, most);
+    }
   }
   if (graph.release()) {
     start = std::min(start, graph.release()->start_mm());

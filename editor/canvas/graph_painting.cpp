@@ -110,6 +110,35 @@ void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
+// Thin, in the strokes' colours: one graph of the family is worked on, the others are what it is held against.
+void paintOtherSpeeds(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  painter.setBrush(Qt::NoBrush);
+  for (const SpeedGraph& other : scene.state.otherSpeeds)
+    for (const Stroke stroke : {Stroke::release, Stroke::press}) {
+      if (stroke == Stroke::release && !other.graph.release()) continue;
+      painter.setPen(strokePen(stroke, scene.colors, 1));
+      drawPolylines(painter, curvePolylines(other.graph.curve(stroke), map));
+    }
+}
+
+// Each where its press lies farthest from the one worked on.
+void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  constexpr int looks = 64;
+  constexpr double beforeWall = 0.9;  // of the travel
+  const StrokeCurve& front = scene.state.graph.press();
+  for (const SpeedGraph& other : scene.state.otherSpeeds) {
+    const StrokeCurve& press = other.graph.press();
+    double farthest_N = -1, at_mm = press.start_mm();
+    for (int i = 1; i < looks; ++i) {
+      const double here_mm = press.start_mm() + press.travel_mm() * beforeWall * i / looks;
+      const double apart_N = std::abs(press.force_N(here_mm) - front.force_N(here_mm));
+      if (apart_N > farthest_N) farthest_N = apart_N, at_mm = here_mm;
+    }
+    paintTag(painter, map.toPixel(at_mm, press.force_N(at_mm)) + QPointF(0, -12),
+             speedText(other.speed_mm_per_s), scene.colors.press, scene.colors.background, map.clip_px);
+  }
+}
+
 // Behind the curves, as wide as the units scatter to each side.
 void paintSpread(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const auto band = [&](const ToleranceBand& points, const QColor& ink) {
@@ -656,6 +685,8 @@ void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColo
   paintTagIn(painter, tagBox(painter, at_px, text, bounds_px), text, ink, ground);
 }
 
+QString speedText(double speed_mm_per_s) { return tr("%1 mm/s").arg(numberText(speed_mm_per_s, 4)); }
+
 void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   // Beside the legend.
   const QRectF free = map.clip_px.adjusted(std::min(110.0, 0.2 * map.clip_px.width()), 0, 0, 0);
@@ -676,6 +707,7 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   paintWall(painter, map, scene);
   if (scene.spread) paintSpread(painter, map, scene);
   if (scene.otherState) paintGhost(painter, map, scene);
+  if (!scene.state.otherSpeeds.empty()) paintOtherSpeeds(painter, map, scene);
   if (!scene.tracedPress.empty())
     paintResiduals(painter, map, scene.state.graph.press(), scene.tracedPress, scene.colors.residual);
   if (!scene.tracedRelease.empty() && scene.state.graph.release())
@@ -697,6 +729,7 @@ void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
   paintLegend(painter, map, scene);
+  paintSpeedLabels(painter, map, scene);
   paintMarks(painter, map, scene);
   paintFeedback(painter, map, scene);
   if (scene.finger) paintFinger(painter, map, scene);

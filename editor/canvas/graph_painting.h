@@ -52,6 +52,9 @@ void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphSc
 void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
               const QRectF& bounds_px);
 
+/// "100 mm/s".
+QString speedText(double speed_mm_per_s);
+
 /// Residuals are drawn this many times as long as they are; long ones less, down to their own length.
 inline constexpr double residualMagnification = 10;
 

@@ -24,6 +24,7 @@
 #include "editor/tools/damping_view.h"
 #include "editor/tools/mark_edits.h"
 #include "editor/tools/tool_box.h"
+#include "model/speed_family.h"
 
 namespace detent::editor {
 namespace {
@@ -120,6 +121,13 @@ QWidget* GraphWorkspace::makeBar() {
                       tr("The state that is edited; the other one is drawn pale behind it."),
                       tr("State of the button"));
   statesLabel_->setBuddy(states_);
+  speedsLabel_ = new QLabel(tr("Sp&eed"));
+  speeds_ = described(new QComboBox, "speedSwitcher",
+                      tr("The speed whose graph is edited, and which stands where no speed is known; those "
+                         "of the other speeds "
+                         "are drawn thin."),
+                      tr("Speed of the graph"));
+  speedsLabel_->setBuddy(speeds_);
   underlayLabel_ = new QLabel(tr("&Page"));
   underlay_ = described(new QSlider(Qt::Horizontal), "underlayOpacity",
                         tr("How strongly the datasheet page shows under the curves, in %"),
@@ -129,12 +137,21 @@ QWidget* GraphWorkspace::makeBar() {
   underlayLabel_->setBuddy(underlay_);
   row->addWidget(statesLabel_);
   row->addWidget(states_);
+  row->addWidget(speedsLabel_);
+  row->addWidget(speeds_);
   row->addStretch(1);
   row->addWidget(underlayLabel_);
   row->addWidget(underlay_);
   connect(states_, &QComboBox::activated, this, [this](int index) {
     if (index >= 0 && static_cast<std::size_t>(index) < document_.button().states().size())
       document_.setActiveState(static_cast<std::size_t>(index));
+  });
+  connect(speeds_, &QComboBox::activated, this, [this](int index) {
+    const std::vector<double> speeds = speedsOf(document_.button());
+    if (index < 0 || static_cast<std::size_t>(index) >= speeds.size() || document_.history().dragging())
+      return;
+    document_.history().replace(broughtForward(document_.button(), static_cast<std::size_t>(index)),
+                                tr("Graph of %1").arg(speedText(speeds[static_cast<std::size_t>(index)])));
   });
   connect(underlay_, &QSlider::valueChanged, this,
           [this](int percent) { settings_.setUnderlayOpacity(percent / 100.0); });
@@ -362,7 +379,8 @@ void GraphWorkspace::followDocument() {
   states_->setCurrentIndex(static_cast<int>(document_.activeState()));
   statesLabel_->setVisible(states.size() > 1);
   states_->setVisible(states.size() > 1);
-  bar_->setVisible(states.size() > 1 || canvas_->hasUnderlay());
+  followSpeeds();
+  bar_->setVisible(barHasChoices() || canvas_->hasUnderlay());
   damping_->setVisible(dampingShown_->isChecked() && !states[document_.activeState()].damping.empty());
   dampingShown_->setEnabled(!states[document_.activeState()].damping.empty());
   const std::size_t selected = canvas_->selection().size();
@@ -373,11 +391,27 @@ void GraphWorkspace::followDocument() {
   operations_->updateActions();
 }
 
+bool GraphWorkspace::barHasChoices() const {
+  return document_.button().states().size() > 1 || !speedsOf(document_.button()).empty();
+}
+
+void GraphWorkspace::followSpeeds() {
+  const std::vector<double> speeds = speedsOf(document_.button());
+  const QSignalBlocker quiet(speeds_);
+  speeds_->clear();
+  for (const double speed : speeds) speeds_->addItem(speedText(speed));
+  if (!speeds.empty())
+    speeds_->setCurrentIndex(static_cast<int>(
+        std::ranges::find(speeds, *document_.button().states().front().speed_mm_per_s) - speeds.begin()));
+  speedsLabel_->setVisible(!speeds.empty());
+  speeds_->setVisible(!speeds.empty());
+}
+
 void GraphWorkspace::followSettings() {
   const bool page = canvas_->hasUnderlay();
   underlayLabel_->setVisible(page);
   underlay_->setVisible(page);
-  bar_->setVisible(page || document_.button().states().size() > 1);
+  bar_->setVisible(page || barHasChoices());
   // Those that are read on demand can be asked for: switching them on has them read.
   const bool traced = !canvas_->tracedPoints(Stroke::press).empty() || document_.originOnDemand();
   residualsShown_->setEnabled(traced);

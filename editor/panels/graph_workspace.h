@@ -82,6 +82,8 @@ class GraphWorkspace : public QWidget {
   void addSnapActions();
   void followDocument();
   void followSettings();
+  void followSpeeds();
+  bool barHasChoices() const;
   void showContextMenu(QPoint global_px);
 
   ButtonDocument& document_;
@@ -95,6 +97,8 @@ class GraphWorkspace : public QWidget {
   QWidget* bar_ = nullptr;
   QComboBox* states_ = nullptr;
   QLabel* statesLabel_ = nullptr;
+  QComboBox* speeds_ = nullptr;
+  QLabel* speedsLabel_ = nullptr;
   QLabel* underlayLabel_ = nullptr;
   QSlider* underlay_ = nullptr;
   QList<QAction*> toolActions_, editActions_, viewActions_;

@@ -112,6 +112,10 @@
         <source>%1: the sheet says %2, the graph has %3.</source>
         <translation>%1: Im Datenblatt steht %2, im Graphen %3.</translation>
     </message>
+    <message>
+        <source>At %1 mm/s the release lies %2 above the press at %3 mm/s, at %4: it would give more than it took.</source>
+        <translation>Bei %1 mm/s liegt der Rückweg um %2 über dem Drücken bei %3 mm/s, und zwar bei %4: Das gäbe mehr zurück, als es nahm.</translation>
+    </message>
 </context>
 <context>
     <name>Differences</name>
@@ -2267,6 +2271,22 @@ Lizenz: %3</translation>
     <message>
         <source>not decided</source>
         <translation>nicht entschieden</translation>
+    </message>
+    <message>
+        <source>a release lies up to %1 above the press of another speed at %2, which would make energy; the press is felt as that release there</source>
+        <translation>ein Rückweg liegt bei %2 um bis zu %1 über dem Drücken einer anderen Geschwindigkeit, was Energie erzeugen würde; das Drücken fühlt sich dort wie dieser Rückweg an</translation>
+    </message>
+    <message>
+        <source>speed damps by %1 at %2; %3 is felt</source>
+        <translation>die Geschwindigkeit dämpft bei %2 mit %1; gefühlt wird %3</translation>
+    </message>
+    <message>
+        <source>speed drives by %1 at %2; %3 is felt</source>
+        <translation>die Geschwindigkeit treibt bei %2 mit %1 an; gefühlt wird %3</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
     </message>
 </context>
 <context>
@@ -4573,6 +4593,22 @@ Lizenz: %3</translation>
     <message>
         <source>How far apart the lines of the snap grid lie</source>
         <translation>Wie weit die Linien des Fangrasters auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>Sp&amp;eed</source>
+        <translation>G&amp;eschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The speed whose graph is edited, and which stands where no speed is known; those of the other speeds are drawn thin.</source>
+        <translation>Die Geschwindigkeit, deren Graph bearbeitet wird und die gilt, wo keine bekannt ist; die anderen sind dünn gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Speed of the graph</source>
+        <translation>Geschwindigkeit des Graphen</translation>
+    </message>
+    <message>
+        <source>Graph of %1</source>
+        <translation>Graph von %1</translation>
     </message>
 </context>
 <context>

@@ -75,6 +75,27 @@ class FilesTest : public QObject {
     QVERIFY((*again)->button() == edited);
   }
 
+  void graphsOfOtherSpeedsComeThroughAnEdit() {
+    auto opened = openDocument(sample("../tests/model/file/fixtures/version-5.button.json"));
+    QVERIFY(opened.ok());
+    ButtonDocument& document = **opened;
+    const Button before = document.button();
+    QCOMPARE(before.states()[0].otherSpeeds.size(), std::size_t(2));
+    const auto edited = editGraph(before, 0, [](const ForceGraph& graph) {
+      return editStroke(graph, Stroke::press, [](const StrokeCurve& curve) {
+        return moveKnot(curve, 1, {1.5, 0.72});
+      });
+    });
+    QVERIFY(edited.ok());
+    document.history().apply(*edited, "Move knot");
+    QVERIFY(saveDocument(document, at("family.button.json")).ok());
+    const Button saved = (*openDocument(at("family.button.json")))->button();
+    QVERIFY(saved == document.button());
+    for (std::size_t i = 0; i < 2; ++i)
+      QVERIFY(saved.states()[i].otherSpeeds == before.states()[i].otherSpeeds);
+    QVERIFY(!(saved.states()[0].graph == before.states()[0].graph));
+  }
+
   void aDragIsNotSaved() {
     ButtonDocument document(*tactileButton());
     const Button before = document.button();

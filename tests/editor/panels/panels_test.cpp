@@ -15,6 +15,7 @@
 #include "editor/quantity/quantity_field.h"
 #include "editor/tools/damping_view.h"
 #include "model/edits.h"
+#include "model/speed_family.h"
 #include "tests/editor/workspace_rig.h"
 
 using namespace detent;
@@ -64,6 +65,7 @@ class PanelsTest : public QObject {
   void scaleTravelMovesContactsAlong();
   void refitFollowsTheTracedPoints();
   void statesAreSwitchedAndTheOtherIsAGhost();
+  void graphsOfSeveralSpeedsAreEditedOneByOne();
   void removingTheActiveStateShowsTheOther();
   void dampingViewEditsPoints();
   void dampingIsHiddenWhereThereIsNone();
@@ -193,6 +195,42 @@ void PanelsTest::statesAreSwitchedAndTheOtherIsAGhost() {
   emit states->activated(1);
   QCOMPARE(rig.document.activeState(), std::size_t(1));
   QVERIFY(rig.workspace.renderImage({400, 300}, 1) != unlocked);
+}
+
+void PanelsTest::graphsOfSeveralSpeedsAreEditedOneByOne() {
+  const Button slow = require(tactileButton()), fast = require(scaleForce(slow, 1.5));
+  WorkspaceRig plain(slow);
+  QVERIFY(!plain.workspace.findChild<QComboBox*>("speedSwitcher")->isVisible());
+  WorkspaceRig rig(require(familyOf({slow, fast}, {10, 100})));
+  auto* speeds = rig.workspace.findChild<QComboBox*>("speedSwitcher");
+  QVERIFY(speeds->isVisible());
+  QCOMPARE(speeds->count(), 2);
+  QCOMPARE(speeds->currentText(), QStringLiteral("10 mm/s"));
+  QVERIFY(rig.workspace.renderImage({400, 300}, 1) != plain.workspace.renderImage({400, 300}, 1));
+  // An edit changes the graph in front alone.
+  const auto bent = [&](double by_N) {
+    return require(editGraph(rig.button(), 0, [&](const ForceGraph& graph) {
+      return editStroke(graph, Stroke::press, [&](const StrokeCurve& curve) {
+        const Knot& knot = curve.knots()[1];
+        return moveKnot(curve, 1, {knot.displacement_mm, knot.force_N + by_N});
+      });
+    }));
+  };
+  rig.document.history().apply(bent(0.01), "bend");
+  QVERIFY(rig.button().states()[0].otherSpeeds[0].graph == fast.states()[0].graph);
+  const ForceGraph edited = rig.document.graph();
+  emit speeds->activated(1);
+  QCOMPARE(speeds->currentText(), QStringLiteral("100 mm/s"));
+  QVERIFY(rig.document.graph() == fast.states()[0].graph);
+  QVERIFY(rig.button().states()[0].otherSpeeds[0].graph == edited);
+  rig.document.history().apply(bent(0.02), "bend");
+  QVERIFY(rig.button().states()[0].otherSpeeds[0].graph == edited);
+  for (int i = 0; i < 3; ++i) rig.document.history().stack().undo();
+  QVERIFY(rig.button() == require(familyOf({slow, fast}, {10, 100})));
+  QCOMPARE(speeds->currentText(), QStringLiteral("10 mm/s"));
+  rig.document.history().stack().redo();
+  rig.document.history().stack().redo();
+  QCOMPARE(speeds->currentText(), QStringLiteral("100 mm/s"));
 }
 
 void PanelsTest::removingTheActiveStateShowsTheOther() {
