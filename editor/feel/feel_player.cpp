@@ -52,6 +52,7 @@ void FeelPlayer::setProgram(std::shared_ptr<const playback::HapticProgram> progr
   program_ = std::move(program);
   if (!program_) {
     letGo();
+    forgetPress();
     return;
   }
   if (waiting_) waiting_->setProgram(*program_);
@@ -69,6 +70,18 @@ void FeelPlayer::letGo() {
   if (held == Finger::timed) player_->fingerUp();
   if (held == Finger::force || (held == Finger::lifting && liftsForce_)) player_->pushForce(0);
   if (held == Finger::depth || (held == Finger::lifting && !liftsForce_)) player_->pushDisplacement(0);
+}
+
+// A force that was let go falls at the pace of a finger: the next button must not find what is left of it. A silent player
+// costs nothing to begin anew; one with a device or a sensor keeps them.
+void FeelPlayer::forgetPress() {
+  if (!player_ || status_.sounding || devicePosition_mm_ || !sensor_.port.empty()) return;
+  player_.reset();
+  status_ = {};
+  status_.sounding = false;
+  pressed_ = false;
+  record();
+  emit moved();
 }
 
 void FeelPlayer::startSilent() {

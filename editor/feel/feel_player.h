@@ -104,6 +104,7 @@ class FeelPlayer : public QObject {
   bool take(Finger finger);
   bool mayPlay() const;
   void letGo();
+  void forgetPress();
   void startSilent();
   void attachSensor();
   void attachDevice();

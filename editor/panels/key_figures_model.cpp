@@ -104,9 +104,7 @@ KeyFiguresModel::KeyFiguresModel(ButtonDocument& document, ViewSettings& setting
       settings_(settings),
       typedSolve_(this,
                   [this](const Solving::Asked& asked) {
-                    asked.tell([this, request = asked.request, outcome = solved(asked)] {
-                      takeTyped(request, outcome);
-                    });
+                    asked.tell([this, outcome = solved(asked)] { takeTyped(outcome); });
                   }),
       aheadSolve_(this, [this](const Solving::Asked& asked) {
         asked.tell([this, outcome = solved(asked)] { takeAhead(outcome); });
@@ -346,11 +344,10 @@ void KeyFiguresModel::solveNext() {
   emit solvingChanged();
 }
 
-void KeyFiguresModel::takeTyped(const Asked& asked, const TargetOutcome& outcome) {
-  // Another hand holds the button, or has changed it meanwhile: asked again.
+void KeyFiguresModel::takeTyped(const TargetOutcome& outcome) {
+  // Every change asks anew (follow), so the answer is to the button as it is; another hand may hold it.
   if (document_.history().dragging())
     return QTimer::singleShot(dragPause_ms, this, &KeyFiguresModel::solveNext);
-  if (asked.button != document_.history().committed()) return solveNext();
   const KeyFigure which = typed_.front().figure;
   typed_.pop_front();
   if (outcome.button) {

@@ -77,7 +77,7 @@ class KeyFiguresModel : public QAbstractTableModel {
   using Solving = LatestAnswer<Asked>;
   static TargetOutcome solved(const Solving::Asked& asked);
   void solveNext();
-  void takeTyped(const Asked& asked, const TargetOutcome& outcome);
+  void takeTyped(const TargetOutcome& outcome);
   void takeAhead(const TargetOutcome& outcome);
   void follow();
   void lookAhead();

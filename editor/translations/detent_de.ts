@@ -4312,8 +4312,8 @@ Lizenz: %3</translation>
         <translation>&amp;Schwarzweiß</translation>
     </message>
     <message>
-        <source>Press black, release grey and dashed</source>
-        <translation>Hinweg schwarz, Rückweg grau und gestrichelt</translation>
+        <source>Press black, release black and dashed</source>
+        <translation>Hinweg schwarz, Rückweg schwarz und gestrichelt</translation>
     </message>
     <message>
         <source>&amp;Name the points</source>

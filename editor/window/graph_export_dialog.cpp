@@ -167,7 +167,7 @@ QuantityField* GraphExportDialog::axisEnd(const char* name, const QString& tip, 
 QFormLayout* GraphExportDialog::shown() {
   auto* form = new QFormLayout;
   monochrome_ =
-      checkOf("graphMonochrome", tr("&Black and white"), tr("Press black, release grey and dashed"));
+      checkOf("graphMonochrome", tr("&Black and white"), tr("Press black, release black and dashed"));
   callouts_ = checkOf("graphCallouts", tr("&Name the points"),
                       tr("Tactile points, operating and reset point and bottom-out, with their values"));
   dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"), tr("Pre-travel and differential travel"));
@@ -228,7 +228,9 @@ GraphExport GraphExportDialog::choice() const {
   if (tolerance_->value() > 0) style.tolerance = tolerance_->value();
   if (second_->currentIndex() > 0)
     style.secondForceUnit = offeredForceUnits[static_cast<std::size_t>(second_->currentIndex() - 1)];
-  const PlotFrame whole = frameOfPlot(button_.states().front(), style);
+  SvgPlotStyle tickToTick = style;
+  tickToTick.roomBeyondEnd = 0;
+  const PlotFrame whole = frameOfPlot(button_.states().front(), tickToTick);
   style.xEnds = endsFrom(*xFrom_, *xTo_, whole.x);
   style.yEnds = endsFrom(*yFrom_, *yTo_, whole.y);
   return chosen;

@@ -79,7 +79,7 @@ class Plot {
  private:
   double sized(double designed_px) const { return designed_px * style_.fontSize_px / designedFor_px; }
   std::string colourOf(Stroke stroke) const {
-    if (style_.monochrome) return stroke == Stroke::press ? "#000" : "#777";
+    if (style_.monochrome) return stroke == Stroke::press ? "#000" : "#111";
     return stroke == Stroke::press ? "#0072b2" : "#c46f00";
   }
   std::string numbered(std::string digits) const {
@@ -107,7 +107,17 @@ class Plot {
       return std::clamp(static_cast<int>(length_px / sized(each_px)), 2, most);
     };
     xTicks_ = niceTicks(x.lowest, x.highest, steps(frame_.x1 - frame_.x0, 45, 8));
+    if (style_.roomBeyondEnd > 0 && !style_.xEnds) endBehindCurve(x.highest);
     yTicks_ = niceTicks(y.lowest, y.highest, steps(frame_.y1 - frame_.y0, 28, 7));
+  }
+
+  // Where the last tick lies far behind the curves, the box ends before it.
+  void endBehindCurve(double highest) {
+    constexpr int leastTicks = 3;
+    const double end = highest + style_.roomBeyondEnd * (highest - xTicks_.first);
+    if (xTicks_.count <= leastTicks || end >= xTicks_.last()) return;
+    --xTicks_.count;
+    frame_.x1 = frame_.x0 + (edge_px_ - frame_.x0) * (xTicks_.last() - xTicks_.first) / (end - xTicks_.first);
   }
 
   Spot spot(double displacement_mm, double force_N) const {
@@ -174,7 +184,7 @@ class Plot {
   }
 
   void drawTitles(std::string& out) const {
-    const double middleX = 0.5 * (frame_.x0 + frame_.x1);
+    const double middleX = 0.5 * (frame_.x0 + edge_px_);
     text(out, {middleX, frame_.y1 + sized(44)}, "middle",
          style_.words.displacement + " (" + std::string(symbolOf(style_.lengthUnit)) + ")");
     upright(out, sized(20), style_.words.force + " (" + std::string(symbolOf(style_.forceUnit)) + ")");
@@ -251,7 +261,8 @@ class Plot {
       return first <= last;
     };
     const Spot way{b.x - a.x, b.y - a.y};
-    if (!within(a.x, way.x, frame_.x0, frame_.x1) || !within(a.y, way.y, frame_.y0, frame_.y1)) return {};
+    const double right = style_.xEnds ? frame_.x1 : edge_px_;
+    if (!within(a.x, way.x, frame_.x0, right) || !within(a.y, way.y, frame_.y0, frame_.y1)) return {};
     const auto at = [&](double share) {
       if (share == 0) return a;
       return share == 1 ? b : Spot{a.x + share * way.x, a.y + share * way.y};
@@ -263,7 +274,7 @@ class Plot {
     std::string d;
     const auto add = [&](const CurvePoint& p, double factor) {
       const Spot at = spot(p.displacement_mm, factor * p.force_N);
-      d += (d.empty() ? "M" : " L") + px(std::clamp(at.x, frame_.x0, frame_.x1)) + " " +
+      d += (d.empty() ? "M" : " L") + px(std::clamp(at.x, frame_.x0, edge_px_)) + " " +
            px(std::clamp(at.y, frame_.y0, frame_.y1));
     };
     for (const CurvePoint& p : press) add(p, 1 + *style_.tolerance);
@@ -301,7 +312,7 @@ class Plot {
     std::snprintf(value, sizeof value, "%.3g", std::abs(to_mm - from_mm) / millimetresPer(style_.lengthUnit));
     const std::string words = name + " " + numbered(value) + " " + std::string(symbolOf(style_.lengthUnit));
     const double width = sized(glyphWidth_px) * static_cast<double>(words.size());
-    const double x = std::clamp(0.5 * (a + b), frame_.x0 + 0.5 * width + 4, frame_.x1 - 0.5 * width - 4);
+    const double x = std::clamp(0.5 * (a + b), frame_.x0 + 0.5 * width + 4, edge_px_ - 0.5 * width - 4);
     text(out, {x, y - sized(5)}, "middle", words, smallText());
     taken_.push_back({x - 0.5 * width, y - sized(18), x + 0.5 * width, y + sized(5)});
   }

@@ -34,12 +34,15 @@ struct SvgPlotStyle {
   bool callouts = true;  ///< tactile points, operating and reset point, bottom-out
   PlotWords words;
   char decimalSign = '.';
-  bool monochrome = false;  ///< press black, release grey; it is dashed in any case
+  /// Press black, release dashed and next to black: one ink to a printer and to the eye, two colours to a program.
+  bool monochrome = false;
   bool dimensions = false;  ///< pre-travel and differential travel, where the points they need are there
   std::optional<ForceUnit>
-      secondForceUnit;                   ///< of a scale at the right side; not in a copy of the first unit
-  std::optional<double> tolerance;       ///< a band about the press this share of its forces wide, 0.01..1
-  double roomBeyondEnd = 0;              ///< of the axis: the box goes on so far behind its last tick
+      secondForceUnit;              ///< of a scale at the right side; not in a copy of the first unit
+  std::optional<double> tolerance;  ///< a band about the press this share of its forces wide, 0.01..1
+  double roomBeyondEnd =
+      0;  ///< of the axis: the box goes on so far behind its last tick, or behind the curves
+          ///< where that tick lies farther out
   std::optional<AxisEnds> xEnds, yEnds;  ///< instead of those of the curves; what lies outside is cut off
   std::string font = "DejaVu Sans, Arial, Helvetica, sans-serif";  ///< as CSS has it
   double fontSize_px = 12;                                         ///< 6..40; margins go with it

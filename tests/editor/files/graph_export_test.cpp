@@ -76,8 +76,10 @@ class GraphExportTest : public QObject {
         for (int format = 0; format < 3; ++format)
           for (int force = 0; force < (all ? 7 : 1); ++force)
             add(button, preset, format, force % 5, force, force % 2);
-    if (!all)
-      for (int force = 1; force < 7; ++force) add("A", 0, 0, force % 5, force, force % 2);
+    if (all) return;
+    for (int force = 1; force < 7; ++force) add("A", 0, 0, force % 5, force, force % 2);
+    add("E", 1, 0, 3, 3, 1);  // half a loop, on an axis that could end far behind it
+    for (const char* button : {"B", "D"}) add(button, 1, 2, 0, 0, 0);  // black and white pictures
   }
 
   void readsBackWhatItWrote() {

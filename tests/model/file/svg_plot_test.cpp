@@ -97,6 +97,24 @@ TEST_CASE("curves end at the ends that are given, and have room behind the last 
   CHECK(points >= 2);
 }
 
+TEST_CASE("a box with room does not go on to a tick far behind the curves") {
+  SvgPlotStyle style;
+  style.width_px = 333;
+  style.fontSize_px = 10;
+  style.lengthUnit = LengthUnit::inch;
+  const auto button = tactileButton();
+  const ButtonState& state = button->states()[0];
+  const double end = state.graph.travel_mm() / millimetresPer(LengthUnit::inch);
+  const PlotFrame toTheTick = frameOfPlot(state, style);
+  REQUIRE(toTheTick.x.last() > 1.1 * end);
+  style.roomBeyondEnd = 0.04;
+  const PlotFrame roomy = frameOfPlot(state, style);
+  CHECK(roomy.x.last() < end);
+  CHECK(roomy.xPx(1.04 * end) == Approx(toTheTick.right_px));
+  style.xEnds = AxisEnds{0, toTheTick.x.last()};  // what is asked for is drawn
+  CHECK(frameOfPlot(state, style).x.last() == toTheTick.x.last());
+}
+
 TEST_CASE("one plot per state; a missing release is not drawn") {
   CHECK(countOf(svgFrom(*selfLockingButton()), "class=\"press\"") == 2);
   const auto pressOnly = editGraph(*linearButton(), 0, [](const ForceGraph& g) { return removeRelease(g); });
