@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t finer =
     4;  // bins than the press has: a burst at the edge of a band is cut where the edge is
-constexpr double noEnergy = 1e-9;  // of the whole: below, a band of the engine's is rounding
+constexpr double noEnergy = 1e-9;      // of the whole: below, a band of the engine's is rounding
+constexpr double ofTransform = 1e-24;  // of the whole: what the transform's rounding leaves of silence
 
 /// How much of the bin around `frequency_Hz`, `width_Hz` wide, lies within the band.
 double shareWithin(const FeltBand& band, double frequency_Hz, double width_Hz) {
@@ -80,7 +81,8 @@ std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector
   for (const double energy : before) whole += energy;
   std::array<std::optional<double>, feltBands.size()> kept;
   for (std::size_t band = 0; band < feltBands.size(); ++band)
-    if (before[band] > noEnergy * whole) kept[band] = after[band] / before[band];
+    if (before[band] > noEnergy * whole)
+      kept[band] = after[band] > ofTransform * whole ? after[band] / before[band] : 0;
   return kept;
 }
 

@@ -320,6 +320,9 @@ std::string packageText(const ExportSource& source, const ExportLoss& loss) {
                     {"wave", jsonOf(source.program.grain)},
                     {"loudest_density_per_s", source.program.loudestDensity_per_s},
                     {"level_by_density", levelByDensity}}},
+                  {"turns",
+                   {{"longest_bottom_out_wait_ms", 1000 * source.program.longestBottomOutWait_s},
+                    {"burst_spacing_ms", 1000 * source.program.burstSpacing_s}}},
                   {"chain", chainOf(source.program, source.plan.sampleRate_Hz)},
                   {"example_press", examplePress(source.plan)},
                   {"loss", jsonOf(loss)}};
@@ -439,15 +442,22 @@ typedef struct {
 
 )";
 
-/// How loud grains are beside each other and under jumps.
-std::string cSlope(const HapticProgram& program) {
+/// How loud grains are beside each other and under jumps, and what waits for what.
+std::string cOrder(const HapticProgram& program) {
+  const auto constant = [](const char* name, double value) {
+    return std::string("static const float detent_") + name + " = " + cFloat(value) + ";\n";
+  };
   return "/* Grains that come n times a second are (n / loudest)^" + exact(levelByDensity) +
          " as strong, n at least 1000 / "
          "duration_ms and at most loudest; 0: all "
-         "alike.\n   Grains that begin while a jump sounds are quieter by detent_slope_under_jump. */\n"
-         "static const float detent_loudest_grains_per_s = " +
-         cFloat(program.loudestDensity_per_s) +
-         ";\nstatic const float detent_slope_under_jump = " + cFloat(program.slopeUnderJump) + ";\n";
+         "alike.\n   Grains that begin while a jump sounds are quieter by detent_slope_under_jump. */\n" +
+         constant("loudest_grains_per_s", program.loudestDensity_per_s) +
+         constant("slope_under_jump", program.slopeUnderJump) +
+         "/* A bottom-out lets the jump before it end, and waits for it at most "
+         "detent_longest_bottom_out_wait_ms. "
+         "No jump or bottom-out\n   begins within detent_burst_spacing_ms of the one before. */\n" +
+         constant("longest_bottom_out_wait_ms", 1000 * program.longestBottomOutWait_s) +
+         constant("burst_spacing_ms", 1000 * program.burstSpacing_s);
 }
 
 std::string headerText(const ExportSource& source, const ExportLoss& loss) {
@@ -463,10 +473,15 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
   return cComment(headLines(source, loss)) + cTypes + tables +
          "\nstatic const detent_state detent_states[] = {\n" + list +
          "};\nstatic const unsigned detent_state_count = " + std::to_string(states.size()) +
-         "u;\n\n/* The slope: a grain every 1/grains_per_mm. */\nstatic const float detent_grains_per_mm = " +
-         cFloat(source.program.grainsPerMm) +
+         "u;\n\n/* The slope: a grain wherever the stroke passes detent_grain_origin_mm + a multiple of "
+         "1/detent_grains_per_mm, and where it turns\n   on one. It takes the place of the last" +
+         (source.program.grainCarrier == GrainCarrier::running
+              ? ", whose sine runs on; after silence the sine begins anew"
+              : "; its sine begins anew") +
+         ". */\nstatic const float detent_grain_origin_mm = " + cFloat(source.program.gridOrigin_mm) +
+         ";\nstatic const float detent_grains_per_mm = " + cFloat(source.program.grainsPerMm) +
          ";\nstatic const detent_wave detent_grain = " + cBurst(heardGrain(source.program.grain, source)) +
-         ";\n" + cSlope(source.program) + "\n#endif\n";
+         ";\n" + cOrder(source.program) + "\n#endif\n";
 }
 
 /// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in place of the last.
