@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opening, saving, recent files, changes from outside, exports.
 
+#include <QDir>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -299,23 +300,33 @@ class FilesTest : public QObject {
     QVERIFY(!exportPng(picture, at("no/folder/a.png")).ok());
   }
 
-  // The editor and the command line are two doors to the same bytes.
+  // The editor and the command line are two doors to the same bytes: every format, every file of it.
   void writesWhatTheCommandLineWrites() {
     const auto play = [](const QStringList& words) { return QProcess::execute(DETENT_PLAY, words); };
     const QString file = sample("buttons/B.button.json");
     const Button button = (*openDocument(file))->button();
-    for (const auto format : {playback::ExportFormat::package, playback::ExportFormat::cHeader,
-                              playback::ExportFormat::hjif, playback::ExportFormat::pcm})
+    QVERIFY(QDir(folder_->path()).mkpath("mine") && QDir(folder_->path()).mkpath("theirs"));
+    for (const auto& [word, format] : playback::exportFormats.all)
       for (const auto& [wayDown_s, press] : {std::pair(0.12, "standard"), std::pair(0.25, "human:250ms")}) {
         DeviceExport wanted;
         wanted.settings.format = format;
         wanted.wayDown_s = wayDown_s;
-        const QString word = QString::fromStdString(std::string(playback::exportFormats.word(format)));
-        QVERIFY(exportForDevice(button, wanted, at("mine.out")).ok());
-        QCOMPARE(play({"export", file, "--format", word, "--press", press, "-o", at("theirs.out")}), 0);
-        QVERIFY(!contentsOf(at("mine.out")).isEmpty());
-        QVERIFY2(contentsOf(at("mine.out")) == contentsOf(at("theirs.out")), qPrintable(word));
+        const QString name = QString::fromUtf8(word);
+        QVERIFY(exportForDevice(button, wanted, at("mine/" + name + ".out")).ok());
+        QCOMPARE(
+            play({"export", file, "--format", name, "--press", press, "-o", at("theirs/" + name + ".out")}),
+            0);
       }
+    const QStringList written = QDir(at("mine")).entryList(QDir::Files);
+    QCOMPARE(written, QDir(at("theirs")).entryList(QDir::Files));
+    QVERIFY(written.size() >= 14);  // twelve formats, of which two write a pair
+    for (const QString& name : written) {
+      QVERIFY(!contentsOf(at("mine/" + name)).isEmpty());
+      QVERIFY2(contentsOf(at("mine/" + name)) == contentsOf(at("theirs/" + name)), qPrintable(name));
+    }
+    QVERIFY(exportWav(button, 0, at("mine.wav")).ok());
+    QCOMPARE(play({"render", file, "--standard-press", "-o", at("theirs.wav")}), 0);
+    QVERIFY(contentsOf(at("mine.wav")) == contentsOf(at("theirs.wav")));
     if (!playback::hasPageEngine()) return;
     QVERIFY(exportPage({button}, at("mine.html")).ok());
     QCOMPARE(play({"page", file, "-o", at("theirs.html")}), 0);
