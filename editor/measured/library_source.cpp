@@ -35,6 +35,9 @@ void LibrarySource::loadHere(const QString& database) {
   auto all = std::make_shared<MeasuredSwitches>();
   all->switches = std::move(*switches);
   all->map = importer::feelMapOf(all->switches);
+  const auto ratings = store->ratings();
+  if (!ratings) return emit failed(sentenceOf(ratings.failure()));
+  all->ratings = importer::RatingsByName(*ratings);
   emit loaded(database, std::move(all));
 }
 

@@ -97,6 +97,10 @@ importer::SwitchSpread MeasuredTable::spreadOf(SwitchIndex of) const {
   return importer::spreadOf(records);
 }
 
+std::vector<importer::Rating> MeasuredTable::ratingsOf(SwitchIndex of) const {
+  return all_->ratings.of(switches()[of].name);
+}
+
 void MeasuredTable::arrange() {
   shown_.clear();
   const auto& entries = switches();

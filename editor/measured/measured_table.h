@@ -17,6 +17,7 @@ namespace detent::editor {
 struct MeasuredSwitches {
   std::vector<importer::LibrarySwitch> switches;
   importer::FeelMap map;  ///< a place for each
+  importer::RatingsByName ratings = importer::RatingsByName({});
 };
 
 /// A switch among those of the library: its index there. Rows are what is shown of them.
@@ -58,6 +59,8 @@ class MeasuredTable : public QAbstractTableModel {
   std::optional<double> distanceOf(SwitchIndex of) const;
   /// Of all records of that switch by its laboratory.
   importer::SwitchSpread spreadOf(SwitchIndex of) const;
+  /// What people said of a switch of that name.
+  std::vector<importer::Rating> ratingsOf(SwitchIndex of) const;
   bool ranked() const { return !distances_.empty(); }
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -579,7 +579,10 @@ void MeasuredWindow::sayCredits() {
   if (names.isEmpty()) return credits_->clear();
   const QString of = anyChosen ? joined(names) : tr("All shown");
   QString said = tr("%1. Credit: %2. Licence: %3.").arg(of, joined(credits), joined(licences));
-  if (chosen_.size() == 1) said += spreadWords(table_.spreadOf(*chosen_.begin()), places_.view.units());
+  if (chosen_.size() == 1) {
+    said += spreadWords(table_.spreadOf(*chosen_.begin()), places_.view.units());
+    said += ratingWords(table_.ratingsOf(*chosen_.begin()));
+  }
   if (doubtful) said += ' ' + doubtfulScaleWords();
   credits_->setText(said);
 }
@@ -604,7 +607,8 @@ void MeasuredWindow::writeReport() {
   if (path.isEmpty()) return;
   std::vector<importer::FoundSwitch> found;
   for (const SwitchIndex each : table_.shown())
-    found.push_back({table_.switches()[each], table_.distanceOf(each), table_.spreadOf(each)});
+    found.push_back(
+        {table_.switches()[each], table_.distanceOf(each), table_.spreadOf(each), table_.ratingsOf(each)});
   std::ranges::stable_sort(found, {}, &importer::FoundSwitch::distance_labNoise);
   const std::size_t fitting = found.size();
   if (found.size() > reportedSwitches) found.erase(found.begin() + reportedSwitches, found.end());

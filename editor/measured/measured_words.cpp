@@ -107,6 +107,15 @@ QString spreadWords(const importer::SwitchSpread& spread, const DisplayUnits& un
   return ' ' + Measured::tr("%1 records of one unit, which differ by: %2.").arg(spread.records).arg(between);
 }
 
+QString ratingWords(const std::vector<importer::Rating>& ratings) {
+  QString words;
+  for (const importer::Rating& each : ratings)
+    words += ' ' + Measured::tr("Rated by %1 (licence: %2).")
+                       .arg(QString::fromStdString(importer::ratingWords(each)),
+                            QString::fromStdString(each.licence));
+  return words;
+}
+
 QString doubtfulScaleWords() {
   return Measured::tr("Forces of this kind of file may lie well off other laboratories'.");
 }

@@ -88,7 +88,11 @@ Result<FoundSwitches> findSwitches(const FindRequest& request) {
   auto found = foundIn(*store, request, result.fitting);
   if (!found) return found.failure();
   result.found = std::move(*found);
+  const auto ratings = store->ratings();
+  if (!ratings) return ratings.failure();
+  const RatingsByName rated(*ratings);
   for (FoundSwitch& each : result.found) {
+    each.ratings = rated.of(each.entry.name);
     const auto records = store->records(each.entry.name, each.entry.credit);
     if (!records) return records.failure();
     each.spread = spreadOf(*records);

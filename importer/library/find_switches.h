@@ -22,8 +22,9 @@ struct FindRequest {
 struct FoundSwitch {
   LibrarySwitch entry;
   std::optional<double>
-      distance_labNoise;  ///< where `like` was asked; below 1 nobody can say that they differ
-  SwitchSpread spread;    ///< of all records of this switch by its laboratory, this one among them
+      distance_labNoise;             ///< where `like` was asked; below 1 nobody can say that they differ
+  SwitchSpread spread;               ///< of all records of this switch by its laboratory, this one among them
+  std::vector<Rating> ratings = {};  ///< what people said of a switch of this name
 };
 
 /// 1: nobody can say that it differs; 2: within two lab noises, and so on. Who stands first in a group says little.

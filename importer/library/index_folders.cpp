@@ -16,7 +16,9 @@
 
 #include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
+#include "model/file/text_file.h"
 #include "model/sha256.h"
+#include "model/text.h"
 #include "model/version.h"
 
 namespace detent::importer {
@@ -139,6 +141,17 @@ void take(FileRead& read, Result<std::vector<LibrarySwitch>> switches, const Ori
   read.file.switches = std::move(*switches);
 }
 
+/// What is no record of a switch may be a sheet of what somebody said of them.
+void takeRatings(FileRead& read, const Origin& origin) {
+  if (!lowered(read.file.path).ends_with(".csv")) return;
+  const auto text = readTextFile(read.file.path);
+  if (!text) return;
+  read.file.ratings = ratingsIn(*text);
+  if (read.file.ratings.empty()) return;
+  for (Rating& each : read.file.ratings) each.licence = origin.licence, each.credit = origin.credit;
+  read.file.refused.reset();
+}
+
 /// Without the switches of one that is to be read.
 FileRead lookAt(const Candidate& candidate, const FileStamp& stamp, const KnownFile* known) {
   FileRead read;
@@ -157,7 +170,9 @@ FileRead lookAt(const Candidate& candidate, const FileStamp& stamp, const KnownF
 FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Origin& origin,
                   const KnownFile* known) {
   FileRead read = lookAt(candidate, stamp, known);
-  if (!read.same && !read.file.refused) take(read, readSwitches(read.file.path), origin);
+  if (read.same || read.file.refused) return read;
+  take(read, readSwitches(read.file.path), origin);
+  if (read.file.refused) takeRatings(read, origin);
   return read;
 }
 
@@ -367,6 +382,7 @@ class IndexRun {
     } else {
       ++summary_.imported;
       summary_.switches += one.file.switches.size();
+      summary_.ratings += one.file.ratings.size();
     }
     read_.push_back(std::move(one.file));
   }

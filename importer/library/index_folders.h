@@ -30,6 +30,7 @@ struct IndexSummary {
   std::size_t unchanged = 0;  ///< files that were in it and are as they were
   std::size_t gone = 0;       ///< files that were there and are not: their switches are kept, and not found
   std::size_t switches = 0;   ///< of the files read now
+  std::size_t ratings = 0;    ///< of score sheets read now
   std::vector<RefusedFile> refusals;  ///< one for each refused file
   Message rebuilt;                    ///< why the library was made anew; empty where it was not
 };

@@ -142,22 +142,33 @@ std::string figureOf(const LibrarySwitch& entry, const SwitchSpread& spread, con
   return text;
 }
 
-std::string rowOf(const LibrarySwitch& entry, const SwitchSpread& spread, const std::string& distance) {
+std::string ratingsOf(const std::vector<Rating>& ratings) {
+  std::string text;
+  for (const Rating& each : ratings)
+    text += "<br><small>rated by " + escapedForMarkup(ratingWords(each)) + "; " +
+            escapedForMarkup(each.licence) + "</small>";
+  return text;
+}
+
+std::string rowOf(const LibrarySwitch& entry, const SwitchSpread& spread, const std::string& distance,
+                  const std::vector<Rating>& ratings) {
   std::string row = "<tr><td>" + nameOf(entry) + "</td><td>" + distance + "</td>";
   for (const Column& column : columns()) row += "<td>" + figureOf(entry, spread, column) + "</td>";
   return row + "<td class=\"words\">" +
          escapedForMarkup(entry.credit.empty() ? "credit unknown" : entry.credit) + "; " +
          escapedForMarkup(entry.licence) + "; " +
          escapedForMarkup(std::filesystem::path(entry.source).filename().string()) +
-         (entry.scaleDoubtful ? "; its forces may lie well off other laboratories'" : "") + "</td></tr>\n";
+         (entry.scaleDoubtful ? "; its forces may lie well off other laboratories'" : "") +
+         ratingsOf(ratings) + "</td></tr>\n";
 }
 
 std::string tableOf(const LibrarySwitch& like, const std::vector<FoundSwitch>& found) {
   std::string text = "<div class=\"wide\"><table><thead><tr><th>switch</th><th>distance</th>";
   for (const Column& column : columns()) text += "<th>" + std::string(column.heading) + "</th>";
-  text += "<th class=\"words\">credit; licence; file</th></tr></thead><tbody>\n" + rowOf(like, {}, "asked");
+  text +=
+      "<th class=\"words\">credit; licence; file</th></tr></thead><tbody>\n" + rowOf(like, {}, "asked", {});
   for (const FoundSwitch& each : found)
-    text += rowOf(each.entry, each.spread, format("%.2f", each.distance_labNoise.value_or(0)));
+    text += rowOf(each.entry, each.spread, format("%.2f", each.distance_labNoise.value_or(0)), each.ratings);
   return text + "</tbody></table></div>\n";
 }
 

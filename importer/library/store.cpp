@@ -14,6 +14,7 @@
 
 #include "importer/library/database.h"
 #include "importer/log/force_log.h"
+#include "model/number_table.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -24,7 +25,8 @@ namespace fs = std::filesystem;
 constexpr std::int64_t applicationId = 0x44744c62;  // "DtLb", in the head of the file
 
 const char* const dropped =
-    "DROP TABLE IF EXISTS curve; DROP TABLE IF EXISTS switch; DROP TABLE IF EXISTS file;";
+    "DROP TABLE IF EXISTS rating; DROP TABLE IF EXISTS curve; DROP TABLE IF EXISTS switch; DROP TABLE IF "
+    "EXISTS file;";
 
 const char* const fileTable =
     "CREATE TABLE file (id INTEGER PRIMARY KEY, path BLOB NOT NULL UNIQUE, bytes INTEGER NOT NULL, "
@@ -61,6 +63,31 @@ std::string switchTable() {
 const char* const curveTable =
     "CREATE TABLE curve (switch INTEGER PRIMARY KEY, travel_mm REAL NOT NULL, press BLOB NOT NULL, release "
     "BLOB NOT NULL);";
+
+const char* const ratingTable =
+    "CREATE TABLE rating (id INTEGER PRIMARY KEY, file INTEGER NOT NULL, name TEXT NOT NULL, maker TEXT NOT "
+    "NULL, "
+    "licence TEXT NOT NULL, credit TEXT NOT NULL, scores TEXT NOT NULL);";
+
+/// A line for each: what, a tab, how much. Headings have neither.
+std::string textOf(const std::vector<std::pair<std::string, double>>& scores) {
+  std::string text;
+  for (const auto& [what, score] : scores)
+    text.append(what).append("\t").append(shortestText(score)).append("\n");
+  return text;
+}
+
+std::vector<std::pair<std::string, double>> scoresIn(std::string_view text) {
+  std::vector<std::pair<std::string, double>> scores;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    const std::size_t tab = text.find('\t');
+    const auto score = tab < end ? finiteNumberFrom(text.substr(tab + 1, end - tab - 1)) : std::nullopt;
+    if (!score) throw DatabaseFault{SQLITE_CORRUPT, "a rating is not whole"};
+    scores.emplace_back(text.substr(0, tab), *score);
+    text.remove_prefix(end + 1);
+  }
+  return scores;
+}
 
 /// Forces as the file has them, whatever the processor: 32-bit IEEE numbers, the lowest byte first.
 std::string packed(const std::vector<float>& forces) {
@@ -208,6 +235,7 @@ void makeTables(Database& database) {
   database.run(fileTable);
   database.run(switchTable().c_str());
   database.run(curveTable);
+  database.run(ratingTable);
   database.run(("PRAGMA application_id = " + std::to_string(applicationId)).c_str());
   database.run(("PRAGMA user_version = " + std::to_string(libraryVersion)).c_str());
 }
@@ -279,6 +307,7 @@ struct LibraryStore::Impl {
   }
   std::int64_t putFile(const LibraryFile& file);
   void putSwitches(const LibraryFile& file, std::int64_t id);
+  void putRatings(const LibraryFile& file, std::int64_t id);
 };
 
 LibraryStore::LibraryStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -392,10 +421,24 @@ void LibraryStore::Impl::putSwitches(const LibraryFile& file, std::int64_t id) {
   }
 }
 
+void LibraryStore::Impl::putRatings(const LibraryFile& file, std::int64_t id) {
+  Statement(database, "DELETE FROM rating WHERE file = ?1").bind(1, id).finish();
+  Statement put(database,
+                "INSERT INTO rating (file, name, maker, licence, credit, scores) VALUES (?, ?, ?, ?, ?, ?)");
+  for (const Rating& each : file.ratings) {
+    put.bind(1, id).bindText(2, each.name).bindText(3, each.maker).bindText(4, each.licence);
+    put.bindText(5, each.credit).bindText(6, textOf(each.scores)).finish();
+  }
+}
+
 Result<Done> LibraryStore::put(const std::vector<LibraryFile>& files) {
   return impl_->guarded([&] {
     Transaction change(impl_->database);
-    for (const LibraryFile& file : files) impl_->putSwitches(file, impl_->putFile(file));
+    for (const LibraryFile& file : files) {
+      const std::int64_t id = impl_->putFile(file);
+      impl_->putSwitches(file, id);
+      impl_->putRatings(file, id);
+    }
     change.commit();
     return Done{};
   });
@@ -489,6 +532,20 @@ Result<std::vector<std::pair<SwitchId, KeyFigures>>> LibraryStore::figures() con
     Statement row(impl_->database, "SELECT switch.id" + figureColumns() + switchTables + whereWithin({}));
     std::vector<std::pair<SwitchId, KeyFigures>> all;
     while (row.step()) all.emplace_back(row.integer(0), figuresIn(row, 1));
+    return all;
+  });
+}
+
+Result<std::vector<Rating>> LibraryStore::ratings() const {
+  return impl_->guarded([&] {
+    Statement row(
+        impl_->database,
+        "SELECT name, maker, path, licence, credit, scores FROM rating JOIN file ON rating.file = file.id "
+        "WHERE file.gone = 0 ORDER BY rating.id");
+    std::vector<Rating> all;
+    while (row.step())
+      all.push_back(
+          {row.bytes(0), row.bytes(1), row.bytes(2), row.bytes(3), row.bytes(4), scoresIn(row.view(5))});
     return all;
   });
 }

@@ -13,13 +13,14 @@
 #include <vector>
 
 #include "importer/library/library_switch.h"
+#include "importer/library/ratings.h"
 #include "importer/library/switch_spread.h"
 #include "model/result.h"
 
 namespace detent::importer {
 
 /// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
-inline constexpr int libraryVersion = 3;
+inline constexpr int libraryVersion = 4;
 
 /// Why a file is not in the library.
 struct RefusedFile {
@@ -35,13 +36,14 @@ struct FileStamp {
   std::int64_t looked_ns = 0;
 };
 
-/// One file with what came of it: switches, or a refusal.
+/// One file with what came of it: switches, ratings, or a refusal.
 struct LibraryFile {
   std::string path;  ///< absolute
   FileStamp stamp;
   std::string sha256, version;
   std::vector<LibrarySwitch> switches;
   std::optional<RefusedFile> refused;
+  std::vector<Rating> ratings = {};
 };
 
 /// What the library knows of a file without its switches.
@@ -96,6 +98,8 @@ class LibraryStore {
                          const std::function<void(SwitchId, const FeltShape&)>& take) const;
   /// Of all files that are there, in no order.
   Result<std::vector<std::pair<SwitchId, KeyFigures>>> figures() const;
+  /// Of the files that are there, in the order of the sheets.
+  Result<std::vector<Rating>> ratings() const;
   /// Of the files that are there: those of one switch by one laboratory, by name and credit.
   Result<std::vector<UnitRecord>> records(const std::string& name, const std::string& credit) const;
 

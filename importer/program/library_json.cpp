@@ -40,6 +40,16 @@ Json switchJson(const FoundSwitch& each) {
   addFigures(json, "", entry.figures);
   addFigures(json, "sigma_", entry.sigmas);
   addFigures(json, "spread_", each.spread.sd);
+  json["ratings"] = Json::array();
+  for (const Rating& rating : each.ratings) {
+    Json scores = Json::object();
+    for (const auto& [what, score] : rating.scores) scores[what] = score;
+    json["ratings"].push_back({{"name", rating.name},
+                               {"credit", rating.credit},
+                               {"licence", rating.licence},
+                               {"source", rating.source},
+                               {"scores", std::move(scores)}});
+  }
   json["sha256"] = entry.sha256;
   json["version"] = entry.version;
   return json;

@@ -199,7 +199,8 @@ Json summaryJson(const IndexSummary& summary) {
     refusals.push_back({{"file", each.file}, {"status", nameOf(each.code)}, {"reason", each.reason}});
   Json json = {{"imported", summary.imported},   {"refused", summary.refused},
                {"unchanged", summary.unchanged}, {"gone", summary.gone},
-               {"switches", summary.switches},   {"refusals", std::move(refusals)}};
+               {"switches", summary.switches},   {"ratings", summary.ratings},
+               {"refusals", std::move(refusals)}};
   if (!summary.rebuilt.empty()) json["rebuilt"] = english(summary.rebuilt);
   return json;
 }
@@ -268,6 +269,7 @@ int runIndex(const LibraryArguments& a, const std::function<bool()>& cancelled) 
     std::fprintf(stderr, "refused: %s: %s\n", each.file.c_str(), each.reason.c_str());
   std::fprintf(text, "%zu files imported (%zu switches), %zu refused, %zu unchanged, %zu gone\n",
                summary->imported, summary->switches, summary->refused, summary->unchanged, summary->gone);
+  if (summary->ratings > 0) std::fprintf(text, "%zu ratings by people\n", summary->ratings);
   if (a.json) std::fprintf(stdout, "%s\n", jsonText(summaryJson(*summary)).c_str());
   return 0;
 }
@@ -296,7 +298,7 @@ void printTable(const std::vector<FoundSwitch>& found) {
   const double gf = newtonsPer(ForceUnit::gramForce);
   std::size_t group = 0;
   for (const FoundSwitch& each : found) {
-    const auto& [entry, distance, spread] = each;
+    const auto& [entry, distance, spread, ratings] = each;
     const KeyFigures& f = entry.figures;
     if (distance && groupOf(*distance) != group) {
       group = groupOf(*distance);
@@ -311,6 +313,8 @@ void printTable(const std::vector<FoundSwitch>& found) {
                 entry.run.empty() ? "" : (" run " + entry.run).c_str(), entry.licence.c_str(),
                 entry.credit.empty() ? "credit unknown" : entry.credit.c_str(), entry.source.c_str(),
                 remarksOf(each).c_str());
+    for (const Rating& rating : ratings)
+      std::printf("%11srated by %s; %s\n", "", ratingWords(rating).c_str(), rating.licence.c_str());
   }
 }
 

@@ -66,6 +66,7 @@ class LibraryTest(unittest.TestCase):
             self.assertEqual(one("SELECT count(*) FROM (SELECT DISTINCT file, part FROM switch)"), count)
             self.assertEqual(one("SELECT count(*) FROM switch WHERE file NOT IN (SELECT id FROM file)"), 0)
             self.assertEqual(one("SELECT count(*) FROM curve"), count)
+            self.assertEqual(one("SELECT count(*) FROM rating WHERE file NOT IN (SELECT id FROM file)"), 0)
             self.assertEqual(one("SELECT count(*) FROM switch WHERE id NOT IN (SELECT switch FROM curve)"), 0)
         return count
 

@@ -266,6 +266,58 @@ TEST_CASE("figures are the samples' own, where the few pieces of the fit pass be
   CHECK(*all[0].entry.sigmas[KeyFigure::pressWork] < 0.005);
 }
 
+TEST_CASE("what a person said of a switch stands beside it, credited, and moves nothing") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  folder.write("s/Maker Alpaca V2.csv", tidyCsv(45, 0));
+  folder.write("s/Cherry MX 'Old' (62g).csv", tidyCsv(50, 20));
+  folder.write("s/Yellow.csv", tidyCsv(50, 0));
+  const std::string head =
+      "\xef\xbb\xbf,\"Somebody's, sheet\",,,,,,,\n,,\n"
+      "Rank,Switch Name,Date,Manufacturer,Type,Push Feel,Wobble,\"Timeless\nTotal\",,Rank,Switches Tested\n";
+  folder.write("somebody/.git/config",
+               "[remote \"origin\"]\n\turl = https://host.example/somebody/scores.git\n");
+  folder.write("somebody/hard.csv",
+               head +
+                   "1,Alpaca V2,1/2/2020,Other/Maker,Linear,31,22.5,64,,1,17\n"
+                   "2,\"Old \"\"MX\"\" Cherry (62g)\",1/2/2020,Cherry,Tactile,12,8,,,1,17\n"
+                   "3,KTT Yellow,1/2/2020,KTT,Linear,1,2,3,,1,17\n,,,,,,,,\n");
+  folder.write("somebody/none.csv", "Rank,Switch Name,Wobble\n1,Yellow,3\n");
+  const IndexSummary summary = indexed(folder, database);
+  CHECK(summary.imported == 4);
+  CHECK(summary.switches == 3);
+  CHECK(summary.ratings == 3);
+  REQUIRE(summary.refusals.size() == 1);
+  CHECK(summary.refusals[0].file == (folder / "somebody/none.csv").string());
+  const auto like = readSwitches((folder / "s/Yellow.csv").string(), false);
+  REQUIRE(like);
+  const auto all = found({database, like->front().shape, {}, 9});
+  REQUIRE(all.size() == 3);  // a sheet is no switch
+  for (const FoundSwitch& each : all) {
+    INFO(each.entry.name);
+    if (each.entry.name == "Yellow") {  // another maker's may be meant
+      CHECK(each.ratings.empty());
+      continue;
+    }
+    REQUIRE(each.ratings.size() == 1);
+    CHECK(each.ratings[0].credit == "somebody/scores");
+    CHECK(each.ratings[0].licence == noLicenceStated);
+    if (each.entry.name == "Maker Alpaca V2")
+      CHECK(ratingWords(each.ratings[0]) ==
+            "somebody/scores of \"Alpaca V2\": Push Feel 31, Wobble 22.5, Timeless Total 64");
+    else
+      CHECK(each.ratings[0].scores.size() == 2);
+  }
+  CHECK(reportPage(like->front(), all, 3)
+            .find("rated by somebody/scores of &quot;Alpaca V2&quot;: Push Feel 31") != std::string::npos);
+  const IndexSummary again = indexed(folder, database);
+  CHECK(again.unchanged == 4);
+  CHECK(found({database, {}, {}, 1})[0].ratings.size() == 1);
+  fs::remove_all(folder / "somebody");
+  indexed(folder, database);
+  for (const FoundSwitch& each : found({database, {}, {}, 9})) CHECK(each.ratings.empty());
+}
+
 TEST_CASE("a tester whose forces lie well off others' is told with each switch") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
