@@ -41,7 +41,19 @@ void LibrarySource::loadHere(const QString& database) {
   emit loaded(database, std::move(all));
 }
 
-void LibrarySource::index(importer::IndexRequest request) {
+importer::PageReader LibrarySource::pageReader() {
+  return [this](const std::vector<std::string>& paths, const auto& take) -> Result<Done> {
+    for (const std::string& path : paths) {
+      if (cancelled_) return Failure::cancelled();
+      const auto buttons = importer::readPageButtons(path, importer::Quality::standard);
+      take(path, buttons ? importer::switchesOfPage(*buttons, path)
+                         : Result<std::vector<importer::LibrarySwitch>>(buttons.failure()));
+    }
+    return Done{};
+  };
+}
+
+void LibrarySource::index(LibraryRequest request) {
   cancelled_ = false;
   run([this, request = std::move(request)] {
     constexpr qint64 reportEvery_ms = 50;
@@ -53,12 +65,13 @@ void LibrarySource::index(importer::IndexRequest request) {
       sinceReport.start();
       emit progressed(fraction, QFile::decodeName(QByteArray::fromStdString(file)));
     };
-    const auto summary = importer::indexFolders(request, progress);
+    if (request.pages) request.index.readPages = pageReader();
+    const auto summary = importer::indexFolders(request.index, progress);
     if (!summary)
       emit failed(sentenceOf(summary.failure()));
     else
       emit indexed(*summary);
-    loadHere(QFile::decodeName(QByteArray::fromStdString(request.database)));
+    loadHere(QFile::decodeName(QByteArray::fromStdString(request.index.database)));
   });
 }
 

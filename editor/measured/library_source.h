@@ -13,6 +13,11 @@
 
 namespace detent::editor {
 
+struct LibraryRequest {
+  importer::IndexRequest index;
+  bool pages = false;  ///< pages and pictures of datasheets too: seconds each
+};
+
 /// One worker thread: what is asked first is done first. GUI thread; answers come through the event loop.
 class LibrarySource : public QObject {
   Q_OBJECT
@@ -24,7 +29,7 @@ class LibrarySource : public QObject {
   /// `loaded` or `failed` follows.
   void load(const QString& database);
   /// `indexed`, then what load() gives; or `failed`. Calls `progressed` meanwhile.
-  void index(importer::IndexRequest request);
+  void index(LibraryRequest request);
   /// Ends an index run; what was read stays read, and is loaded.
   void cancel();
   /// `opened` or `failed` follows for each, in this order.
@@ -40,6 +45,8 @@ class LibrarySource : public QObject {
 
  private:
   void loadHere(const QString& database);  // worker thread
+  /// On the worker's own thread, page by page, as the import window reads them.
+  importer::PageReader pageReader();
   void run(std::function<void()> work);
 
   std::atomic<bool> cancelled_{false};

@@ -164,6 +164,16 @@ QToolButton* MeasuredWindow::libraryButton() {
       [this] { askForFolder(); });
   add("measuredIndexAgain", tr("&Read the folders again"),
       tr("Take in what changed; the rest is not read anew"), [this] { indexAgain(); });
+  auto* pages = described(
+      new QAction(tr("&Datasheets too"), menu), "measuredPages",
+      tr("Force graphs in PDF, SVG and pictures of the folders as well: some seconds for each page, once"));
+  pages->setCheckable(true);
+  pages->setChecked(places_.settings.value("measured/pages", false).toBool());
+  connect(pages, &QAction::toggled, this, [this](bool on) {
+    places_.settings.setValue("measured/pages", on);
+    if (on && !folders().isEmpty()) indexAgain();
+  });
+  menu->addAction(pages);
   add("measuredOpenOther", tr("&Open another library…"), tr("Show a library that detent-import has made"),
       [this] { askForLibrary(); });
   button->setMenu(menu);
@@ -347,15 +357,16 @@ void MeasuredWindow::addFolder(const QString& folder) {
 
 void MeasuredWindow::indexAgain() {
   loadedOnce_ = true;
-  importer::IndexRequest request;
+  LibraryRequest request;
+  request.pages = places_.settings.value("measured/pages", false).toBool();
   for (const QString& folder : folders())
-    if (QFileInfo::exists(folder)) request.folders.push_back(QFile::encodeName(folder).toStdString());
-  if (request.folders.empty()) {
+    if (QFileInfo::exists(folder)) request.index.folders.push_back(QFile::encodeName(folder).toStdString());
+  if (request.index.folders.empty()) {
     said_->setText(tr("None of its folders is there. Add one."));
     return said_->show();
   }
   QDir().mkpath(QFileInfo(database()).absolutePath());
-  request.database = QFile::encodeName(database()).toStdString();
+  request.index.database = QFile::encodeName(database()).toStdString();
   sayBusy(true);
   source_.index(std::move(request));
 }

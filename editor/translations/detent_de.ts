@@ -380,6 +380,10 @@
         <translation>%1 Messungen eines Exemplars, die sich unterscheiden um: %2.</translation>
     </message>
     <message>
+        <source>Rated by %1 (licence: %2).</source>
+        <translation>Bewertet von %1 (Lizenz: %2).</translation>
+    </message>
+    <message>
         <source>Forces of this kind of file may lie well off other laboratories&apos;.</source>
         <translation>Kräfte dieser Art von Datei können weit neben denen anderer Labore liegen.</translation>
     </message>
@@ -6007,6 +6011,14 @@ Hinter ± steht ein Standardfehler: des Rauschens des Messgeräts und der angepa
     <message>
         <source>Take in what changed; the rest is not read anew</source>
         <translation>Aufnehmen, was sich geändert hat; der Rest wird nicht neu gelesen</translation>
+    </message>
+    <message>
+        <source>&amp;Datasheets too</source>
+        <translation>Auch &amp;Datenblätter</translation>
+    </message>
+    <message>
+        <source>Force graphs in PDF, SVG and pictures of the folders as well: some seconds for each page, once</source>
+        <translation>Auch Kraftdiagramme in PDF, SVG und Bildern der Ordner: einige Sekunden je Seite, einmal</translation>
     </message>
     <message>
         <source>&amp;Open another library…</source>

@@ -23,7 +23,8 @@ struct LibrarySwitch {
   std::string sha256;           ///< of the file
   std::string version;          ///< of the program that read it
   KeyFigures figures;
-  KeyFigures sigmas;           ///< standard errors of the figures (figure_errors.h); none of a button's file
+  KeyFigures
+      sigmas;  ///< standard errors of the figures (figure_errors.h, PageButton); none of a button's file
   bool scaleDoubtful = false;  ///< forces of this kind of file lie well off other laboratories'
   FeltShape shape;
 };

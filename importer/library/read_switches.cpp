@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -51,11 +52,29 @@ Result<std::vector<RecordedSwitch>> switchesIn(const std::string& path) {
   return recordedSwitches(path);
 }
 
-std::vector<ReadState> statesOfPage(const std::vector<Button>& buttons, const std::string& path) {
+KeyFigures peakErrorsOf(const ImportReport& report) {
+  const KeyFigures figures = keyFiguresOf(report.button.states().front());
+  KeyFigures sigmas;
+  const auto& travel_mm = figures[KeyFigure::peakTravel];
+  const auto& points = report.press.fit.tactilePoints;
+  if (!travel_mm || points.empty() || !report.evidence) return sigmas;
+  const FittedTactilePoint& peak = *std::ranges::min_element(points, {}, [&](const FittedTactilePoint& each) {
+    return std::abs(each.point.displacement_mm - *travel_mm);
+  });
+  const AxisCalibration& axes = report.evidence->axes.calibration.value;
+  sigmas[KeyFigure::peakTravel] = std::hypot(peak.sigma_mm, report.x->residual_px * axes.mmPerPx());
+  sigmas[KeyFigure::peakForce] = std::hypot(peak.sigma_N, report.y->residual_px * axes.newtonPerPx());
+  return sigmas;
+}
+
+std::vector<ReadState> statesOfPage(const std::vector<PageButton>& buttons, const std::string& path) {
   const std::string name = switchNameFrom(path).name;
   std::vector<ReadState> all;
-  for (std::size_t i = 0; i < buttons.size(); ++i)
-    addStates(buttons[i], buttons.size() == 1 ? name : name + " graph " + std::to_string(i + 1), all);
+  for (std::size_t i = 0; i < buttons.size(); ++i) {
+    const std::size_t first = all.size();
+    addStates(buttons[i].button, buttons.size() == 1 ? name : name + " graph " + std::to_string(i + 1), all);
+    all[first].errors.sigmas = buttons[i].sigmas;
+  }
   return all;
 }
 
@@ -138,12 +157,12 @@ bool isPageFile(const std::filesystem::path& path) {
   return std::ranges::find(endings, lowered(path.extension().string())) != endings.end();
 }
 
-Result<std::vector<Button>> readPageButtons(const std::string& path, Quality quality) {
+Result<std::vector<PageButton>> readPageButtons(const std::string& path, Quality quality) {
   auto session = ImportSession::open(path);
   if (!session) return session.failure();
   const auto graphs = session->list({}, quality);
   if (!graphs) return graphs.failure();
-  std::vector<Button> buttons;
+  std::vector<PageButton> buttons;
   std::optional<Failure> why;
   for (const ListedGraph& graph : graphs->graphs) {
     ImportRequest request;
@@ -153,7 +172,7 @@ Result<std::vector<Button>> readPageButtons(const std::string& path, Quality qua
     request.graph = graph.graph;
     const auto report = session->importGraph(request);
     if (report)
-      buttons.push_back(report->button);
+      buttons.push_back({report->button, peakErrorsOf(*report)});
     else if (!why)
       why = report.failure();
   }
@@ -163,7 +182,7 @@ Result<std::vector<Button>> readPageButtons(const std::string& path, Quality qua
                  "no force graph was found in it", "Import it by itself and give what is missing by hand"};
 }
 
-Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<Button>& buttons,
+Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<PageButton>& buttons,
                                                   const std::string& path) {
   return rowsOf(statesOfPage(buttons, path), path);
 }

@@ -18,11 +18,19 @@ bool isLibraryFile(const std::filesystem::path& path);
 /// Whether a file is a page or a picture, by its ending: what may hold force graphs of datasheets.
 bool isPageFile(const std::filesystem::path& path);
 
-/// The force graphs of a page or picture that are certain enough, in their order. Failure: why the first is none, where all are.
-Result<std::vector<Button>> readPageButtons(const std::string& path, Quality quality);
+/// A graph of a page, with what its import says of how far figures may be off.
+struct PageButton {
+  Button button;
+  /// Of the first state: the peak's force and travel, by fit, misfit and the rms of its axes' ticks. An import knows nothing of the others.
+  KeyFigures sigmas = {};
+};
+
+/// The force graphs of a page or picture that are certain enough, in their order. Failure: why the first is none, where all are. Any
+/// thread.
+Result<std::vector<PageButton>> readPageButtons(const std::string& path, Quality quality);
 
 /// Rows of buttons that stand in one page or picture.
-Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<Button>& buttons,
+Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<PageButton>& buttons,
                                                   const std::string& path);
 
 /// At least one; name, unit, run, part, figures, their `errors` where asked for (a third of the time) and shape are filled in. Failure: why

@@ -205,12 +205,28 @@ Json summaryJson(const IndexSummary& summary) {
   return json;
 }
 
+Json sigmasJson(const KeyFigures& sigmas) {
+  Json json = Json::object();
+  for (const KeyFigureName& name : keyFigureNames())
+    if (const auto& sigma = sigmas[name.figure]) json[std::string(name.key)] = *sigma;
+  return json;
+}
+
+KeyFigures sigmasFrom(const Json& json) {
+  KeyFigures sigmas;
+  for (const KeyFigureName& name : keyFigureNames())
+    if (const auto at = json.find(std::string(name.key)); at != json.end())
+      sigmas[name.figure] = at->get<double>();
+  return sigmas;
+}
+
 /// What a child hands back of a page: its buttons, or why there are none.
 std::string pageLine(const std::string& path) {
   const auto buttons = readPageButtons(path, Quality::standard);
   Json line;
   if (buttons)
-    for (const Button& each : *buttons) line["buttons"].push_back(jsonFrom(each));
+    for (const PageButton& each : *buttons)
+      line["buttons"].push_back({{"button", jsonFrom(each.button)}, {"sigmas", sigmasJson(each.sigmas)}});
   else
     line = {{"code", static_cast<int>(buttons.failure().code)}, {"reason", buttons.failure().sentence()}};
   return jsonText(line) + "\n";
@@ -232,11 +248,11 @@ Result<std::vector<LibrarySwitch>> switchesIn(const InputOutcome& outcome) {
         Message("%1", reason),
         {}};
   }
-  std::vector<Button> buttons;
+  std::vector<PageButton> buttons;
   for (const Json& each : line["buttons"]) {
-    auto button = buttonFromJson(each.get<std::string>(), subject);
+    auto button = buttonFromJson(each["button"].get<std::string>(), subject);
     if (!button) return button.failure();
-    buttons.push_back(*std::move(button));
+    buttons.push_back({*std::move(button), sigmasFrom(each["sigmas"])});
   }
   return switchesOfPage(buttons, outcome.input);
 }

@@ -186,6 +186,13 @@ class LibraryTest(unittest.TestCase):
         found = json.loads(library("find", "--db", self.database, "--json").stdout)["found"]
         self.assertEqual({each["name"] for each in found}, {"white vector", "brown one ink", "meter"})
         self.assertEqual({each["licence"] for each in found}, {"MIT"})
+        for each in found:
+            if each["name"] != "meter":  # of a page an import knows how far the peak may be off
+                for figure in ("peak_force_N", "peak_travel_mm"):
+                    self.assertEqual(each[figure] is None, each["sigma_" + figure] is None, (each["name"], figure))
+                    self.assertTrue(each[figure] is None or 0 < each["sigma_" + figure] < 0.03 * each[figure], (each["name"], figure))
+                self.assertIsNone(each["sigma_total_travel_mm"])
+        self.assertTrue(any(each["peak_force_N"] for each in found if each["name"] != "meter"))
         wanted = self.top / "wanted.button.json"
         run = library("find", "--db", self.database, "--like", plots.parent / "buttons/B.button.json", "--peak", "0.6..0.7", "--drop", "0.1..0.2", "-o", wanted)
         self.assertEqual(run.returncode, 0, run.stderr)  # the page is read again

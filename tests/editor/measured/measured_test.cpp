@@ -175,6 +175,32 @@ class MeasuredTest : public QObject {
     QVERIFY(std::abs(scatter.front().sd_N - 0.2 / std::sqrt(2.0)) < 1e-6);
   }
 
+  void theMapIsDrawnOnceForAllThatChangedAndAnswersBefore() {
+    MeasuredTable table;
+    table.setSwitches(madeUp(60));
+    SwitchMap map(table);
+    map.resize(400, 300);
+    map.setScales({{}, 0}, {{}, 1});
+    map.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&map));
+    QTRY_VERIFY(map.placeOf(1));
+    QCoreApplication::processEvents();
+    QSignalSpy drawn(&map, &QCustomPlot::afterReplot);
+    for (int i = 0; i < 5; ++i) {
+      table.setFilter({QString::number(i), {}, {}});
+      map.redraw();
+      map.setChosen({static_cast<SwitchIndex>(i)});
+    }
+    QCOMPARE(drawn.count(), 0);
+    QTRY_COMPARE(drawn.count(), 1);
+    table.setFilter({"no such switch", {}, {}});
+    map.redraw();
+    QVERIFY(!map.placeOf(4));  // asked before it is painted, of what there is now
+    table.setFilter({});
+    map.redraw();
+    QVERIFY(map.placeOf(4));
+  }
+
   void aFolderBecomesALibraryThatIsAskedAndOpened() {
     QTemporaryDir folder;
     QDir().mkpath(folder.filePath("m"));
@@ -186,6 +212,7 @@ class MeasuredTest : public QObject {
     write("Click.csv", csvOf(45, 30));
     write("LICENSE", "MIT License");
     write("broken.csv", "force,displacement\nnone,none\n");
+    write("scores.csv", "Rank,Switch Name,Manufacturer,Push Feel,Sound\n1,Firm,Somebody,31,7\n");
     ViewSettings view;
     QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
     settings.setValue("measured/library", folder.filePath("l.db"));
@@ -210,6 +237,9 @@ class MeasuredTest : public QObject {
 
     view_->selectRow(1);  // by name: Click, Firm, Soft
     QVERIFY2(credits->text().startsWith("Firm"), qPrintable(credits->text()));
+    QVERIFY2(credits->text().contains(
+                 "Rated by credit unknown of \"Firm\": Push Feel 31, Sound 7 (licence: MIT)."),
+             qPrintable(credits->text()));
     QTest::mouseClick(window.findChild<QPushButton*>("measuredLikeThis"), Qt::LeftButton);
     QVERIFY(!view_->isColumnHidden(MeasuredTable::distanceColumn));
     QCOMPARE(view_->model()->headerData(0, Qt::Vertical, Qt::DisplayRole).toString(), QString("Firm"));
@@ -228,6 +258,23 @@ class MeasuredTest : public QObject {
 
     window.findChild<QLineEdit*>("measuredWords")->setText("soft");
     QCOMPARE(view_->model()->rowCount(), 1);
+    window.findChild<QLineEdit*>("measuredWords")->clear();
+
+    // Datasheets where they are asked for; who no longer asks keeps what was read.
+    const QString page = QFINDTESTDATA("../../../samples/plots/white-vector.pdf");
+    QVERIFY(!page.isEmpty() && QFile::copy(page, folder.filePath("m/White.pdf")));
+    auto* pages = window.findChild<QAction*>("measuredPages");
+    QVERIFY(!pages->isChecked());
+    window.findChild<QAction*>("measuredIndexAgain")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 2, patience_ms);
+    QCOMPARE(view_->model()->rowCount(), 3);
+    pages->setChecked(true);
+    QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 3, patience_ms);
+    QCOMPARE(view_->model()->rowCount(), 4);
+    pages->setChecked(false);
+    window.findChild<QAction*>("measuredIndexAgain")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 4, patience_ms);
+    QCOMPARE(view_->model()->rowCount(), 4);
   }
 
   void whatIsNoLibraryIsSaid() {
