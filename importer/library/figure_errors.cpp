@@ -201,7 +201,7 @@ class Sampled {
   /// Mean residual around a place, with its variance; nothing where too few samples lie there.
   std::optional<std::pair<double, double>> missAt(double displacement_mm) const {
     constexpr double window = 0.025;  // of the travel
-    constexpr double fewest = 8;
+    constexpr double fewest = 8;      // samples: below, their mean is no better than the curve
     const double reach_mm = window * (last_mm() - first_mm());
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -214,7 +214,7 @@ class Sampled {
   /// Noise by the median of the residuals, which steps and corners do not move, where the curve is not so steep that they are of the
   /// displacement's steps; how many samples share one error by their autocorrelation (Newey and West 1987).
   void weighNoise() {
-    constexpr double perMedian = 1.4826, farthest = 3;
+    constexpr double perMedian = 1.4826, farthest = 3;  // standard deviations of normal noise
     constexpr std::size_t lags = 20;
     const std::vector<double> residuals_N = withoutMisfit();
     const auto isFlat = [&](std::size_t i, double noise_N) {

@@ -280,6 +280,9 @@ std::string tableOf(const std::vector<LibrarySwitch>& openSwitch, const std::vec
   out << rowOf("Open-Switch's record, weights fitted without the pair", thereLeft);
   out << rowOf("the same with the weights above (fitted on all)", shipped);
   out << rowOf("force-curves-tidy's record, weights fitted without the pair", backLeft);
+  Outcomes both = thereLeft;
+  both.insert(both.end(), backLeft.begin(), backLeft.end());
+  out << rowOf("both ways together, weights fitted without the pair", both);
   const double level_gf = levelBetween_gf(there);
   const std::vector<Method> methods{
       {"contact fixed",
