@@ -12,7 +12,8 @@
 //   study/trials/participant_record.h  what a journal says (study/journal: lines that are on the disk)
 //   study/trials/trial_desk.h          one trial as it is worked on
 //   study/trials/participant_session.h one participant at work
-//   study/trials/figure_table.h        a table that every format reads; answer_tables.h makes those of thresholds and ratings
+//   study/trials/figure_table.h        a table that every format reads; answer_tables.h makes those of thresholds and ratings,
+//                                      timing_tables.h those of timed presses
 //   study/trials/study_results.h       rows and figures (study/statistics), study_output.h and study_page.h show them
 //   study/perception/*                 what is felt, who is confused with whom, what would help
 //   this file                          the button under the participant's finger; the forecast of a study

@@ -20,6 +20,7 @@
 #include "playback/study/program/study_terminal.h"
 #include "playback/study/trials/printed_counts.h"
 #include "playback/study/trials/study_plan.h"
+#include "playback/study/trials/timing_tables.h"
 
 namespace detent::playback {
 
@@ -418,6 +419,43 @@ void addPlan(CLI::App& parent, Action& chosen) {
   app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runPlan(*a); }; });
 }
 
+// ---- presses
+
+struct PressesArguments {
+  std::string file;
+  TimingTask task = TimingTask::window;
+  bool json = false;
+};
+
+int runPresses(const PressesArguments& a) {
+  const Result<TimedPeople> presses = readTimedPresses(a.file, a.task);
+  if (!presses) return fail(presses.failure());
+  const Result<std::vector<FigureTable>> fitted = timingTables(*presses, a.file);
+  if (!fitted) return fail(fitted.failure());
+  std::string text;
+  Json tables = Json::array();
+  for (const FigureTable& table : *fitted) {
+    text += (text.empty() ? "" : "\n") + tableText(table);
+    tables.push_back(Json::parse(tableJson(table)));
+  }
+  std::fputs(text.c_str(), a.json ? stderr : stdout);
+  if (a.json) print({{"status", "ok"}, {"task", nameOf(a.task)}, {"tables", tables}});
+  return 0;
+}
+
+void addPresses(CLI::App& parent, Action& chosen) {
+  CLI::App* app = parent.add_subcommand(
+      "presses", "Your own timed presses: where people aim and how exactly, with intervals");
+  const auto a = std::make_shared<PressesArguments>();
+  app->add_option("CSV", a->file,
+                  "One row for each trial: participant,interval_s,window_s,press_s; no press_s, no press")
+      ->required();
+  addChoice(*app, "--task", a->task, timingTasks,
+            "Press with a cue; within a window; as fast as can be kept up (tapping)", "window");
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runPresses(*a); }; });
+}
+
 void addReading(CLI::App& parent, Action& chosen) {
   const auto a = std::make_shared<ReadArguments>();
   CLI::App* status = parent.add_subcommand("status", "How far each participant is");
@@ -447,6 +485,7 @@ void addStudyCommand(CLI::App& program, Action& chosen) {
   addPlan(*app, chosen);
   addRun(*app, chosen);
   addReading(*app, chosen);
+  addPresses(*app, chosen);
 }
 
 }  // namespace detent::playback

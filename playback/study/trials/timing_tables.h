@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A laboratory's own timed presses: read from a CSV file, fitted person by person (study/statistics/press_timing.h), put into tables.
+
+#include <string>
+#include <vector>
+
+#include "model/result.h"
+#include "playback/study/statistics/press_timing.h"
+#include "playback/study/trials/figure_table.h"
+
+namespace detent::playback {
+
+/// Everybody's trials of one task. Plain value, any thread.
+struct TimedPeople {
+  struct Person {
+    std::string participant;
+    std::vector<TimedPress> trials;  ///< in the order of the file
+  };
+  TimingTask task = TimingTask::cue;
+  std::vector<Person> people;  ///< by id
+};
+
+/// CSV with a header that names participant, interval_s, window_s and press_s (each task needs its own), one row for each trial in order; an
+/// empty press_s is a trial without a press. Failure unreadableInput names file and line: a column is missing, a value is outside its range, or
+/// nobody has enough presses.
+Result<TimedPeople> readTimedPresses(const std::string& file, TimingTask task);
+
+/// The laboratory's two figures, then everybody's. Only those with enough presses are fitted; the others' figures stay empty. Failure
+/// unreadableInput: of nobody.
+Result<std::vector<FigureTable>> timingTables(const TimedPeople& presses, const std::string& file);
+
+}  // namespace detent::playback
