@@ -55,7 +55,7 @@ importer::PageReader LibrarySource::pageReader() {
 
 void LibrarySource::index(LibraryRequest request) {
   cancelled_ = false;
-  run([this, request = std::move(request)] {
+  run([this, request = std::move(request)]() mutable {
     constexpr qint64 reportEvery_ms = 50;
     QElapsedTimer sinceReport;
     importer::IndexProgress progress;
