@@ -160,7 +160,7 @@
 
   // -- force sensor (docs/serial-protocol.md) ----------------------------------------------------------------------
   const sensor = { coefficients: null, circuit: "newtons", fullScale: 1023, recent: [], rest: null };
-  const mostRecent = 50;
+  const steadyFor_ms = 400, fewestReadings = 5, steadyWithin = 0.05;  // the last: of full scale
 
   function readProfile(text) {
     const value = {};
@@ -189,8 +189,9 @@
     if (!m) return null;
     const value = Number(m[1]);
     if (m[2]) return value;
-    sensor.recent.push(value);
-    if (sensor.recent.length > mostRecent) sensor.recent.shift();
+    const now_ms = performance.now();
+    sensor.recent.push({ value, at_ms: now_ms });
+    while (sensor.recent[0].at_ms < now_ms - steadyFor_ms) sensor.recent.shift();
     if (!sensor.coefficients) return null;
     const u = sensor.circuit === "divider" ? value / (sensor.fullScale - value) : sensor.circuit === "linear" ? value / sensor.fullScale : value;
     return sensor.coefficients.reduceRight((sum, c) => sum * u + c, 0);
@@ -212,18 +213,35 @@
   }
 
   // One known weight: counts at rest and under it make a straight line. In two steps, so that readings go on in between.
-  const meanCounts = () => sensor.recent.reduce((sum, c) => sum + c, 0) / sensor.recent.length;
+  // Counts of the last readings, or null where they are few or still move: then it is said. A weight that is just being put down, and a
+  // slow link whose readings come late, would else be mixed with what lay there before.
+  function steadyCounts() {
+    const counts = sensor.recent.filter((r) => r.at_ms >= performance.now() - steadyFor_ms).map((r) => r.value);
+    if (counts.length < fewestReadings) {
+      say(`Not calibrated: ${counts.length ? "too few" : "no"} counts have come. A sensor that sends newtons needs no calibration; else check its cable.`);
+      return null;
+    }
+    const mean = (values) => values.reduce((sum, c) => sum + c, 0) / values.length;
+    const middle = counts.length >> 1, all = mean(counts);
+    const spread = Math.sqrt(mean(counts.map((c) => (c - all) ** 2)) / middle);
+    const moved = Math.abs(mean(counts.slice(0, middle)) - mean(counts.slice(middle)));
+    if (moved <= 1 + 2 * spread && Math.max(...counts) - Math.min(...counts) <= steadyWithin * sensor.fullScale) return all;
+    say("Not calibrated: the reading still moves. Leave the sensor alone for a moment and try again.");
+    return null;
+  }
 
   function takeRest() {
-    if (!sensor.recent.length) return say("Not calibrated: no counts have come. A sensor that sends newtons needs no calibration.");
-    sensor.rest = meanCounts();
+    const rest = steadyCounts();
+    if (rest === null) return;
+    sensor.rest = rest;
     byId("weight-row").hidden = false;
     byId("weight").focus();
     say("Put a known weight on the sensor, type its mass and take it.");
   }
 
   function takeWeight() {
-    const grams = Number(byId("weight").value), loaded = meanCounts();
+    const grams = Number(byId("weight").value), loaded = steadyCounts();
+    if (loaded === null) return;
     if (!(grams > 0) || Math.abs(loaded - sensor.rest) < 1)
       return say("Not calibrated: it needs a weight above 0 g and a reading that changes with it.");
     const u = (c) => c / sensor.fullScale, slope = grams * 0.00980665 / (u(loaded) - u(sensor.rest));
