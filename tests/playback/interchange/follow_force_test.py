@@ -74,7 +74,7 @@ class FollowForce(unittest.TestCase):
     def board(self, header, forces):
         """What a board meets and plays that follows the header."""
         program = self.at("board")
-        subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O2", f'-DHEADER="{header}"', HERE / "play_header.c", "-o", program,
+        subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O2", "-include", header, HERE / "play_header.c", "-o", program,
                         "-lm"], check=True)
         told, samples = subprocess.run([program], input="\n".join(map(repr, map(float, forces))), capture_output=True, text=True,
                                        check=True).stdout.split("samples\n")

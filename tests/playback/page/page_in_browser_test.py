@@ -177,7 +177,6 @@ class PageInBrowser(unittest.TestCase):
         # Calibrated in the page: 200 counts at rest, 300 under 100 g, so 800 are 5.9 N.
         status = "document.getElementById('status').textContent"
         self.browser.run("window.line = '200'")
-        self.press_until(deep=False)
         self.browser.wait("return Math.abs(parseFloat(document.getElementById('reading').textContent.split(', ')[1]) - 0.98) < 0.02")
         self.browser.wait("document.getElementById('calibrate').click(); return document.getElementById('weigh').getClientRects().length")
         self.browser.run("window.lines = Array.from({length: 400}, (_, i) => String(200 + i % 100)); window.line = '300'")
