@@ -558,7 +558,8 @@ std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vec
 std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStrokes& fitted,
                                       const ImportHints& hints) {
   std::vector<WeighedDoubt> doubts;
-  const auto add = [&](DoubtCode code, double confidence, std::vector<MessageValue> values, Remedies helps) {
+  const auto add = [&](DoubtCode code, double confidence, std::vector<MessageValue> values,
+                       const Remedies& helps) {
     doubts.push_back({{code, std::move(values), leftToTry(helps, hints)}, confidence});
   };
   const Remedies takeOut(Message("Take out of the file what the sensor did not measure"));

@@ -62,7 +62,7 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
 }  // namespace
 
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints) {
-  const Remedies left = remedies.without([&](RemedyKind kind) { return isGiven(hints, kind); });
+  Remedies left = remedies.without([&](RemedyKind kind) { return isGiven(hints, kind); });
   if (!left.empty() || remedies.empty()) return left;
   if (hints.drawn.press.empty()) return Message("Draw the whole curve by hand: --press-line");
   return Message("Where the overlay shows that it is right, take it as it is: --sure 0");

@@ -47,8 +47,8 @@ Result<ForceGraph> mixed(const ForceGraph& a, const ForceGraph& b, double share)
   return ForceGraph::fromCurves(*std::move(press), *std::move(release));
 }
 
-Failure wrong(const char* subject, Message problem, Message advice) {
-  return {FailureCode::wrongUsage, subject, "", std::move(problem), std::move(advice)};
+Failure wrong(const char* subject, Message problem, const Message& advice) {
+  return {FailureCode::wrongUsage, subject, "", std::move(problem), advice};
 }
 
 /// All graphs of a state, by rising speed.
