@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "model/known_bottom_out.h"
+
 namespace detent {
 namespace {
 
@@ -24,10 +26,9 @@ std::optional<CurvePoint> followingExtremum(const StrokeCurve& curve, Stroke str
   return best;
 }
 
-std::vector<TactileEvent> tactileEvents(const StrokeCurve& curve, Stroke stroke,
-                                        const std::vector<Section>& sections,
+std::vector<TactileEvent> tactileEvents(const StrokeCurve& curve, Stroke stroke, const StrokeMetrics& metrics,
                                         const SectionSettings& settings) {
-  const std::vector<TactilePoint> points = tactilePoints(curve, stroke, settings);
+  const std::vector<TactilePoint> points = tactilePoints(curve, stroke, metrics.bottomOut, settings);
   const std::vector<CurvePoint> extrema = stroke == Stroke::press ? curve.localMinima() : curve.localMaxima();
   std::vector<TactileEvent> events;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -38,7 +39,7 @@ std::vector<TactileEvent> tactileEvents(const StrokeCurve& curve, Stroke stroke,
     event.following = followingExtremum(curve, stroke, extrema, points[i].displacement_mm, stop_mm);
     if (stroke == Stroke::press && event.following && points[i].force_N > 0)
       event.snapRatio = (points[i].force_N - event.following->force_N) / points[i].force_N;
-    for (const Section& s : sections) {
+    for (const Section& s : metrics.sections) {
       if (s.kind != SectionKind::jump || s.from_mm != points[i].displacement_mm) continue;
       event.jump = s;
       event.jumpArea_mJ = jumpArea_mJ(curve, s);
@@ -57,12 +58,12 @@ std::optional<CurvePoint> pointOn(const StrokeCurve& curve, std::optional<double
 
 StrokeMetrics metricsOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings) {
   StrokeMetrics metrics;
-  metrics.sections = sectionsOf(curve, stroke, settings);
-  metrics.tactile = tactileEvents(curve, stroke, metrics.sections, settings);
+  metrics.bottomOut = bottomOutOf(curve, settings);
+  metrics.sections = sectionsOf(curve, stroke, metrics.bottomOut, settings);
+  metrics.tactile = tactileEvents(curve, stroke, metrics, settings);
   metrics.startForce_N = curve.knots().front().force_N;
   metrics.endForce_N = curve.knots().back().force_N;
   std::tie(metrics.minForce_N, metrics.maxForce_N) = curve.forceRange_N();
-  metrics.bottomOut = bottomOutOf(curve, settings);
   metrics.work_mJ = curve.area_mJ(curve.start_mm(), curve.end_mm());
   return metrics;
 }

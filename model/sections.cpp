@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "model/check.h"
+#include "model/known_bottom_out.h"
 
 namespace detent {
 namespace {
@@ -247,7 +248,11 @@ BottomOut bottomOutOf(const StrokeCurve& curve, const SectionSettings& settings)
 
 std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke,
                                         const SectionSettings& settings) {
-  const BottomOut bottomOut = bottomOutOf(curve, settings);
+  return tactilePoints(curve, stroke, bottomOutOf(curve, settings), settings);
+}
+
+std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke, const BottomOut& bottomOut,
+                                        const SectionSettings& settings) {
   const Travelled way = travelled(curve, stroke);
   std::vector<TactilePoint> points;
   for (const auto& [turn, prominence] : prominentTurns(curve, way, bottomOut, settings))
@@ -256,7 +261,11 @@ std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke,
 }
 
 std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings) {
-  const BottomOut bottomOut = bottomOutOf(curve, settings);
+  return sectionsOf(curve, stroke, bottomOutOf(curve, settings), settings);
+}
+
+std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const BottomOut& bottomOut,
+                                const SectionSettings& settings) {
   const Travelled way = travelled(curve, stroke);
   const bool press = stroke == Stroke::press;
   const Knot& first = press ? curve.knots().front() : curve.knots().back();

@@ -15,6 +15,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int dragPause_ms = 80;
+constexpr double longestSolve_s = 2;
 constexpr int editedDigits = 12;  // what is typed comes back as typed
 constexpr int shownDigits = 4;
 constexpr QSize pictureSize(34, 22);
@@ -155,7 +156,7 @@ std::vector<FigureTarget> KeyFiguresModel::kept() const {
 
 TargetOutcome KeyFiguresModel::solved(const Solving::Asked& asked) {
   return bentToTargets(asked.request.button, asked.request.state, asked.request.targets, {}, {},
-                       [&asked] { return asked.overtaken(); });
+                       {[&asked] { return asked.overtaken(); }, longestSolve_s});
 }
 
 void KeyFiguresModel::lookAhead() {

@@ -1232,6 +1232,14 @@ Lizenz: %3</translation>
         <translation>ginge mehr als eine Eigenschaft seiner Form verloren</translation>
     </message>
     <message>
+        <source>in %1 s no curve was found that has all of this, nor which of it contradicts: %2</source>
+        <translation>in %1 s fand sich weder eine Kurve, die all das hat, noch, was davon einander widerspricht: %2</translation>
+    </message>
+    <message>
+        <source>Leave some of it free, or give values nearer to the present ones</source>
+        <translation>Einiges davon frei lassen oder Werte näher an den jetzigen angeben</translation>
+    </message>
+    <message>
         <source>Give a value nearer to the present one</source>
         <translation>Einen Wert näher am jetzigen angeben</translation>
     </message>
@@ -2616,7 +2624,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>as found</source>
-        <translation>wie gefunden</translation>
+        <translation>gefunden</translation>
     </message>
     <message>
         <source>to</source>

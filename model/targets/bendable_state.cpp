@@ -487,10 +487,15 @@ std::optional<ButtonState> BendableState::at(const Eigen::VectorXd& z) const {
   if (!graph) return {};
   ButtonState next{state_.name, *std::move(graph), state_.operatingPoint_mm, state_.resetPoint_mm,
                    state_.damping};
-  // Damping covers the travel as it did.
-  const double start_mm = press->start_mm(), longer = press->travel_mm() / travel_mm_;
-  for (DampingPoint& point : next.damping)
-    if (longer != 1) point.displacement_mm = start_mm + (point.displacement_mm - start_mm) * longer;
+  // Damping covers the travel as it did, and its last point does not end a rounding error behind it.
+  const double start_mm = press->start_mm(), longer = press->travel_mm() / travel_mm_,
+               before_mm = state_.graph.press().end_mm();
+  for (DampingPoint& point : next.damping) {
+    if (longer == 1) continue;
+    const bool within = point.displacement_mm <= before_mm;
+    point.displacement_mm = start_mm + (point.displacement_mm - start_mm) * longer;
+    if (within) point.displacement_mm = std::min(point.displacement_mm, press->end_mm());
+  }
   if (next.operatingPoint_mm) *next.operatingPoint_mm += travel_mm_ * operating_.dot(z);
   if (next.resetPoint_mm) *next.resetPoint_mm += travel_mm_ * reset_.dot(z);
   return next;

@@ -2,6 +2,7 @@
 #include "model/targets/targets.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -22,6 +23,7 @@ constexpr double settled = 1e-5;     // an unknown that moves by less has arrive
 constexpr double exact = 1e-9;       // shares of travel and range: a figure that is nearer than this is met
 constexpr double leastPart = 1.0 / 32;  // of the way to the targets that one step must be able to go
 constexpr double leastStep = 1.0 / 256;
+constexpr double leap = 4;  // a foot that moves so many times as far as any landmark is another one
 constexpr double leastOfWay = 1.0 / 64;  // to a value that cannot be had: how exactly its limit is told
 
 // Those a step can be held up by, what says most first.
@@ -32,40 +34,79 @@ constexpr ShapeRule rulesOfSteps[] = {ShapeRule::inOrder, ShapeRule::onStroke, S
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 const char* termOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].term; }
 
+// What time there is.
+class Clock {
+ public:
+  explicit Clock(const TargetPatience& patience) : patience_(patience) {}
+
+  bool givenUp() const { return patience_.givenUp && patience_.givenUp(); }
+  bool late() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count() >
+           patience_.longest_s;
+  }
+  bool over() const { return givenUp() || late(); }
+  double longest_s() const { return patience_.longest_s; }
+
+ private:
+  const TargetPatience& patience_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
 // One solve: the unknowns of a state, and how far its figures are from the targets, in shares of travel and range.
 class Search {
  public:
   Search(BendableState bendable, const std::vector<FigureTarget>& targets, const TargetTolerance& tolerance,
-         const SectionSettings& settings)
-      : bendable_(std::move(bendable)), targets_(targets), tolerance_(tolerance), settings_(settings) {}
+         const SectionSettings& settings, const Clock& clock)
+      : bendable_(std::move(bendable)),
+        targets_(targets),
+        tolerance_(tolerance),
+        settings_(settings),
+        clock_(clock) {}
 
   std::optional<ButtonState> found() {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(bendable_.unknowns());
     auto now = seen(z);
     int onceMet = 0;
-    for (int step = 0; now && step < mostSteps; ++step) {
+    for (int step = 0; now && step < mostSteps && !clock_.over(); ++step) {
       const bool met = isMet(*now);
       if (met && onceMet++ >= stepsOnceMet) break;
-      const auto goal = next(z, *now);
-      if (!goal) break;
+      const auto slopes = slopesAt(z, *now);
+      const auto goal = slopes ? next(*slopes, z, *now) : std::nullopt;
+      if (!goal) {
+        if (slopes) stuck_ = Stuck{z, *slopes, *now, {}};
+        break;
+      }
       const Eigen::VectorXd way = *goal - z;
       if (met && way.cwiseAbs().maxCoeff() < settled) break;
       auto better = stepAlong(z, way, *now, met);
-      if (!better) break;
+      if (!better) {
+        stuck_ = Stuck{z, *slopes, *now, way};
+        break;
+      }
       now = std::move(better);
     }
     if (!now || !isMet(*now)) return {};
     return std::move(now->state);
   }
 
-  /// Where nothing was found: the rule that stood in the way, if it was one alone.
-  std::optional<ShapeRule> obstacle() const { return obstacle_; }
+  /// Where nothing was found: what stood in the way.
+  std::optional<ShapeRule> obstacle() const {
+    if (!stuck_) return {};
+    return stuck_->way ? firstLost(stuck_->z, *stuck_->way) : holdingUp(*stuck_);
+  }
 
  private:
   struct Seen {
     ButtonState state;
     Eigen::VectorXd missing;  // target less figure
     Eigen::VectorXd gaps;     // in shares of the range
+  };
+  // Where no step led on: none was allowed, or `way`, which was, brought nothing.
+  struct Stuck {
+    Eigen::VectorXd z;
+    Eigen::MatrixXd slopes;
+    Seen seen;
+    std::optional<Eigen::VectorXd> way;
   };
 
   double scaleOf(FigureUnit unit) const {
@@ -115,8 +156,8 @@ class Search {
     return seen.gaps.size() == 0 || seen.gaps.minCoeff() > -1e-6;
   }
 
-  // Where the figures, taken as straight, are right at the least cost; part of the way there where that is no curve.
-  std::optional<Eigen::VectorXd> next(const Eigen::VectorXd& z, const Seen& now) {
+  // How figures and gaps change with each unknown.
+  std::optional<Eigen::MatrixXd> slopesAt(const Eigen::VectorXd& z, const Seen& now) const {
     const Eigen::Index figures = now.missing.size(), gaps = now.gaps.size();
     Eigen::MatrixXd slopes(figures + gaps, z.size());
     for (Eigen::Index k = 0; k < z.size(); ++k) {
@@ -133,13 +174,22 @@ class Search {
       slopes.col(k).head(figures) = (now.missing - there->missing) / way;
       slopes.col(k).tail(gaps) = (there->gaps - now.gaps) / way;
     }
+    return slopes;
+  }
+
+  // Where the figures, taken as straight, are right at the least cost; part of the way there where that is no curve.
+  std::optional<Eigen::VectorXd> next(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& z,
+                                      const Seen& now) const {
     for (double part = 1; part >= leastPart; part /= 2)
       if (auto goal = leastUnder(rulesFor(part, slopes, z, now, {}), bendable_.inverseCost())) return goal;
+    return {};
+  }
+
+  // The rule without which the least step could be made, if it is one alone.
+  std::optional<ShapeRule> holdingUp(const Stuck& stuck) const {
     for (const ShapeRule rule : rulesOfSteps)
-      if (leastUnder(rulesFor(leastPart, slopes, z, now, rule), bendable_.inverseCost())) {
-        obstacle_ = rule;
-        break;
-      }
+      if (leastUnder(rulesFor(leastPart, stuck.slopes, stuck.z, stuck.seen, rule), bendable_.inverseCost()))
+        return rule;
     return {};
   }
 
@@ -160,7 +210,8 @@ class Search {
   }
 
   // Goes as far as the figures come nearer; `z` moves along.
-  std::optional<Seen> stepAlong(Eigen::VectorXd& z, const Eigen::VectorXd& way, const Seen& now, bool met) {
+  std::optional<Seen> stepAlong(Eigen::VectorXd& z, const Eigen::VectorXd& way, const Seen& now,
+                                bool met) const {
     const double before = distance(now);
     for (double part = 1; part >= leastStep; part /= 2) {
       const Eigen::VectorXd place = z + part * way;
@@ -170,7 +221,6 @@ class Search {
       z = place;
       return there;
     }
-    obstacle_ = firstLost(z, way);
     return {};
   }
   // What kind of shape is lost first on a way that brings the figures no nearer.
@@ -182,6 +232,8 @@ class Search {
       const StrokeMetrics then = metricsOf(there->graph.press(), Stroke::press, settings_),
                           first = metricsOf(before->graph.press(), Stroke::press, settings_);
       if (then.bottomOut.wall != first.bottomOut.wall) return ShapeRule::wall;
+      const double moved_mm = std::abs(then.bottomOut.displacement_mm - first.bottomOut.displacement_mm);
+      if (moved_mm > leap * part * way.cwiseAbs().maxCoeff() * bendable_.travel_mm()) return ShapeRule::wall;
       if (then.tactile.size() != first.tactile.size()) return ShapeRule::tactile;
     }
     return {};
@@ -195,7 +247,8 @@ class Search {
   const std::vector<FigureTarget>& targets_;
   TargetTolerance tolerance_;
   SectionSettings settings_;
-  std::optional<ShapeRule> obstacle_;
+  const Clock& clock_;
+  std::optional<Stuck> stuck_;
 };
 
 std::set<Rule> rulesBroken(const Button& button, const SectionSettings& settings) {
@@ -267,9 +320,14 @@ std::vector<KeyFigure> figuresOf(const std::vector<FigureTarget>& targets) {
   return figures;
 }
 
-TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
+std::vector<Message> termsOf(const std::vector<FigureTarget>& targets) {
   std::vector<Message> terms;
   for (const FigureTarget& target : targets) terms.push_back(Message::of(termOf(target.figure), {}));
+  return terms;
+}
+
+TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
+  const std::vector<Message> terms = termsOf(targets);
   const std::vector<Message> rest(terms.begin() + 2, terms.end());
   Message problem = rest.empty()
                         ? Message("%1 and %2 contradict each other", terms[0], terms[1])
@@ -278,6 +336,16 @@ TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
   const Message remedy = rest.empty() ? "Leave one of the two free, or give it another value"
                                       : "Leave one of them free, or give it another value";
   return {figuresOf(targets), {}, refusal(std::move(problem), remedy)};
+}
+
+/// What was not found out in time, of targets that could not be met until then.
+TargetConflict undecided(const std::vector<FigureTarget>& targets, double longest_s) {
+  return {figuresOf(targets),
+          {},
+          refusal(Message("in %1 s no curve was found that has all of this, nor which of it contradicts: %2",
+                          longest_s, termsOf(targets)),
+                  "Leave some of it free, or give values nearer to the present ones"),
+          true};
 }
 
 Message valueWithUnit(double value, FigureUnit unit) {
@@ -300,15 +368,13 @@ Message valueWithUnit(double value, FigureUnit unit) {
 class Bending {
  public:
   Bending(const Button& button, std::size_t state, const TargetTolerance& tolerance,
-          const SectionSettings& settings, const std::function<bool()>& givenUp)
+          const SectionSettings& settings, const Clock& clock)
       : button_(button),
         state_(state),
         tolerance_(tolerance),
         settings_(settings),
-        givenUp_(givenUp),
+        clock_(clock),
         brokenBefore_(rulesBroken(button, settings)) {}
-
-  bool givenUp() const { return givenUp_ && givenUp_(); }
 
   std::optional<Button> solved(const std::vector<FigureTarget>& targets) const {
     std::optional<Button> whole;
@@ -323,12 +389,13 @@ class Bending {
   /// Targets of which none can be done without: as few as still contradict each other.
   std::vector<FigureTarget> fewest(std::vector<FigureTarget> targets) const {
     // What a solve could not reach with more of them it may reach with fewer: tried until nothing goes any more.
-    for (bool gone = true; gone && !givenUp();) {
+    for (bool gone = true; gone && !clock_.over();) {
       gone = false;
-      for (std::size_t i = targets.size(); i-- > 0 && targets.size() > 1 && !givenUp();) {
+      for (std::size_t i = targets.size(); i-- > 0 && targets.size() > 1;) {
         std::vector<FigureTarget> without = targets;
         without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
         if (solved(without)) continue;
+        if (clock_.over()) return targets;
         targets = std::move(without);
         gone = true;
       }
@@ -350,25 +417,24 @@ class Bending {
 
  private:
   using Takes = std::function<bool(const Button&)>;
+  using Failed = std::function<void(const Search&)>;
 
-  /// Every way of bending in turn, until one gives what `takes` it. What stood in the way of those that gave nothing.
-  std::optional<ShapeRule> solve(const std::vector<FigureTarget>& targets, const Takes& takes) const {
-    std::optional<ShapeRule> obstacle;
+  /// Every way of bending in turn, until one gives what `takes` it; `failed` is told of those that gave nothing.
+  void solve(const std::vector<FigureTarget>& targets, const Takes& takes, const Failed& failed = {}) const {
     const ButtonState& state = button_.states()[state_];
     const bool contacts = state.operatingPoint_mm || state.resetPoint_mm;
     for (const auto way : {BendableState::Contacts::free, BendableState::Contacts::riding})
       for (const auto bulges : {BendableState::Bulges::atKnots, BendableState::Bulges::finer}) {
-        if (givenUp() || (way == BendableState::Contacts::riding && !contacts)) return obstacle;
-        Search search(BendableState(state, settings_, bulges, way), targets, tolerance_, settings_);
+        if (clock_.over() || (way == BendableState::Contacts::riding && !contacts)) return;
+        Search search(BendableState(state, settings_, bulges, way), targets, tolerance_, settings_, clock_);
         auto found = search.found();
-        if (!obstacle) obstacle = search.obstacle();
+        if (!found && failed) failed(search);
         if (!found) continue;
         std::vector<ButtonState> states = button_.states();
         states[state_] = *std::move(found);
         const auto next = Button::fromStates(button_.name(), std::move(states), button_.provenance());
-        if (next && takes(*next)) return {};
+        if (next && takes(*next)) return;
       }
-    return obstacle;
   }
 
   std::optional<Rule> newlyBroken(const Button& next) const {
@@ -380,7 +446,7 @@ class Bending {
   /// The last value on the way from `now` to the target that can be had.
   double nearest(const FigureTarget& target, double now) const {
     double reached = 0;
-    for (double part = 0.5; part >= leastOfWay && !givenUp(); part /= 2)
+    for (double part = 0.5; part >= leastOfWay && !clock_.over(); part /= 2)
       if (solved({{target.figure, now + (reached + part) * (target.value - now)}})) reached += part;
     return now + reached * (target.value - now);
   }
@@ -388,8 +454,12 @@ class Bending {
   /// What the button would lose with that target.
   Message lossAt(const FigureTarget& target) const {
     std::optional<Rule> broken;
-    const auto obstacle =
-        solve({target}, [&](const Button& next) { return (broken = newlyBroken(next)).has_value(); });
+    std::optional<ShapeRule> obstacle;
+    solve(
+        {target}, [&](const Button& next) { return (broken = newlyBroken(next)).has_value(); },
+        [&](const Search& search) {
+          if (!obstacle) obstacle = search.obstacle();
+        });
     if (broken) return lossOf(*broken);
     if (obstacle) return lossOf(*obstacle);
     return "more than one property of its shape would be lost";
@@ -399,7 +469,7 @@ class Bending {
   std::size_t state_;
   TargetTolerance tolerance_;
   SectionSettings settings_;
-  const std::function<bool()>& givenUp_;
+  const Clock& clock_;
   std::set<Rule> brokenBefore_;
 };
 
@@ -421,7 +491,7 @@ std::vector<FigureTarget> lastOfEach(const std::vector<FigureTarget>& targets) {
 
 TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::vector<FigureTarget>& targets,
                             const TargetTolerance& tolerance, const SectionSettings& settings,
-                            const std::function<bool()>& givenUp) {
+                            const TargetPatience& patience) {
   DETENT_CHECK(state < button.states().size(), "a state of the button");
   const std::vector<FigureTarget> wanted = lastOfEach(targets);
   const KeyFigures now = keyFiguresOf(button.states()[state], settings);
@@ -442,13 +512,15 @@ TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::
                           Message("Give a number"))}};
   }
   if (allMet(now, wanted)) return {button, {}};
-  const Bending bending(button, state, tolerance, settings, givenUp);
+  const Clock clock(patience);
+  const Bending bending(button, state, tolerance, settings, clock);
   if (auto next = bending.solved(wanted)) return {*std::move(next), {}};
   const std::vector<FigureTarget> contradicting = bending.fewest(wanted);
-  std::optional<TargetConflict> conflict =
-      contradicting.size() > 1 ? conflictOf(contradicting)
-                               : bending.limitOf(contradicting.front(), *now[contradicting.front().figure]);
-  if (bending.givenUp()) return {};
+  TargetConflict conflict = contradicting.size() > 1
+                                ? conflictOf(contradicting)
+                                : bending.limitOf(contradicting.front(), *now[contradicting.front().figure]);
+  if (clock.givenUp()) return {};
+  if (clock.late()) conflict = undecided(contradicting, clock.longest_s());
   return {{}, std::move(conflict)};
 }
 

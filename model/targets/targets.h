@@ -4,6 +4,7 @@
 // other. Reading order: targets.h, bendable_state.h (what can move, and what it costs), quadratic_program.h.
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -25,7 +26,14 @@ struct TargetConflict {
       figures;  ///< one: the button itself does not allow it; two or more: the first two, given the rest
   /// Of a single figure: the value nearest to the one asked for that could be had, found on the way to it, to 1 part in 64 of the way.
   std::optional<double> reachable;
-  Failure failure;  ///< the same in words, for a single figure with what stands in the way
+  Failure failure;         ///< the same in words, for a single figure with what stands in the way
+  bool outOfTime = false;  ///< it is not known whether they contradict, or whether fewer of them do
+};
+
+/// How long a solve goes on.
+struct TargetPatience {
+  std::function<bool()> givenUp = {};  ///< asked at every step, some 10 ms; true ends it, and nothing is told
+  double longest_s = std::numeric_limits<double>::infinity();  ///< then what is known is told; > 0
 };
 
 /// Exactly one of the two is there; neither where it was given up.
@@ -44,9 +52,9 @@ struct TargetTolerance {
 /// least (bendable_state.h); a figure that nobody asks for may move. What was true of the button stays true: no rule of
 /// validation.h is broken that was kept. A figure the button does not have, and a value that is not finite, are conflicts of
 /// their own; of a figure asked for twice the last counts. Milliseconds for a drawn button, up to seconds where many
-/// targets contradict each other. `givenUp` is asked now and then, and ends it. Any thread.
+/// targets contradict each other. Any thread.
 TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::vector<FigureTarget>& targets,
                             const TargetTolerance& tolerance = {}, const SectionSettings& settings = {},
-                            const std::function<bool()>& givenUp = {});
+                            const TargetPatience& patience = {});
 
 }  // namespace detent

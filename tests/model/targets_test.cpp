@@ -145,6 +145,8 @@ TEST_CASE("random sets of targets are met, or those that contradict are named") 
       std::cout << i << " " << sample.name << " " << outcome.conflict->failure.sentence() << " <- "
                 << textOf(targets, now) << " " << took_ms << " ms\n";
     CHECK(outcome.conflict->reachable.has_value() == (named.size() == 1));
+    CHECK(!outcome.conflict->outOfTime);
+    CHECK_THAT(outcome.conflict->failure.sentence(), !Catch::Contains("more than one property"));
     if (named.size() == 1) {
       const auto asked = std::find_if(targets.begin(), targets.end(),
                                       [&](const FigureTarget& target) { return target.figure == named[0]; });
@@ -172,8 +174,42 @@ TEST_CASE("a search that is given up gives nothing, and soon") {
   int asked = 0;
   const TargetOutcome outcome =
       bentToTargets(all[3].button, 0, {{KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}}, {}, {},
-                    [&] { return ++asked > 3; });
+                    {[&] { return ++asked > 3; }});
   CHECK(!outcome.button);
   CHECK(!outcome.conflict);
   CHECK(asked < 20);
+}
+
+TEST_CASE("a search that has no more time says so, and of what") {
+  const std::vector<Sample> all = samples();
+  const std::vector<FigureTarget> asked = {{KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}};
+  const TargetOutcome outcome = bentToTargets(all[3].button, 0, asked, {}, {}, {{}, 1e-9});
+  CHECK(!outcome.button);
+  REQUIRE(outcome.conflict);
+  CHECK(outcome.conflict->outOfTime);
+  CHECK(outcome.conflict->figures == std::vector{KeyFigure::peakForce, KeyFigure::drop});
+  CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("Peak force; Tactile drop"));
+  CHECK(!bentToTargets(all[3].button, 0, asked, {}, {}, {{}, 60}).conflict->outOfTime);
+}
+
+// The foot of D's wall is found elsewhere before its travel is so short; the figure leaps, and no step leads on.
+TEST_CASE("a foot that would leap is told as the wall that would begin elsewhere") {
+  const Sample sample = samples()[3];
+  REQUIRE(sample.name == "D");
+  const TargetOutcome outcome = bentToTargets(sample.button, 0, {{KeyFigure::bottomOutTravel, 2.9133868}});
+  REQUIRE(outcome.conflict);
+  CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("wall at the end would begin elsewhere"));
+}
+
+// 5 mm times what the travel grows by may be a rounding error more than the travel: these values hit that.
+TEST_CASE("damping ends with the travel, whatever that is rounded to") {
+  const std::vector<Sample> all = samples();
+  const auto push = std::ranges::find_if(all, [](const Sample& each) { return each.name == "push"; });
+  REQUIRE(push != all.end());
+  REQUIRE(push->button.states()[0].damping.back().displacement_mm == 5);
+  for (int i = 0; i < 25; ++i) {
+    const double slope = 0.5086155 + 4e-8 * i;
+    CAPTURE(slope);
+    CHECK(bentToTargets(push->button, 0, {{KeyFigure::slopeToBottomOut, slope}}).button);
+  }
 }
