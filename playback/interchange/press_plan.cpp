@@ -43,11 +43,15 @@ std::vector<PlannedBurst> sounding(const std::vector<EngineEvent>& events, const
   return bursts;
 }
 
-double turn_s(const PressTrace& trace) {
-  const auto strongest =
-      std::max_element(trace.readings.begin(), trace.readings.end(),
-                       [](const PressReading& a, const PressReading& b) { return a.value < b.value; });
-  return strongest == trace.readings.end() ? 0 : strongest->time_s;
+/// Of the strongest reading that the engine takes: neither one that is no number nor one out of range.
+std::int64_t turnFrame(const PressTrace& trace, const HapticProgram& program,
+                       const RenderSettings& settings) {
+  ConditionerCounts counts;
+  const double origin_s = std::fmin(0, trace.readings.front().time_s);
+  const std::vector<EngineInput> inputs =
+      conditionedInputs(trace, program, settings.sampleRate_Hz, origin_s, counts);
+  const auto strongest = std::ranges::max_element(inputs, {}, &EngineInput::value);
+  return strongest == inputs.end() ? 0 : std::llround(strongest->time_frames);
 }
 
 /// As loud as it would be without the limiter: rendered far below its ceiling.
@@ -79,7 +83,7 @@ Result<PressPlan> planPress(const Button& button, const HapticProgram& program, 
   plan.press = pressName;
   plan.sampleRate_Hz = settings.sampleRate_Hz;
   plan.slopeUnderJump = program.slopeUnderJump;
-  plan.turn_frame = std::llround(turn_s(trace) * settings.sampleRate_Hz);
+  plan.turn_frame = turnFrame(trace, program, settings);
   plan.bursts = sounding(rendered->summary.events, program);
   plan.samples = std::move(rendered->samples);
   if (static_cast<double>(rendered->summary.peak) > nearCeiling * program.limiterCeiling) {

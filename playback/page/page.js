@@ -12,11 +12,11 @@
   const decimals = { N: 2, gf: 1, cN: 1 };
   let chosen = 0, unit = "N", held = false, audio = null, node = null, gain = null, engine = null;
 
-  const force = (n) => (n * perNewton[unit]).toFixed(decimals[unit]) + " " + unit;
+  const force = (n) => (n * perNewton[unit]).toFixed(decimals[unit]) + "\u00a0" + unit;
   const say = (text) => { byId("status").textContent = text; };
 
   // -- graph ------------------------------------------------------------------------------------------------------
-  const left = 48, right = 470, top = 10, bottom = 280;
+  const left = 56, right = 470, top = 10, bottom = 280;
   const svg = (name, attributes, text) => {
     const e = document.createElementNS("http://www.w3.org/2000/svg", name);
     for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
@@ -51,11 +51,13 @@
                    svg("text", { x: left - 6, y: py + 4, "text-anchor": "end" }, +(f * perNewton[unit]).toPrecision(6)));
     }
     graph.append(svg("text", { x: (left + right) / 2, y: bottom + 34, "text-anchor": "middle" }, "Displacement in mm"),
-                 svg("text", { x: 12, y: (top + bottom) / 2, "text-anchor": "middle", transform: `rotate(-90 12 ${(top + bottom) / 2})` }, `Force in ${unit}`));
+                 svg("text", { x: 11, y: (top + bottom) / 2, "text-anchor": "middle", transform: `rotate(-90 11 ${(top + bottom) / 2})` }, `Force in ${unit}`));
     for (const s of b.states) {
       graph.append(svg("path", { class: "press", d: path(s.press) }));
       if (s.release.length) graph.append(svg("path", { class: "release", d: path(s.release) }));
     }
+    graph.append(svg("text", { class: "press", x: right - 8, y: bottom - 28, "text-anchor": "end" }, "press"));
+    if (b.states.some((s) => s.release.length)) graph.append(svg("text", { class: "release", x: right - 8, y: bottom - 8, "text-anchor": "end" }, "release"));
     graph.append(svg("circle", { class: "here", id: "here", r: 5, cx: -20, cy: -20 }));
   }
 
@@ -77,14 +79,13 @@
     const head = document.createElement("tr");
     head.append(cell("th", ""), ...data.buttons.map((b) => cell("th", b.name)));
     byId("figures").tHead.replaceChildren(head);
-    const names = [...new Set(data.buttons.flatMap((b) => b.figures.map((f) => f.name)))];
-    byId("figures").tBodies[0].replaceChildren(...names.map((name) => {
-      const row = document.createElement("tr");
-      row.append(cell("th", name), ...data.buttons.map((b) => {
-        const f = b.figures.find((g) => g.name === name);
-        return cell("td", !f ? "–" : f.unit === "N" ? force(f.value) : f.unit === "1" ? (100 * f.value).toFixed(0) + " %" : f.value.toFixed(2) + " " + f.unit);
-      }));
-      return row;
+    const told = ({ value, unit: of }) => value === undefined ? "–" : of === "N" ? force(value) : of === "N/mm" ? force(value) + "/mm"
+      : of ? value.toFixed(2) + "\u00a0" + of : (100 * value).toFixed(0) + "\u00a0%";
+    const rows = data.buttons[0].figures.map((f, i) => data.buttons.map((b) => b.figures[i]));
+    byId("figures").tBodies[0].replaceChildren(...rows.filter((row) => row.some((f) => f.value !== undefined)).map((row) => {
+      const line = document.createElement("tr");
+      line.append(cell("th", row[0].name), ...row.map((f) => cell("td", told(f))));
+      return line;
     }));
   }
 

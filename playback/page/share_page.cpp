@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/file/json_text.h"
-#include "model/metrics.h"
+#include "model/key_figures.h"
 #include "model/version.h"
 #include "playback/offline/standard_press.h"
 #include "playback/page/button_numbers.h"
@@ -62,28 +62,31 @@ Json drawn(const StrokeCurve& curve) {
   return points;
 }
 
-void addFigure(Json& figures, const char* name, double value, const char* unit) {
-  figures.push_back({{"name", name}, {"value", value}, {"unit", unit}});
+const char* wordOf(FigureUnit unit) {
+  switch (unit) {
+    case FigureUnit::mm:
+      return "mm";
+    case FigureUnit::N:
+      return "N";
+    case FigureUnit::N_per_mm:
+      return "N/mm";
+    case FigureUnit::mJ:
+      return "mJ";
+    case FigureUnit::share:
+      break;
+  }
+  return "";
 }
 
+/// All of them, without a value where the button has none: a page's rows stand in one order whatever is in it.
 Json figuresOf(const ButtonState& state) {
-  const StateMetrics metrics = metricsOf(state);
+  const KeyFigures values = keyFiguresOf(state);
   Json figures = Json::array();
-  addFigure(figures, "Initial force", metrics.press.startForce_N, "N");
-  if (metrics.operatingPoint) {
-    addFigure(figures, "Pre-travel", metrics.operatingPoint->displacement_mm, "mm");
-    addFigure(figures, "Operating force", metrics.operatingPoint->force_N, "N");
+  for (const KeyFigureName& name : keyFigureNames()) {
+    Json figure{{"name", name.term}, {"unit", wordOf(name.unit)}};
+    if (const auto& value = values[name.figure]) figure["value"] = *value;
+    figures.push_back(std::move(figure));
   }
-  if (!metrics.press.tactile.empty()) {
-    const TactileEvent& event = metrics.press.tactile.front();
-    addFigure(figures, "Peak force", event.point.force_N, "N");
-    if (event.following) addFigure(figures, "Valley force", event.following->force_N, "N");
-    if (event.snapRatio) addFigure(figures, "Snap ratio", *event.snapRatio, "1");
-  }
-  if (metrics.resetPoint) addFigure(figures, "Reset travel", metrics.resetPoint->displacement_mm, "mm");
-  addFigure(figures, "Full travel", metrics.travel_mm, "mm");
-  addFigure(figures, "Greatest force", metrics.press.maxForce_N, "N");
-  addFigure(figures, "Work of a press", metrics.press.work_mJ, "mJ");
   return figures;
 }
 

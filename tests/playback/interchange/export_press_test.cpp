@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -94,6 +95,28 @@ TEST_CASE("A press under which nothing is felt, or that never ends, is refused")
   const Result<Exported> refused = exportPress(button, program, endless, {});
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.failure().sentence().find("31") != std::string::npos);
+}
+
+TEST_CASE("A press whose times begin below 0, or with readings that are none, is cut where it turns") {
+  const Button button = sample("A");
+  const HapticProgram program = prepareProgram(button, {}, {}).value().program;
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const PressTrace plain{PressTrace::Quantity::force_N, {{0, 0}, {1, 1.5}, {2, 0}}};
+  const PressTrace early{PressTrace::Quantity::force_N, {{-5, 0}, {-4, 1.5}, {-3, 0}}};
+  const PressTrace broken{PressTrace::Quantity::force_N,
+                          {{0, nan}, {0.001, 0}, {1, 1.5}, {1.5, inf}, {2, 0}}};
+  const PressPlan expected = planPress(button, program, plain, "press", {}).value();
+  for (const PressTrace& trace : {early, broken}) {
+    const Result<PressPlan> plan = planPress(button, program, trace, "press", {});
+    REQUIRE(plan.ok());
+    CHECK(plan->turn_frame == expected.turn_frame);
+    for (const auto& format : exportFormats.all) {
+      INFO(format.word);
+      ExportSettings settings;
+      settings.format = format.value;
+      CHECK(exportPress(button, program, trace, settings).ok());
+    }
+  }
 }
 
 TEST_CASE("A press too faint for a format is refused by its name, never written as silence") {

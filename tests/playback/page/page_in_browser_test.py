@@ -248,6 +248,15 @@ class PageInBrowser(unittest.TestCase):
         self.assertNotEqual("taken", self.browser.run("return document.title"))
         self.assertEqual("</script><script>document.title='taken'</script>", self.browser.run("return detent.buttons.at(-1)"))
 
+    def test_figures_are_those_of_the_glossary(self):
+        rows = dict(self.browser.run("return [...document.querySelectorAll('#figures tbody tr')].map((r) => [r.cells[0].textContent, "
+                                     "[...r.cells].slice(1).map((c) => c.textContent)])"))
+        of = {n: i for i, n in enumerate(self.names)}
+        self.assertEqual("1.60\u00a0N", rows["Peak force"][of["D"]])  # the larger of its two drops
+        self.assertEqual("2.10\u00a0mm", rows["Travel to the peak"][of["D"]])
+        self.assertEqual("–", rows["Peak force"][of["A"]])
+        self.assertEqual("-1.50\u00a0N/mm", rows["Spring rate of the drop"][of["D"]])
+
     def test_phone_width_and_names(self):
         self.browser.do("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride",
                         "params": {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True}})
