@@ -17,6 +17,7 @@ namespace detent::playback {
 
 namespace {
 constexpr int mostChannels = 32;
+constexpr double longestCallback_s = 2, look_s = 0.001;
 void ignoreMessage(const char*) {}
 
 /// Inputs of a client by its very name: JACK would take it for a regular expression, and find none for "... (HDMI)".
@@ -35,7 +36,9 @@ std::vector<std::string> inputsOf(jack_client_t* jack, const std::string& target
 struct JackStream::Client {
   explicit Client(StreamRenderer& r) : renderer(r) {}
   ~Client() {
-    if (jack != nullptr) jack_client_close(jack);
+    if (jack == nullptr) return;
+    leaveCallback();
+    jack_client_close(jack);
   }
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
@@ -44,11 +47,22 @@ struct JackStream::Client {
   jack_client_t* jack = nullptr;
   std::array<jack_port_t*, mostChannels> ports{};
   std::size_t channels = 0, signalChannels = 0;
-  std::atomic<bool> down{false};
+  std::atomic<bool> down{false}, leaving{false}, inside{false};
 
   static int process(jack_nframes_t frames, void* self) {
-    static_cast<Client*>(self)->render(frames);
+    Client& client = *static_cast<Client*>(self);
+    client.inside = true;
+    if (!client.leaving) client.render(frames);
+    client.inside = false;
     return 0;
+  }
+
+  /// Waits until the callback is over, for good. libjack cancels its thread wherever it is as soon as a cycle took too long: in the midst of
+  /// ours that ends the whole program, by SIGABRT or SIGSEGV (docs/decisions/0904).
+  void leaveCallback() {
+    leaving = true;
+    for (double left_s = longestCallback_s; inside && left_s > 0; left_s -= look_s)
+      sleepUntil(now_s() + look_s);
   }
   static int xrun(void* self) {
     static_cast<Client*>(self)->renderer.noteXrun();

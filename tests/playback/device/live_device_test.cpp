@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "playback/device/audio_device.h"
 #include "playback/device/signal_server.h"
 #include "playback/device/steady_clock.h"
 #include "playback/measurement/sweep.h"
@@ -150,6 +151,31 @@ TEST_CASE("live: the sound device goes away and comes back") {
     const auto heard = listener.recorded();
     return firstSound(heard) < heard.size();
   }));
+}
+
+TEST_CASE("live: a stream that closes lets a callback come to its end, however long it takes") {
+  JackServer server(256);
+  if (skipped(server, "closing within a callback")) return;
+  static std::atomic<int> entered{0}, left{0};
+  CallbackHooks slow;  // some cycles long: libjack gives up waiting, and cancels the thread it runs on
+  slow.enter = [] {
+    ++entered;
+    const std::string unwound(100, 'x');  // what a cancelled thread has to destroy
+    for (const double end_s = now_s() + 0.04; now_s() < end_s && !unwound.empty();) {
+    }
+  };
+  slow.leave = [] { ++left; };
+  LiveSession session(48000);
+  AudioSettings settings;
+  settings.device = "JACK Audio Connection Kit: system";
+  for (int i = 0; i < 5; ++i) {
+    Result<std::unique_ptr<AudioOutput>> output = AudioOutput::open(settings, session, slow);
+    REQUIRE(output);
+    const int before = entered;
+    CHECK(within(2, [&] { return entered > before; }));
+    (*output).reset();  // without waiting the whole program ends here, by SIGABRT or SIGSEGV
+    CHECK(left == entered);
+  }
 }
 
 TEST_CASE("live: a JACK output is found by its very name, whatever a regular expression would make of it") {
