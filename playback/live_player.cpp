@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "playback/device/audio_device.h"
 #include "playback/device/pd_route.h"
@@ -21,7 +22,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t mostKeptEvents = 8192;
+constexpr std::size_t mostKeptEvents = 8192, mostKeptClosings = 1024;
 constexpr std::size_t mostTakes = 16;
 constexpr double traceAhead_s = 0.25;
 constexpr double traceStep_s = 0.05;
@@ -286,6 +287,11 @@ class Player : public LivePlayer {
     return presses_.taken();
   }
 
+  std::vector<ContactClosing> takeClosings() override {
+    const std::lock_guard lock(readingMutex_);
+    return std::exchange(closings_, {});
+  }
+
  private:
   /// Samples and what the callback knows them by.
   struct OwnedTake {
@@ -430,11 +436,13 @@ class Player : public LivePlayer {
       follower_.placeAtForce(value);
       presses_.use(routeProgram_.get());  // what was done meanwhile is not known
       presses_.take(follower_.position());
+      followedAt_s_ = time_s;
       return;
     }
     const Crossings& crossings =
         kind == CommandKind::force ? follower_.updateForce(value) : follower_.updateDisplacement(value);
     presses_.take(follower_.position());
+    keepClosings(crossings, time_s);
     if (route_) route_->send(crossings, *routeProgram_);
     if (sounding_) return;  // the callback reports what it plays
     const double frame = (time_s - began_s_) * session_.sampleRate_Hz();
@@ -444,6 +452,17 @@ class Player : public LivePlayer {
       if (followedEvents_.size() == mostKeptEvents) followedEvents_.pop_front();
       followedEvents_.push_back(
           {kindOf(c.kind), c.state, c.jump, c.count, static_cast<std::int64_t>(frame), c.displacement_mm});
+    }
+  }
+
+  /// readingMutex_ is held.
+  void keepClosings(const Crossings& crossings, double time_s) {
+    const double within_s = time_s - std::exchange(followedAt_s_, time_s);
+    for (std::size_t i = 0; i < crossings.count; ++i) {
+      const Crossing& c = crossings.items[i];
+      if (c.kind != CrossingKind::contactClosed) continue;
+      if (closings_.size() == mostKeptClosings) closings_.erase(closings_.begin());
+      closings_.push_back({time_s - (1 - c.fraction) * within_s, within_s});
     }
   }
 
@@ -581,8 +600,10 @@ class Player : public LivePlayer {
   ForceConditioner ownForce_;
   ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12, 0, 0}};
   std::unique_ptr<HapticProgram> routeProgram_;
-  StrokeTracker follower_;  // of routeProgram_
-  PressCounter presses_;    // readingMutex_
+  StrokeTracker follower_;                // of routeProgram_
+  PressCounter presses_;                  // readingMutex_
+  double followedAt_s_ = 0;               // readingMutex_: of the last reading
+  std::vector<ContactClosing> closings_;  // readingMutex_
   EngineCounts followedCounts_;
   std::deque<EngineEvent> followedEvents_;
   std::unique_ptr<PdRoute> route_;

@@ -71,6 +71,12 @@ struct PlayerSettings {
 
 enum class SensorCondition : std::uint8_t { none, starting, running, silent, stuck, unplugged };
 
+/// The contact of a button closed: it was pressed as far as its operating point.
+struct ContactClosing {
+  double time_s = 0;    ///< on the steady clock of playback/device, between two readings by what they say
+  double within_s = 0;  ///< how far apart these two readings were
+};
+
 /// What a display shows; a snapshot.
 struct PlayerStatus {
   bool sounding = true;  ///< false: a player without a sound device (LivePlayer::startSilent)
@@ -159,6 +165,8 @@ class LivePlayer {
   virtual std::vector<EngineEvent> takeEvents() = 0;
   /// What the finger did since the last call, whoever it belongs to.
   virtual PressCount takePresses() = 0;
+  /// Every time the contact closed since the last call, oldest first (the last 1024 are kept).
+  virtual std::vector<ContactClosing> takeClosings() = 0;
 };
 
 // ---- measuring a device

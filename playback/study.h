@@ -10,7 +10,7 @@
 //   study/trials/study_plan.h          power, a page to preregister, everybody's list (planned_places.h) before the first person comes
 //   study/trials/trial_plan.h          the list of one participant
 //   study/trials/participant_record.h  what a journal says (study/journal: lines that are on the disk)
-//   study/trials/trial_desk.h          one trial as it is worked on
+//   study/trials/trial_desk.h          one trial as it is worked on; timing_desk.h one whose presses are timed
 //   study/trials/participant_session.h one participant at work
 //   study/trials/figure_table.h        a table that every format reads; answer_tables.h makes those of thresholds and ratings,
 //                                      timing_tables.h those of timed presses
@@ -32,6 +32,7 @@
 #include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
+#include "playback/study/trials/timing_desk.h"
 #include "playback/study/trials/trial_desk.h"
 
 namespace detent::playback {
@@ -62,11 +63,19 @@ class StudyPlayer {
   virtual StudyRoute route() const = 0;
   /// Every stimulus begins as it was made: a self-locking button unlocked, X as well as the choice that is the same button.
   virtual void beginTrial() = 0;
-  /// Puts a button under the finger as the trial's stimulus `slot` (TrialDesk), which keeps its own lock; without a sensor it is
-  /// pressed once, as by a hand.
+  /// Puts a button under the finger as the trial's stimulus `slot` (TrialDesk), which keeps its own lock.
+  virtual void place(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
+  /// Likewise; without a sensor it is pressed once, as by a hand.
   virtual void press(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
   /// What the finger has done since press() or since this was last asked.
   virtual Felt takeFelt() = 0;
+  /// Whether a sensor presses; else press() does, for the key that was hit.
+  virtual bool sensed() const = 0;
+  /// Timing, with a sensor: when the contact closed since press() or since this was last asked.
+  virtual std::vector<ContactClosing> takeClosings() = 0;
+  /// Timing: short tones so many seconds from now (>= 0, rising), each a buffer late at most, then what the device takes. Nothing sounds in a
+  /// rehearsal.
+  virtual void soundBeats(const std::vector<double>& delays_s) = 0;
   /// What went wrong since this was last asked, or is wrong.
   virtual StudyTrouble troubleSinceAsked() = 0;
 };

@@ -2,6 +2,8 @@
 #include "playback/device/terminal.h"
 
 #include <atomic>
+#include <cmath>
+#include <ctime>
 
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -41,7 +43,10 @@ std::optional<char> RawTerminal::key(double timeout_s) {
     return {};
   }
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  if (::poll(&input, 1, static_cast<int>(timeout_s * 1000)) <= 0) return {};
+  timespec timeout{};
+  timeout.tv_sec = static_cast<std::time_t>(timeout_s);
+  timeout.tv_nsec = static_cast<long>(1e9 * (timeout_s - std::floor(timeout_s)));
+  if (::ppoll(&input, 1, &timeout, nullptr) <= 0) return {};
   char key = 0;
   if (::read(STDIN_FILENO, &key, 1) == 1) return key;
   sleepUntil(now_s() + timeout_s);  // end of input: do not spin

@@ -15,7 +15,7 @@ class RawTerminal {
   RawTerminal(const RawTerminal&) = delete;
   RawTerminal& operator=(const RawTerminal&) = delete;
   bool interactive() const { return interactive_; }
-  /// A key pressed within `timeout_s`, if any.
+  /// A key pressed within `timeout_s` (>= 0), if any; waits to the microsecond.
   std::optional<char> key(double timeout_s);
 
  private:

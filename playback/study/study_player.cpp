@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -14,6 +15,8 @@ namespace {
 
 constexpr double tapHold_s = 0.15;
 constexpr double firstReading_s = 3, look_s = 0.02;
+constexpr double tone_Hz = 2000, tone_s = 0.015, toneLevel = 0.25;  // heard, but above what a fingertip feels
+constexpr double twoPi = 6.28318530717958647692;
 constexpr double overPress = 1.25;  // a quarter more than the bottom-out needs, as standardPress
 
 struct PreparedStimulus {
@@ -34,6 +37,16 @@ HapticProgram beginningLocked(HapticProgram program) {
   return program;
 }
 
+/// A press has a time: where the button says nothing of a contact, it closes at half the travel. Nothing that is felt changes.
+void giveContact(HapticProgram& program) {
+  for (std::size_t i = 0; i < program.stateCount; ++i) {
+    StateProgram& state = program.states[i];
+    if (state.hasOperatingPoint) continue;
+    state.hasOperatingPoint = true;
+    state.operating_mm = (state.start_mm + state.end_mm) / 2;
+  }
+}
+
 /// Every stimulus of the study, ready before the first trial.
 Result<std::vector<PreparedStimulus>> prepareAll(const Study& study) {
   std::vector<PreparedStimulus> prepared;
@@ -41,6 +54,7 @@ Result<std::vector<PreparedStimulus>> prepareAll(const Study& study) {
     Result<PreparedProgram> program = programFor(study, stimulus.button, stimulus.mode);
     if (!program) return program.failure();
     prepared.push_back({stimulus.button, stimulus.mode, program->program});
+    if (study.design.kind == StudyKind::timing) giveContact(prepared.back().program);
   }
   return prepared;
 }
@@ -73,8 +87,8 @@ std::string wordsOf(const SensorCalibration& c) {
 class Player final : public StudyPlayer {
  public:
   Player(std::vector<PreparedStimulus> stimuli, std::unique_ptr<LivePlayer> player,
-         const StudyPlayerSettings& settings)
-      : stimuli_(std::move(stimuli)), player_(std::move(player)), settings_(settings) {}
+         const StudyPlayerSettings& settings, std::optional<TimingTask> timed)
+      : stimuli_(std::move(stimuli)), player_(std::move(player)), settings_(settings), timed_(timed) {}
 
   bool sounding() const override { return !settings_.rehearse; }
   std::string device() const override { return sounding() ? player_->status().device : std::string(); }
@@ -82,6 +96,7 @@ class Player final : public StudyPlayer {
   StudyRoute route() const override {
     StudyRoute route{settings_.sensorPort, "", ""};
     if (sensor()) route.sensorCalibration = wordsOf(settings_.calibration);
+    if (timed_) route.timing = timing();
     if (!sounding()) return route;
     const PlayerStatus status = player_->status();
     route.sound = status.device + ", " + exact(status.sampleRate_Hz) + " Hz, " +
@@ -95,14 +110,34 @@ class Player final : public StudyPlayer {
     takeFelt();
   }
 
+  void place(std::size_t slot, std::size_t button, FeedbackMode mode) override {
+    if (const PreparedStimulus* stimulus = stimulusOf(button, mode)) bring(slot, *stimulus);
+  }
+
   void press(std::size_t slot, std::size_t button, FeedbackMode mode) override {
-    const auto at = std::find_if(stimuli_.begin(), stimuli_.end(), [&](const PreparedStimulus& s) {
-      return s.button == button && s.mode == mode;
-    });
-    if (at == stimuli_.end()) return;
-    if (underFinger_ != slot) exchange(slot, *at);
-    takeFelt();
-    if (!sensor()) player_->fingerTap(std::max(overPress * strongestForce_N(at->program), 0.1), tapHold_s);
+    const PreparedStimulus* const stimulus = stimulusOf(button, mode);
+    if (stimulus == nullptr) return;
+    bring(slot, *stimulus);
+    if (!sensor())
+      player_->fingerTap(std::max(overPress * strongestForce_N(stimulus->program), 0.1), tapHold_s);
+  }
+
+  bool sensed() const override { return sensor(); }
+  std::vector<ContactClosing> takeClosings() override { return player_->takeClosings(); }
+
+  void soundBeats(const std::vector<double>& delays_s) override {
+    if (!sounding() || delays_s.empty()) return;
+    const double rate_Hz = player_->status().sampleRate_Hz;
+    std::vector<float> samples(static_cast<std::size_t>((delays_s.back() + tone_s) * rate_Hz) + 1, 0.0F);
+    for (const double delay_s : delays_s) {
+      const auto first = static_cast<std::size_t>(std::lround(delay_s * rate_Hz));
+      for (std::size_t i = 0; i < static_cast<std::size_t>(tone_s * rate_Hz); ++i) {
+        const double t_s = static_cast<double>(i) / rate_Hz;
+        samples.at(first + i) =
+            static_cast<float>(toneLevel * (1 - t_s / tone_s) * std::sin(twoPi * tone_Hz * t_s));
+      }
+    }
+    (void)player_->playSamples(samples, rate_Hz);  // a device that is lost is told of by troubleSinceAsked
   }
 
   Felt takeFelt() override {
@@ -137,6 +172,33 @@ class Player final : public StudyPlayer {
  private:
   bool sensor() const { return !settings_.sensorPort.empty(); }
 
+  const PreparedStimulus* stimulusOf(std::size_t button, FeedbackMode mode) const {
+    const auto at = std::find_if(stimuli_.begin(), stimuli_.end(), [&](const PreparedStimulus& s) {
+      return s.button == button && s.mode == mode;
+    });
+    return at == stimuli_.end() ? nullptr : &*at;
+  }
+
+  void bring(std::size_t slot, const PreparedStimulus& stimulus) {
+    if (underFinger_ != slot) exchange(slot, stimulus);
+    takeFelt();
+    takeClosings();
+  }
+
+  TimingRoute timing() const {
+    TimingRoute route;
+    route.press =
+        sensor() ? "sensor: the operating point was passed, between two readings, each at its own stamp or, "
+                   "without one, when it arrived"
+                 : "key: when this program got it; keyboard, system and screen before it are not known";
+    route.cue = "picture: when it was drawn; the screen's delay is not known";
+    if (!sounding() || *timed_ != TimingTask::cue) return route;
+    const PlayerStatus status = player_->status();
+    route.cue += ". Sound: within " + exact(1000 * status.blockFrames / status.sampleRate_Hz) +
+                 " ms (a buffer), then the device's delay, which is not known";
+    return route;
+  }
+
   void exchange(std::size_t slot, const PreparedStimulus& next) {
     if (underFinger_ && player_->status().state == 1)
       slots_[*underFinger_].locked = !slots_[*underFinger_].locked;
@@ -148,6 +210,7 @@ class Player final : public StudyPlayer {
   std::vector<PreparedStimulus> stimuli_;
   std::unique_ptr<LivePlayer> player_;
   StudyPlayerSettings settings_;
+  std::optional<TimingTask> timed_;  ///< of a timing study
   std::vector<Slot> slots_;
   std::optional<std::size_t> underFinger_;
   std::uint64_t losses_ = 0, reconnects_ = 0, playedInputs_ = 0;
@@ -168,7 +231,9 @@ Result<std::unique_ptr<StudyPlayer>> StudyPlayer::start(const Study& study,
         !ok)
       return ok.failure();
   }
-  auto made = std::make_unique<Player>(*std::move(stimuli), *std::move(player), settings);
+  std::optional<TimingTask> timed;
+  if (study.design.kind == StudyKind::timing) timed = study.design.task;
+  auto made = std::make_unique<Player>(*std::move(stimuli), *std::move(player), settings, timed);
   if (!settings.sensorPort.empty() && !made->sensorRuns())
     return Failure{FailureCode::deviceTrouble, settings.sensorPort, "", "sends no readings",
                    "Check the sensor, its cable and the port's speed"};

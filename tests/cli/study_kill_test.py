@@ -18,6 +18,7 @@ KINDS = {
     "abx": (list("ABCDEF"), [], "errors=0.1"),
     "threshold": (["C"], ["--kind", "threshold", "--trials", "150"], "threshold=0.1"),
     "rating": (["A", "B", "C"], ["--kind", "rating", "--trials", "50"], "errors=0.1"),
+    "timing": (["B", "C"], ["--kind", "timing", "--task", "window", "--trials", "75"], "timing=0.2,0.09"),
 }
 
 

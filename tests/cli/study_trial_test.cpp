@@ -162,16 +162,41 @@ TEST_CASE("study: who says no at a terminal is in no journal, and is counted") {
         {DETENT_PLAY, "study", "run", "s", "--participant", "P1", "--rehearse", "--language", "de"},
         folder->path());
     REQUIRE(study.shows("virtuelle Tasten", 10));
-    REQUIRE(study.shows("no, thank you", 10));
+    REQUIRE(study.shows("nein, danke", 10));
     study.type("1");
     study.type("n");
     CHECK(study.exitCode(5) == 0);
-    CHECK(study.screen().find("Thank you for coming") != std::string::npos);
+    CHECK(study.screen().find("Danke, dass Sie gekommen sind") != std::string::npos);
   }
   const json status = json::parse(folder->run(DETENT_PLAY, {"study", "status", "s", "--json"}).out);
   CHECK(status.at("participants").empty());
   CHECK(status.at("declined") == 1);
   CHECK(folder->read("s/declined.jsonl").find("\"language\":\"de\"") != std::string::npos);
+}
+
+TEST_CASE("study: a German participant reads German at a terminal, also the next time") {
+  const auto folder = studyOf({"A", "B"});
+  std::vector<std::string> command{DETENT_PLAY, "study", "run", "s", "--participant", "P1", "--rehearse"};
+  for (const bool again : {false, true}) {
+    std::vector<std::string> asked = command;
+    if (!again) asked.insert(asked.end(), {"--language", "de"});
+    TerminalProgram study(asked, folder->path());
+    if (!again) {
+      REQUIRE(study.shows("j = Ich bin einverstanden", 10));
+      study.type("j");
+    }
+    REQUIRE(study.shows("Frage 1 von 4", 10));
+    CHECK(study.shows("a = X ist 1", 3));
+    study.type("a");
+    CHECK(study.shows("erst dr\u00fccken", 3));
+    study.type("q");
+    REQUIRE(study.shows("aufh\u00f6ren? j h\u00f6rt auf", 3));
+    study.type("n");
+    study.type("p");
+    CHECK(study.exitCode(5) == 0);
+    for (const char* english : {"press:", "answer:", "Trial ", "Paused"})
+      CHECK(study.screen().find(english) == std::string::npos);
+  }
 }
 
 TEST_CASE("study: what was agreed to stands in the journal, and is asked once") {

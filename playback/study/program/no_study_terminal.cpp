@@ -5,8 +5,8 @@
 
 namespace detent::playback {
 
-Result<ParticipantRecord> askParticipant(const Study&, const std::string&, Listening, const StudyDevices&,
-                                         const std::function<double()>&, const Cancelled&) {
+Result<ParticipantRecord> askParticipant(const Study&, const AskedParticipant&, const StudyDevices&,
+                                         const Cancelled&) {
   return Failure{FailureCode::deviceTrouble, "study run", "", "this program was built without devices",
                  "Pass --simulate, or build with DETENT_WITH_DEVICE=ON"};
 }

@@ -2,6 +2,7 @@
 #include "playback/study/program/study_command.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <random>
@@ -58,7 +59,7 @@ Result<std::vector<FeedbackMode>> modesNamed(const std::vector<std::string>& nam
 
 int runNew(NewArguments a) {
   a.design.seed = a.seed ? *a.seed : std::random_device{}();
-  a.design.trials = a.trials.value_or(usualTrials(a.design.kind));
+  a.design.trials = a.trials.value_or(usualTrials(a.design.kind, a.design.task));
   a.design.targets = a.physical ? TargetKind::physicalButton : TargetKind::virtualButton;
   if (!a.modes.empty()) {
     Result<std::vector<FeedbackMode>> named = modesNamed(a.modes);
@@ -94,20 +95,37 @@ void addNew(CLI::App& parent, Action& chosen) {
   CLI::App* app = parent.add_subcommand("new", "Make the folder of a study");
   const auto a = std::make_shared<NewArguments>();
   app->add_option("DIR", a->folder, "Folder to make; it holds the whole study and can be copied")->required();
-  app->add_option("BUTTON", a->buttons, "*.button.json, at least two; one will do for thresholds and scales")
+  app->add_option("BUTTON", a->buttons,
+                  "*.button.json, at least two; one will do for thresholds, scales and timing")
       ->required();
   addChoice(*app, "--kind", a->design.kind, studyKinds,
             "Which of two is X (abx), or which of all (matching); which of two has more (threshold); how "
             "good, how strong, which is better "
-            "(rating)",
+            "(rating); when is it pressed (timing)",
             "abx");
   addChoice(*app, "--quantity", a->design.quantity, levelQuantities,
             "threshold: what there is more of; the differences follow the answers", "peak-force");
   addChoice(*app, "--scale", a->design.scale, ratingScales,
             "rating: 1 to 7, any number that is as great as it feels strong, or which of two is preferred",
             "preference");
-  app->add_option("--trials", a->trials, "Per pair (abx, pairwise) or button (else), and mode, 1..1000")
-      ->default_str("10; threshold 60; rating 4");
+  addChoice(
+      *app, "--task", a->design.task, timingTasks,
+      "timing: press with the last of four beats; while a moving target is in its window; as fast as can be "
+      "kept up",
+      "cue");
+  app->add_option("--intervals", a->design.intervals_s,
+                  "timing, cue and window: s, separated by commas, 0.2..5")
+      ->delimiter(',')
+      ->default_str("0.6,0.8,1");
+  app->add_option("--windows", a->design.windows_s, "timing, window: s, separated by commas, 0.01..1")
+      ->delimiter(',')
+      ->default_str("0.08,0.12,0.16");
+  app->add_option("--run-seconds", a->design.run_s, "timing, tapping: length of a run, 3..120")
+      ->capture_default_str()
+      ->check(numberWithin(3, 120));
+  app->add_option("--trials", a->trials,
+                  "Per pair (abx, pairwise) or button (else), and mode; of tapping: runs; 1..1000")
+      ->default_str("10; threshold, timing 60; rating 4; tapping 3");
   app->add_option("--modes", a->modes, "Base case: full, click-only, slope-only, separated by commas")
       ->delimiter(',')
       ->default_str("full");
@@ -135,7 +153,7 @@ struct RunArguments {
   std::optional<Listening> condition;  ///< empty: as in the journal
   Listening listening = Listening::quiet;
   StudyDevices devices;
-  std::string language = "en";  ///< of the consent text
+  std::string language;  ///< as AskedParticipant::language
   bool json = false;
 };
 
@@ -197,13 +215,17 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation,
                   "The program answers: guess, perfect, errors=P (0..1); threshold studies also threshold=T, "
-                  "the increase told in 75 of 100 (0.1 is a tenth)");
+                  "the increase told in 75 of 100 (0.1 is a tenth); timing studies timing=PLACE,SPREAD or "
+                  "presses=FILE (trial,press_s)");
   addChoice(*app, "--condition", a->condition, listenings,
             "What reaches the ears, kept in every row: quiet, or masked by rain from headphones. The "
             "same for all of a "
             "participant's trials; default: as so far, quiet at first",
             "");
-  app->add_option("--language", a->language, "Of the consent text: en, de, ...")->capture_default_str();
+  app->add_option(
+         "--language", a->language,
+         "Of the consent text: en, de, ...; keys and questions are told in German for de, else in English")
+      ->default_str("the one agreed in, en at first");
   app->add_option("--noise-level", a->devices.player.masking.level,
                   "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
       ->default_str(CLI::detail::to_string(usualNoiseLevel))
@@ -423,14 +445,37 @@ void addPlan(CLI::App& parent, Action& chosen) {
 
 struct PressesArguments {
   std::string file;
-  TimingTask task = TimingTask::window;
+  std::optional<TimingTask> task;
   bool json = false;
 };
 
+/// Of a study's folder or a CSV file; sets the task to the study's.
+Result<std::vector<FigureTable>> pressesIn(const std::string& file, TimingTask& task) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(file, error)) {
+    const Result<TimedPeople> presses = readTimedPresses(file, task);
+    if (!presses) return presses.failure();
+    return timingTables(*presses, file);
+  }
+  const Result<Study> study = openStudy(file);
+  if (!study) return study.failure();
+  if (study->design.kind != StudyKind::timing)
+    return Failure{
+        FailureCode::unreadableInput, file, "",
+        std::string("is a study of kind ") + nameOf(study->design.kind) + ": nobody's presses were timed",
+        "Name a study of kind timing, or a CSV file"};
+  task = study->design.task;
+  Result<StudyResults> results = resultsIn(file);
+  if (!results) return results.failure();
+  for (const std::string& warning : results->warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  if (results->rows.empty())
+    return Failure{FailureCode::unreadableInput, file, "", "holds no press yet", "Let somebody press first"};
+  return std::move(results->tables);
+}
+
 int runPresses(const PressesArguments& a) {
-  const Result<TimedPeople> presses = readTimedPresses(a.file, a.task);
-  if (!presses) return fail(presses.failure());
-  const Result<std::vector<FigureTable>> fitted = timingTables(*presses, a.file);
+  TimingTask task = a.task.value_or(TimingTask::window);
+  const Result<std::vector<FigureTable>> fitted = pressesIn(a.file, task);
   if (!fitted) return fail(fitted.failure());
   std::string text;
   Json tables = Json::array();
@@ -439,7 +484,7 @@ int runPresses(const PressesArguments& a) {
     tables.push_back(Json::parse(tableJson(table)));
   }
   std::fputs(text.c_str(), a.json ? stderr : stdout);
-  if (a.json) print({{"status", "ok"}, {"task", nameOf(a.task)}, {"tables", tables}});
+  if (a.json) print({{"status", "ok"}, {"task", nameOf(task)}, {"tables", tables}});
   return 0;
 }
 
@@ -447,11 +492,13 @@ void addPresses(CLI::App& parent, Action& chosen) {
   CLI::App* app = parent.add_subcommand(
       "presses", "Your own timed presses: where people aim and how exactly, with intervals");
   const auto a = std::make_shared<PressesArguments>();
-  app->add_option("CSV", a->file,
-                  "One row for each trial: participant,interval_s,window_s,press_s; no press_s, no press")
+  app->add_option("PRESSES", a->file,
+                  "Folder of a timing study, or a CSV file with one row for each trial: "
+                  "participant,interval_s,window_s,press_s; no press_s, no press")
       ->required();
   addChoice(*app, "--task", a->task, timingTasks,
-            "Press with a cue; within a window; as fast as can be kept up (tapping)", "window");
+            "Of a CSV file: press with a cue; within a window; as fast as can be kept up (tapping)",
+            "window");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runPresses(*a); }; });
 }

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "model/file/text_file.h"
+#include "model/message.h"
 #include "playback/device/steady_clock.h"
 #include "playback/device/terminal.h"
 #include "playback/study.h"
+#include "playback/study/program/participant_words.h"
+#include "playback/study/program/timed_trial.h"
 
 namespace detent::playback {
 
@@ -20,6 +24,9 @@ constexpr double look_s = 0.05;
 constexpr std::size_t mostKeys = 9;  // 1..9 press, a..i answer
 
 enum class Outcome : std::uint8_t { answered, paused, stopped };
+
+/// Words with their values, on standard error.
+void say(const std::string& words) { std::fputs(words.c_str(), stderr); }
 
 /// What the participant said.
 struct Given {
@@ -56,21 +63,28 @@ Result<std::unique_ptr<StudyPlayer>> playerFor(const Study& study, const StudyDe
 /// The keys and words of one participant's work.
 class Desk {
  public:
-  Desk(const Study& study, ParticipantSession& session, StudyPlayer& player, const Cancelled& cancelled)
-      : study_(study), session_(session), player_(player), cancelled_(cancelled), began_s_(now_s()) {}
+  Desk(const Study& study, ParticipantSession& session, StudyPlayer& player, const ParticipantWords& words,
+       const Cancelled& cancelled)
+      : study_(study),
+        session_(session),
+        player_(player),
+        words_(words),
+        cancelled_(cancelled),
+        began_s_(now_s()) {}
 
   Result<Done> work() {
     RawTerminal terminal;
+    if (isTimed() && !begun(terminal)) return Done{};
     while (session_.trial() != nullptr) {
-      Result<Outcome> outcome = ask(terminal);
+      Result<Outcome> outcome = isTimed() ? timed(terminal) : ask(terminal);
       if (!outcome) return outcome.failure();
       if (*outcome == Outcome::paused) {
-        std::fprintf(stderr, "\nPaused. The same command goes on at this trial.\n");
+        say(std::string("\n") + words_.paused + "\n");
         return Done{};
       }
       if (*outcome == Outcome::stopped) return session_.end("stopped by the participant");
     }
-    std::fprintf(stderr, "\nThat was the last one. Thank you.\n");
+    say(std::string("\n") + words_.last + "\n");
     return session_.end("complete");
   }
 
@@ -87,7 +101,7 @@ class Desk {
       if (cancelled_()) return Outcome::paused;
       if (const StudyTrouble trouble = player_.troubleSinceAsked(); trouble != StudyTrouble::none) {
         if (Result<Done> ok = session_.interrupted(nameOf(trouble)); !ok) return ok.failure();
-        std::fprintf(stderr, "\nInterrupted: %s. This trial begins anew.\n", nameOf(trouble));
+        say("\n" + filled(words_.interrupted, {nameOf(trouble)}) + "\n");
         while (player_.troubleSinceAsked() != StudyTrouble::none && !cancelled_())
           sleepUntil(now_s() + look_s);
         return ask(terminal);
@@ -105,8 +119,7 @@ class Desk {
       answer.rating = given->rating;
       Result<Done> kept = session_.record(answer);
       if (kept) return Outcome::answered;
-      std::fprintf(stderr, "\n%s. Your answer is not kept yet: answer again.\n",
-                   kept.failure().sentence().c_str());
+      say("\n" + filled(words_.notKept, {kept.failure().sentence()}) + "\n");
     }
   }
 
@@ -115,58 +128,79 @@ class Desk {
   }
 
   void show(const TrialDesk& desk) const {
-    const Trial& trial = desk.trial();
-    std::fprintf(stderr, "\n%s %zu of %zu%s\n", trial.practice ? "Practice" : "Trial", trial.number,
-                 session_.record().plan.size(), player_.sounding() ? "" : "   [REHEARSAL: nothing is felt]");
+    sayNumber(desk.trial());
     if (onScale())
       showScale();
     else
       showChoices(desk);
-    std::fprintf(stderr, "  p pauses, q stops for good\n");
+    say(std::string("  ") + words_.keys + "\n");
+  }
+
+  void sayNumber(const Trial& trial) const {
+    say("\n" + filled(trial.practice ? words_.practice : words_.trial,
+                      {std::to_string(trial.number), std::to_string(session_.record().plan.size())}));
+    say(player_.sounding() ? std::string("\n") : std::string("   ") + words_.rehearsal + "\n");
   }
 
   void showScale() const {
-    std::fprintf(stderr, "  press:  the space bar\n  answer: %s, then Enter\n",
-                 study_.design.scale == RatingScale::magnitude
-                     ? "a number as great as it feels strong (twice as strong: twice the number)"
-                     : "how much you like it, 1 (not at all) to 7 (very much)");
+    const bool magnitude = study_.design.scale == RatingScale::magnitude;
+    say(std::string("  ") + words_.press + " " + words_.spaceBar + "\n  " + words_.answer + " " +
+        filled(words_.thenEnter, {magnitude ? words_.magnitude : words_.preference}) + "\n");
   }
 
   void showChoices(const TrialDesk& desk) const {
     const Trial& trial = desk.trial();
-    std::fprintf(stderr, "  press: ");
-    for (std::size_t i = 0; i < trial.choices.size(); ++i) std::fprintf(stderr, " %zu", i + 1);
+    std::string text = std::string("  ") + words_.press;
+    for (std::size_t i = 0; i < trial.choices.size(); ++i) text += " " + std::to_string(i + 1);
     if (desk.physicalTarget())
-      std::fprintf(stderr, "   X is the real switch number %zu", desk.physicalNumber());
+      text += "   " + filled(words_.realSwitch, {std::to_string(desk.physicalNumber())});
     else if (desk.hasX())
-      std::fprintf(stderr, "  and x for X");
-    std::fprintf(stderr, "\n  answer:");
-    for (std::size_t i = 0; i < trial.choices.size(); ++i) {
-      const char key = static_cast<char>('a' + i);
-      if (asksForX(study_.design.kind))
-        std::fprintf(stderr, "  %c = X is %zu", key, i + 1);
-      else
-        std::fprintf(stderr, "  %c = %zu %s", key, i + 1, comparison());
-    }
-    std::fprintf(stderr, "\n");
+      text += std::string("  ") + words_.andX;
+    text += std::string("\n  ") + words_.answer;
+    for (std::size_t i = 0; i < trial.choices.size(); ++i)
+      text += std::string("  ") + static_cast<char>('a' + i) + " = " +
+              filled(comparisonWords(words_, study_.design), {std::to_string(i + 1)});
+    say(text + "\n");
   }
 
-  /// What is said of one of two.
-  const char* comparison() const {
-    if (study_.design.kind == StudyKind::rating) return "is better";
-    switch (study_.design.quantity) {
-      case LevelQuantity::peakForce:
-        return "needs more force";
-      case LevelQuantity::eventSize:
-        return "has the stronger click";
-      case LevelQuantity::travel:
-        return "goes deeper";
-      case LevelQuantity::snap:
-        return "snaps more";
-      case LevelQuantity::grainStrength:
+  // ---- timing
+
+  bool isTimed() const { return study_.design.kind == StudyKind::timing; }
+
+  const char* task() const {
+    switch (study_.design.task) {
+      case TimingTask::cue:
+        return words_.cueTask;
+      case TimingTask::window:
+        return words_.windowTask;
+      case TimingTask::tapping:
         break;
     }
-    return "feels rougher on the way";
+    return words_.tappingTask;
+  }
+
+  /// Nothing comes before somebody looks. False: the program is to end.
+  bool begun(RawTerminal& terminal) const {
+    const std::string said = filled(task(), {std::to_string(std::lround(study_.design.run_s))});
+    std::string keys = "\n  " + said + "\n";
+    if (!player_.sensed()) keys += std::string("  ") + words_.press + " " + words_.spaceBar + "\n";
+    say(keys + "  " + words_.keys + "\n\n" + words_.begin + " ");
+    return anyKey(terminal);
+  }
+
+  Result<Outcome> timed(RawTerminal& terminal) {
+    const Trial& trial = *session_.trial();
+    if (trial.breakBefore && trial.number != restedBefore_ && !rested(terminal)) return Outcome::paused;
+    restedBefore_ = trial.number;
+    sayNumber(trial);
+    for (;;) {
+      const Result<TrialEnd> end =
+          askTimed({study_, session_, player_, terminal, words_, cancelled_, began_s_});
+      if (!end) return end.failure();
+      if (*end == TrialEnd::answered) return Outcome::answered;
+      if (*end == TrialEnd::paused) return Outcome::paused;
+      if (*end == TrialEnd::stopping && confirmed(terminal)) return Outcome::stopped;
+    }
   }
 
   void press(TrialDesk& desk, char key) {
@@ -198,7 +232,7 @@ class Desk {
     }
     if (key == '\b' || key == '\x7f') {
       typed_.clear();
-      std::fprintf(stderr, " [taken back] ");
+      say(std::string(" [") + words_.takenBack + "] ");
     }
     if (key != '\n' && key != '\r') return {};
     const std::string typed = std::exchange(typed_, {});
@@ -206,38 +240,42 @@ class Desk {
     const auto [stop, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
     if (error == std::errc() && stop == typed.data() + typed.size() && ratingFits(study_, number))
       return Given{0, number};
-    std::fprintf(stderr, study_.design.scale == RatingScale::magnitude
-                             ? "  [type a number above 0, then Enter]"
-                             : "  [type 1, 2, 3, 4, 5, 6 or 7, then Enter]");
+    const bool magnitude = study_.design.scale == RatingScale::magnitude;
+    say(std::string("  [") + (magnitude ? words_.typeMagnitude : words_.typePreference) + "]");
     return {};
   }
 
   std::optional<Given> answerOf(const TrialDesk& desk, char key) {
     const std::optional<Given> given = givenBy(desk, key);
     if (!given || desk.mayAnswer()) return given;
-    std::fprintf(stderr, "  [press %s first, each to the end and back:", onScale() ? "it" : "them");
+    std::string text = std::string("  [") + (onScale() ? words_.pressIt : words_.pressThem);
     for (std::size_t slot = desk.hasX() ? 0 : 1; slot <= desk.trial().choices.size(); ++slot) {
       const std::size_t at = slot == 0 ? desk.slotOfX() : slot - 1;
       if (desk.feltOf(at).whole > 0) continue;
-      std::fprintf(stderr, at == desk.slotOfX() ? " X" : " %zu", at + 1);
-      if (desk.feltOf(at).presses > 0) std::fprintf(stderr, " (not yet to the end)");
+      text += at == desk.slotOfX() ? std::string(" X") : " " + std::to_string(at + 1);
+      if (desk.feltOf(at).presses > 0) text += std::string(" ") + words_.notYet;
     }
-    std::fprintf(stderr, "]");
+    say(text + "]");
     return {};
   }
 
   /// The participant rests; any key goes on. False: the program is to end.
   bool rested(RawTerminal& terminal) const {
-    std::fprintf(stderr, "\nTime for a rest, as long as you like. Any key goes on. ");
+    say(std::string("\n") + words_.rest + " ");
+    return anyKey(terminal);
+  }
+
+  bool anyKey(RawTerminal& terminal) const {
     while (!cancelled_())
       if (terminal.key(look_s)) return true;
     return false;
   }
 
   bool confirmed(RawTerminal& terminal) const {
-    std::fprintf(stderr, "\nStop for good? y stops, any other key goes on. ");
+    say(std::string("\n") + words_.stop + " ");
     while (!cancelled_()) {
-      if (const std::optional<char> key = terminal.key(look_s)) return lowerCase(*key) == 'y';
+      const std::optional<char> key = terminal.key(look_s);
+      if (key) return lowerCase(*key) == 'y' || lowerCase(*key) == words_.yes;
     }
     return false;
   }
@@ -245,9 +283,11 @@ class Desk {
   const Study& study_;
   ParticipantSession& session_;
   StudyPlayer& player_;
+  const ParticipantWords& words_;
   const Cancelled& cancelled_;
   const double began_s_;
-  std::string typed_;  ///< of a number
+  std::size_t restedBefore_ = 0;  ///< timing: the trial
+  std::string typed_;             ///< of a number
 };
 
 bool answeredForReal(const ParticipantRecord& record) {
@@ -257,9 +297,9 @@ bool answeredForReal(const ParticipantRecord& record) {
 
 enum class Decision : std::uint8_t { agreed, declined, left };
 
-Decision decided(const Cancelled& cancelled) {
+Decision decided(const ParticipantWords& words, const Cancelled& cancelled) {
   RawTerminal terminal;
-  std::fprintf(stderr, "\n  y = I agree: begin     n = no, thank you\n");
+  say(std::string("\n  ") + words.agree + "\n");
   while (!cancelled()) {
     const std::optional<char> key = terminal.key(look_s);
     if (!key) continue;
@@ -276,12 +316,13 @@ Result<bool> consented(const Study& study, const std::string& language, const Ca
   const Result<ConsentText> text = consentIn(study.folder, language);
   if (!text) return text.failure();
   std::fprintf(stderr, "%s", text->text.c_str());
-  const Decision decision = decided(cancelled);
+  const ParticipantWords& words = participantWords(language);
+  const Decision decision = decided(words, cancelled);
   const ConsentDecision kept{text->language, text->sha256, wallClock_s()};
   if (decision == Decision::agreed) start.consent = kept;
   if (decision == Decision::declined) {
     if (Result<Done> ok = recordDeclined(study.folder, kept); !ok) return ok.failure();
-    std::fprintf(stderr, "\nThank you for coming. Nothing about you was kept.\n");
+    say(std::string("\n") + words.goodbye + "\n");
   }
   return decision == Decision::agreed;
 }
@@ -314,8 +355,11 @@ Result<ParticipantRecord> askParticipant(const Study& study, const AskedParticip
                      {}};
   const Result<ParticipantRecord> known = ParticipantSession::toOpen(study, asked.id, start);
   if (!known) return known.failure();
+  std::string language = asked.language;
+  if (language.empty()) language = known->consent ? known->consent->language : "en";
+  const ParticipantWords& words = participantWords(language);
   if (!known->consent && !known->complete()) {
-    const Result<bool> agreed = consented(study, asked.language, cancelled, start);
+    const Result<bool> agreed = consented(study, language, cancelled, start);
     if (!agreed) return agreed.failure();
     if (!*agreed) return *known;
     start.utc_s = wallClock_s();
@@ -325,10 +369,10 @@ Result<ParticipantRecord> askParticipant(const Study& study, const AskedParticip
   for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
   if (session->trial() == nullptr) return session->record();
   if (noiseLevel > 0)
-    std::fprintf(stderr, "Rain plays %s; turn it up until the vibration cannot be heard.\n",
-                 devices.player.masking.device.empty() ? "on the outputs behind the vibration's"
-                                                       : ("on " + devices.player.masking.device).c_str());
-  Desk desk(study, *session, **player, cancelled);
+    say(filled(words.rain, {devices.player.masking.device.empty() ? words.behindTheSignal
+                                                                  : devices.player.masking.device}) +
+        "\n");
+  Desk desk(study, *session, **player, words, cancelled);
   if (Result<Done> ok = desk.work(); !ok) return ok.failure();
   return session->record();
 }

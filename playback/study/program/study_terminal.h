@@ -20,7 +20,7 @@ struct StudyDevices {
 /// Who is asked, in which language and what they listen to.
 struct AskedParticipant {
   std::string id;
-  std::string language;  ///< of the consent text: "en", "de"
+  std::string language;  ///< they read: "en", "de"; empty: the one they agreed in, else English
   Listening listening = Listening::quiet;
 };
 

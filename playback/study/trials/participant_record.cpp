@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <sstream>
 
@@ -62,14 +63,26 @@ Felt feltFrom(const Json& json) {
 }
 
 Json jsonOf(const StudyRoute& route) {
-  return {
+  Json json{
       {"sensor", route.sensorPort}, {"sensor_calibration", route.sensorCalibration}, {"sound", route.sound}};
+  if (route.timing)
+    json["timing"] = {
+        {"press", route.timing->press},
+        {"cue", route.timing->cue},
+        {"cue_latency_s", route.timing->cueLatency_s ? Json(*route.timing->cueLatency_s) : Json(nullptr)}};
+  return json;
 }
 
 StudyRoute routeFrom(const Json& line) {
   if (!line.contains("route")) return {};  // journals of version 1 before it was kept
   const Json& json = line.at("route");
-  return {json.at("sensor"), json.at("sensor_calibration"), json.at("sound")};
+  StudyRoute route{json.at("sensor"), json.at("sensor_calibration"), json.at("sound")};
+  if (!json.contains("timing")) return route;
+  const Json& timing = json.at("timing");
+  route.timing = TimingRoute{timing.at("press"), timing.at("cue"), {}};
+  if (const Json& latency = timing.at("cue_latency_s"); !latency.is_null())
+    route.timing->cueLatency_s = latency;
+  return route;
 }
 
 /// Reads one journal, line by line. Throws nlohmann's exceptions for values of a wrong type.
@@ -177,9 +190,12 @@ class Replay {
     for (std::size_t i = 0; i < trial->choices.size(); ++i)
       if (labelOf(study_, *trial, i) == chosen) a.choice = i;
     if (json.contains("rating")) a.rating = json.at("rating").get<double>();
-    const bool rated = study_.design.kind == StudyKind::rating;
-    if (a.choice == trial->choices.size() || !ratingFits(study_, a.rating) ||
-        (!rated && json.at("x") != labelOf(study_, *trial, trial->target)))
+    if (json.contains("presses_s")) {
+      a.presses_s = json.at("presses_s").get<std::vector<double>>();
+      a.pressWithin_s = json.at("press_within_s");
+    }
+    if (a.choice == trial->choices.size() || !ratingFits(study_, a.rating) || !timesFit(*trial, a, json) ||
+        (hasRightAnswer(study_.design.kind) && json.at("x") != labelOf(study_, *trial, trial->target)))
       return wrong("does not fit the list of trials", "Restore the journal");
     a.replays = json.at("replays").get<std::vector<std::size_t>>();
     a.replaysX = json.at("replays_x");
@@ -196,6 +212,12 @@ class Replay {
     record_.interruptions = 0;
     placeNextLevel(study_, record_);
     return Done{};
+  }
+
+  bool timesFit(const Trial& trial, const Answer& a, const Json& json) const {
+    if (!pressesFit(study_, trial, a)) return false;
+    return study_.design.kind != StudyKind::timing ||
+           (json.at("interval_s") == trial.interval_s && json.at("window_s") == trial.window_s);
   }
 
   /// What was felt counts, not what this machine would have asked: where two levels promise the same, the last digit of a logarithm decides.
@@ -286,12 +308,32 @@ void Felt::add(const Felt& more) {
 
 bool feltEnough(const Study& study, const Answer& answer) {
   const auto whole = [](const Felt& felt) { return felt.whole > 0; };
+  // A press that closes the contact counts, to the end or not; that it did stands in the times.
+  if (study.design.kind == StudyKind::timing) return answer.felt.size() == 1 && answer.felt[0].presses > 0;
   if (!asksForX(study.design.kind))
     return !answer.felt.empty() && std::all_of(answer.felt.begin(), answer.felt.end(), whole);
   if (study.design.targets == TargetKind::virtualButton && !whole(answer.feltX)) return false;
   return study.design.kind == StudyKind::abx
              ? answer.felt.size() == 2 && std::all_of(answer.felt.begin(), answer.felt.end(), whole)
              : std::any_of(answer.felt.begin(), answer.felt.end(), whole);
+}
+
+std::optional<double> countedPress(const Trial& trial, const std::vector<double>& presses_s) {
+  for (const double press_s : presses_s)
+    if (press_s > -trial.interval_s / 2 && press_s < trial.interval_s) return press_s;
+  return {};
+}
+
+bool pressesFit(const Study& study, const Trial& trial, const Answer& answer) {
+  const std::vector<double>& presses = answer.presses_s;
+  if (study.design.kind != StudyKind::timing) return presses.empty();
+  constexpr std::size_t most = 10000;
+  const bool finite = std::all_of(presses.begin(), presses.end(), [](double p) { return std::isfinite(p); });
+  const auto notRising = std::adjacent_find(presses.begin(), presses.end(), std::greater_equal<>());
+  if (!finite || notRising != presses.end() || presses.size() > most || !std::isfinite(answer.pressWithin_s))
+    return false;
+  return study.design.task == TimingTask::tapping ? presses.size() >= 2
+                                                  : countedPress(trial, presses).has_value();
 }
 
 bool ratingFits(const Study& study, const std::optional<double>& rating) {
@@ -381,11 +423,17 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& a, 
             {"practice", trial.practice},
             {"mode", nameOf(trial.mode)},
             {"choices", choices}};
-  const bool rated = study.design.kind == StudyKind::rating;  // nothing is right or wrong
-  if (!rated) line["x"] = labelOf(study, trial, trial.target);
+  const bool right = hasRightAnswer(study.design.kind);
+  if (right) line["x"] = labelOf(study, trial, trial.target);
   line["answer"] = labelOf(study, trial, a.choice);
-  if (!rated) line["correct"] = a.choice == trial.target;
+  if (right) line["correct"] = a.choice == trial.target;
   if (a.rating) line["rating"] = *a.rating;
+  if (study.design.kind == StudyKind::timing) {
+    line["interval_s"] = trial.interval_s;
+    line["window_s"] = trial.window_s;
+    line["presses_s"] = a.presses_s;
+    line["press_within_s"] = a.pressWithin_s;
+  }
   line["replays"] = a.replays;
   line["replays_x"] = a.replaysX;
   line["felt"] = felt;

@@ -31,11 +31,20 @@ inline constexpr auto listenings =
 inline const char* nameOf(SessionKind kind) { return sessionKinds.word(kind); }
 inline const char* nameOf(Listening listening) { return listenings.word(listening); }
 
+/// When a press counts as made, and how the cue gets to the person: of timing studies.
+struct TimingRoute {
+  std::string press;  ///< source of the presses' times, and what a time means: "key: read from the terminal"
+  std::string cue;    ///< what shows the time: "picture", "picture and sound"
+  /// From the time a trial gives its cue to where it leaves this computer; none: not known.
+  std::optional<double> cueLatency_s{};
+};
+
 /// What presses, and through what it is felt; as the device says it. Kept in the journal's first line and with every stretch.
 struct StudyRoute {
   std::string sensorPort;         ///< empty: keys and large buttons press
   std::string sensorCalibration;  ///< "100 g = 0.98 N ..." in one line; empty without a sensor
   std::string sound;              ///< "DEVICE, 48000 Hz, 256 frames"; empty in rehearsal and simulation
+  std::optional<TimingRoute> timing{};
 };
 
 /// One stretch of work without a pause.
@@ -62,9 +71,12 @@ struct Felt {
 
 /// One answer. Times are of a steady clock, which never steps.
 struct Answer {
-  std::size_t trial = 0;             ///< Trial::number
-  std::size_t choice = 0;            ///< index into Trial::choices; 0 where one button is rated
-  std::optional<double> rating;      ///< of a scale: 1..7, or a number above 0
+  std::size_t trial = 0;         ///< Trial::number
+  std::size_t choice = 0;        ///< index into Trial::choices; 0 where one button is rated
+  std::optional<double> rating;  ///< of a scale: 1..7, or a number above 0
+  std::vector<double>
+      presses_s{};  ///< timing: behind the cue, the window's beginning, or the run's first press; rising
+  double pressWithin_s = 0;  ///< timing: how far apart the looks were that the times rest on, the worst
   std::vector<std::size_t> replays;  ///< of each choice
   std::size_t replaysX = 0;
   std::vector<Felt> felt;   ///< of each choice
@@ -123,6 +135,13 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study);
 
 /// Whether an answer was felt: X and both others pressed through; in matching at least one other; where there is no X, all choices.
 bool feltEnough(const Study& study, const Answer& answer);
+
+/// Cue, window: the press that counts, if there is one: the first from half an interval before the cue (or the window's beginning) to an
+/// interval after it. Whoever beats time with what comes before is not taken at their word.
+std::optional<double> countedPress(const Trial& trial, const std::vector<double>& presses_s);
+
+/// Whether the times of a trial's presses can be: finite, rising, and one that counts; of tapping at least two. None in other studies.
+bool pressesFit(const Study& study, const Trial& trial, const Answer& answer);
 
 /// Whether a rating lies on the study's scale; none where it has none.
 bool ratingFits(const Study& study, const std::optional<double>& rating);

@@ -5,10 +5,14 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <string_view>
 
+#include "model/number_table.h"
+#include "playback/study/statistics/power.h"
 #include "playback/study/statistics/quest_plus.h"
 #include "playback/study/statistics/shuffle.h"
 #include "playback/study/trials/planned_places.h"
+#include "playback/study/trials/timing_desk.h"
 
 namespace detent::playback {
 
@@ -127,6 +131,9 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
                    answer.rating ? "does not lie on the scale" : "gives no number",
                    study_->design.scale == RatingScale::magnitude ? "Give a number above 0, at most a million"
                                                                   : "Give 1, 2, 3, 4, 5, 6 or 7"};
+  if (!pressesFit(*study_, *shown, answer))
+    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
+                   "holds no press at a time that counts", "Press at the cue; in tapping, at least twice"};
   if (record_.sessions.back().kind == SessionKind::real && !feltEnough(*study_, answer))
     return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
                    "is about something that was not felt",
@@ -222,6 +229,86 @@ std::size_t simulatedChoice(const Study& study, const Trial& trial, const Simula
   return (trial.target + 1 + drawBelow(random, choices - 1)) % choices;
 }
 
+/// Presses of someone with that place and spread: what timingOf takes people to do, without drift and lapses.
+std::vector<double> drawnPresses(const StudyDesign& d, const Trial& trial, const PressTiming& timing,
+                                 StudyRandom& random) {
+  if (d.task == TimingTask::tapping) {
+    std::vector<double> presses{0};
+    while (presses.back() <= d.run_s)
+      presses.push_back(presses.back() + timing.place * std::exp(timing.spread * drawNormal(random)));
+    return presses;
+  }
+  const double carrier_s = d.task == TimingTask::window ? trial.window_s : trial.interval_s;
+  for (;;) {
+    const double press_s = timing.place * carrier_s + timing.spread * trial.interval_s * drawNormal(random);
+    if (countedPress(trial, {press_s})) return {press_s};
+  }
+}
+
+/// The trial as a person works on it, at made-up times.
+Answer simulatedTiming(const Study& study, const Trial& trial, const Simulation& simulation,
+                       StudyRandom& random) {
+  constexpr double look_s = 0.01, longestTrial_s = 200;
+  const double shown_s = static_cast<double>(trial.number - 1) * (quickest_s + slowest_s) / 2;
+  TimingDesk desk(study, trial, 0, shown_s);
+  const double zero_s = study.design.task == TimingTask::tapping ? shown_s + quickest_s / 4 : desk.cue_s();
+  std::vector<double> presses;
+  if (const auto given = simulation.presses_s.find(trial.number); given != simulation.presses_s.end())
+    presses = given->second;
+  else if (simulation.timing)
+    presses = drawnPresses(study.design, trial, *simulation.timing, random);
+  double now_s = shown_s;
+  for (const double press_s : presses) {
+    now_s = std::max(now_s, zero_s + press_s);
+    if (desk.over(now_s)) break;
+    desk.pressed(zero_s + press_s, 0);
+    desk.felt({1, 1, 0, 0});
+  }
+  while (!desk.over(now_s) && now_s < shown_s + longestTrial_s) now_s += look_s;
+  if (desk.fault() == TimingFault::none) return desk.answer(now_s);
+  Answer nothing;  // record() refuses it
+  nothing.trial = trial.number;
+  return nothing;
+}
+
+/// "PLACE,SPREAD"
+std::optional<PressTiming> timingNamed(const std::string& text) {
+  PressTiming timing;
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return {};
+  const auto place = numberBehind(text.substr(0, comma), "timing=", -0.45, 5);
+  const auto spread = numberBehind("=" + text.substr(comma + 1), "=", 1e-4, 0.5);
+  if (!place || !spread) return {};
+  return PressTiming{*place, *spread};
+}
+
+/// CSV `trial,press_s`, by trial and rising.
+Result<Simulation> pressesFrom(const std::string& file, const std::string& name) {
+  constexpr std::size_t mostBytes = 16 << 20;
+  const Result<std::string> text = readTable(file, mostBytes, "Give a CSV of presses");
+  if (!text) return text.failure();
+  NumberTable table(*text);
+  std::optional<std::vector<std::size_t>> columns;
+  if (table.next()) columns = table.columns({"trial", "press_s"});
+  const auto refused = [&](const std::string& problem) {
+    return Failure{FailureCode::unreadableInput, file, table.place(), problem,
+                   "Give trial,press_s, one row for each press, in seconds behind the cue"};
+  };
+  if (!columns) return refused("does not name trial and press_s");
+  Simulation simulation;
+  simulation.name = name;
+  while (table.next()) {
+    const std::size_t last = std::max((*columns)[0], (*columns)[1]);
+    if (table.fields().size() <= last) return refused("has too few fields");
+    const std::optional<double> trial = table.finite((*columns)[0]), press_s = table.finite((*columns)[1]);
+    if (!trial || !press_s || *trial < 1 || *trial > 1e6) return refused("holds no trial and time");
+    simulation.presses_s[static_cast<std::size_t>(*trial)].push_back(*press_s);
+  }
+  if (simulation.presses_s.empty()) return refused("holds no press");
+  for (auto& [trial, presses] : simulation.presses_s) std::sort(presses.begin(), presses.end());
+  return simulation;
+}
+
 }  // namespace
 
 Result<Simulation> simulationNamed(const std::string& name) {
@@ -230,12 +317,29 @@ Result<Simulation> simulationNamed(const std::string& name) {
   if (const auto rate = numberBehind(name, "errors=", 0, 1)) return Simulation{*rate, false, 0, name};
   if (const auto threshold = numberBehind(name, "threshold=", 0.001, 10))
     return Simulation{0, false, *threshold, name};
+  if (const auto timing = timingNamed(name)) {
+    Simulation simulation;
+    simulation.name = name;
+    simulation.timing = timing;
+    return simulation;
+  }
+  constexpr std::string_view ofFile = "presses=";
+  if (name.starts_with(ofFile)) return pressesFrom(name.substr(ofFile.size()), name);
   return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
                  "\"" + name + "\" is not a way to answer",
-                 "Give guess, perfect, errors=P with P from 0 to 1, or threshold=T with T from 0.001 to 10"};
+                 "Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, "
+                 "timing=PLACE,SPREAD or presses=FILE"};
 }
 
 Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
+  const bool timed = simulation.timing || !simulation.presses_s.empty();
+  if (timed != (study.design.kind == StudyKind::timing))
+    return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
+                   timed ? "presses answer timing studies only" : "answers no timing study",
+                   timed ? "Give guess, perfect or errors=P" : "Give timing=PLACE,SPREAD or presses=FILE"};
+  if (simulation.timing && study.design.task == TimingTask::tapping && simulation.timing->place < 0.01)
+    return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
+                   "a place of tapping is the seconds between presses", "Give 0.01 or more"};
   if (simulation.threshold == 0 || study.design.kind == StudyKind::threshold) return Done{};
   return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
                  "a threshold answers threshold studies only", "Give guess, perfect or errors=P"};
@@ -245,6 +349,7 @@ Answer simulatedAnswer(const Study& study, const std::string& participant, const
                        const Simulation& simulation) {
   StudyRandom random = randomSeededBy(std::to_string(study.design.seed) + ":" + participant +
                                       ":answer:" + std::to_string(trial.number));
+  if (study.design.kind == StudyKind::timing) return simulatedTiming(study, trial, simulation, random);
   const std::size_t choices = trial.choices.size();
   Answer answer;
   answer.trial = trial.number;

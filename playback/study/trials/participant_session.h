@@ -3,6 +3,10 @@
 // One participant at work: asks what comes next, writes each answer down before it counts. The same for a
 // terminal, a window and a simulation. One thread.
 
+#include <map>
+#include <optional>
+#include <vector>
+
 #include "playback/study/journal/line_journal.h"
 #include "playback/study/trials/participant_record.h"
 
@@ -58,12 +62,16 @@ struct Simulation {
   bool guess = false;    ///< any choice is as likely as any other
   double threshold =
       0;  ///< threshold studies: as someone who tells so great an increase in 75 of 100; 0: errors as above
-  std::string name;  ///< as given
+  std::string name;                     ///< as given
+  std::optional<PressTiming> timing{};  ///< timing studies: of the person
+  /// Timing studies: what another program says a person pressed, by trial, as Answer::presses_s.
+  std::map<std::size_t, std::vector<double>> presses_s{};
 };
 
-/// "guess", "perfect", "errors=P" with P in [0, 1], or "threshold=T" with T in [0.001, 10]. Failure wrongUsage.
+/// "guess", "perfect", "errors=P" with P in [0, 1], "threshold=T" with T in [0.001, 10], "timing=PLACE,SPREAD" (PressTiming), or
+/// "presses=FILE", CSV `trial,press_s`. Failure wrongUsage; unreadableInput: of the file.
 Result<Simulation> simulationNamed(const std::string& name);
-/// Failure wrongUsage: the study asks for no threshold.
+/// Failure wrongUsage: it cannot answer what the study asks for.
 Result<Done> checkSimulation(const Study& study, const Simulation& simulation);
 
 /// The answer of a simulated participant: a function of study, participant and trial alone, so that a crash

@@ -105,6 +105,14 @@ Json jsonOf(const Study& study) {
             {"buttons", buttons},
             {"stimuli", stimuli}};
   if (d.kind == StudyKind::rating) json["scale"] = nameOf(d.scale);
+  if (d.kind == StudyKind::timing) {
+    json["task"] = nameOf(d.task);
+    if (d.task == TimingTask::tapping)
+      json["run_s"] = d.run_s;
+    else
+      json["intervals_s"] = d.intervals_s;
+    if (d.task == TimingTask::window) json["windows_s"] = d.windows_s;
+  }
   if (d.kind != StudyKind::threshold) return json;
   json["quantity"] = nameOf(d.quantity);
   Json& levels = json["levels"] = Json::array();
@@ -154,6 +162,18 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
       return unreadable(file, "knows a scale " + jsonText(json.at("scale")) + " that does not exist",
                         "Restore the file as it was made");
     d.scale = *scale;
+  }
+  if (d.kind == StudyKind::timing) {
+    const auto task = timingTasks.value(json.at("task").get<std::string>());
+    if (!task)
+      return unreadable(file, "knows a task " + jsonText(json.at("task")) + " that does not exist",
+                        "Restore the file as it was made");
+    d.task = *task;
+    if (d.task == TimingTask::tapping)
+      d.run_s = json.at("run_s");
+    else
+      d.intervals_s = json.at("intervals_s").get<std::vector<double>>();
+    if (d.task == TimingTask::window) d.windows_s = json.at("windows_s").get<std::vector<double>>();
   }
   d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
   d.modes.clear();
@@ -312,7 +332,7 @@ bool asksForPairs(const StudyDesign& d) {
   return d.kind == StudyKind::abx || (d.kind == StudyKind::rating && d.scale == RatingScale::pairwise);
 }
 
-std::size_t usualTrials(StudyKind kind) {
+std::size_t usualTrials(StudyKind kind, TimingTask task) {
   switch (kind) {
     case StudyKind::abx:
     case StudyKind::matching:
@@ -321,13 +341,43 @@ std::size_t usualTrials(StudyKind kind) {
       return 60;
     case StudyKind::rating:
       return 4;
+    case StudyKind::timing:
+      return task == TimingTask::tapping ? 3 : 60;
   }
   return 10;
 }
 
+namespace {
+
+/// Whether some values lie within a range, each once, and are not too many.
+bool eachOnceWithin(const std::vector<double>& values, double low, double high) {
+  constexpr std::size_t most = 9;
+  return !values.empty() && values.size() <= most &&
+         std::set<double>(values.begin(), values.end()).size() == values.size() &&
+         std::all_of(values.begin(), values.end(), [&](double v) { return v >= low && v <= high; });
+}
+
+Result<Done> checkTimes(const StudyDesign& d) {
+  if (d.task == TimingTask::tapping) {
+    if (d.run_s >= 3 && d.run_s <= 120) return Done{};
+    return wrong("--run-seconds", "is not within 3..120", "Give a number inside");
+  }
+  if (!eachOnceWithin(d.intervals_s, 0.2, 5))
+    return wrong("--intervals", "none, too many, one twice or outside 0.2..5 s", "Give 1 to 9 of them");
+  if (d.task == TimingTask::cue) return Done{};
+  const double least = *std::min_element(d.intervals_s.begin(), d.intervals_s.end());
+  if (eachOnceWithin(d.windows_s, 0.01, 1) &&
+      *std::max_element(d.windows_s.begin(), d.windows_s.end()) < least)
+    return Done{};
+  return wrong("--windows", "none, too many, one twice, outside 0.01..1 s, or as long as an interval",
+               "Give 1 to 9, each shorter than the shortest interval");
+}
+
+}  // namespace
+
 Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
-  const bool oneWillDo =
-      d.kind == StudyKind::threshold || (d.kind == StudyKind::rating && d.scale != RatingScale::pairwise);
+  const bool oneWillDo = d.kind == StudyKind::threshold || d.kind == StudyKind::timing ||
+                         (d.kind == StudyKind::rating && d.scale != RatingScale::pairwise);
   if (buttons == 0 || (buttons == 1 && !oneWillDo))
     return wrong("study", buttons == 1 ? "has 1 button" : "has no button",
                  oneWillDo ? "Name a button file" : "Name at least two button files");
@@ -349,7 +399,7 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
     return wrong("--modes", "\"off\" cannot be felt", "Give full, click-only or slope-only");
   if (d.targets == TargetKind::physicalButton && d.kind != StudyKind::matching)
     return wrong("--physical", "needs a matching study", "Add --kind matching");
-  return Done{};
+  return d.kind == StudyKind::timing ? checkTimes(d) : Result<Done>(Done{});
 }
 
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode) {

@@ -15,6 +15,7 @@
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/study/statistics/press_timing.h"
 #include "playback/study/trials/consent.h"
 
 namespace detent::playback {
@@ -23,15 +24,19 @@ enum class StudyKind : std::uint8_t {
   abx,        ///< K&L, Experiment 1: which of two is X?
   matching,   ///< K&L, Experiment 2: which of all is X?
   threshold,  ///< which of two has more of a quantity? The differences follow the answers (QUEST+)
-  rating      ///< how good is it, how strong is it, which of two is preferred?
+  rating,     ///< how good is it, how strong is it, which of two is preferred?
+  timing      ///< press with a cue, within a window, as fast as can be kept up: when counts, not which
 };
 inline constexpr auto studyKinds = named<StudyKind>({{"abx", StudyKind::abx},
                                                      {"matching", StudyKind::matching},
                                                      {"threshold", StudyKind::threshold},
-                                                     {"rating", StudyKind::rating}});
+                                                     {"rating", StudyKind::rating},
+                                                     {"timing", StudyKind::timing}});
 inline const char* nameOf(StudyKind kind) { return studyKinds.word(kind); }
 /// Whether an answer says which one X is.
 inline bool asksForX(StudyKind kind) { return kind == StudyKind::abx || kind == StudyKind::matching; }
+/// Whether an answer is right or wrong.
+inline bool hasRightAnswer(StudyKind kind) { return kind != StudyKind::rating && kind != StudyKind::timing; }
 
 /// What there is more of; threshold.
 enum class LevelQuantity : std::uint8_t {
@@ -71,7 +76,14 @@ struct StudyDesign {
   std::vector<FeedbackMode> modes{FeedbackMode::full};  ///< each pair (or button) is tried in each; not off
   LevelQuantity quantity = LevelQuantity::peakForce;    ///< threshold
   RatingScale scale = RatingScale::preference;          ///< rating
-  std::size_t trials = 10;    ///< per pair (abx, pairwise) or button (else), and mode; 1..1000
+  TimingTask task = TimingTask::cue;                    ///< timing
+  std::vector<double> intervals_s{0.6, 0.8,
+                                  1.0};  ///< cue, window: each as often; 0.2..5, at most 9, each once
+  std::vector<double> windows_s{0.08, 0.12,
+                                0.16};  ///< window: likewise; 0.01..1, each below the least interval
+  double run_s = 10;                    ///< tapping: from the first press on; 3..120
+  std::size_t trials =
+      10;  ///< per pair (abx, pairwise) or button (else), and mode; of tapping: runs; 1..1000
   std::size_t practice = 0;   ///< trials before the first that counts; 0..100
   std::size_t pairsEach = 0;  ///< a random subset of so many pairs for each participant; 0: all
   std::uint64_t seed = 0;
@@ -79,8 +91,8 @@ struct StudyDesign {
       consents;  ///< one for each language; empty: a short standard text in English and in German
 };
 
-/// Trials a kind usually needs. Threshold: docs/studies.md has what they come to.
-std::size_t usualTrials(StudyKind kind);
+/// Trials a kind, and of timing a task, usually needs. Threshold: docs/studies.md has what they come to.
+std::size_t usualTrials(StudyKind kind, TimingTask task = TimingTask::cue);
 
 /// One button of a study.
 struct StudyButton {
@@ -136,7 +148,7 @@ bool asksForPairs(const StudyDesign& design);
 /// Range checks of a design for so many buttons. Failure wrongUsage names the value.
 Result<Done> checkDesign(const StudyDesign& design, std::size_t buttons);
 
-/// Makes the folder, whole or not at all. `buttonFiles`: at least two (threshold and scales:
+/// Makes the folder, whole or not at all. `buttonFiles`: at least two (threshold, scales and timing:
 /// one), labels unique.
 /// `profileFile` may be empty. Failure wrongUsage: the folder exists, or a value is outside its range.
 Result<Study> createStudy(const std::filesystem::path& folder, const std::vector<std::string>& buttonFiles,

@@ -201,6 +201,16 @@ std::vector<KindColumn> kindColumns(StudyKind kind) {
     return {{"level", "share by which x has more of the quantity: 0.1 is a tenth", &TrialRow::level}};
   if (kind == StudyKind::rating)
     return {{"rating", "number that was given; nothing where two were compared", &TrialRow::rating}};
+  if (kind == StudyKind::timing)
+    return {{"interval_s", "how long before it was known when the cue would come; nothing in tapping",
+             &TrialRow::interval_s},
+            {"window_s", "how long the target stood; nothing but in the window task", &TrialRow::window_s},
+            {"press_s",
+             "press behind the cue or the window's beginning, negative before it; tapping: behind the press "
+             "before",
+             &TrialRow::press_s},
+            {"press_within_s", "how far apart the looks were that the times rest on, the worst of the trial",
+             &TrialRow::pressWithin_s}};
   return {};
 }
 
@@ -229,7 +239,7 @@ Result<Done> makeFolder(const std::filesystem::path& folder) {
 
 /// 1 or 0; nothing where nothing is right or wrong.
 std::string correctness(StudyKind kind, const TrialRow& row, const char* nothing) {
-  return kind == StudyKind::rating ? nothing : row.correct ? "1" : "0";
+  return !hasRightAnswer(kind) ? nothing : row.correct ? "1" : "0";
 }
 
 std::string eventsOf(const StudyResults& results, const std::string& participant) {
@@ -325,14 +335,13 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
                {"correct", {{"Description", "1: the answer is X"}}},
                {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}}};
   for (const auto& [column, words] :
-       {std::pair{"trial_type", "kind of question: abx, matching, threshold or rating"},
+       {std::pair{"trial_type", "kind of question: abx, matching, threshold, rating or timing"},
         {"trial", "number within the participant, from 1, practice not counted"},
-        {"pair",
-         "the two buttons compared; matching: the button X was; threshold, scales: the button asked about"},
+        {"pair", "the two buttons compared; matching: the button X was; else: the button asked about"},
         {"alpha", "button offered first; n/a in matching and scales"},
         {"beta", "button offered second; n/a in matching and scales"},
-        {"x", "button that X was; threshold: the one that has more; n/a in rating"},
-        {"answer", "button that was said to be X, or to have more, or preferred, or rated"},
+        {"x", "button that X was; threshold: the one that has more; n/a in rating and timing"},
+        {"answer", "button that was said to be X, or to have more, or preferred, or rated, or pressed"},
         {"replays_alpha", "times alpha was asked for; matching: all choices together"},
         {"replays_beta", "times beta was asked for"},
         {"replays_x", "times X was asked for"}})

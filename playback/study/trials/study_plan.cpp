@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <set>
 
 #include "model/file/markup.h"
 #include "model/file/text_file.h"
+#include "model/number_table.h"
 #include "model/sha256.h"
 #include "model/version.h"
+#include "playback/measurement/normal.h"
 #include "playback/study/statistics/power.h"
 #include "playback/study/trials/study_results.h"
 #include "playback/study/trials/trial_plan.h"
@@ -31,7 +34,7 @@ std::size_t mostChoices(const std::vector<Trial>& trials) {
 }
 
 std::string xOf(const Study& study, const Trial& trial) {
-  if (study.design.kind == StudyKind::rating) return {};
+  if (study.design.kind == StudyKind::rating || study.design.kind == StudyKind::timing) return {};
   if (study.design.kind == StudyKind::threshold) return "choice_" + std::to_string(trial.target + 1);
   return study.buttons[trial.choices[trial.target]].label;
 }
@@ -229,6 +232,63 @@ std::vector<FigureTable> thresholdPower() {
       1)};
 }
 
+/// What a laboratory's two figures come to: half the width of their 95 % intervals over people. `people` and `trials` of each.
+FigureTable timingPrecision(const Study& study) {
+  const StudyDesign& d = study.design;
+  // Between people, and of one press: about what practised people do (Lee & Oulasvirta, CHI 2016; docs/press-forecast.md).
+  constexpr double spread = 0.09, spreadVaries = 0.25, tapsOfRun = 50;
+  const bool tapping = d.task == TimingTask::tapping, window = d.task == TimingTask::window;
+  const double placeVaries = tapping ? 0.12 : window ? 0.08 : 0.02;
+  FigureTable table{"precision",
+                    "Half the width of the 95 % intervals over people",
+                    std::string("By the normal law: persons' own places vary by ") +
+                        (tapping  ? "12 % of the time between presses"
+                         : window ? "0.08 of the window"
+                                  : "0.02 of the interval") +
+                        " (standard deviation), their spreads by a quarter about 0.09 of the interval" +
+                        (tapping ? "; a run has some 50 presses." : "."),
+                    {{"people", "people", 0, "who press"},
+                     {"trials", tapping ? "runs" : "trials", 0, "of each person with a button"},
+                     {"place_half_percent",
+                      tapping  ? "time between, %"
+                      : window ? "aim, % of window"
+                               : "behind cue, %",
+                      1, "half the interval's width"},
+                     {"spread_half_percent", "spread, % of itself", 1, "half the interval's width"}},
+                    {}};
+  const double window_s =
+      std::accumulate(d.windows_s.begin(), d.windows_s.end(), 0.0) / static_cast<double>(d.windows_s.size());
+  const double interval_s = std::accumulate(d.intervals_s.begin(), d.intervals_s.end(), 0.0) /
+                            static_cast<double>(d.intervals_s.size());
+  const double ofOne = window ? spread * interval_s / window_s : spread;
+  for (const std::size_t people : peopleAsked) {
+    for (const std::size_t trials :
+         std::set<std::size_t>{std::max<std::size_t>(d.trials / 2, 1), d.trials, 2 * d.trials}) {
+      const double presses = static_cast<double>(trials) * (tapping ? tapsOfRun : 1);
+      if (presses < static_cast<double>(leastPresses)) continue;
+      const double students = studentQuantile(0.975, people - 1) / std::sqrt(static_cast<double>(people));
+      table.rows.push_back({static_cast<double>(people), static_cast<double>(trials),
+                            percent * students * std::hypot(placeVaries, ofOne / std::sqrt(presses)),
+                            percent * students * std::hypot(spreadVaries, 1 / std::sqrt(2 * presses))});
+    }
+  }
+  return table;
+}
+
+std::vector<FigureTable> timingPower(const Study& study) {
+  const std::size_t buttons = study.givenButtons();
+  std::vector<FigureTable> tables{timingPrecision(study)};
+  if (buttons < 2) return tables;
+  tables.push_back(twoMeans(
+      "The spreads with two buttons differ, % of times", " times", {1.1, 1.2, 1.3, 1.5, 2},
+      [](double ratio) { return std::log(ratio) / std::log(1.25); },
+      "persons' own ratios of two spreads vary by a factor of 1.25 (standard deviation of the logarithm), of "
+      "which 60 "
+      "presses each cause some 1.14.",
+      buttons * (buttons - 1)));
+  return tables;
+}
+
 // ---- the page
 
 std::string section(const std::string& title, const std::string& markup) {
@@ -252,6 +312,27 @@ std::string modesOf(const Study& study) {
   return words;
 }
 
+std::string listed(const std::vector<double>& values) {
+  std::string words;
+  for (const double value : values) words += (words.empty() ? "" : ", ") + shortestText(value);
+  return words;
+}
+
+std::string timingTaskOf(const StudyDesign& d) {
+  switch (d.task) {
+    case TimingTask::cue:
+      return "Timing, press with a cue: four beats an interval apart, the last is the cue; intervals of " +
+             listed(d.intervals_s) + " s.";
+    case TimingTask::window:
+      return "Timing, hit a moving target in its window: it sets out an interval before; intervals of " +
+             listed(d.intervals_s) + " s, windows of " + listed(d.windows_s) + " s.";
+    case TimingTask::tapping:
+      break;
+  }
+  return "Timing, press as fast as can be kept up: runs of " + shortestText(d.run_s) +
+         " s from the first press on.";
+}
+
 std::string taskOf(const Study& study) {
   const StudyDesign& d = study.design;
   switch (d.kind) {
@@ -267,6 +348,8 @@ std::string taskOf(const Study& study) {
              "\": two buttons, one of which has more of it; the participant says which. The differences "
              "follow "
              "the answers (QUEST+).";
+    case StudyKind::timing:
+      return timingTaskOf(d);
     case StudyKind::rating:
       break;
   }
@@ -281,8 +364,11 @@ std::vector<std::string> hypotheses(const Study& study) {
   if (d.kind == StudyKind::threshold)
     all.push_back("The threshold of each button lies below ... %, or differs between ... and ...");
   if (d.kind == StudyKind::rating) all.push_back("Buttons differ in what is rated, pair by pair.");
+  if (d.kind == StudyKind::timing)
+    all.push_back("Buttons differ in where (or how fast) and how exactly they are pressed, pair by pair.");
   if (d.modes.size() > 1)
-    all.push_back("The error rate (or rating) differs between the modes " + modesOf(study) + ", two-sided.");
+    all.push_back("The error rate (or rating, or timing) differs between the modes " + modesOf(study) +
+                  ", two-sided.");
   return all;
 }
 
@@ -294,6 +380,16 @@ std::vector<std::string> analysis(const Study& study) {
         "Per participant and button: median and 95 % credible interval of the difference told in 75 of "
         "100, by QUEST+'s belief; prior and ranges as in Detent's docs/studies.md.");
     all.push_back("Over participants: geometric mean with Student's 95 % interval of the logarithm.");
+    return all;
+  }
+  if (d.kind == StudyKind::timing) {
+    all.push_back(
+        "Per participant and button: place and spread of the presses, a drift over the trials and a share of "
+        "presses "
+        "that belong to nothing fitted and kept out; from 10 presses on.");
+    all.push_back(
+        "Over participants: mean place, geometric mean of the spreads, with Student's 95 % intervals.");
+    all.push_back("Then each two buttons, signs of whole persons flipped, Holm over pairs and both figures.");
     return all;
   }
   if (d.kind == StudyKind::rating) {
@@ -397,12 +493,15 @@ std::string listCsv(const Study& study, const std::string& participant, std::siz
   const std::size_t choices = mostChoices(trials);
   std::string text = "participant,trial,practice,rest_before,mode";
   for (std::size_t i = 1; i <= choices; ++i) text += ",choice_" + std::to_string(i);
-  text += ",x\n";
+  const bool timed = study.design.kind == StudyKind::timing;
+  text += timed ? ",x,interval_s,window_s\n" : ",x\n";
   for (const Trial& trial : trials) {
     text += participant + "," + std::to_string(trial.number) + "," + (trial.practice ? "1," : "0,") +
             (trial.breakBefore ? "1," : "0,") + nameOf(trial.mode);
     for (const std::size_t choice : trial.choices) text += "," + csvField(study.buttons[choice].label);
-    text += "," + csvField(xOf(study, trial)) + "\n";
+    text += "," + csvField(xOf(study, trial));
+    if (timed) text += "," + shortestText(trial.interval_s) + "," + shortestText(trial.window_s);
+    text += "\n";
   }
   return text;
 }
@@ -438,6 +537,8 @@ std::vector<FigureTable> powerTables(const Study& study) {
       return {twoConditions(study), peopleNeeded(study)};
     case StudyKind::threshold:
       return thresholdPower();
+    case StudyKind::timing:
+      return timingPower(study);
     case StudyKind::rating:
       break;
   }

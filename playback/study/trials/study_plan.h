@@ -14,7 +14,7 @@
 namespace detent::playback {
 
 /// The list of one place: `participant,trial,practice,rest_before,mode,choice_1,...,x`; x is empty where nobody is asked for it, and of a threshold
-/// the choice that has more.
+/// the choice that has more. Timing adds interval_s,window_s.
 std::string listCsv(const Study& study, const std::string& participant, std::size_t place);
 
 /// Writes ID.csv for everybody into `folder`, and the places into the study, which keeps to them. Gives the SHA-256 over all lists in order.

@@ -12,6 +12,7 @@
 #include "playback/study/statistics/paired_difference.h"
 #include "playback/study/statistics/resampling.h"
 #include "playback/study/trials/answer_tables.h"
+#include "playback/study/trials/timing_tables.h"
 
 namespace detent::playback {
 
@@ -35,7 +36,7 @@ void describe(const Study& study, const Trial& trial, const Answer& answer, Tria
   const StudyKind kind = study.design.kind;
   const auto label = [&](std::size_t choice) { return study.buttons[trial.choices[choice]].label; };
   const std::vector<std::size_t>& replays = answer.replays;
-  row.x = kind == StudyKind::rating ? std::string() : label(trial.target);
+  row.x = hasRightAnswer(kind) ? label(trial.target) : std::string();
   row.first = row.second = trial.choices[trial.target];
   row.pair = label(trial.target);
   row.replaysA = std::accumulate(replays.begin(), replays.end(), std::size_t{0});
@@ -71,7 +72,7 @@ TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::si
     row.felt.push_back(recorded.answer.feltX);
   }
   row.answer = label(recorded.answer.choice);
-  row.correct = study.design.kind != StudyKind::rating && recorded.answer.choice == trial.target;
+  row.correct = hasRightAnswer(study.design.kind) && recorded.answer.choice == trial.target;
   row.replaysX = recorded.answer.replaysX;
   row.onset_s = recorded.onset_s;
   row.firstPress_s = recorded.answer.firstPress_s;
@@ -82,6 +83,29 @@ TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::si
   row.interruptions = recorded.interruptions;
   row.condition = conditionOf(study, row) + (row.interruptions > 0 ? "/repeated" : "");
   return row;
+}
+
+/// Rows of one answer: of tapping as many as taps that follow another.
+std::vector<TrialRow> rowsOfAnswer(const Study& study, const ParticipantRecord& participant, std::size_t at) {
+  TrialRow row = rowOf(study, participant, at);
+  if (study.design.kind != StudyKind::timing) return {std::move(row)};
+  const Trial& trial = participant.plan[at];
+  const Answer& answer = participant.answers[at].answer;
+  const bool tapping = study.design.task == TimingTask::tapping;
+  const double onset_s = row.onset_s;
+  row.pressWithin_s = answer.pressWithin_s;
+  if (!tapping) row.interval_s = trial.interval_s;
+  if (study.design.task == TimingTask::window) row.window_s = trial.window_s;
+  std::vector<TrialRow> rows;
+  for (const TimedPress& press : timedPresses(study.design, trial, answer)) {
+    row.press_s = press.press_s;
+    rows.push_back(row);
+    if (!tapping) break;
+    rows.back().onset_s = onset_s + answer.firstPress_s + answer.presses_s[rows.size()];
+    rows.back().answer_s = press.press_s.value_or(0);
+    row.felt.clear();  // of the run, not of each tap
+  }
+  return rows;
 }
 
 void add(Count& count, const TrialRow& row) {
@@ -298,6 +322,21 @@ void warn(StudyResults& results, const Study& study, const std::vector<Participa
   if (results.rows.empty()) results.warnings.push_back("no answer yet: there is nothing to report");
 }
 
+std::vector<FigureTable> tablesOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
+  switch (study.design.kind) {
+    case StudyKind::abx:
+    case StudyKind::matching:
+      break;
+    case StudyKind::threshold:
+      return thresholdTables(study, participants);
+    case StudyKind::rating:
+      return ratingTables(study, participants);
+    case StudyKind::timing:
+      return timingTables(study, participants);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string conditionOf(const Study& study, const RecordedAnswer& answer, FeedbackMode mode) {
@@ -308,7 +347,8 @@ std::vector<TrialRow> rowsOf(const Study& study, const std::vector<ParticipantRe
   std::vector<TrialRow> rows;
   for (const ParticipantRecord& p : participants)
     for (std::size_t i = 0; i < p.answers.size(); ++i)
-      if (!p.plan[i].practice) rows.push_back(rowOf(study, p, i));
+      if (!p.plan[i].practice)
+        for (TrialRow& row : rowsOfAnswer(study, p, i)) rows.push_back(std::move(row));
   return rows;
 }
 
@@ -394,8 +434,7 @@ StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>&
     adjustTests(results.groups);
     results.comparisons = comparisonsOf(study, results.groups, groups);
   } else if (!results.rows.empty()) {
-    results.tables = study.design.kind == StudyKind::threshold ? thresholdTables(study, participants)
-                                                               : ratingTables(study, participants);
+    results.tables = tablesOf(study, participants);
   }
   warn(results, study, participants);
   return results;

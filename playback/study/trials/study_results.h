@@ -15,8 +15,8 @@ namespace detent::playback {
 /// One counted trial.
 struct TrialRow {
   std::string participant;
-  std::size_t trial = 0;  ///< from 1, practice not counted
-  std::string pair;       ///< "A-B" in the study's order; matching: X; threshold, scales: the button
+  std::size_t trial = 0;              ///< from 1, practice not counted
+  std::string pair;                   ///< "A-B" in the study's order; matching: X; else: the button
   std::size_t first = 0, second = 0;  ///< abx: the pair's buttons; matching: X twice
   std::string a, b;                   ///< labels of the two choices; matching, scales: empty
   std::string x, answer;              ///< labels; threshold: x has more; rating: x is empty
@@ -24,6 +24,8 @@ struct TrialRow {
   bool correct = false;               ///< nothing in rating
   std::optional<double> level;        ///< threshold: by what share x has more
   std::optional<double> rating;       ///< of a scale
+  /// Timing: as study/statistics/press_timing.h has them. Of tapping each tap is a row.
+  std::optional<double> interval_s, window_s, press_s, pressWithin_s;
   std::size_t replaysA = 0, replaysB = 0, replaysX = 0;  ///< matching: replaysA of all choices together
   std::vector<std::string> choices;                      ///< labels in the order shown
   std::vector<Felt> felt;  ///< of each choice, then of X; none in journals that did not keep it
@@ -120,7 +122,7 @@ struct StudyResults {
   std::vector<TrialRow> rows;
   std::vector<GroupResult> groups;           ///< abx, matching
   std::vector<GroupComparison> comparisons;  ///< abx, matching
-  std::vector<FigureTable> tables;           ///< threshold, rating
+  std::vector<FigureTable> tables;           ///< threshold, rating, timing
   DiscriminationRule rule;
   std::size_t trialsPerTest = 0;
   std::vector<std::string> warnings;  ///< what a reader must know before believing a figure

@@ -2,13 +2,16 @@
 #include "playback/study/trials/timing_tables.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "model/number_table.h"
-#include "playback/study/trials/study_design.h"
+#include "playback/study/statistics/paired_difference.h"
+#include "playback/study/trials/study_results.h"
 
 namespace detent::playback {
 
@@ -103,8 +106,7 @@ Words wordsOf(TimingTask task) {
                             "standard deviation about that, in hundredths of the interval"};
   switch (task) {
     case TimingTask::cue:
-      return {{"place_percent", "behind the cue, %", 2,
-               "mean press behind the cue, in hundredths of the interval"},
+      return {{"place_percent", "behind, %", 2, "mean press behind the cue, in hundredths of the interval"},
               spread,
               percent};
     case TimingTask::window:
@@ -126,6 +128,224 @@ FigureColumn within(const FigureColumn& of, bool low) {
 }
 
 FigureCell cell(const std::optional<double>& value) { return value ? FigureCell(*value) : FigureCell(); }
+FigureCell count(std::size_t n) { return static_cast<double>(n); }
+
+/// Everybody's trials with one button in one condition; both are empty where a file tells neither.
+struct Cell {
+  std::string button, condition;
+  TimedPeople presses;
+  std::map<std::string, double> within_s;  ///< by person: the median of how exactly their presses were timed
+};
+
+/// One person in one cell.
+struct FittedPerson {
+  std::string participant;
+  std::size_t trials = 0, presses = 0, outside = 0;
+  std::optional<PersonTiming> fit;
+};
+
+std::vector<FittedPerson> fitted(const TimedPeople& presses) {
+  std::vector<FittedPerson> people;
+  for (const TimedPeople::Person& person : presses.people) {
+    FittedPerson p{person.participant, person.trials.size(), 0, 0, timingOf(presses.task, person.trials)};
+    for (const TimedPress& trial : person.trials) {
+      if (trial.press_s) ++p.presses;
+      if (!trial.press_s || *trial.press_s < 0 || *trial.press_s >= trial.window_s) ++p.outside;
+    }
+    people.push_back(std::move(p));
+  }
+  return people;
+}
+
+/// How the rows of a table say which cell they are of: not at all, of a file that tells neither; by the title, where all are of one condition.
+struct Naming {
+  bool button = false, condition = false;
+  std::string title;  ///< behind a table's own
+};
+
+Naming namingOf(const std::vector<Cell>& cells) {
+  const bool several = std::any_of(cells.begin(), cells.end(),
+                                   [&](const Cell& c) { return c.condition != cells.front().condition; });
+  return {true, several, several || cells.empty() ? std::string() : " (" + cells.front().condition + ")"};
+}
+
+void addCellColumns(FigureTable& table, const Naming& naming) {
+  table.title += naming.title;
+  if (naming.button) table.columns.push_back({"button", "button", 0, "what was pressed"});
+  if (naming.condition)
+    table.columns.push_back({"condition", "condition", 0, "listening, mode, who answered"});
+}
+std::vector<FigureCell> cellRow(const Cell& cell, const Naming& naming) {
+  std::vector<FigureCell> row;
+  if (naming.button) row.emplace_back(cell.button);
+  if (naming.condition) row.emplace_back(cell.condition);
+  return row;
+}
+void append(std::vector<FigureCell>& row, std::vector<FigureCell> more) {
+  row.insert(row.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+FigureTable laboratoryTable(TimingTask task, const std::vector<Cell>& cells,
+                            const std::vector<std::vector<FittedPerson>>& fits, const Naming& naming) {
+  const auto [place, spread, factor] = wordsOf(task);
+  FigureTable table{"laboratory", std::string("Timing, task ") + nameOf(task), "", {}, {}};
+  addCellColumns(table, naming);
+  for (const FigureColumn& column :
+       {FigureColumn{"people", "people", 0, "with enough presses"}, place, within(place, true),
+        within(place, false), spread, within(spread, true), within(spread, false)})
+    table.columns.push_back(column);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::vector<PersonTiming> people;
+    for (const FittedPerson& p : fits[i])
+      if (p.fit) people.push_back(*p.fit);
+    if (people.size() == 1) table.note = "One person has no interval: people differ.";
+    std::vector<FigureCell> row = cellRow(cells[i], naming);
+    if (people.empty()) {
+      append(row, {count(0), {}, {}, {}, {}, {}, {}});
+    } else {
+      const LaboratoryTiming fit = timingOver(task, people);
+      const auto end = [](const std::optional<Interval>& interval, bool low, double times) {
+        return cell(interval ? std::optional(times * (low ? interval->low : interval->high)) : std::nullopt);
+      };
+      append(row, {count(people.size()), factor * fit.timing.place, end(fit.place, true, factor),
+                   end(fit.place, false, factor), percent * fit.timing.spread, end(fit.spread, true, percent),
+                   end(fit.spread, false, percent)});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+FigureTable peopleTable(TimingTask task, const std::vector<Cell>& cells,
+                        const std::vector<std::vector<FittedPerson>>& fits, const Naming& naming) {
+  const auto [place, spread, factor] = wordsOf(task);
+  FigureTable table{"people",
+                    "Timing of each participant",
+                    "Presses are too few below " + std::to_string(leastPresses) + ".",
+                    {{"participant", "participant", 0, "id"}},
+                    {}};
+  addCellColumns(table, naming);
+  const bool file = !naming.button;  // of a study every row has a press
+  table.columns.push_back({"trials", "trials", 0, "rows"});
+  if (file) table.columns.push_back({"presses", "presses", 0, "of those, with a press"});
+  for (const FigureColumn& column :
+       {place, spread,
+        FigureColumn{"lapses_percent", "lapses, %", 1, "share of the presses that belong to nothing"}})
+    table.columns.push_back(column);
+  const bool window = !file && task == TimingTask::window;
+  if (window)
+    table.columns.push_back({"outside_percent", "outside, %", 1, "of the trials, the window was not hit"});
+  if (!file)
+    table.columns.push_back(
+        {"within_ms", "within, ms", 1, "median over trials of how far apart the looks at the input were"});
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const FittedPerson& p : fits[i]) {
+      std::vector<FigureCell> row{p.participant};
+      append(row, cellRow(cells[i], naming));
+      row.push_back(count(p.trials));
+      if (file) row.push_back(count(p.presses));
+      constexpr std::size_t figures = 3;
+      if (!p.fit) row.resize(row.size() + figures);
+      if (p.fit)
+        for (const double figure :
+             {factor * p.fit->timing.place, percent * p.fit->timing.spread, percent * p.fit->lapses})
+          row.emplace_back(figure);
+      if (window) row.emplace_back(percent * static_cast<double>(p.outside) / static_cast<double>(p.trials));
+      if (!file) row.emplace_back(1000 * cells[i].within_s.at(p.participant));
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+/// What two fits of one person differ by. Spreads, and places of tapping, are ratios: hundredths more.
+double differenceOf(TimingTask task, bool ofPlace, const PersonTiming& first, const PersonTiming& second) {
+  if (ofPlace && task != TimingTask::tapping) return percent * (first.timing.place - second.timing.place);
+  return ofPlace ? percent * std::log(first.timing.place / second.timing.place)
+                 : percent * std::log(first.timing.spread / second.timing.spread);
+}
+
+FigureTable differencesTable(TimingTask task, const std::vector<Cell>& cells,
+                             const std::vector<std::vector<FittedPerson>>& fits) {
+  FigureTable table{
+      "differences",
+      "Buttons against each other",
+      "First minus second: the place in the unit above, the spread (and the time between taps) as a "
+      "logarithm, in hundredths. Signs of whole persons flipped, Holm over all rows of a condition.",
+      {{"pair", "pair", 0, "two buttons"},
+       {"condition", "condition", 0, "listening, mode, who answered"},
+       {"figure", "figure", 0, "place or spread"},
+       {"people", "people", 0, "fitted with both"},
+       {"difference", "difference", 2, "mean over persons"},
+       {"low", "from", 2, "95 % interval, lower end"},
+       {"high", "to", 2, "upper end"},
+       {"p", "p", 4, "two-sided"},
+       {"p_holm", "p (Holm)", 4, "adjusted"}},
+      {}};
+  std::map<std::string, std::vector<std::pair<std::size_t, double>>> byCondition;  // row, p
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t k = i + 1; k < cells.size(); ++k) {
+      if (cells[i].condition != cells[k].condition) continue;
+      for (const bool ofPlace : {true, false}) {
+        std::vector<double> differences;
+        for (const FittedPerson& first : fits[i])
+          for (const FittedPerson& second : fits[k])
+            if (first.participant == second.participant && first.fit && second.fit)
+              differences.push_back(differenceOf(task, ofPlace, *first.fit, *second.fit));
+        if (differences.empty()) continue;
+        const PairedDifference d = pairedDifference(differences);
+        byCondition[cells[i].condition].emplace_back(table.rows.size(), d.p);
+        table.rows.push_back({pairName({cells[i].button, cells[k].button}, 0, 1), cells[i].condition,
+                              std::string(ofPlace ? "place" : "spread"), count(differences.size()), d.mean,
+                              cell(d.interval ? std::optional(d.interval->low) : std::nullopt),
+                              cell(d.interval ? std::optional(d.interval->high) : std::nullopt), d.p,
+                              FigureCell()});
+      }
+    }
+  }
+  for (const auto& [condition, tests] : byCondition) {
+    std::vector<double> p;
+    for (const auto& [row, value] : tests) p.push_back(value);
+    const std::vector<double> adjusted = holm(p);
+    for (std::size_t i = 0; i < tests.size(); ++i) table.rows[tests[i].first].back() = adjusted[i];
+  }
+  return table;
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// By condition, then button.
+std::vector<Cell> cellsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
+  struct Person {
+    std::vector<TimedPress> trials;
+    std::vector<double> within_s;
+  };
+  std::map<std::pair<std::string, std::size_t>, std::map<std::string, Person>> all;
+  for (const ParticipantRecord& p : participants) {
+    for (std::size_t i = 0; i < p.answers.size(); ++i) {
+      const Trial& trial = p.plan[i];
+      if (trial.practice) continue;
+      Person& person = all[{conditionOf(study, p.answers[i], trial.mode), trial.choices[0]}][p.participant];
+      const std::vector<TimedPress> presses = timedPresses(study.design, trial, p.answers[i].answer);
+      person.trials.insert(person.trials.end(), presses.begin(), presses.end());
+      person.within_s.push_back(p.answers[i].answer.pressWithin_s);
+    }
+  }
+  std::vector<Cell> cells;
+  for (auto& [key, people] : all) {
+    Cell cell{study.buttons[key.second].label, key.first, {study.design.task, {}}, {}};
+    for (auto& [id, person] : people) {
+      cell.presses.people.push_back({id, std::move(person.trials)});
+      cell.within_s[id] = medianOf(std::move(person.within_s));
+    }
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
 
 }  // namespace
 
@@ -136,51 +356,36 @@ Result<TimedPeople> readTimedPresses(const std::string& file, TimingTask task) {
 }
 
 Result<std::vector<FigureTable>> timingTables(const TimedPeople& presses, const std::string& file) {
-  const auto [place, spread, factor] = wordsOf(presses.task);
-  FigureTable everybody{"people",
-                        "Timing of each participant",
-                        "Presses are too few below " + std::to_string(leastPresses) + ".",
-                        {{"participant", "participant", 0, "id"},
-                         {"trials", "trials", 0, "rows"},
-                         {"presses", "presses", 0, "of those, with a press"},
-                         place,
-                         spread,
-                         {"lapses_percent", "lapses, %", 1, "share of the presses that belong to nothing"}},
-                        {}};
-  std::vector<PersonTiming> people;
-  for (const TimedPeople::Person& person : presses.people) {
-    const std::optional<PersonTiming> p = timingOf(presses.task, person.trials);
-    const auto pressed = std::count_if(person.trials.begin(), person.trials.end(),
-                                       [](const TimedPress& t) { return t.press_s.has_value(); });
-    everybody.rows.push_back({person.participant, static_cast<double>(person.trials.size()),
-                              static_cast<double>(pressed),
-                              p ? FigureCell(factor * p->timing.place) : FigureCell(),
-                              p ? FigureCell(percent * p->timing.spread) : FigureCell(),
-                              p ? FigureCell(percent * p->lapses) : FigureCell()});
-    if (p) people.push_back(*p);
-  }
-  if (people.empty())
+  const std::vector<std::vector<FittedPerson>> fits{fitted(presses)};
+  if (std::none_of(fits[0].begin(), fits[0].end(), [](const FittedPerson& p) { return p.fit.has_value(); }))
     return Failure{FailureCode::unreadableInput, file, "", "nobody has enough presses that differ",
                    "Give " + std::to_string(leastPresses) + " presses a person at least"};
-  const LaboratoryTiming fit = timingOver(presses.task, people);
-  const auto end = [](const std::optional<Interval>& interval, bool low, double times) {
-    return cell(interval ? std::optional(times * (low ? interval->low : interval->high)) : std::nullopt);
-  };
-  FigureTable laboratory{
-      "laboratory",
-      std::string("Timing, task ") + nameOf(presses.task),
-      people.size() < 2 ? "One person has no interval: people differ." : "",
-      {{"people", "people", 0, "with enough presses"},
-       place,
-       within(place, true),
-       within(place, false),
-       spread,
-       within(spread, true),
-       within(spread, false)},
-      {{static_cast<double>(people.size()), factor * fit.timing.place, end(fit.place, true, factor),
-        end(fit.place, false, factor), percent * fit.timing.spread, end(fit.spread, true, percent),
-        end(fit.spread, false, percent)}}};
-  return std::vector<FigureTable>{std::move(laboratory), std::move(everybody)};
+  const std::vector<Cell> cells{{"", "", presses, {}}};
+  return std::vector<FigureTable>{laboratoryTable(presses.task, cells, fits, {}),
+                                  peopleTable(presses.task, cells, fits, {})};
+}
+
+std::vector<TimedPress> timedPresses(const StudyDesign& design, const Trial& trial, const Answer& answer) {
+  if (design.task != TimingTask::tapping)
+    return {{trial.interval_s, trial.window_s, countedPress(trial, answer.presses_s)}};
+  std::vector<TimedPress> presses;
+  for (std::size_t i = 1; i < answer.presses_s.size(); ++i)
+    presses.push_back({0, 0, answer.presses_s[i] - answer.presses_s[i - 1]});
+  return presses;
+}
+
+std::vector<FigureTable> timingTables(const Study& study,
+                                      const std::vector<ParticipantRecord>& participants) {
+  const TimingTask task = study.design.task;
+  const std::vector<Cell> cells = cellsOf(study, participants);
+  std::vector<std::vector<FittedPerson>> fits;
+  for (const Cell& cell : cells) fits.push_back(fitted(cell.presses));
+  const Naming naming = namingOf(cells);
+  std::vector<FigureTable> tables{laboratoryTable(task, cells, fits, naming),
+                                  peopleTable(task, cells, fits, naming)};
+  FigureTable differences = differencesTable(task, cells, fits);
+  if (!differences.rows.empty()) tables.push_back(std::move(differences));
+  return tables;
 }
 
 }  // namespace detent::playback

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A laboratory's own timed presses: read from a CSV file, fitted person by person (study/statistics/press_timing.h), put into tables.
+// A laboratory's own timed presses, of a study or from a CSV file: fitted person by person (study/statistics/press_timing.h), put into
+// tables.
 
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "model/result.h"
 #include "playback/study/statistics/press_timing.h"
 #include "playback/study/trials/figure_table.h"
+#include "playback/study/trials/participant_record.h"
 
 namespace detent::playback {
 
@@ -29,5 +31,12 @@ Result<TimedPeople> readTimedPresses(const std::string& file, TimingTask task);
 /// The laboratory's two figures, then everybody's. Only those with enough presses are fitted; the others' figures stay empty. Failure
 /// unreadableInput: of nobody.
 Result<std::vector<FigureTable>> timingTables(const TimedPeople& presses, const std::string& file);
+
+/// What a study's journals hold of one trial, as it is fitted: one press, none, or (tapping) each tap behind the one before.
+std::vector<TimedPress> timedPresses(const StudyDesign& design, const Trial& trial, const Answer& answer);
+
+/// The same tables of a timing study, by button and condition; then every two buttons against each other, participants as their own control.
+/// Nobody needs to have enough presses.
+std::vector<FigureTable> timingTables(const Study& study, const std::vector<ParticipantRecord>& participants);
 
 }  // namespace detent::playback

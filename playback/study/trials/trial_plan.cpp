@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <tuple>
 
 #include "playback/study/statistics/shuffle.h"
 
@@ -157,6 +158,34 @@ std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pai
   return trials;
 }
 
+/// What a trial's times may be: every window at every interval; tapping has none.
+std::vector<std::pair<double, double>> timesOf(const StudyDesign& d) {
+  if (d.task == TimingTask::tapping) return {{0, 0}};
+  std::vector<std::pair<double, double>> times;
+  for (const double interval_s : d.intervals_s) {
+    if (d.task == TimingTask::cue) times.emplace_back(interval_s, 0);
+    if (d.task == TimingTask::window)
+      for (const double window_s : d.windows_s) times.emplace_back(interval_s, window_s);
+  }
+  return times;
+}
+
+std::vector<Trial> timingTrials(const Study& study, FeedbackMode mode, StudyRandom& random) {
+  std::vector<Trial> trials;
+  std::vector<std::pair<double, double>> times = timesOf(study.design);
+  for (std::size_t button = 0; button < study.givenButtons(); ++button) {
+    for (std::size_t i = 0; i < study.design.trials; ++i) {
+      if (i % times.size() == 0) shuffle(times, random);  // those that are left over are drawn
+      Trial trial;
+      trial.mode = mode;
+      trial.choices = {button};
+      std::tie(trial.interval_s, trial.window_s) = times[i % times.size()];
+      trials.push_back(std::move(trial));
+    }
+  }
+  return trials;
+}
+
 std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, FeedbackMode mode,
                             StudyRandom& random) {
   switch (study.design.kind) {
@@ -168,6 +197,8 @@ std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, 
       return thresholdTrials(study, mode, random);
     case StudyKind::rating:
       return ratingTrials(study, pairs, mode, random);
+    case StudyKind::timing:
+      return timingTrials(study, mode, random);
   }
   return abxTrials(study, pairs, mode, random);
 }

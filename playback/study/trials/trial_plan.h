@@ -11,14 +11,15 @@
 
 namespace detent::playback {
 
-/// One question: which of `choices` is X? Threshold: which has more? Rating: how is it, or which is better?
+/// One question: which of `choices` is X? Threshold: which has more? Rating: how is it, or which is better? Timing: press, at a time.
 struct Trial {
   std::size_t number = 0;  ///< from 1, practice first, as the participant meets them
   bool practice = false;   ///< answered and kept, but counted nowhere
   FeedbackMode mode = FeedbackMode::full;
-  std::vector<std::size_t> choices;  ///< indices of buttons in the order shown; abx: alpha, beta
-  std::size_t target = 0;            ///< which of `choices` X is, or has more; 0 in rating
-  bool breakBefore = false;          ///< the participant rests first, as long as they like
+  std::vector<std::size_t> choices;     ///< indices of buttons in the order shown; abx: alpha, beta
+  std::size_t target = 0;               ///< which of `choices` X is, or has more; 0 in rating and timing
+  double interval_s = 0, window_s = 0;  ///< timing: cue and window; else 0
+  bool breakBefore = false;             ///< the participant rests first, as long as they like
 };
 
 /// abx: every pair `trials` times in every mode. Within a pair and mode the four cells of who is alpha and who is X are filled
@@ -26,6 +27,7 @@ struct Trial {
 /// pair. matching: every button `trials` times in every mode, the choices in a new order each time.
 /// threshold: every button `trials` times in every mode; what has more stands first as often as second, and which level it is follows from
 /// the answers (next_level.cpp): until then its place holds the button itself.
+/// timing: every button `trials` times in every mode, intervals and windows each as often as the others.
 /// rating: every button, or pair, `trials` times in every mode; of a pair each is first as often as second.
 /// Trials are shuffled within a mode; of rating, each button or pair once before any comes again. Modes are blocks with a break between; over participants their order is counterbalanced by
 /// `place`, which is planned (planned_places.h) or the number of those who began before. So are the pairs where each gets some: they differ by at most one.

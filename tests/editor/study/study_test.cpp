@@ -39,6 +39,10 @@ class FakePlayer : public playback::StudyPlayer {
   std::string device() const override { return finger_->sounding ? "test device" : ""; }
   playback::StudyRoute route() const override { return {"", "", "test device, 48000 Hz, 64 frames"}; }
   void beginTrial() override { done_ = {}; }
+  void place(std::size_t, std::size_t, playback::FeedbackMode) override {}
+  bool sensed() const override { return false; }
+  std::vector<playback::ContactClosing> takeClosings() override { return {}; }
+  void soundBeats(const std::vector<double>&) override {}
   void press(std::size_t slot, std::size_t button, playback::FeedbackMode) override {
     finger_->pressed.push_back(button);
     finger_->places.push_back(slot);

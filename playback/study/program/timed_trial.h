@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One timed trial at a terminal: beats or a moving target, presses by the space bar or the sensor.
+
+#include "playback/device/terminal.h"
+#include "playback/program/command.h"
+#include "playback/study.h"
+#include "playback/study/program/participant_words.h"
+
+namespace detent::playback {
+
+/// How a trial at a terminal ended.
+enum class TrialEnd : std::uint8_t {
+  answered,
+  again,  ///< it begins anew; said and in the journal
+  paused,
+  stopping  ///< the participant asked to stop for good
+};
+
+/// What a timed trial is worked on with.
+struct TimedDesk {
+  const Study& study;
+  ParticipantSession& session;
+  StudyPlayer& player;
+  RawTerminal& terminal;
+  const ParticipantWords& words;
+  const Cancelled& cancelled;
+  double began_s = 0;  ///< of this stretch of work
+};
+
+/// Shows the trial that comes next and keeps what was pressed. Failure: of the journal.
+Result<TrialEnd> askTimed(const TimedDesk& desk);
+
+}  // namespace detent::playback
