@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "model/speed_family.h"
+
 namespace detent {
 namespace {
 
@@ -110,17 +112,17 @@ std::optional<Failure> familyProblem(const Message& place, const ButtonState& st
 }
 
 std::optional<Failure> differentSpeeds(const std::vector<ButtonState>& states) {
-  const auto speedsOf = [](const ButtonState& state) {
-    std::vector<double> speeds;
-    if (state.speed_mm_per_s) speeds.push_back(*state.speed_mm_per_s);
-    for (const SpeedGraph& other : state.otherSpeeds) speeds.push_back(other.speed_mm_per_s);
-    return speeds;
-  };
-  for (std::size_t i = 1; i < states.size(); ++i)
+  for (std::size_t i = 1; i < states.size(); ++i) {
     if (speedsOf(states[i]) != speedsOf(states[0]))
       return buttonFailure(placeOf(states, i),
                            Message("has graphs at other speeds than %1", placeOf(states, 0)),
                            Message("Give every state graphs at the same speeds"));
+    if (states[i].speed_mm_per_s != states[0].speed_mm_per_s)
+      return buttonFailure(placeOf(states, i),
+                           Message("stands at %1, %2 at %3", speedText(*states[i].speed_mm_per_s),
+                                   placeOf(states, 0), speedText(*states[0].speed_mm_per_s)),
+                           Message("Let the own graph of every state be the one of the same speed"));
+  }
   return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // detent_playback_coverage: how often the truth lies within the errors that playback and studies print. `coverage.py playback`
 // writes its tables into docs/coverage.md.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -206,49 +207,79 @@ void studies() {
   }
 }
 
-// A sweep prints no errors. What it misses by is stated here, so that nobody has to believe it.
-void sweeps() {
-  constexpr unsigned sweepCount = 60;
-  std::printf(
-      "\n### `sweep`: no errors are printed; what a resonance is off by, %u simulated devices each\n\n"
-      "| noise, of the sweep's level | frequency: rms, worst %% | Q (-3 dB width) over the equalizer's, "
-      "median | lost |\n"
-      "|---|---|---|---|\n",
-      sweepCount);
-  std::mt19937 random(5);
+/// A device of resonances at least an octave apart, and what a recording of the sweep holds of it.
+struct SimulatedDevice {
+  std::vector<Resonance> resonances;  // rising
+  std::vector<float> recorded;
+};
+
+SimulatedDevice deviceOf(std::size_t count, const std::vector<float>& played, const SweepSettings& settings,
+                         double noise, std::mt19937& random) {
   std::uniform_real_distribution<> share(0, 1);
+  SimulatedDevice device;
+  std::vector<double> samples(played.begin(), played.end());
+  double frequency_Hz = 80 * std::exp2(share(random));
+  for (std::size_t i = 0; i < count; ++i, frequency_Hz *= std::exp2(1 + 0.4 * share(random))) {
+    device.resonances.push_back({frequency_Hz, 4 + 10 * share(random), 8 + 8 * share(random)});
+    const Resonance& r = device.resonances.back();
+    Biquad section;
+    section.setCoefficients(peaking(settings.sampleRate_Hz, r.frequency_Hz, r.q, r.gain_dB));
+    section.process(samples.data(), samples.size());
+  }
+  std::normal_distribution<> hiss(0, noise * settings.level);
+  for (const double sample : samples)
+    device.recorded.push_back(static_cast<float>(0.1 * (sample + hiss(random))));
+  return device;
+}
+
+void sweeps() {
+  constexpr unsigned deviceCount = 300;
+  printHead("`sweep`: sigma of frequency, Q and gain of a device's resonances",
+            "resonances, noise of the sweep's level: estimate, its error (rms)");
+  std::mt19937 random(5);
   SweepSettings settings;
   settings.duration_s = 4;
   settings.sampleRate_Hz = 8000;
   const std::vector<float> played = sweepSignal(settings);
-  for (const double noise : {0.0, 0.01, 0.1}) {
-    double squares = 0, worst = 0;
-    std::vector<double> qualities;
-    unsigned lost = 0;
-    for (unsigned i = 0; i < sweepCount; ++i) {
-      const double frequency_Hz = 150 * std::exp2(2 * share(random)), q = 4 + 10 * share(random);
-      Biquad resonance;
-      resonance.setCoefficients(peaking(settings.sampleRate_Hz, frequency_Hz, q, 14));
-      std::vector<double> samples(played.begin(), played.end());
-      resonance.process(samples.data(), samples.size());
-      std::normal_distribution<> hiss(0, noise * settings.level);
-      std::vector<float> recorded(samples.size());
-      for (std::size_t k = 0; k < samples.size(); ++k)
-        recorded[k] = static_cast<float>(0.1 * (samples[k] + (noise > 0 ? hiss(random) : 0)));
-      const auto response = analyseSweep(played, recorded, settings);
-      if (!response || response->resonances.empty()) {
-        ++lost;
-        continue;
+  for (const std::size_t resonances : {1U, 3U}) {
+    for (const double noise : {0.01, 0.1}) {
+      std::array<CoverageCount, 3> counts;
+      std::array<double, 3> squares{};
+      unsigned lost = 0;
+      for (unsigned i = 0; i < deviceCount; ++i) {
+        const SimulatedDevice device = deviceOf(resonances, played, settings, noise, random);
+        const auto response = analyseSweep(played, device.recorded, settings);
+        if (!response || response->errors.size() != resonances) {
+          ++lost;
+          continue;
+        }
+        for (const Resonance& truth : device.resonances) {
+          const auto nearest = std::ranges::min_element(response->resonances, {}, [&](const Resonance& r) {
+            return std::abs(std::log(r.frequency_Hz / truth.frequency_Hz));
+          });
+          const ResonanceErrors& sigma =
+              response->errors[static_cast<std::size_t>(nearest - response->resonances.begin())];
+          counts[0].add(nearest->frequency_Hz, sigma.frequency_Hz, truth.frequency_Hz);
+          counts[1].add(nearest->q, sigma.q, truth.q);
+          counts[2].add(nearest->gain_dB, sigma.gain_dB, truth.gain_dB);
+          squares[0] += std::pow(nearest->frequency_Hz / truth.frequency_Hz - 1, 2);
+          squares[1] += std::pow(nearest->q / truth.q - 1, 2);
+          squares[2] += std::pow(nearest->gain_dB - truth.gain_dB, 2);
+        }
       }
-      const double off = response->resonances.front().frequency_Hz / frequency_Hz - 1;
-      squares += off * off;
-      worst = std::max(worst, std::abs(off));
-      qualities.push_back(response->resonances.front().q / q);
+      const auto rms = [&](std::size_t i) {
+        return std::sqrt(squares[i] / static_cast<double>(std::max<std::size_t>(1, counts[i].count())));
+      };
+      char name[120];
+      std::snprintf(name, sizeof name, "%zu, %.2f: frequency, %.3f %%", resonances, noise, 100 * rms(0));
+      printRow(name, counts[0]);
+      std::snprintf(name, sizeof name, "%zu, %.2f: Q, %.2f %%", resonances, noise, 100 * rms(1));
+      printRow(name, counts[1]);
+      std::snprintf(name, sizeof name, "%zu, %.2f: gain, %.3f dB", resonances, noise, rms(2));
+      printRow(name, counts[2]);
+      if (lost > 0)
+        std::printf("| %zu, %.2f: without errors, or not all found | %u | | |\n", resonances, noise, lost);
     }
-    std::sort(qualities.begin(), qualities.end());
-    std::printf("| %.2f | %.2f, %.2f | %.2f | %u |\n", noise,
-                100 * std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, qualities.size()))),
-                100 * worst, qualities.empty() ? 0 : qualities[qualities.size() / 2], lost);
   }
 }
 
