@@ -123,18 +123,39 @@ double alikeInARow(const Eigen::VectorXd& left) {
   return row;
 }
 
-/// The covariance of the unknowns; empty where the response does not tell one of them.
-std::optional<Eigen::MatrixXd> covarianceOf(const Leftover& leftover, const Eigen::VectorXd& at) {
+/// The mean square of the residuals around each of them.
+Eigen::VectorXd varianceAround(const Eigen::VectorXd& left) {
+  constexpr Eigen::Index reach =
+      24;  // bins to either side: far more than say the same, far fewer than a resonance has
+  const Eigen::Index n = left.size();
+  Eigen::VectorXd variance(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - reach), to = std::min(n, i + reach + 1);
+    variance[i] = left.segment(from, to - from).squaredNorm() / static_cast<double>(to - from);
+  }
+  return variance;
+}
+
+/// The covariance of the unknowns; empty where the response does not tell one of them. Noise of a recording is the less in dB the
+/// higher the response: so each place has the variance around it, in proportion to that (White 1980), and neighbours are taken as one where they agree.
+std::optional<Eigen::MatrixXd> covarianceOf(const Leftover& leftover, const Eigen::VectorXd& at,
+                                            const std::vector<double>& gain_dB) {
   Eigen::VectorXd left(leftover.NumResiduals());
   Eigen::MatrixXd slopes(leftover.NumResiduals(), leftover.NumParameters());
   if (!leftover(at.data(), left.data(), slopes.data())) return {};
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> known(slopes);
   if (known.rank() < slopes.cols()) return {};
-  const double independent = static_cast<double>(left.size()) / alikeInARow(left);
-  const double freedom = std::max(1.0, independent - static_cast<double>(slopes.cols()));
-  const double variance = left.squaredNorm() / static_cast<double>(left.size()) * independent / freedom;
-  const Eigen::MatrixXd information = slopes.transpose() * slopes;
-  return Eigen::MatrixXd(information.inverse() * variance * alikeInARow(left));
+  Eigen::VectorXd height(left.size());
+  for (Eigen::Index i = 0; i < height.size(); ++i)
+    height[i] = std::pow(10, gain_dB[static_cast<std::size_t>(i)] / 20);
+  const Eigen::VectorXd noise = left.cwiseProduct(height), spread = varianceAround(noise).cwiseSqrt();
+  const double row = alikeInARow(noise.cwiseQuotient(spread.cwiseMax(1e-12)));
+  const Eigen::VectorXd variance = spread.cwiseQuotient(height).cwiseAbs2();
+  const double independent = static_cast<double>(left.size()) / row;
+  const double freedom = independent / std::max(1.0, independent - static_cast<double>(slopes.cols()));
+  const Eigen::MatrixXd inverse = (slopes.transpose() * slopes).inverse();
+  return Eigen::MatrixXd(inverse * (slopes.transpose() * variance.asDiagonal() * slopes) * inverse *
+                         (row * freedom));
 }
 
 bool keptItsPlace(const Resonance& fitted, const Resonance& start) {
@@ -159,7 +180,7 @@ std::optional<JointSections> fitSectionsTogether(const std::vector<double>& freq
     if (!at.allFinite() || !leftover(at.data(), left.data(), nullptr)) return {};
     if (round + 1 < rounds) leftover.holdDown(left);
   }
-  const auto covariance = covarianceOf(leftover, at);
+  const auto covariance = covarianceOf(leftover, at, gain_dB);
   if (!covariance || !covariance->allFinite()) return {};
 
   JointSections fit;
