@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/button.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "model/speed_family.h"
 
 namespace detent {
 namespace {
@@ -111,17 +110,26 @@ std::optional<Failure> familyProblem(const Message& place, const ButtonState& st
   return {};
 }
 
+bool atTheSameSpeeds(const std::vector<SpeedGraph>& a, const std::vector<SpeedGraph>& b) {
+  return std::is_permutation(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.speed_mm_per_s == y.speed_mm_per_s;
+  });
+}
+
 std::optional<Failure> differentSpeeds(const std::vector<ButtonState>& states) {
+  const ButtonState& first = states[0];
   for (std::size_t i = 1; i < states.size(); ++i) {
-    if (speedsOf(states[i]) != speedsOf(states[0]))
+    const ButtonState& state = states[i];
+    if (state.speed_mm_per_s && first.speed_mm_per_s && *state.speed_mm_per_s != *first.speed_mm_per_s)
+      return buttonFailure(placeOf(states, i),
+                           Message("stands at %1, %2 at %3", speedText(*state.speed_mm_per_s),
+                                   placeOf(states, 0), speedText(*first.speed_mm_per_s)),
+                           Message("Let the own graph of every state be the one of the same speed"));
+    if (state.speed_mm_per_s != first.speed_mm_per_s ||
+        !atTheSameSpeeds(state.otherSpeeds, first.otherSpeeds))
       return buttonFailure(placeOf(states, i),
                            Message("has graphs at other speeds than %1", placeOf(states, 0)),
                            Message("Give every state graphs at the same speeds"));
-    if (states[i].speed_mm_per_s != states[0].speed_mm_per_s)
-      return buttonFailure(placeOf(states, i),
-                           Message("stands at %1, %2 at %3", speedText(*states[i].speed_mm_per_s),
-                                   placeOf(states, 0), speedText(*states[0].speed_mm_per_s)),
-                           Message("Let the own graph of every state be the one of the same speed"));
   }
   return {};
 }
