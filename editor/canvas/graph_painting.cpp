@@ -413,8 +413,8 @@ std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphSce
   return seen;
 }
 
-constexpr QPointF legendAt_px{14, 16};  // from the plot's corner: the middle of its first line
-constexpr double legendText_px = 35;    // from there
+constexpr QSizeF legendGap_px{14, 8};  // to the plot's edges
+constexpr double legendText_px = 35;   // from its left end
 
 /// What stands in the legend; nothing where there is one stroke alone.
 std::vector<QString> legendOf(const GraphScene& scene) {
@@ -425,13 +425,42 @@ std::vector<QString> legendOf(const GraphScene& scene) {
   return names;
 }
 
-QRectF legendBox(const QPainter& painter, const PlotMapping& map, const std::vector<QString>& names) {
+/// How many of some places along the strokes lie in it.
+int inkIn(const QRectF& box, const PlotMapping& map, const GraphScene& scene) {
+  constexpr int places = 80;
+  int inside = 0;
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    if (stroke == Stroke::release && !scene.state.graph.release()) continue;
+    const StrokeCurve& curve = scene.state.graph.curve(stroke);
+    for (int i = 0; i <= places; ++i) {
+      const double at_mm = curve.start_mm() + curve.travel_mm() * i / places;
+      inside += box.contains(map.toPixel(at_mm, curve.forceBefore_N(at_mm)));
+    }
+  }
+  return inside;
+}
+
+/// In the corner that has least of the strokes.
+QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+                 const std::vector<QString>& names) {
   const QFontMetricsF metrics(painter.font());
   double text_px = 0;
   for (const QString& name : names) text_px = std::max(text_px, metrics.horizontalAdvance(name));
-  const double line_px = metrics.height() + 2;
-  return {map.clip_px.topLeft() + legendAt_px - QPointF(0, line_px / 2),
-          QSizeF(legendText_px + text_px, static_cast<double>(names.size()) * line_px)};
+  QRectF box({}, QSizeF(legendText_px + text_px, static_cast<double>(names.size()) * (metrics.height() + 2)));
+  const QRectF within = map.clip_px.adjusted(legendGap_px.width(), legendGap_px.height(),
+                                             -legendGap_px.width(), -legendGap_px.height());
+  box.moveTopLeft(within.topLeft());
+  QRectF best = box;
+  int least = inkIn(box, map, scene);
+  const auto move = [&](void (QRectF::*to)(const QPointF&), const QPointF& corner) {
+    (box.*to)(corner);
+    const int ink = inkIn(box, map, scene);
+    if (ink < least) least = ink, best = box;
+  };
+  move(&QRectF::moveBottomRight, within.bottomRight());
+  move(&QRectF::moveTopRight, within.topRight());
+  move(&QRectF::moveBottomLeft, within.bottomLeft());
+  return best;
 }
 
 // First the forces, which belong beside their points; a contact's name may stand anywhere on its line.
@@ -446,7 +475,8 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
       for (const TactilePoint& point : *points)
         tags.keepClear(map.toPixel(point.displacement_mm, point.force_N), tactileMark_px);
   for (const Contact& contact : contacts) tags.keepClear(contact.at_px, contactMark_px);
-  if (const auto names = legendOf(scene); !names.empty()) tags.keepClear(legendBox(painter, map, names));
+  if (const auto names = legendOf(scene); !names.empty())
+    tags.keepClear(legendBox(painter, map, scene, names));
   if (legible) {
     tagTactilePoints(tags, map, scene, Stroke::release, release);
     tagTactilePoints(tags, map, scene, Stroke::press, press);
@@ -663,8 +693,9 @@ void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   const QFontMetricsF metrics(painter.font());
   painter.setPen(Qt::NoPen);
   painter.setBrush(withAlpha(scene.colors.background, 0.85));
-  painter.drawRoundedRect(legendBox(painter, map, names).adjusted(-6, -3, 6, 3), 3, 3);
-  QPointF at = map.clip_px.topLeft() + legendAt_px;
+  const QRectF box = legendBox(painter, map, scene, names);
+  painter.drawRoundedRect(box.adjusted(-6, -3, 6, 3), 3, 3);
+  QPointF at = box.topLeft() + QPointF(0, metrics.height() / 2 + 1);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (scene.spread && i + 1 == names.size()) {
       painter.fillRect(QRectF(at - QPointF(0, 4), QSizeF(28, 8)), withAlpha(scene.colors.press, bandOpacity));

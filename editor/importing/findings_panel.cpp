@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/findings_panel.h"
 
+#include <algorithm>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QPushButton>
@@ -11,6 +12,12 @@
 #include "editor/importing/finding_words.h"
 
 namespace detent::editor {
+namespace {
+
+constexpr int least_px = 270, mostOfLeast_px = 300;  // beyond that it scrolls sideways in a narrow window
+constexpr int usual_px = 340;                        // where there is room nothing has to wrap
+
+}  // namespace
 
 FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget* parent)
     : QScrollArea(parent),
@@ -30,7 +37,7 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
   setAccessibleName(tr("Findings and corrections"));
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
-  setMinimumWidth(270);
+  setMinimumWidth(least_px);
   build();
   connectState();
   refresh();
@@ -56,7 +63,10 @@ void FindingsPanel::build() {
 bool FindingsPanel::eventFilter(QObject* object, QEvent* event) {
   const bool handled = QScrollArea::eventFilter(object, event);
   if (object != widget() || event->type() != QEvent::LayoutRequest) return handled;
-  const int now_px = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  const int bar_px = verticalScrollBar()->sizeHint().width();
+  const int least = widget()->minimumSizeHint().width() + bar_px;
+  setMinimumWidth(std::clamp(least, least_px, mostOfLeast_px));
+  const int now_px = std::max(least, std::min(widget()->sizeHint().width() + bar_px, usual_px));
   if (now_px > std::exchange(wanted_px_, now_px)) emit widthWanted(now_px);
   return handled;
 }
@@ -114,6 +124,9 @@ void FindingsPanel::connectState() {
 void FindingsPanel::refresh() {
   const ImportGraph* graph = state_.current();
   widget()->setVisible(graph != nullptr);
+  const auto bars = graph ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff;
+  setHorizontalScrollBarPolicy(bars);
+  setVerticalScrollBarPolicy(bars);
   if (!graph) return;
   const bool log = state_.isForceLog();
   const auto shown = graph->good ? graph->good : graph->last;

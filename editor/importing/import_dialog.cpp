@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "editor/document/described.h"
+#include "editor/document/elided_label.h"
 #include "editor/document/line_icon.h"
 #include "editor/files/input_kind.h"
 #include "editor/importing/advice_bar.h"
@@ -147,7 +148,8 @@ struct ImportDialog::Impl {
   QWidget* side = nullptr;  // with the list of pages
   QCheckBox* graphsOnly = nullptr;
   QStackedWidget* middle = nullptr;
-  QLabel *document = nullptr, *hint = nullptr, *work = nullptr;
+  ElidedLabel *document = nullptr, *hint = nullptr;
+  QLabel* work = nullptr;
   QComboBox* quality = nullptr;
   QProgressBar* progress = nullptr;
   QPushButton *stop = nullptr, *accept = nullptr;
@@ -244,9 +246,7 @@ void ImportDialog::Impl::build() {
       described(new QPushButton(tr("&Paste picture")), "paste",
                 tr("Import the picture on the clipboard (%1)")
                     .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText)));
-  document = described(new QLabel, "documentName");
-  document->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  document->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  document = described(new ElidedLabel(Qt::ElideMiddle), "documentName");
   constexpr int leastOfName = 14;  // characters, before the words of the quality take the room
   document->setMinimumWidth(leastOfName * document->fontMetrics().averageCharWidth());
   auto* qualityLabel = new QLabel(tr("&Quality"));
@@ -306,9 +306,8 @@ void ImportDialog::Impl::build() {
   });
   column->addWidget(splitter, 1);
 
-  hint = new QLabel;
+  hint = new ElidedLabel(Qt::ElideRight);
   hint->setForegroundRole(QPalette::PlaceholderText);
-  hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   column->addWidget(hint);
   auto* bottom = new QHBoxLayout;
   progress = new QProgressBar;
@@ -344,10 +343,7 @@ void ImportDialog::Impl::build() {
   });
   QObject::connect(quality, &QComboBox::activated, &state,
                    [this](int index) { state.setQuality(qualities[static_cast<std::size_t>(index)]); });
-  QObject::connect(view, &PageView::hint, hint, [this](const QString& text) {
-    hint->setText(text);
-    hint->setToolTip(text);  // a narrow dialogue cuts it
-  });
+  QObject::connect(view, &PageView::hint, hint, &ElidedLabel::say);
   QObject::connect(findings, &FindingsPanel::toolAsked, view, [this](PageToolKind kind) {
     view->setTool(kind);
     view->setFocus();
@@ -401,7 +397,7 @@ void ImportDialog::Impl::connectState() {
 void ImportDialog::Impl::showDocument() {
   QString text = state.documentName();
   if (state.pageCount() > 1) text += tr(" – %1 pages").arg(state.pageCount());
-  document->setText(text);
+  document->say(text);
   dialog.setWindowTitle(text.isEmpty() ? tr("Import a force graph")
                                        : tr("Import – %1").arg(state.documentName()));
   middle->setCurrentWidget(state.isForceLog() ? static_cast<QWidget*>(log) : view);
@@ -537,7 +533,7 @@ void ImportDialog::Impl::paste() {
   } else if (mime && mime->hasImage()) {
     dialog.openPicture(qvariant_cast<QImage>(mime->imageData()));
   } else {
-    hint->setText(
+    hint->say(
         tr("There is no picture on the clipboard. Copy one, for instance with the snipping tool of your "
            "system."));
   }

@@ -4,10 +4,25 @@
 #include <QHBoxLayout>
 
 namespace detent::editor {
+namespace {
+
+/// One line where there is room for it, several in a narrow panel.
+class GivingWay : public QLabel {
+ public:
+  GivingWay() {
+    setWordWrap(true);
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  }
+  QSize sizeHint() const override {
+    return {fontMetrics().horizontalAdvance(text()) + 2 * margin() + 2, QLabel::sizeHint().height()};
+  }
+};
+
+}  // namespace
 
 OriginMark::OriginMark(ImportState& state, const QString& name, const QString& label,
                        std::function<void(Corrections&)> reset, QWidget* parent)
-    : QWidget(parent), words_(new QLabel), reset_(new QToolButton) {
+    : QWidget(parent), words_(new GivingWay), reset_(new QToolButton) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(words_);

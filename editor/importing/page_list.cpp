@@ -49,8 +49,8 @@ class ThumbnailDelegate : public QStyledItemDelegate {
     painter->drawRect(target);
     painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
     const QRect words(plate.left() + pad, room.bottom() + pad / 2, plate.width() - 2 * pad, textHeight);
-    painter->drawText(words, isGraph ? Qt::AlignLeft : Qt::AlignCenter,
-                      index.data(Qt::DisplayRole).toString());
+    drawWords(*painter, words, isGraph ? Qt::AlignLeft : Qt::AlignHCenter,
+              index.data(Qt::DisplayRole).toString());
     if (isGraph) drawCheck(*painter, option, index);
     if (option.state & QStyle::State_HasFocus) {
       painter->setPen(QPen(option.palette.color(QPalette::Text), 1, Qt::DotLine));
@@ -74,6 +74,14 @@ class ThumbnailDelegate : public QStyledItemDelegate {
   }
 
  private:
+  // Each line is shortened where the list is narrow.
+  static void drawWords(QPainter& painter, QRect place, Qt::Alignment side, const QString& lines) {
+    place.setHeight(painter.fontMetrics().height());
+    for (const QString& line : lines.split('\n')) {
+      painter.drawText(place, side, painter.fontMetrics().elidedText(line, Qt::ElideRight, place.width()));
+      place.translate(0, place.height());
+    }
+  }
   static QRect checkRect(const QStyleOptionViewItem& option) {
     return {option.rect.left() + indent + pad + 2, option.rect.top() + pad + 4, 16, 16};
   }

@@ -116,6 +116,7 @@ QWidget* ComparePanel::plotSide() {
 
 QWidget* ComparePanel::figureSide() {
   table_ = differencesTable();
+  table_->viewport()->installEventFilter(this);
   distance_ = wrapped("compareDistance");
   forecast_ = described(new ForecastBar, "compareForecast");
   more_ = button<QPushButton>("compareAdd", tr("O&ne more"), tr("Lay another open button over these"));
@@ -383,6 +384,7 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   for (int column = 0; column < table_->columnCount(); ++column)
     table_->horizontalHeaderItem(column)->setToolTip(whole[column]);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
   if (states.size() < 2) return table_->setRowCount(0);
 
   const DisplayUnits& units = settings_.units();
@@ -398,9 +400,26 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
       auto* item = new QTableWidgetItem(texts[column]);
       if (column != 0 && column != texts.size() - 1)
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      if (column == 0) item->setToolTip(row.name);
       table_->setItem(i, column, item);
     }
   }
+  layOutTable();
+}
+
+// Numbers have the room they need, names what is left.
+void ComparePanel::layOutTable() {
+  constexpr int leastName_px = 90;
+  int numbers_px = 0;
+  for (int column = 1; column < table_->columnCount(); ++column) numbers_px += table_->columnWidth(column);
+  table_->resizeColumnToContents(0);
+  const int name_px = std::max(leastName_px, table_->columnWidth(0));
+  table_->setColumnWidth(0, std::clamp(table_->viewport()->width() - numbers_px, leastName_px, name_px));
+}
+
+bool ComparePanel::eventFilter(QObject* object, QEvent* event) {
+  if (object == table_->viewport() && event->type() == QEvent::Resize) layOutTable();
+  return QWidget::eventFilter(object, event);
 }
 
 QString ComparePanel::tableText() const {

@@ -54,6 +54,7 @@ class ComparePanel : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* object, QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -81,6 +82,7 @@ class ComparePanel : public QWidget {
   void exchange();
   const ButtonState* stateOf(const Side& side) const;
   void update();
+  void layOutTable();
   void fillTable(const std::vector<const ButtonState*>& states);
   QString distances(const std::vector<const ButtonState*>& states) const;
 

@@ -12,6 +12,7 @@
 namespace detent::editor {
 namespace {
 
+constexpr double roomBeyondWall = 0.03;  // of the travel
 constexpr int digits = 4;
 constexpr int namesInLine = 3;
 constexpr double differenceHeight = 0.5;  // of the graphs'
@@ -105,6 +106,7 @@ void ComparePlot::drawCurves() {
     }
   if (graphs_.empty()) return;
   xAxis->rescale();
+  xAxis->setRangeUpper(xAxis->range().upper + roomBeyondWall * xAxis->range().size());
   yAxis->rescale();
   yAxis->scaleRange(1.1);
   if (differences_) drawDifferences();

@@ -23,6 +23,7 @@ constexpr QSize pictureSize(132, 84);
 constexpr int widestNumber = 9;  // characters that a column of numbers has room for
 constexpr int roomBesideText_px = 12;
 constexpr int leastName_px = 90;
+constexpr int leastWithMeaning_px = 340;
 constexpr int patience_ms = 200;  // a solve that is over by then is not spoken of
 
 }  // namespace
@@ -31,6 +32,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
     : QWidget(parent),
       model_(new KeyFiguresModel(document, settings, this)),
       table_(described(new QTableView, "keyFiguresTable", {}, tr("Key figures of the button"))),
+      about_(new QWidget),
       picture_(described(new QLabel, "keyFigurePicture")),
       meaning_(described(new QLabel, "keyFigureMeaning")),
       trouble_(described(new QLabel, "keyFiguresTrouble")),
@@ -65,10 +67,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   patience_.setInterval(patience_ms);
   setFocusProxy(table_);
 
-  // Where the screen is small, the figures come first: what explains them gives way.
-  auto* about = new QWidget;
-  about->setMinimumHeight(1);
-  auto* aboutLayout = new QHBoxLayout(about);
+  auto* aboutLayout = new QHBoxLayout(about_);
   aboutLayout->setContentsMargins(6, 6, 6, 6);
   aboutLayout->addWidget(picture_);
   aboutLayout->addWidget(meaning_, 1);
@@ -84,7 +83,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   layout->addWidget(solving_);
   layout->addWidget(trouble_);
   layout->addLayout(buttons);
-  layout->addWidget(about);
+  layout->addWidget(about_);
 
   connect(delegate, &ValueDelegate::refused, this, &KeyFiguresPanel::showRefusal);
   connect(model_, &KeyFiguresModel::refused, this, &KeyFiguresPanel::showRefusal);
@@ -126,6 +125,12 @@ void KeyFiguresPanel::layOut() {
   const bool narrow = name_px + others > room_px;
   table_->setColumnWidth(KeyFiguresModel::figure,
                          narrow ? std::min(name_px, besideNow_px) : room_px - others);
+}
+
+// Where the screen is small, the figures come first: what explains them gives way.
+void KeyFiguresPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  about_->setVisible(height() >= leastWithMeaning_px);
 }
 
 // The viewport has its size only when the table is shown.

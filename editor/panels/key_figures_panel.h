@@ -26,6 +26,7 @@ class KeyFiguresPanel : public QWidget {
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showRefusal(const QModelIndex& index, const QString& why);
@@ -37,6 +38,7 @@ class KeyFiguresPanel : public QWidget {
 
   KeyFiguresModel* model_;
   QTableView* table_;
+  QWidget* about_;
   QLabel *picture_, *meaning_, *trouble_;
   QPushButton *take_, *giveUp_;
   QLabel* solving_;

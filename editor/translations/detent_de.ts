@@ -4,18 +4,22 @@
 <context>
     <name>AverageWords</name>
     <message numerus="yes">
-        <source>Mean of %n button(s)</source>
+        <source>Mean of %n buttons</source>
         <translation>
             <numerusform>Mittel von %n Taster</numerusform>
             <numerusform>Mittel von %n Tastern</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Mean of %n button(s).</source>
+        <source>Mean of %n buttons.</source>
         <translation>
             <numerusform>Mittel von %n Taster.</numerusform>
             <numerusform>Mittel von %n Tastern.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2, of one alone.</source>
+        <translation>%1: %2, nur von einem.</translation>
     </message>
     <message>
         <source>%1: %2 ± %3.</source>
@@ -492,7 +496,7 @@ Lizenz: %3</translation>
         <translation>Änderungen an „%1“ speichern?</translation>
     </message>
     <message numerus="yes">
-        <source>Save the changes to %n button(s)?</source>
+        <source>Save the changes to %n buttons?</source>
         <translation>
             <numerusform>Änderungen an %n Taster speichern?</numerusform>
             <numerusform>Änderungen an %n Tastern speichern?</numerusform>

@@ -23,11 +23,13 @@ struct DeskPlaces {
   Prompts& prompts;
   RecoveryStore& recovery;
 
-  /// Where the person opened or saved last; their documents at first.
+  /// Where the person opened or saved last; their documents at first, or what they have instead. A folder that is not there
+  /// would stand in the dialogue as the name of a file.
   QString folder() const {
-    const QString last = settings.value("files/folder").toString();
-    return QFileInfo(last).isDir() ? last
-                                   : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    for (const QString& each : {settings.value("files/folder").toString(),
+                                QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
+      if (QFileInfo(each).isDir()) return each;
+    return QDir::homePath();
   }
   void rememberFolder(const QString& path) const {
     settings.setValue("files/folder", QFileInfo(path).absolutePath());

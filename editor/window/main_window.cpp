@@ -70,13 +70,18 @@ int digitsBeside(double mean, double sd) {
 
 // "Mean of 5 buttons. Peak force 55 ± 2 cN. Far from the others: C."
 QString averageWords(const UnitSpread& spread, const QStringList& titles, const DisplayUnits& units) {
-  QStringList sentences{AverageWords::tr("Mean of %n button(s).", nullptr, static_cast<int>(titles.size()))};
+  QStringList sentences{AverageWords::tr("Mean of %n buttons.", nullptr, static_cast<int>(titles.size()))};
   for (const FigureSpread& figure : spread.states.front().figures) {
     const FigureUnit unit = keyFigureNames()[static_cast<std::size_t>(figure.figure)].unit;
     if (unit != FigureUnit::N && unit != FigureUnit::mm) continue;
     const Quantity quantity = unit == FigureUnit::N ? Quantity::force : Quantity::length;
-    if (figure.figure == KeyFigure::peakForce || figure.figure == KeyFigure::bottomOutForce ||
-        figure.figure == KeyFigure::preTravel)
+    if (figure.figure != KeyFigure::peakForce && figure.figure != KeyFigure::bottomOutForce &&
+        figure.figure != KeyFigure::preTravel)
+      continue;
+    if (figure.units == 1)
+      sentences << AverageWords::tr("%1: %2, of one alone.")
+                       .arg(termOf(figure.figure), quantityWithUnit(figure.mean, quantity, units, 4));
+    else
       sentences << AverageWords::tr("%1: %2 ± %3.")
                        .arg(termOf(figure.figure),
                             quantityText(figure.mean, quantity, units, digitsBeside(figure.mean, figure.sd)),
@@ -546,7 +551,7 @@ void MainWindow::average() {
   const auto spread = spreadOf(units);
   if (!spread)
     return statusBar()->showMessage(sentenceOf(spread.failure(), at_.view.units()), messageTime_ms);
-  const QString name = AverageWords::tr("Mean of %n button(s)", nullptr, static_cast<int>(units.size()));
+  const QString name = AverageWords::tr("Mean of %n buttons", nullptr, static_cast<int>(units.size()));
   const auto named = rename(spread->mean, name.toStdString());
   DocumentTab& tab = tabs_->add(std::make_unique<ButtonDocument>(named ? *named : spread->mean));
   tab.workspace().canvas().showSpread(spread->states);

@@ -27,7 +27,7 @@ SaveChoice Prompts::unsaved(QWidget* parent, const QStringList& titles) {
   box.setWindowTitle(Questions::tr("Unsaved changes"));
   box.setText(titles.size() == 1
                   ? Questions::tr("Save the changes to \u201c%1\u201d?").arg(titles.first())
-                  : Questions::tr("Save the changes to %n button(s)?", "", static_cast<int>(titles.size())));
+                  : Questions::tr("Save the changes to %n buttons?", "", static_cast<int>(titles.size())));
   box.setInformativeText(titles.size() == 1 ? Questions::tr("They are lost otherwise.") : titles.join(", "));
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);

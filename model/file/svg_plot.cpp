@@ -189,7 +189,7 @@ class Plot {
          style_.words.displacement + " (" + std::string(symbolOf(style_.lengthUnit)) + ")");
     upright(out, sized(20), style_.words.force + " (" + std::string(symbolOf(style_.forceUnit)) + ")");
     if (!title_.empty())
-      text(out, {middleX, frame_.y0 - sized(22)}, "middle", title_,
+      text(out, {middleX, frame_.y0 - sized(27)}, "middle", title_,
            " font-size=\"" + px(sized(15)) + "\" font-weight=\"bold\"");
   }
 

@@ -63,6 +63,7 @@ class CanvasTest : public QObject {
   void themeChangeRecolours();
   void residualsAreDrawnOnDemand();
   void fingerIsDrawnInBothViews();
+  void theLegendKeepsOffTheStrokes();
   void unitsScatterAsABandBehindTheirMean();
   void jumpIsAVerticalLine();
   void cursorIsReported();
@@ -251,6 +252,26 @@ void CanvasTest::fingerIsDrawnInBothViews() {
   QCOMPARE(pixelOf(*reverse, reverse->mapping().toPixel(0.9, 0.8)), reverse->colors().press);
   rig.workspace.showFinger({});
   QVERIFY(pixelOf(rig.canvas(), rig.pixel(0.8, 0.9)) != rig.canvas().colors().press);
+}
+
+// A press that rises at once runs where the legend usually stands: its first point stays as it was without a legend.
+void CanvasTest::theLegendKeepsOffTheStrokes() {
+  WorkspaceRig rig(require(tactileButton()));
+  GraphCanvas canvas(rig.document, rig.settings);
+  canvas.setHandlesShown(false);
+  canvas.resize(420, 220);
+  const QImage image = canvas.grab().toImage();
+  const StrokeCurve& press = canvas.state().graph.press();
+  const PlotMapping map = canvas.mapping();
+  const QColor ink = canvas.colors().press;
+  int seen = 0, all = 0;
+  for (double share = 0.02; share < 0.9; share += 0.02) {
+    const double at_mm = press.start_mm() + share * press.travel_mm();
+    const QColor there = image.pixelColor(map.toPixel(at_mm, press.force_N(at_mm)).toPoint());
+    ++all;
+    seen += std::abs(there.red() - ink.red()) + std::abs(there.blue() - ink.blue()) < 120;
+  }
+  QVERIFY2(seen > 0.9 * all, qPrintable(QString("%1 of %2 places of the press are seen").arg(seen).arg(all)));
 }
 
 void CanvasTest::unitsScatterAsABandBehindTheirMean() {

@@ -15,6 +15,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScopeGuard>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -973,6 +974,9 @@ void ImportDialogTest::theDialogueFitsSmallScreens() {
     for (QAction* action : bar->actions())
       if (QWidget* button = bar->widgetForAction(action); !action->isSeparator())
         QVERIFY2(button->isVisible(), qPrintable(action->text() + QString(" at %1").arg(screen.width())));
+    const auto* findings = dialog.findChild<FindingsPanel*>();
+    QVERIFY2(findings->horizontalScrollBar()->maximum() == 0,
+             qPrintable(QString("the findings scroll sideways at %1").arg(screen.width())));
     keepPicture(dialog, QString("screen-%1").arg(screen.width()));
   }
 }

@@ -286,6 +286,11 @@ class LibraryTest : public QObject {
     dialog.findChild<QPushButton*>("compareExchange")->click();
     QVERIFY(dialog.findChild<QComboBox*>("compareStateA")->isVisible());
     a.history().stack().undo();
+    // In a narrow window names give way to numbers.
+    dialog.resize(420, 700);
+    QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
+    dialog.resize(1200, 700);
+    QTRY_VERIFY(table->columnWidth(0) > 150);
     dialog.setDocuments({&a});
     dialog.setDocuments({});
     QCOMPARE(table->rowCount(), 0);

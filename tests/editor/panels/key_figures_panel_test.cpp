@@ -56,7 +56,21 @@ class KeyFiguresPanelTest : public QObject {
   void whatIsShownIsWhatCanBeTyped();
   void everyFigureHasItsOwnPicture();
   void undoAndHandsKeepTheTableTrue();
+  void inALowPanelTheFiguresComeFirst();
 };
+
+void KeyFiguresPanelTest::inALowPanelTheFiguresComeFirst() {
+  WorkspaceRig rig(tactile());
+  KeyFiguresPanel panel(rig.document, rig.settings);
+  panel.show();
+  const auto* meaning = panel.findChild<QLabel*>("keyFigureMeaning");
+  const auto* table = panel.findChild<QTableView*>();
+  panel.resize(280, 215);
+  QTRY_VERIFY(!meaning->isVisible());
+  QTRY_VERIFY(table->height() > 140);
+  panel.resize(280, 500);
+  QTRY_VERIFY(meaning->isVisible());
+}
 
 void KeyFiguresPanelTest::aTypedFigureIsOneStepAndMovesNothingElse() {
   WorkspaceRig rig(tactile());

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A line of text that gives way.
+
+#include <QLabel>
+#include <QPainter>
+#include <QStyle>
+
+namespace detent::editor {
+
+/// One line of plain text, shortened where it has no room; the tool tip has all of it. GUI thread.
+class ElidedLabel : public QLabel {
+ public:
+  explicit ElidedLabel(Qt::TextElideMode side) : side_(side) {
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  }
+  void say(const QString& words) {
+    setText(words);
+    setToolTip(words);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    const QRect place = contentsRect();
+    style()->drawItemText(&painter, place, Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(),
+                          fontMetrics().elidedText(text(), side_, place.width()), foregroundRole());
+  }
+
+ private:
+  Qt::TextElideMode side_;
+};
+
+}  // namespace detent::editor
