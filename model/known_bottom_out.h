@@ -4,9 +4,14 @@
 
 #include <vector>
 
-#include "model/sections.h"
+#include "model/stroke_curve.h"
 
 namespace detent {
+
+struct BottomOut;
+struct Section;
+struct SectionSettings;
+struct TactilePoint;
 
 /// As tactilePoints() and sectionsOf() without it; `bottomOut` is bottomOutOf(curve, settings).
 std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke, const BottomOut& bottomOut,
