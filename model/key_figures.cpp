@@ -30,28 +30,6 @@ std::optional<double> meanSlope(const CurvePoint& from, const CurvePoint& to) {
   return (to.force_N - from.force_N) / run_mm;
 }
 
-void fillShape(KeyFigures& figures, const StrokeMetrics& press, const CurvePoint& start) {
-  const CurvePoint bottom{press.bottomOut.displacement_mm, press.bottomOut.force_N};
-  figures[KeyFigure::bottomOutForce] = bottom.force_N;
-  figures[KeyFigure::bottomOutTravel] = bottom.displacement_mm;
-  const TactileEvent* event = mainEvent(press);
-  if (!event) {
-    figures[KeyFigure::slopeToPeak] = meanSlope(start, bottom);
-    return;
-  }
-  const CurvePoint peak{event->point.displacement_mm, event->point.force_N};
-  const CurvePoint valley = *event->following;
-  figures[KeyFigure::peakForce] = peak.force_N;
-  figures[KeyFigure::peakTravel] = peak.displacement_mm;
-  figures[KeyFigure::valleyForce] = valley.force_N;
-  figures[KeyFigure::valleyTravel] = valley.displacement_mm;
-  figures[KeyFigure::drop] = peak.force_N - valley.force_N;
-  figures[KeyFigure::snapRatio] = event->snapRatio;
-  figures[KeyFigure::slopeToPeak] = meanSlope(start, peak);
-  figures[KeyFigure::slopeOfDrop] = meanSlope(peak, valley);
-  figures[KeyFigure::slopeToBottomOut] = meanSlope(valley, bottom);
-}
-
 void fillContacts(KeyFigures& figures, const StateMetrics& state, double start_mm) {
   if (const auto& operating = state.operatingPoint) {
     figures[KeyFigure::preTravel] = operating->displacement_mm - start_mm;
@@ -66,7 +44,45 @@ void fillContacts(KeyFigures& figures, const StateMetrics& state, double start_m
   }
 }
 
+/// Where the press starts, turns and meets its wall.
+ShapePlaces placesOf(const StrokeMetrics& press, const CurvePoint& start) {
+  ShapePlaces places{start, {}, {}, {press.bottomOut.displacement_mm, press.bottomOut.force_N}};
+  if (const TactileEvent* event = mainEvent(press)) {
+    places.peak = {event->point.displacement_mm, event->point.force_N};
+    places.valley = *event->following;
+  }
+  return places;
+}
+
+CurvePoint startOf(const ButtonState& state) {
+  const Knot& first = state.graph.press().knots().front();
+  return {first.displacement_mm, first.force_N};
+}
+
 }  // namespace
+
+ShapePlaces shapePlacesOf(const ButtonState& state, const SectionSettings& settings) {
+  return placesOf(metricsOf(state.graph.press(), Stroke::press, settings), startOf(state));
+}
+
+void fillShape(KeyFigures& figures, const ShapePlaces& places) {
+  figures[KeyFigure::bottomOutForce] = places.bottom.force_N;
+  figures[KeyFigure::bottomOutTravel] = places.bottom.displacement_mm;
+  if (!places.peak) {
+    figures[KeyFigure::slopeToPeak] = meanSlope(places.start, places.bottom);
+    return;
+  }
+  const CurvePoint &peak = *places.peak, &valley = *places.valley;
+  figures[KeyFigure::peakForce] = peak.force_N;
+  figures[KeyFigure::peakTravel] = peak.displacement_mm;
+  figures[KeyFigure::valleyForce] = valley.force_N;
+  figures[KeyFigure::valleyTravel] = valley.displacement_mm;
+  figures[KeyFigure::drop] = peak.force_N - valley.force_N;
+  if (peak.force_N > 0) figures[KeyFigure::snapRatio] = (peak.force_N - valley.force_N) / peak.force_N;
+  figures[KeyFigure::slopeToPeak] = meanSlope(places.start, peak);
+  figures[KeyFigure::slopeOfDrop] = meanSlope(peak, valley);
+  figures[KeyFigure::slopeToBottomOut] = meanSlope(valley, places.bottom);
+}
 
 const std::array<KeyFigureName, keyFigureCount>& keyFigureNames() {
   using enum KeyFigure;
@@ -107,7 +123,7 @@ KeyFigures keyFiguresOf(const ButtonState& state, const SectionSettings& setting
   figures[KeyFigure::totalTravel] = metrics.travel_mm;
   figures[KeyFigure::pressWork] = metrics.press.work_mJ;
   figures[KeyFigure::hysteresis] = metrics.hysteresisArea_mJ;
-  fillShape(figures, metrics.press, {start_mm, metrics.press.startForce_N});
+  fillShape(figures, placesOf(metrics.press, startOf(state)));
   fillContacts(figures, metrics, start_mm);
   return figures;
 }

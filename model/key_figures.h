@@ -63,6 +63,19 @@ struct KeyFigures {
   std::optional<double>& operator[](KeyFigure figure) { return values[static_cast<std::size_t>(figure)]; }
 };
 
+/// The places of a press that its figures are made of.
+struct ShapePlaces {
+  CurvePoint start;
+  std::optional<CurvePoint> peak, valley;  ///< both or none
+  CurvePoint bottom;                       ///< where the bottom-out begins
+};
+
+/// Any thread.
+ShapePlaces shapePlacesOf(const ButtonState& state, const SectionSettings& settings = {});
+
+/// Sets the figures that are made of these places alone: of the peak, the valley, the bottom-out, and the spring rates between them.
+void fillShape(KeyFigures& figures, const ShapePlaces& places);
+
 /// Any thread.
 KeyFigures keyFiguresOf(const ButtonState& state, const SectionSettings& settings = {});
 

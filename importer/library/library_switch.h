@@ -24,7 +24,7 @@ struct LibrarySwitch {
   std::string version;          ///< of the program that read it
   KeyFigures figures;
   KeyFigures
-      sigmas;  ///< standard errors of the figures (figure_errors.h, PageButton); none of a button's file
+      sigmas;  ///< standard errors of the figures (measured_figures.h, PageButton); none of a button's file
   bool scaleDoubtful = false;  ///< forces of this kind of file lie well off other laboratories'
   FeltShape shape;
 };

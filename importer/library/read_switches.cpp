@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "importer/importer.h"
-#include "importer/library/figure_errors.h"
+#include "importer/library/measured_figures.h"
 #include "importer/library/switch_name.h"
 #include "importer/log/recorded_switches.h"
 #include "model/file/button_file.h"
@@ -31,7 +31,7 @@ struct ReadState {
   ButtonState state;
   std::string name;
   std::optional<Provenance> provenance;
-  FigureErrors errors = {};
+  std::optional<MeasuredFigures> measured = {};
   bool scaleDoubtful = false;
 };
 
@@ -73,7 +73,7 @@ std::vector<ReadState> statesOfPage(const std::vector<PageButton>& buttons, cons
   for (std::size_t i = 0; i < buttons.size(); ++i) {
     const std::size_t first = all.size();
     addStates(buttons[i].button, buttons.size() == 1 ? name : name + " graph " + std::to_string(i + 1), all);
-    all[first].errors.sigmas = buttons[i].sigmas;
+    all[first].measured = {keyFiguresOf(all[first].state), buttons[i].sigmas};
   }
   return all;
 }
@@ -100,7 +100,6 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
   ImportRequest request;
   request.path = path;
   request.quality = quality;
-  request.curveErrors = errors;
   for (std::size_t i = 0; i < recorded->size(); ++i) {
     if (recorded->size() > 1) request.hints.strokes.curve = std::to_string(i + 1);
     const auto report = session->importGraph(request);
@@ -109,7 +108,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
     addStates(report->button,
               recorded->size() == 1 ? fileName : fileName + " " + (own.empty() ? std::to_string(i + 1) : own),
               all);
-    if (errors) all.back().errors = figureErrorsOf(*report);
+    if (errors) all.back().measured = measuredFiguresOf(*report);
     all.back().scaleDoubtful = hasDoubtfulScale(*report);
   }
   return all;
@@ -130,10 +129,8 @@ Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, 
     each.run = fromFile.run;
     each.source = path;
     each.part = static_cast<int>(all.size()) + 1;
-    each.figures = keyFiguresOf(read.state);
-    for (std::size_t i = 0; i < keyFigureCount; ++i)
-      if (each.figures.values[i]) *each.figures.values[i] += read.errors.misses.values[i].value_or(0);
-    each.sigmas = read.errors.sigmas;
+    each.figures = read.measured ? read.measured->figures : keyFiguresOf(read.state);
+    if (read.measured) each.sigmas = read.measured->sigmas;
     each.scaleDoubtful = read.scaleDoubtful;
     each.shape = std::move(*shape);
     all.push_back(std::move(each));

@@ -1,22 +1,67 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth switches and their key figures, solved by scipy from the definitions in docs/glossary.md; written from these, not from the program that is judged.
+"""The key figures of a curve that is known everywhere, and curves of other kinds than switch_logs.Switch.
 
-Other curves than switch_logs.Switch: a force that comes up exponentially at contact, a collapse between two logistic steps, a release of its own shape, a wall with or
-without play, and a meter whose noise is partly carried on from sample to sample. The interface is that of switch_logs.Switch and Meter."""
+Figures by the definitions in docs/glossary.md on a grid of 0.1 um, by numpy alone: no formula of a curve, no code of the program that is judged. Curves: smooth ones (a force that
+comes up exponentially at contact, a collapse between two logistic steps), and ones through random places by scipy's monotone cubics, whose bend jumps at every place. A
+meter whose noise is partly carried on from sample to sample."""
 
 import math
 
-from scipy.integrate import quad
-from scipy.optimize import brentq, minimize_scalar
+import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from switch_logs import GF_N, Meter
 
-
-def _logistic(x):
-    return 1 / (1 + math.exp(-max(-60.0, min(60.0, x))))
+GRID_mm = 1e-4
 
 
-class SmoothSwitch:
+def figures_of(switch):
+    """Start: 0 mm. Peak and valley: the two places between which the press falls deepest before its wall. Foot: the sharpest corner upwards in the last half."""
+    xs = np.linspace(0, switch.end_mm, round(switch.end_mm / GRID_mm) + 1)
+    press, release = switch.press_gf(xs) * GF_N, switch.release_gf(xs) * GF_N
+    half = len(xs) // 2
+    foot = half + 1 + int(np.argmax(np.diff(press[half:], 2)))
+    known = {"initial_force_N": press[0], "total_travel_mm": xs[-1], "end_force_N": press[-1], "press_work_mJ": np.trapz(press, xs),
+             "hysteresis_mJ": np.trapz(press - release, xs), "bottom_out_force_N": press[foot], "bottom_out_travel_mm": xs[foot]}
+    fallen = np.maximum.accumulate(press[:foot + 1]) - press[:foot + 1]
+    valley = int(np.argmax(fallen))
+    if fallen[valley] <= 1e-9:
+        known["slope_to_peak_N_per_mm"] = (press[foot] - press[0]) / xs[foot]
+        return known
+    peak = int(np.argmax(press[:valley + 1]))
+    known.update({
+        "peak_force_N": press[peak], "peak_travel_mm": xs[peak], "valley_force_N": press[valley], "valley_travel_mm": xs[valley],
+        "drop_N": press[peak] - press[valley], "snap_ratio": (press[peak] - press[valley]) / press[peak],
+        "slope_to_peak_N_per_mm": (press[peak] - press[0]) / xs[peak], "slope_of_drop_N_per_mm": (press[valley] - press[peak]) / (xs[valley] - xs[peak]),
+        "slope_to_bottom_out_N_per_mm": (press[foot] - press[valley]) / (xs[foot] - xs[valley]),
+    })
+    return known
+
+
+def contact_figures_of(switch):
+    """What a meter that watches the contact adds."""
+    return {
+        "pre_travel_mm": switch.operating_mm, "operating_force_N": float(switch.press_gf(switch.operating_mm)) * GF_N,
+        "over_travel_mm": switch.end_mm - switch.operating_mm, "reset_travel_mm": switch.reset_mm,
+        "reset_force_N": float(switch.release_gf(switch.reset_mm)) * GF_N, "differential_travel_mm": switch.operating_mm - switch.reset_mm,
+    }
+
+
+class Lossy:
+    """A release below a press by a loss that is largest at a place of its own and vanishes at contact and at the end."""
+
+    def __init__(self, draw):
+        self.loss_gf, self.loss_at_mm = draw.uniform(4, 12), draw.uniform(1.0, 2.5)
+        self.operating_mm = draw.uniform(1.7, 2.2)
+        self.reset_mm = self.operating_mm - draw.uniform(0.15, 0.5)
+
+    def release_gf(self, x):
+        press_gf = self.press_gf(x)
+        fade = (1 - np.exp(-np.maximum(0, x - self.contact_mm) / 0.1)) * (1 - np.exp(-np.maximum(0, self.end_mm - x) / 0.05))
+        return press_gf - np.minimum(self.loss_gf * (0.7 + 0.3 * np.exp(-((x - self.loss_at_mm) / 0.6) ** 2)) * fade, 0.9 * press_gf)
+
+
+class SmoothSwitch(Lossy):
     def __init__(self, draw):
         self.contact_mm = draw.uniform(0.05, 0.25)
         self.start_gf, self.toe_mm = draw.uniform(15, 45), draw.uniform(0.03, 0.08)
@@ -27,64 +72,39 @@ class SmoothSwitch:
         self.bottom_mm = draw.uniform(3.0, 3.9)
         self.wall_gf_per_mm = draw.uniform(350, 900)
         self.end_mm = self.bottom_mm + draw.uniform(0.1, 0.2)
-        self.loss_gf, self.loss_at_mm = draw.uniform(4, 12), draw.uniform(1.0, 2.5)
-        self.operating_mm = draw.uniform(1.7, 2.2)
-        self.reset_mm = self.operating_mm - draw.uniform(0.15, 0.5)
+        super().__init__(draw)
 
     def press_gf(self, x):
-        at = x - self.contact_mm
-        if at <= 0:
-            return 0.0
-        toe = 1 - math.exp(-at / self.toe_mm)
-        collapse = _logistic((x - self.rise_mm) / self.rise_width_mm) - _logistic((x - self.fall_mm) / self.fall_width_mm)
+        at = np.maximum(0, x - self.contact_mm)
+        toe = 1 - np.exp(-at / self.toe_mm)
+        collapse = 1 / (1 + np.exp(-(x - self.rise_mm) / self.rise_width_mm)) - 1 / (1 + np.exp(-(x - self.fall_mm) / self.fall_width_mm))
         spring = self.start_gf + self.spring_gf_per_mm * at + self.stiffening_gf_per_mm2 * at * at
-        return toe * (spring + self.collapse_gf * collapse) + self.wall_gf_per_mm * max(0.0, x - self.bottom_mm)
+        return toe * (spring + self.collapse_gf * collapse) + self.wall_gf_per_mm * np.maximum(0, x - self.bottom_mm)
 
-    def release_gf(self, x):
-        """The press less a loss that is largest at a place of its own and vanishes at contact and at the end."""
-        if x <= self.contact_mm:
-            return 0.0
-        fade = (1 - math.exp(-(x - self.contact_mm) / 0.1)) * (1 - math.exp(-max(0.0, self.end_mm - x) / 0.05))
-        loss = self.loss_gf * (0.7 + 0.3 * math.exp(-((x - self.loss_at_mm) / 0.6) ** 2))
-        return self.press_gf(x) - min(loss * fade, 0.9 * self.press_gf(x))
 
-    def _work(self, force_gf):
-        breaks = [self.contact_mm, self.contact_mm + 3 * self.toe_mm, self.rise_mm, self.fall_mm, self.bottom_mm]
-        return quad(force_gf, 0, self.end_mm, points=breaks, limit=400, epsabs=1e-9)[0] * GF_N
+class ThreadedSwitch(Lossy):
+    """Through random places by monotone cubics: nine of ten have a peak."""
 
-    def _slope(self, x):
-        step = 1e-5
-        return (self.press_gf(x + step) - self.press_gf(x - step)) / (2 * step)
+    def __init__(self, draw):
+        self.contact_mm = draw.uniform(0.06, 0.2)
+        start_gf = draw.uniform(20, 45)
+        peak_mm, valley_mm = draw.uniform(0.7, 1.4), draw.uniform(1.7, 2.3)
+        self.bottom_mm = draw.uniform(3.0, 3.9)
+        self.end_mm = self.bottom_mm + draw.uniform(0.1, 0.2)
+        self.wall_gf_per_mm = draw.uniform(350, 900)
+        bump_gf = draw.choice([0] + 9 * [draw.uniform(10, 40)])
+        peak_gf = start_gf + max(bump_gf, 4)
+        valley_gf = peak_gf - 0.9 * bump_gf if bump_gf else peak_gf + 4
+        end_gf = max(valley_gf, start_gf) + draw.uniform(6, 25)
+        between = draw.uniform(0.3, 0.7)
+        places = [(0, 0), (self.contact_mm, 0), (self.contact_mm + draw.uniform(0.08, 0.15), start_gf), (peak_mm, peak_gf),
+                  (peak_mm + between * (valley_mm - peak_mm), peak_gf + draw.uniform(0.35, 0.65) * (valley_gf - peak_gf)), (valley_mm, valley_gf),
+                  (self.end_mm + 0.01, end_gf)]
+        self.course = PchipInterpolator(*zip(*places))
+        super().__init__(draw)
 
-    def figures(self):
-        """Start: 0 mm. Peak: the tactile point of the press with the largest drop after it. Valley: the lowest force between it and the end."""
-        bottom_N = self.press_gf(self.bottom_mm) * GF_N
-        work = self._work(self.press_gf)
-        known = {"initial_force_N": 0.0, "total_travel_mm": self.end_mm, "end_force_N": self.press_gf(self.end_mm) * GF_N, "press_work_mJ": work,
-                 "hysteresis_mJ": work - self._work(self.release_gf), "bottom_out_force_N": bottom_N, "bottom_out_travel_mm": self.bottom_mm}
-        if self.collapse_gf == 0:
-            known["slope_to_peak_N_per_mm"] = bottom_N / self.bottom_mm
-            return known
-        inside = self.bottom_mm - 1e-4
-        top_mm = minimize_scalar(lambda x: -self.press_gf(x), bounds=(self.rise_mm, self.fall_mm), method="bounded").x
-        peak_mm = brentq(self._slope, top_mm - 0.1, top_mm + 0.1, xtol=1e-12)
-        low_mm = minimize_scalar(self.press_gf, bounds=(self.fall_mm, min(self.fall_mm + 10 * self.fall_width_mm, inside)), method="bounded").x
-        valley_mm = brentq(self._slope, low_mm - 0.1, low_mm + 0.1, xtol=1e-12)
-        peak_N, valley_N = self.press_gf(peak_mm) * GF_N, self.press_gf(valley_mm) * GF_N
-        known.update({
-            "peak_force_N": peak_N, "peak_travel_mm": peak_mm, "valley_force_N": valley_N, "valley_travel_mm": valley_mm, "drop_N": peak_N - valley_N,
-            "snap_ratio": (peak_N - valley_N) / peak_N, "slope_to_peak_N_per_mm": peak_N / peak_mm,
-            "slope_of_drop_N_per_mm": (valley_N - peak_N) / (valley_mm - peak_mm),
-            "slope_to_bottom_out_N_per_mm": (bottom_N - valley_N) / (self.bottom_mm - valley_mm),
-        })
-        return known
-
-    def contact_figures(self):
-        return {
-            "pre_travel_mm": self.operating_mm, "operating_force_N": self.press_gf(self.operating_mm) * GF_N,
-            "over_travel_mm": self.end_mm - self.operating_mm, "reset_travel_mm": self.reset_mm,
-            "reset_force_N": self.release_gf(self.reset_mm) * GF_N, "differential_travel_mm": self.operating_mm - self.reset_mm,
-        }
+    def press_gf(self, x):
+        return self.course(x) + self.wall_gf_per_mm * np.maximum(0, x - self.bottom_mm)
 
 
 class CarryingMeter(Meter):

@@ -1,22 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Switches of known figures, and their records as laboratories publish them.
+"""Switches of known curves, and their records as laboratories publish them.
 
 Written from the files of the laboratories themselves, not from the reader: the SHIMPO meter's CSV of ThereminGoat/force-curves, once with a row a sample and a
 header ("Raw Data CSV"), once at 2 kHz with a preamble and no header ("HighResolutionRaw"); jsejcksn/force-curves-tidy; the Open-Switch curve meter's sheets in both
 layouts; the dome runs of BuddyOG/topre-force-curves; the force tester of geekboards. Nothing of these files is in here."""
 
 import json
-import math
 import random
 import zipfile
 from pathlib import Path
 from xml.sax.saxutils import escape
 
+import numpy as np
+
 GF_N = 0.00980665  # newtons per gram-force
 
 
 class Switch:
-    """A press of known figures: a rise from contact, a spring, a bump that falls steeper than it rises, a wall. Forces in gf, travel in mm."""
+    """A rise from contact, a spring, a bump that falls steeper than it rises, a wall. Forces in gf, travel in mm."""
 
     def __init__(self, draw):
         self.contact_mm = draw.uniform(0.1, 0.3)
@@ -34,59 +35,16 @@ class Switch:
         self.reset_mm = self.operating_mm - draw.uniform(0.2, 0.5)
 
     def press_gf(self, x):
-        at = x - self.contact_mm
-        if at <= 0:
-            return 0.0
-        width = self.before_mm if x < self.bump_mm else self.after_mm
-        spring = self.start_gf + self.spring_gf_per_mm * at + self.bump_gf * math.exp(-((x - self.bump_mm) / width) ** 2)
-        return min(self.rise_gf_per_mm * at, spring) + self.wall_gf_per_mm * max(0.0, x - self.bottom_mm)
+        """Of an array of places."""
+        at = np.maximum(0, x - self.contact_mm)
+        width = np.where(x < self.bump_mm, self.before_mm, self.after_mm)
+        spring = self.start_gf + self.spring_gf_per_mm * at + self.bump_gf * np.exp(-((x - self.bump_mm) / width) ** 2)
+        return np.minimum(self.rise_gf_per_mm * at, spring) + self.wall_gf_per_mm * np.maximum(0, x - self.bottom_mm)
 
     def release_gf(self, x):
         """Below the press by the loss, which fades in from contact and out at the end."""
-        share = min(1.0, max(0.0, x - self.contact_mm) / 0.3, max(0.0, self.end_mm - x) / 0.08)
+        share = np.minimum(1, np.minimum(np.maximum(0, x - self.contact_mm) / 0.3, np.maximum(0, self.end_mm - x) / 0.08))
         return self.press_gf(x) - self.loss_gf * share
-
-    def _extremum(self, low, high, sign):
-        for _ in range(120):  # golden section
-            a, b = low + 0.381966 * (high - low), low + 0.618034 * (high - low)
-            if sign * self.press_gf(a) > sign * self.press_gf(b):
-                high = b
-            else:
-                low = a
-        return 0.5 * (low + high)
-
-    def figures(self):
-        """By the definitions of the glossary, from the formula."""
-        steps = 20000
-        xs = [self.end_mm * (i + 0.5) / steps for i in range(steps)]
-        work = sum(self.press_gf(x) for x in xs) * self.end_mm / steps * GF_N
-        lost = sum(self.press_gf(x) - self.release_gf(x) for x in xs) * self.end_mm / steps * GF_N
-        bottom_N = self.press_gf(self.bottom_mm) * GF_N
-        known = {
-            "initial_force_N": 0.0, "total_travel_mm": self.end_mm, "end_force_N": self.press_gf(self.end_mm) * GF_N,
-            "press_work_mJ": work, "hysteresis_mJ": lost, "bottom_out_force_N": bottom_N, "bottom_out_travel_mm": self.bottom_mm,
-        }
-        if self.bump_gf == 0:
-            known["slope_to_peak_N_per_mm"] = bottom_N / self.bottom_mm
-            return known
-        peak_mm = self._extremum(self.bump_mm - self.before_mm, self.bump_mm + 0.5 * self.after_mm, 1)
-        valley_mm = self._extremum(self.bump_mm + 0.5 * self.after_mm, self.bottom_mm, -1)
-        peak_N, valley_N = self.press_gf(peak_mm) * GF_N, self.press_gf(valley_mm) * GF_N
-        known.update({
-            "peak_force_N": peak_N, "peak_travel_mm": peak_mm, "valley_force_N": valley_N, "valley_travel_mm": valley_mm, "drop_N": peak_N - valley_N,
-            "snap_ratio": 1 - valley_N / peak_N, "slope_to_peak_N_per_mm": peak_N / peak_mm,
-            "slope_of_drop_N_per_mm": (valley_N - peak_N) / (valley_mm - peak_mm),
-            "slope_to_bottom_out_N_per_mm": (bottom_N - valley_N) / (self.bottom_mm - valley_mm),
-        })
-        return known
-
-    def contact_figures(self):
-        """What a meter that watches the contact adds."""
-        return {
-            "pre_travel_mm": self.operating_mm, "operating_force_N": self.press_gf(self.operating_mm) * GF_N,
-            "over_travel_mm": self.end_mm - self.operating_mm, "reset_travel_mm": self.reset_mm,
-            "reset_force_N": self.release_gf(self.reset_mm) * GF_N, "differential_travel_mm": self.operating_mm - self.reset_mm,
-        }
 
 
 class Meter:
@@ -102,7 +60,8 @@ class Meter:
 
     def stroke(self, force_gf, from_mm, to_mm):
         count = max(2, round(abs(to_mm - from_mm) / self.step_mm))
-        return [self._read(x, force_gf(x)) for x in (from_mm + (to_mm - from_mm) * i / count for i in range(count + 1))]
+        places = from_mm + (to_mm - from_mm) * np.arange(count + 1) / count
+        return [self._read(x, f) for x, f in zip(places.tolist(), force_gf(places).tolist())]
 
     def press(self, switch):
         return self.stroke(switch.press_gf, 0, switch.end_mm)
@@ -149,14 +108,14 @@ def write_geekboards(path, switch, meter):
     """down_x, down_y, up_x, up_y every 25 um; forces of the way up from the deepest place on, beside the travel of the way down."""
     coarse = Meter(meter.draw, step_mm=0.025, noise_gf=meter.noise_gf, force_step_gf=0.01, travel_step_mm=0.025, scale=meter.scale)
     xs = [0.025 * i for i in range(2, int(switch.end_mm / 0.025) + 1)]
-    down = [coarse._read(x, switch.press_gf(x))[1] for x in xs]
-    up = [coarse._read(x, switch.release_gf(x))[1] for x in reversed(xs)]
+    down = [coarse._read(x, float(switch.press_gf(x)))[1] for x in xs]
+    up = [coarse._read(x, float(switch.release_gf(x)))[1] for x in reversed(xs)]
     rounded = [round(x, 3) for x in xs]
     close = next(x for x in rounded if x >= switch.operating_mm)
     opens = next(x for x in reversed(rounded) if x <= switch.reset_mm)
     Path(path).write_text(json.dumps({
         "down_x": rounded, "down_y": [round(f, 2) for f in down], "up_x": rounded, "up_y": [round(f, 2) for f in up],
-        "pressPoint": [close, round(switch.press_gf(close), 2)], "releasePoint": [opens, round(switch.release_gf(opens), 2)]}), encoding="utf-8")
+        "pressPoint": [close, round(float(switch.press_gf(close)), 2)], "releasePoint": [opens, round(float(switch.release_gf(opens)), 2)]}), encoding="utf-8")
 
 
 def _cell(value):

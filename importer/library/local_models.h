@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A place on a stroke and its force, from the samples around it: several models of the window, each as likely as its evidence says
+// (Burnham & Anderson 2002), with the errors of each and what they differ by (docs/decisions/0813).
+
+#include <optional>
+#include <vector>
+
+#include "model/stroke_curve.h"
+
+namespace detent::importer {
+
+/// A displacement and the force there, with the variances and the covariance of their errors.
+struct LocalPlace {
+  double displacement_mm = 0, force_N = 0;
+  double variance_mm2 = 0, variance_N2 = 0, covariance_mmN = 0;
+};
+
+/// Samples side by side, in the order of their displacements.
+struct LocalWindow {
+  std::vector<CurvePoint> points;
+  std::vector<double> weights;   ///< one over the standard deviation of each, up to a common factor
+  std::vector<double> together;  ///< of each, how many share its error, >= 1
+};
+
+/// The extremum of the window's models: a peak for a `sign` of 1, a valley for -1. Nothing where no model has one, or too few samples
+/// tell. Any thread.
+std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign);
+
+/// Where a wall begins, above a gentler course; `near_mm`: about there.
+std::optional<LocalPlace> cornerIn(const LocalWindow& window, double near_mm);
+
+/// The force at a displacement of the window, of which nothing is unknown.
+std::optional<LocalPlace> forceAt(const LocalWindow& window, double displacement_mm);
+
+/// Likewise at the window's first displacement, before a contact or not.
+std::optional<LocalPlace> beginningOf(const LocalWindow& window);
+
+}  // namespace detent::importer
