@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "importer/axes/button_sizes.h"
+#include "importer/wider_frame.h"
 
 namespace detent::importer {
 namespace {
@@ -79,13 +80,6 @@ double coincidingShare(const StrokePair& strokes, double within_px) {
   return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
 }
 
-bool isInk(const Raster& picture, Rgb color, int x, int y) {
-  constexpr double sameInk = 70;  // colour levels
-  if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
-  const std::uint8_t* p = picture.at(x, y);
-  return std::hypot(p[0] - color.r, p[1] - color.g, p[2] - color.b) <= sameInk;
-}
-
 /// Whether ink of this colour stands in nearly every column beyond a frame's right side, the plot's own lines left out: the
 /// frame was cut short.
 bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
@@ -100,29 +94,10 @@ bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   for (int x = static_cast<int>(box.x1 + apart_px); x < box.x1 + apart_px + farShare * box.width(); ++x) {
     bool any = false;
     for (int y = static_cast<int>(box.y0 + apart_px); y < box.y1 - apart_px && !any; ++y)
-      any = isInk(picture, color, x, y) && !isLine(y);
+      any = isInkOf(picture, color, x, y) && !isLine(y);
     ++columns, inked += any ? 1 : 0;
   }
   return columns > 0 && inked >= nearlyAll * columns;
-}
-
-/// Whether ink of this colour stands on a straight line beyond a curve's end, seen at three places.
-bool goesOn(const std::vector<Point>& curve, Rgb color, const Raster& picture) {
-  constexpr std::size_t tail = 12;
-  constexpr int reach = 2;
-  if (curve.size() <= tail) return false;
-  const Point end = curve.back(), before = curve[curve.size() - 1 - tail];
-  const double run = std::hypot(end.x - before.x, end.y - before.y);
-  if (!(run > 0)) return false;
-  for (const double beyond_px : {5.0, 7.0, 9.0}) {
-    const int x = static_cast<int>(std::lround(end.x + beyond_px * (end.x - before.x) / run));
-    const int y = static_cast<int>(std::lround(end.y + beyond_px * (end.y - before.y) / run));
-    bool seen = false;
-    for (int v = y - reach; v <= y + reach; ++v)
-      for (int u = x - reach; u <= x + reach; ++u) seen = seen || isInk(picture, color, u, v);
-    if (!seen) return false;
-  }
-  return true;
 }
 
 /// Share of a stroke's length that its longest straight stretch along one axis takes.
@@ -450,7 +425,7 @@ class Doubts {
     const bool nearTop =
         end.y < std::max(topLeft.y, topRight.y) + nearShare * (bottomLeft.y - topLeft.y) + atEdge_px;
     const bool broken = nearTop && (labelAbove(topLeft) || (!drawnAtTop() && numberAbove(topLeft)));
-    if (broken || (atEdge && goesOn(line, color, picture))) {
+    if (broken || (atEdge && goesOnBeyond(line, color, picture))) {
       // Whoever gives the frame says where the plot ends; that its curve goes on there is still said.
       const bool cutShort =
           broken || labelContradicts() || (atRight && goesFarOn(findings_.graph.frame.value, color, picture));

@@ -15,6 +15,7 @@
 #include "importer/locate_graphs.h"
 #include "importer/rest_position.h"
 #include "importer/second_opinion.h"
+#include "importer/wider_frame.h"
 #include "model/check.h"
 #include "model/text.h"
 
@@ -641,6 +642,16 @@ struct ImportSession::Impl {
   ImportAttempt importPlot(const ImportRequest& request, const Progress& progress);
   ImportAttempt readAgain(const ImportRequest& request, const Progress& progress);
   ImportAttempt readPlot(const ImportRequest& request, const Look& look, const Progress& progress);
+  /// A graph whose curves leave its frame, read once more in a wider one.
+  struct Wider {
+    LocatedGraph graph;
+    std::vector<CurveTrace> curves;
+    Result<Found<StrokePair>> strokes;
+    Explanation explanation;
+  };
+  static std::optional<Wider> readWider(const LocatedGraph& graph, const std::vector<CurveTrace>& curves,
+                                        const ImportRequest& request, const TraceOptions& options,
+                                        const Progress& progress);
   Result<Choice> chosen(const ImportRequest& request, const Look& look, const Progress& progress);
   Failure tookTooLong(const TimeLimit& limit) const;
   ImportAttempt withDoubtsJudged(ImportAttempt attempt, const ImportRequest& request) const;
@@ -699,7 +710,6 @@ Result<ImportSession::Impl::Choice> ImportSession::Impl::chosen(const ImportRequ
 ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, const Progress& progress) {
   seconds.clear();
   lastRead.reset();
-  if (const char* m = std::getenv("P24_MAG")) return readPlot(request, {std::atof(m), {}}, progress);
   ImportAttempt attempt = settingsFor(request.quality).secondOpinion ? readAgain(request, progress)
                                                                      : readPlot(request, {}, progress);
   const bool late = request.timeLimit && request.timeLimit->passed() && !progress.isCancelled();
@@ -754,6 +764,21 @@ ImportAttempt ImportSession::Impl::withDoubtsJudged(ImportAttempt attempt,
   return attempt;
 }
 
+std::optional<ImportSession::Impl::Wider> ImportSession::Impl::readWider(
+    const LocatedGraph& graph, const std::vector<CurveTrace>& curves, const ImportRequest& request,
+    const TraceOptions& options, const Progress& progress) {
+  auto widened = widenedToItsCurves(graph, curves);
+  if (!widened) return {};
+  const TraceHints onView = inView(request.hints.trace, graph.view);
+  auto traced = traceCurves(widened->view, widened->frame.value, widened->axes, onView, options, progress);
+  if (!traced || progress.isCancelled()) return {};
+  auto strokes = separateStrokes(*traced, widened->axes, request.hints.strokes);
+  if (!strokes) return {};
+  Explanation explanation =
+      explain(widened->view, widened->frame.value, widened->axes.texts, *traced, onView.masks_px);
+  return Wider{std::move(*widened), std::move(*traced), std::move(strokes), std::move(explanation)};
+}
+
 ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const Look& look,
                                             const Progress& untimed) {
   QualitySettings settings = settingsFor(request.quality);
@@ -775,7 +800,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
   if (!curves && request.hints.drawn.press.empty()) return stopped(curves.failure(), *choice, none, {});
   if (!curves) curves = &none;  // the person drew what could not be traced
-  const Explanation explanation = explanationOf(*curves, *choice);
+  Explanation explanation = explanationOf(*curves, *choice);
 
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
@@ -783,24 +808,33 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
     return withDrawn(separateStrokes(**curves, graph.axes, request.hints.strokes), request.hints.drawn,
                      graph);
   }();
+  std::optional<Wider> wider;
+  if (strokes && request.hints.frame.empty() && request.hints.drawn.press.empty())
+    wider = readWider(graph, **curves, request, settings.trace, progress);
+  if (wider) {
+    curves = &wider->curves;
+    strokes = std::move(wider->strokes);
+    explanation = wider->explanation;
+  }
   if (!strokes) return stopped(strokes.failure(), *choice, **curves, explanation);
   if (request.timeLimit && request.timeLimit->passed()) settings = cutShort(settings);
 
   step(0.75, ImportStep::refine);
+  const LocatedGraph* const read = wider ? &wider->graph : &graph;
   std::optional<RefinedAxes> refined;
   std::optional<LocatedGraph> refinedGraph;  // the session keeps the graph as it was read
   if (settings.refineAxes && !strokes->value.press.fromVector) {
     StepClock time(seconds, ImportStep::refine);
     refined = refineAxes(graph.view, graph.frame.value, graph.axes.calibration.value, progress);
     if (refined && refined->shape != SheetShape::asRead) {
-      refinedGraph = graph;
+      refinedGraph = *read;
       refinedGraph->axes.calibration.value = refined->calibration;
       moveTo(refined->calibration, graph.axes.calibration.value, strokes->value.press);
       if (strokes->value.release)
         moveTo(refined->calibration, graph.axes.calibration.value, *strokes->value.release);
     }
   }
-  const LocatedGraph* const seen = refinedGraph ? &*refinedGraph : &graph;
+  const LocatedGraph* const seen = refinedGraph ? &*refinedGraph : read;
 
   step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
