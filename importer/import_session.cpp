@@ -14,7 +14,9 @@
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
 #include "importer/rest_position.h"
+#include "importer/rising_axes.h"
 #include "importer/second_opinion.h"
+#include "importer/strokes/spotted_name.h"
 #include "importer/wider_frame.h"
 #include "model/check.h"
 #include "model/text.h"
@@ -158,6 +160,27 @@ Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const Draw
   pair.press = withDrawnPart(pair.press, press);
   if (!release.points.empty()) pair.release = withDrawnPart(pair.release.value_or(StrokePoints{}), release);
   return Found<StrokePair>{std::move(pair), 1, DecidedBy::given, {}};
+}
+
+/// A switch asked for by a name that no text engine read is asked for by its number where the name is seen in the legend.
+StrokeHints asSeen(StrokeHints hints, const std::vector<CurveTrace>& curves, const PageView& view) {
+  const std::vector<PlotSwitch> switches = switchesAmong(curves);
+  if (chosenSwitch(switches, curves, hints.curve)) return hints;
+  if (const auto index = switchSpotted(switches, curves, view.raster, hints.curve))
+    hints.curve = std::to_string(*index + 1);
+  return hints;
+}
+
+/// A scale that falls and could not be mirrored is not followed, unless a person gave it so.
+std::optional<Failure> stillFalling(const LocatedGraph& graph, const AxisHints& given) {
+  const AxisCalibration& axes = graph.axes.calibration.value;
+  const bool x = axes.x.max < axes.x.min && !given.xMin && !given.xMax;
+  const bool y = axes.y.max < axes.y.min && !given.yMin && !given.yMax;
+  if (!x && !y) return {};
+  return failureOf({DoubtCode::rangeUnreadable,
+                    {(x ? axes.x : axes.y).ticks.size()},
+                    x ? RemedyKind::giveXAxis : RemedyKind::giveYAxis},
+                   "plot frame", Message("%1 axis", x ? "x" : "y"));
 }
 
 /// Axes of one graph: as its page was searched, and what they are read with now.
@@ -375,9 +398,10 @@ struct ImportSession::Impl {
     PageGraphs* onPage = nullptr;
     std::size_t index = 0;
     std::vector<Remark> remarks;
-    int graphCount = 1;                               // of all that could have been chosen
-    std::vector<std::pair<int, std::size_t>> rivals;  // page and index of others on equal axes
-    LocatedGraph& located() const { return onPage->located.graphs[index]; }
+    int graphCount = 1;                                // of all that could have been chosen
+    std::vector<std::pair<int, std::size_t>> rivals;   // page and index of others on equal axes
+    std::shared_ptr<LocatedGraph> mirrored = nullptr;  // what is followed where its numbers fall
+    LocatedGraph& located() const { return mirrored ? *mirrored : onPage->located.graphs[index]; }
   };
 
   /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons differ.
@@ -393,6 +417,14 @@ struct ImportSession::Impl {
     StepClock time(seconds, ImportStep::texts);
     readGraphTexts(graph.view, graph.frame.value, graph.axes, progress);
     graph.textsComplete = !progress.isCancelled();
+  }
+
+  /// Its texts read and its axes rising, a graph can be followed.
+  void makeReady(Choice& choice, const Progress& progress) {
+    readAllTexts(choice.located(), progress);
+    if (choice.mirrored) return;
+    if (auto rising = mirroredToRise(choice.located()))
+      choice.mirrored = std::make_shared<LocatedGraph>(std::move(*rising));
   }
 
   /// The graphs of a page that its axis hints do not change: those found without hints, or the given frame's.
@@ -546,10 +578,10 @@ struct ImportSession::Impl {
     CopyRank rank;
   };
 
-  std::optional<CopyReading> readCopy(const Choice& choice, const ImportRequest& request,
+  std::optional<CopyReading> readCopy(Choice choice, const ImportRequest& request,
                                       const TraceOptions& options, const Progress& progress) {
-    LocatedGraph& graph = choice.located();
-    readAllTexts(graph, progress);
+    makeReady(choice, progress);
+    const LocatedGraph& graph = choice.located();
     const auto curves = traces(choice, request.hints.trace, options, progress);
     if (!curves) return {};
     StepClock time(seconds, ImportStep::copies);
@@ -663,9 +695,8 @@ Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportReques
   const QualitySettings settings = settingsFor(request.quality);
   auto choice = choose(request, locateKeyOf(request), progress);
   if (!choice) return choice.failure();
-  LocatedGraph& graph = choice->located();
-  readAllTexts(graph, progress);
-  letViewsGo(&graph);
+  letViewsGo(&choice->located());
+  makeReady(*choice, progress);
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
   if (!curves) return placed(curves.failure(), *choice);
   return switchesAmong(**curves);
@@ -772,7 +803,8 @@ std::optional<ImportSession::Impl::Wider> ImportSession::Impl::readWider(
   const TraceHints onView = inView(request.hints.trace, graph.view);
   auto traced = traceCurves(widened->view, widened->frame.value, widened->axes, onView, options, progress);
   if (!traced || progress.isCancelled()) return {};
-  auto strokes = separateStrokes(*traced, widened->axes, request.hints.strokes);
+  auto strokes =
+      separateStrokes(*traced, widened->axes, asSeen(request.hints.strokes, *traced, widened->view));
   if (!strokes) return {};
   Explanation explanation =
       explain(widened->view, widened->frame.value, widened->axes.texts, *traced, onView.masks_px);
@@ -791,9 +823,10 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   auto choice = chosen(request, look, progress);
   if (!choice) return {choice.failure(), {}};
   lastRead = {choice->page, choice->graph, choice->located().candidate.value.pageBox, choice->remarks};
-  LocatedGraph& graph = choice->located();
-  readAllTexts(graph, progress);
-  letViewsGo(&graph);
+  letViewsGo(&choice->located());
+  makeReady(*choice, progress);
+  const LocatedGraph& graph = choice->located();
+  if (auto falling = stillFalling(graph, request.hints.axes)) return stopped(*falling, *choice, {}, {});
 
   step(0.5, ImportStep::trace);
   const std::vector<CurveTrace> none;
@@ -805,8 +838,9 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
     StepClock time(seconds, ImportStep::strokes);
-    return withDrawn(separateStrokes(**curves, graph.axes, request.hints.strokes), request.hints.drawn,
-                     graph);
+    return withDrawn(
+        separateStrokes(**curves, graph.axes, asSeen(request.hints.strokes, **curves, graph.view)),
+        request.hints.drawn, graph);
   }();
   std::optional<Wider> wider;
   if (strokes && request.hints.frame.empty() && request.hints.drawn.press.empty())

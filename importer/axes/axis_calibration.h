@@ -82,6 +82,9 @@ struct AxesFound {
   Found<AxisCalibration> calibration;
   /// Tick labels, titles and the document's own texts; legend and callouts come with readGraphTexts.
   std::vector<SeenText> texts;
+  /// Lines of writing beside them that are no words that were read: with text where they are short names ("TS-10", "1.6 N"), without
+  /// where they could not be read.
+  std::vector<SeenText> otherLines;
   std::vector<Remark> remarks;
   bool otherRightScale = false;  ///< numbers on the right that are not the left ones in another unit of force
 };
@@ -98,7 +101,8 @@ void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& fr
                       const Homography& toWide);
 
 /// Adds to `axes.texts` what else is written in and beside the frame: callouts, legend, titles over the plot.
-/// Only lines of at least three letters that were read with some certainty, so their boxes may be masked.
+/// Only lines of at least three letters that were read with some certainty, so their boxes may be masked; the rest goes to
+/// `axes.otherLines`.
 /// Apart from readAxes because who lists graphs needs none of it (5 to 10 ms per line).
 void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes,
                     const Progress& progress = {});

@@ -165,6 +165,16 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   found.progression = fitProgression(places, ticks, axis == Axis::x);
 }
 
+/// Numbers that fall to the right or upwards are believed where all of a row agree, four at least, each at its tick.
+std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& places,
+                                              const std::vector<GridLine>& ticks, Axis axis) {
+  constexpr int fewest = 4;
+  auto falling = fitProgression(places, ticks, axis != Axis::x);
+  const auto numbers = std::ranges::count_if(places, [](const LabelPlace& p) { return !p.readings.empty(); });
+  if (!falling || !falling->fromTicks || falling->labels < fewest || falling->labels < numbers) return {};
+  return falling;
+}
+
 /// `angle_deg` of the numbers' baselines: 0, or 90 where they read upwards.
 AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLine>& ticks, Axis axis,
                   TextKind kind, double angle_deg) {
@@ -195,6 +205,8 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];
   if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places, angle_deg);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
+  if (!found.progression || found.progression->labels < 3)
+    if (auto falling = fallingProgression(places, ticks, axis)) found.progression = std::move(falling);
   const bool settled = agreed(found) == static_cast<int>(found.words.size());
   if (kind == TextKind::number && height <= smallDigits_px && !settled && upright)
     readTogether(r, found, places, ticks, axis);

@@ -132,12 +132,14 @@ std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Plac
   return best;
 }
 
-/// A repaired reading ("198" as 19.8 near 20) that alone needs a much finer step than all the others is a
-/// misreading that happens to lie close.
-void dropStrayRepairs(const std::vector<LabelPlace>& labels, Trial& t) {
-  constexpr double muchFiner = 4;  // times
+/// A reading that alone needs a much finer step than all the others is a misreading that happens to lie close: a repaired one ("198"
+/// as 19.8 near 20) sooner than one read as it stands (a zero and its tick as 0.4).
+void dropStrayReadings(const std::vector<LabelPlace>& labels, Trial& t) {
+  constexpr double finerIfRepaired = 4, finerAsRead = 20;  // times
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (t.reading[i] < 0 || labels[i].readings[static_cast<std::size_t>(t.reading[i])].weight >= 1) continue;
+    if (t.reading[i] < 0) continue;
+    const bool repaired = labels[i].readings[static_cast<std::size_t>(t.reading[i])].weight < 1;
+    const double muchFiner = repaired ? finerIfRepaired : finerAsRead;
     Trial others = t;
     others.reading[i] = -1;
     if (agreeing(others) < 3) continue;
@@ -244,7 +246,7 @@ std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
   const Places places = placesOf(labels, ticks);
   auto trial = bestTrial(labels, places, rising);
   if (!trial) return std::nullopt;
-  dropStrayRepairs(labels, *trial);
+  dropStrayReadings(labels, *trial);
   Progression p;
   p.offset = trial->offset;
   p.perPx = trial->perPx;

@@ -73,6 +73,16 @@ int lettersIn(const std::string& text) {
       text.begin(), text.end(), [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }));
 }
 
+/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N".
+bool isShortName(const SeenText& seen) {
+  constexpr double sure = 0.6;  // confidence
+  const auto digits = std::count_if(seen.utf8.begin(), seen.utf8.end(),
+                                    [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
+  const int letters = lettersIn(seen.utf8);
+  return seen.confidence >= sure && digits > 0 && letters > 0 && letters < minLetters &&
+         digits + letters >= 3;
+}
+
 /// Callouts and titles inside first, then a legend beside, then what stands above and below.
 int importance(const Box& line, const Box& frame) {
   const Point middle = line.middle();
@@ -107,8 +117,13 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   for (const auto& line : lines) {
     if (progress.isCancelled()) return;
     auto seen = reader.readLine(line.box, TextKind::words);
-    if (seen.confidence >= minConfidence && lettersIn(seen.utf8) >= minLetters)
+    if (seen.confidence >= minConfidence && lettersIn(seen.utf8) >= minLetters) {
       axes.texts.push_back(std::move(seen));
+      continue;
+    }
+    if (!isShortName(seen)) seen.utf8.clear();
+    seen.box = line.box;
+    axes.otherLines.push_back(std::move(seen));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "importer/importer.h"
+#include "importer/page/mirrored.h"
 #include "model/sections.h"
 
 namespace detent::importer {
@@ -20,12 +21,18 @@ const cv::Scalar leftOverColor(230, 159, 0), pressColor(213, 94, 0), releaseColo
 constexpr int subPixelBits = 4;
 constexpr double subPixel = 1 << subPixelBits;
 
-/// Draws in view pixels on a picture enlarged by `scale`.
+/// Draws in view pixels on a picture enlarged by `scale`; one that was followed in a mirror is shown as it stands on the page.
 class Canvas {
  public:
-  Canvas(const Raster& page, double scale) : scale_(scale) {
+  Canvas(const PageView& view, double scale)
+      : scale_(scale),
+        mirrored_(mirroredBy(view.viewToPage)),
+        last_px_{view.raster.width_px - 1.0, view.raster.height_px - 1.0} {
+    const Raster& page = view.raster;
     const cv::Mat source(page.height_px, page.width_px, CV_8UC3, const_cast<std::uint8_t*>(page.rgb.data()));
     cv::resize(source, picture_, {}, scale, scale, scale > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
+    if (mirrored_.across) cv::flip(picture_, picture_, 1);
+    if (mirrored_.upsideDown) cv::flip(picture_, picture_, 0);
     picture_ = picture_ * 0.45 + cv::Scalar::all(255 * 0.55);  // pale: what we drew must stand out
   }
 
@@ -48,7 +55,8 @@ class Canvas {
   }
 
   void text(Point at_px, const std::string& words, const cv::Scalar& color, double dx = 0, double dy = 0) {
-    const cv::Point at(static_cast<int>(enlarged(at_px.x) + dx), static_cast<int>(enlarged(at_px.y) + dy));
+    const Point shown = onPage(at_px);
+    const cv::Point at(static_cast<int>(enlarged(shown.x) + dx), static_cast<int>(enlarged(shown.y) + dy));
     cv::putText(picture_, words, at, cv::FONT_HERSHEY_SIMPLEX, 0.42, cv::Scalar::all(255), 3, cv::LINE_AA);
     cv::putText(picture_, words, at, cv::FONT_HERSHEY_SIMPLEX, 0.42, color, 1, cv::LINE_AA);
   }
@@ -62,13 +70,19 @@ class Canvas {
  private:
   /// Pixel centres stay pixel centres when enlarged.
   double enlarged(double px) const { return (px + 0.5) * scale_ - 0.5; }
-  cv::Point fine(Point p) const {
+  Point onPage(Point p) const {
+    return {mirrored_.across ? last_px_.x - p.x : p.x, mirrored_.upsideDown ? last_px_.y - p.y : p.y};
+  }
+  cv::Point fine(Point in_view) const {
+    const Point p = onPage(in_view);
     const double limit = 30000;  // OpenCV's fixed-point lines overflow beyond
     return {static_cast<int>(std::lround(std::clamp(enlarged(p.x), -limit, limit) * subPixel)),
             static_cast<int>(std::lround(std::clamp(enlarged(p.y), -limit, limit) * subPixel))};
   }
 
   double scale_;
+  Mirrored mirrored_;
+  Point last_px_;  // of the view
   cv::Mat picture_;
 };
 
@@ -132,7 +146,7 @@ Canvas canvasOf(const GraphEvidence& evidence) {
   // Small pictures are enlarged, huge ones are not grown further.
   const double width = evidence.view.raster.width_px;
   const double scale = std::clamp(std::round(1800 / std::max(width, 1.0)), 1.0, 4.0);
-  Canvas canvas(evidence.view.raster, scale);
+  Canvas canvas(evidence.view, scale);
   drawAxes(canvas, evidence.frame, evidence.axes.calibration.value);
   for (const Remainder& left : evidence.explanation.left) canvas.dots(left.ink_px, leftOverColor);
   for (const Leap& leap : evidence.explanation.leaps)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Built where DETENT_WITH_MUPDF is off: PDF and SVG are named, and refused.
+// Built where DETENT_WITH_MUPDF is off: PDF and SVG are named, and refused; no words are drawn.
 
+#include "importer/page/drawn_words.h"
 #include "importer/page/page_source.h"
 
 namespace detent::importer {
@@ -16,5 +17,7 @@ Failure absent(const SourceFile& file, const std::string& kind) {
 
 OpenedSource openPdfSource(const SourceFile& file) { return absent(file, "PDF"); }
 OpenedSource openSvgSource(const SourceFile& file) { return absent(file, "SVG"); }
+
+std::optional<Raster> wordsDrawn(const std::string&, int) { return {}; }
 
 }  // namespace detent::importer

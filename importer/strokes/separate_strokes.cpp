@@ -363,6 +363,33 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   return found;
 }
 
+/// From left to right.
+void orient(CurveTrace& trace) {
+  if (trace.points_px.front().x <= trace.points_px.back().x) return;
+  std::ranges::reverse(trace.points_px);
+  std::ranges::reverse(trace.width_px);
+}
+
+/// A stroke begins at rest, at the foot: where it is not seen there because it lies under another curve, it runs down with that one.
+void leadDownUnder(CurveTrace& own, CurveTrace other) {
+  constexpr double touching_px = 3, least = 0.05, most = 0.05;  // the last two of its height, of its width
+  if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return;
+  orient(own), orient(other);
+  const auto [top, foot] = std::ranges::minmax(own.points_px, {}, &Point::y);
+  const Point left = own.points_px.front();
+  const auto near = std::ranges::min_element(other.points_px, {}, [&](Point p) { return distance(p, left); });
+  const double width_px = own.points_px.back().x - left.x, from_px = left.x - most * width_px;
+  const bool rising = std::all_of(other.points_px.begin(), near, [&](Point p) {
+    return p.x >= from_px && p.x <= left.x + touching_px && p.y >= left.y - touching_px;
+  });
+  if (!rising || distance(*near, left) > touching_px) return;
+  if (other.points_px.front().y - left.y <= least * (foot.y - top.y)) return;
+  own.points_px.insert(own.points_px.begin(), other.points_px.begin(), near);
+  if (!own.width_px.empty())
+    own.width_px.insert(own.width_px.begin(), static_cast<std::size_t>(near - other.points_px.begin()),
+                        own.width_px.front());
+}
+
 /// Whether `other` runs on from one end of `own` to where `own` is not seen any more: the rest of it lies under the other.
 bool hidesAnEndOf(const CurveTrace& own, const CurveTrace& other) {
   constexpr double touching_px = 3, goesOnShare = 0.05;  // of the height that `own` spans
@@ -405,18 +432,24 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   const auto chosen = chosenSwitch(switches, traces, hints.curve);
   if (!chosen) return chosen.failure();
   const std::vector<std::size_t>& its = switches[*chosen].traces;
+  std::vector<CurveTrace> strokes;
+  for (const std::size_t t : its) strokes.push_back(traces[t]);
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
-      if (&other != &switches[*chosen] && hidesAnEndOf(traces[its.front()], traces[t])) return hiddenEnd();
+      for (CurveTrace& stroke : strokes)
+        if (&other != &switches[*chosen]) leadDownUnder(stroke, traces[t]);
+  for (const PlotSwitch& other : switches)
+    for (const std::size_t t : other.traces)
+      if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();
   if (its.size() == 1) {
-    auto alone = pressAlone(traces[its.front()], axes);
+    auto alone = pressAlone(strokes.front(), axes);
     // One of several that no legend tells apart: whether it has a release under another one, nothing says.
     constexpr double ofOneOfSeveral = 0.6;
     if (alone && switches.size() > 1 && traces[its.front()].label.empty())
       alone->confidence = std::min(alone->confidence, ofOneOfSeveral);
     return alone;
   }
-  return pairOf(traces[its[0]], traces[its[1]], axes, hints.swap);
+  return pairOf(strokes[0], strokes[1], axes, hints.swap);
 }
 
 }  // namespace detent::importer

@@ -85,6 +85,18 @@ bool isStraight(const CoarseCurve& course, double thickness) {
                      [&](Point p) { return std::abs(cross(p - a, b - a)) / length <= thickness + 2; });
 }
 
+/// In the area's pixels: where the course is farthest in.
+Point tipOf(const CurveInk& curve) {
+  return static_cast<double>(curve.pooling) * *std::ranges::max_element(curve.course.points, {}, &Point::x);
+}
+
+/// Whether a short curve ends where a long one does, as the way back of a key that latches does. Leaders are straight.
+bool leadsBackFrom(const CurveInk& press, const CurveInk& other) {
+  constexpr double near_px = 4;
+  return distance(tipOf(press), tipOf(other)) <= near_px + press.thickness_px + other.thickness_px &&
+         !isStraight(other.course, other.thickness_px / other.pooling + 1);
+}
+
 Box scaled(const Box& box, double by) { return {box.x0 * by, box.y0 * by, box.x1 * by, box.y1 * by}; }
 
 /// Line thickness on the planes the course was found on; pooling by maxima widens lines.
@@ -321,8 +333,9 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
     const bool faint =
         !curves.empty() && strength(curve) < plot.options.minStrength * strength(curves.front());
     if (faint) continue;  // shading of an uneven paper
-    if (!curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px)
-      break;
+    const bool restOfSomething =
+        !curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px;
+    if (restOfSomething && (curves.size() > 1 || !leadsBackFrom(curves.front(), curve))) continue;
     if (!isSeam(plot, curve, curves, size)) curves.push_back(std::move(curve));
   }
   if (curves.size() != 1 || curves.front().secondStrand > plot.options.secondStrand) return curves;

@@ -21,7 +21,7 @@ struct CurveTrace {
   /// For graphs whose two strokes share one ink, the tracer separates them itself and says which is which.
   std::optional<Stroke> stroke;
   std::string label;  ///< legend text that belongs to this colour/dash, if any; several parted by " / "
-  Box labelBox_px;    ///< where it stands, view pixels; empty without it
+  Box labelBox_px;    ///< where it stands, view pixels, also of one that was not read; empty without it
 };
 
 /// As people give colours: "#2a6099".

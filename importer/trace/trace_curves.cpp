@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "importer/page/mirrored.h"
 #include "importer/trace/centre_line.h"
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
@@ -176,14 +177,38 @@ struct InkSeen {
   bool runsOut = false;   ///< touches the far end of the box
 };
 
+// A strip beside a word, in letter heights.
+constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9;
+
+/// How far from a word, in its heights, the first thing beside it ends: its sample stands nearer than the legend's box.
+double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster, const Backdrop& backdrop) {
+  constexpr double kApart = 0.4, kBeyond = 0.1;  // between a sample and what is none; looked beyond it
+  const double height = word.height(), middle = word.middle().y;
+  const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
+  const auto isInked = [&](int x) {
+    for (int y = static_cast<int>(middle - kBand * height); y <= static_cast<int>(middle + kBand * height);
+         ++y)
+      if (x >= 0 && y >= 0 && x < raster.width_px && y < raster.height_px &&
+          norm(colorAt(raster, x, y) - backdrop.paper()) >= 24)
+        return true;
+    return false;
+  };
+  double last = 0;
+  for (int by = 0; by < kLength * height; ++by)
+    if (isInked(static_cast<int>(near) + direction * by))
+      last = by;
+    else if (last > 0 && by - last > kApart * height)
+      return last / height + kBeyond;
+  return kLength;
+}
+
 /// Looks beside a word, in a strip as long as a legend's sample may be; `direction` -1: left of it, +1:
 /// right.
 std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
-                                const Raster& raster, const Backdrop& backdrop) {
-  constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9;  // in letter heights
+                                const Raster& raster, const Backdrop& backdrop, double heights = kLength) {
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
-  const double far = near + direction * kLength * height;
+  const double far = near + direction * heights * height;
   const int x0 = std::max(0, static_cast<int>(std::min(near, far)));
   const int x1 = std::min(raster.width_px - 1, static_cast<int>(std::max(near, far)));
   const int y0 = std::max(0, static_cast<int>(middle - kAround * height));
@@ -204,11 +229,13 @@ std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vecto
   return seen;
 }
 
-/// Which trace's sample stands beside a word: level, ended, and of one ink only.
-std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const Raster& raster,
-                                        const Backdrop& backdrop) {
-  for (int direction : {-1, 1}) {
-    const std::vector<InkSeen> seen = lookBeside(word, direction, inks, raster, backdrop);
+/// Which trace's sample stands beside a word: level, ended, and of one ink only. `nearest`: of the first thing beside it alone.
+std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const PageView& view,
+                                        const Backdrop& backdrop, bool nearest = false) {
+  const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // as people write, sample first
+  for (int direction : {before, -before}) {
+    const double length = nearest ? lengthOfFirstBeside(word, direction, view.raster, backdrop) : kLength;
+    const std::vector<InkSeen> seen = lookBeside(word, direction, inks, view.raster, backdrop, length);
     std::optional<std::size_t> found;
     bool several = false;
     for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -239,16 +266,47 @@ std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
   return inLine.empty() ? all[of] : inLine;
 }
 
+/// The texts beside each trace's legend sample.
+LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
+                        const PageView& view, const Backdrop& backdrop, bool nearest = false) {
+  LegendTexts beside(inks.size());
+  for (const SeenText& text : texts) {
+    if (std::abs(text.angle_deg) > 20 || text.box.empty()) continue;
+    if (const auto trace = sampledTrace(text.box, inks, view, backdrop, nearest))
+      beside[*trace].push_back(text);
+  }
+  return beside;
+}
+
+/// What words gave no name gets its legend's short one, or the place of one that was not read, if all such traces have theirs.
+void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& beside) {
+  const auto isNameless = [](const CurveTrace& trace) { return trace.label.empty(); };
+  if (traces.size() < 2) return;
+  std::vector<SeenText> names(traces.size());
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (!isNameless(traces[i])) continue;
+    const std::vector<SeenText> its = inLegend(beside, i);
+    if (its.size() != 1) return;
+    names[i] = its.front();
+  }
+  const bool allRead = std::ranges::none_of(names, [&](const SeenText& name) {
+    return isNameless(traces[static_cast<std::size_t>(&name - names.data())]) && name.utf8.empty();
+  });
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (!isNameless(traces[i])) continue;
+    traces[i].labelBox_px = names[i].box;
+    if (allRead) traces[i].label = names[i].utf8;
+  }
+}
+
 /// Gives each trace the words that its legend sample stands beside; several texts of one ink parted by " / ".
-void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const Raster& raster,
+void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
                  const Backdrop& backdrop) {
   std::vector<Ink> inks;
   for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, backdrop));
-  LegendTexts beside(traces.size());
-  for (const SeenText& text : axes.texts) {
-    if (std::abs(text.angle_deg) > 20 || text.utf8.empty() || text.box.empty()) continue;
-    if (const auto trace = sampledTrace(text.box, inks, raster, backdrop)) beside[*trace].push_back(text);
-  }
+  LegendTexts beside = textsBeside(axes.texts, inks, view, backdrop);
+  for (std::vector<SeenText>& texts : beside)
+    std::erase_if(texts, [](const SeenText& text) { return text.utf8.empty(); });
   for (std::size_t i = 0; i < traces.size(); ++i) {
     CurveTrace& named = traces[i];
     for (const SeenText& text : inLegend(beside, i)) {
@@ -256,6 +314,7 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const R
       named.label += (named.label.empty() ? "" : " / ") + text.utf8;
     }
   }
+  labelByOtherLines(traces, textsBeside(axes.otherLines, inks, view, backdrop, true));
 }
 
 Mask either(const Mask& a, const Mask& b) {
@@ -410,7 +469,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
     const auto loopIn = [&](const Ink& ink, bool neutral) {
       auto loop = traceLoop(area, coverageBy(ink, neutral, area, backdrop, palette),
                             rgbOf(backdrop.paper() + ink.difference()), options, progress);
-      if (loop && loop->size() == 1) labelTraces(*loop, axes, view.raster, backdrop);
+      if (loop && loop->size() == 1) labelTraces(*loop, axes, view, backdrop);
       return loop;
     };
     if (curves.empty()) return loopIn(darkness(plot), true);
@@ -430,7 +489,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
                            finalCoverage, text,     findLegendSamples(finalCoverage, text, area)};
   std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
   nameGivenStrokes(traces, chosen, given);
-  labelTraces(traces, axes, view.raster, backdrop);
+  labelTraces(traces, axes, view, backdrop);
   if (given.any()) return traces;
   if (auto strokes = withoutColours(traces, finalPlot, options, progress)) return std::move(*strokes);
   return withLoopsParted(traces, curves, finalPlot, options, progress);

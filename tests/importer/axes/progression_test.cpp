@@ -115,6 +115,17 @@ TEST_CASE("without ticks label centres do, and it is said") {
   CHECK(p->value(400) == Approx(3).margin(0.05));
 }
 
+TEST_CASE("a label that alone would need a far finer step is misread") {
+  const auto axis = drawnAxis({"0.4", "50", "100", "150"}, 60, 90);  // a zero and its tick
+  const auto p = fitProgression(axis.labels, axis.ticks, true);
+  REQUIRE(p);
+  CHECK(p->labels == 3);
+  CHECK(p->step == Approx(50));
+  CHECK(p->value(60) == Approx(0).margin(1e-9));
+  const auto fine = drawnAxis({"0", "0.25", "0.5", "0.75", "1"}, 60, 90);
+  CHECK(fitProgression(fine.labels, fine.ticks, true)->labels == 5);
+}
+
 TEST_CASE("a stray mark near a line does not move it") {
   auto axis = drawnAxis({"0", "1", "2", "3", "4"}, 100, 120);
   axis.ticks.insert(axis.ticks.begin() + 1, {102.6, 2, false});

@@ -316,3 +316,25 @@ TEST_CASE("A curve whose end another switch's covers is not taken for the whole"
   hints.curve = "Switch A";
   CHECK(separateStrokes({whole, part}, axes, hints).ok());
 }
+
+TEST_CASE("A stroke whose foot lies under another switch's runs down with that one", "[switches]") {
+  AxesFound axes;
+  axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
+  CurveTrace steep = trace("Switch A", 90, 1, 0), covered = trace("Switch B", 40, 2, 1);
+  steep.points_px.clear(), covered.points_px.clear();
+  for (double x = 0; x < 9; x += 0.5) steep.points_px.push_back({x, 300 - 10 * x});
+  for (double x = 9; x <= 300; ++x) steep.points_px.push_back({x, 210 - 0.3 * (x - 9)});
+  for (double x = 4; x <= 300; ++x) covered.points_px.push_back({x, 260 - 0.2 * (x - 4)});
+  StrokeHints hints;
+  hints.curve = "Switch B";
+  const auto found = separateStrokes({steep, covered}, axes, hints);
+  REQUIRE(found.ok());
+  const auto& points = found->value.press.points_px;
+  CHECK(points.front() == Point{0, 300});
+  CHECK(std::ranges::is_sorted(points, {}, &Point::x));
+  // One that comes from afar is passed, not run down along.
+  CurveTrace passing = steep;
+  for (Point& p : passing.points_px)
+    if (p.x < 9) p = {p.x * 10 - 81, 270 - 10 * p.x / 9};
+  CHECK_FALSE(separateStrokes({passing, covered}, axes, hints).ok());
+}

@@ -153,6 +153,8 @@ class Plot {
     const Point p = at(x, y);
     line({p, {p.x + 0.01, p.y}}, 2 * radius, color);
   }
+  /// A line of writing that is no word: a short name, or none that was read.
+  void sayOther(std::string text, Box box) { axes_.otherLines.push_back({std::move(text), box, 0.9, 0}); }
   void say(const std::string& words, const Box& box) { axes_.texts.push_back({words, box, 1, 0}); }
 
   Result<std::vector<CurveTrace>> trace(const TraceHints& hints = {}, const TraceOptions& options = {},
@@ -887,6 +889,45 @@ TEST_CASE("The legend's words are put to the curve whose sample stands beside th
   REQUIRE(traces->size() == 2);
   CHECK(ofColor(*traces, kRed).label == "upstroke");
   CHECK(ofColor(*traces, kBlue).label == "downstroke");
+}
+
+TEST_CASE("A short way back that begins where the press ends is a curve, a leader there is none", "[trace]") {
+  const Curve in{{0.02, 0.02}, {0.1, 0.3}, {0.5, 0.4}, {0.8, 0.5}, {0.9, 0.95}};
+  const Curve back{{0.9, 0.95}, {0.86, 0.4}, {0.8, 0.3}, {0.72, 0.28}}, leader{{0.9, 0.95}, {0.7, 0.7}};
+  for (const bool latches : {true, false}) {
+    Plot plot(1000, 500);
+    plot.grid(6, 6, kGrey);
+    plot.line(plot.at(in), 2, kBlue, true);
+    plot.line(plot.at(latches ? back : leader), 2, kRed, true);
+    const auto traces = plot.trace();
+    REQUIRE(traces.ok());
+    CHECK(traces->size() == (latches ? 2 : 1));
+  }
+}
+
+TEST_CASE("Short names of a legend, and the places of those not read, come to its curves if all have one",
+          "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(6, 6, kGrey);
+  plot.line(plot.at(release()), 2, kRed, true);
+  plot.line(plot.at(press()), 2, kBlue, true);
+  plot.line({{935, 100}, {955, 100}}, 2, kRed);
+  plot.line({{935, 120}, {955, 120}}, 2, kBlue);
+  const Box red{960, 94, 996, 106}, blue{960, 114, 998, 126};
+  Plot one = plot, read = plot, unread = plot;
+  one.sayOther("TS-10", red);
+  read.sayOther("TS-10", red), read.sayOther("TS-12", blue);
+  unread.sayOther("", red), unread.sayOther("TS-12", blue);
+  const auto ofOne = one.trace().value(), ofRead = read.trace().value(), ofUnread = unread.trace().value();
+  CHECK(ofColor(ofRead, kRed).label == "TS-10");
+  CHECK(ofColor(ofRead, kBlue).label == "TS-12");
+  for (const Rgb color : {kRed, kBlue}) {
+    CHECK(ofColor(ofOne, color).label.empty());  // a callout
+    CHECK(ofColor(ofOne, color).labelBox_px.empty());
+    CHECK(ofColor(ofUnread, color).label.empty());
+  }
+  CHECK(ofColor(ofUnread, kRed).labelBox_px == red);
+  CHECK(ofColor(ofUnread, kBlue).labelBox_px == blue);
 }
 
 TEST_CASE("Nothing to trace is said in a sentence", "[trace]") {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/strokes/spotted_name.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "importer/page/drawn_words.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr double kLeastLike = 0.72;   // correlation
+constexpr double kLeastApart = 0.03;  // of the best place from any other
+constexpr double kBlur_px = 0.7;      // how far two typefaces' strokes may lie apart
+
+Rgb rgbAt(const Raster& picture, int x, int y) {
+  const std::uint8_t* const p = picture.at(x, y);
+  return {p[0], p[1], p[2]};
+}
+
+double apart(Rgb a, Rgb b) { return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b); }
+
+/// The commonest colour, to sixteen levels.
+Rgb paperOf(const Raster& picture) {
+  std::vector<int> seen(4096, 0);
+  const auto shade = [](Rgb c) { return (c.r >> 4) << 8 | (c.g >> 4) << 4 | c.b >> 4; };
+  for (int y = 0; y < picture.height_px; y += 2)
+    for (int x = 0; x < picture.width_px; x += 2)
+      ++seen[static_cast<std::size_t>(shade(rgbAt(picture, x, y)))];
+  const int most = static_cast<int>(std::ranges::max_element(seen) - seen.begin());
+  const auto level = [&](int shift) { return static_cast<std::uint8_t>((most >> shift & 15) * 16 + 8); };
+  return {level(8), level(4), level(0)};
+}
+
+/// How far each pixel is from the paper, colour levels.
+cv::Mat inkOf(const Raster& picture) {
+  const Rgb paper = paperOf(picture);
+  cv::Mat ink(picture.height_px, picture.width_px, CV_32F);
+  for (int y = 0; y < ink.rows; ++y)
+    for (int x = 0; x < ink.cols; ++x)
+      ink.at<float>(y, x) = static_cast<float>(apart(rgbAt(picture, x, y), paper));
+  return ink;
+}
+
+/// Cut to where its ink stands; empty without any.
+cv::Mat cutToInk(const cv::Mat& ink) {
+  const cv::Rect at = cv::boundingRect(cv::Mat(ink > 100));
+  return at.empty() ? cv::Mat{} : ink(at).clone();
+}
+
+struct Place {
+  Box box;
+  double like = -1;
+};
+
+/// Best place of a name on a picture, and how alike the best one apart from it is.
+struct Sighting {
+  Place best;
+  double next = -1;
+};
+
+Sighting lookFor(const cv::Mat& name, const cv::Mat& ink) {
+  constexpr int least_px = 8, most_px = 40;  // height of the writing
+  std::vector<Place> all;
+  cv::Mat page;
+  cv::GaussianBlur(ink, page, {}, kBlur_px);
+  for (int height = least_px; height <= most_px; height += std::max(1, height / 12)) {
+    const int width = static_cast<int>(std::lround(static_cast<double>(name.cols) / name.rows * height));
+    if (width < 4 || width >= page.cols - 4 || height >= page.rows - 4) continue;
+    constexpr int rim = 1;  // paper around it belongs to the likeness
+    cv::Mat word, alike;
+    cv::resize(name, word, {width, height}, 0, 0, cv::INTER_AREA);
+    cv::copyMakeBorder(word, word, rim, rim, rim, rim, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::GaussianBlur(word, word, {}, kBlur_px);
+    cv::matchTemplate(page, word, alike, cv::TM_CCOEFF_NORMED);
+    for (int n = 0; n < 3; ++n) {
+      double like = 0;
+      cv::Point at;
+      cv::minMaxLoc(alike, nullptr, &like, nullptr, &at);
+      all.push_back(
+          {{double(at.x + rim), double(at.y + rim), double(at.x + rim + width), double(at.y + rim + height)},
+           like});
+      cv::rectangle(alike, cv::Rect(at.x - width / 2, at.y - height / 2, width, height), cv::Scalar(-1),
+                    cv::FILLED);
+    }
+  }
+  Sighting seen;
+  for (const Place& each : all)
+    if (each.like > seen.best.like) seen.best = each;
+  for (const Place& each : all)
+    if (!each.box.touches(seen.best.box)) seen.next = std::max(seen.next, each.like);
+  return seen;
+}
+
+constexpr double kSameInk = 70;  // colour levels
+
+/// Columns from a word to the nearest ink of a switch's curves, level with it; empty where none is near.
+std::optional<int> columnsTo(const PlotSwitch& its, const std::vector<CurveTrace>& traces, const Box& word,
+                             const Raster& picture) {
+  constexpr double reach = 4, band = 0.3;  // in heights of the word
+  const int most = static_cast<int>(reach * word.height());
+  const auto isIts = [&](int x) {
+    for (int y = static_cast<int>(word.middle().y - band * word.height());
+         y <= static_cast<int>(word.middle().y + band * word.height()); ++y) {
+      if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) continue;
+      for (const std::size_t t : its.traces)
+        if (apart(rgbAt(picture, x, y), traces[t].color) <= kSameInk) return true;
+    }
+    return false;
+  };
+  for (int by = 2; by <= most; ++by)
+    if (isIts(static_cast<int>(word.x0) - by) || isIts(static_cast<int>(word.x1) + by)) return by;
+  return {};
+}
+
+/// A curve through a word makes it look like another one.
+bool isRunThrough(const Box& word, const std::vector<CurveTrace>& traces) {
+  constexpr double rim_px = 2;
+  return std::ranges::any_of(traces, [&](const CurveTrace& trace) {
+    return std::ranges::any_of(trace.points_px,
+                               [&](Point p) { return word.grown(rim_px, rim_px).contains(p); });
+  });
+}
+
+bool isAscii(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+}  // namespace
+
+std::optional<std::size_t> switchSpotted(const std::vector<PlotSwitch>& switches,
+                                         const std::vector<CurveTrace>& traces, const Raster& picture,
+                                         const std::string& asked) {
+  constexpr int drawn_px = 64;
+  if (isAscii(asked) || switches.size() < 2 || picture.empty()) return {};
+  const auto drawn = wordsDrawn(asked, drawn_px);
+  if (!drawn) return {};
+  const cv::Mat name = cutToInk(inkOf(*drawn));
+  if (name.empty()) return {};
+  const Sighting seen = lookFor(name, inkOf(picture));
+  if (seen.best.like < kLeastLike || seen.best.like - seen.next < kLeastApart) return {};
+  if (isRunThrough(seen.best.box, traces)) return {};
+  std::optional<std::size_t> nearest;
+  int columns = 0;
+  bool tied = false;
+  for (std::size_t i = 0; i < switches.size(); ++i) {
+    const auto to = columnsTo(switches[i], traces, seen.best.box, picture);
+    if (!to || (nearest && *to > columns)) continue;
+    tied = nearest && *to == columns;
+    nearest = i;
+    columns = *to;
+  }
+  return tied ? std::nullopt : nearest;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A curve that is drawn beyond its frame's right edge takes the frame with it.
+
+#include "importer/wider_frame.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+/// A frame from (100, 100) to (500, 500) of a white picture of 700 x 600; 100 px are a millimetre. A rising line in red is drawn as far
+/// as wanted and followed to the frame.
+struct Plot {
+  LocatedGraph graph;
+  std::vector<CurveTrace> curves{1};
+
+  explicit Plot(int drawnTo_px) {
+    Raster& picture = graph.view.raster;
+    picture.width_px = 700, picture.height_px = 600;
+    picture.rgb.assign(3UL * 700 * 600, 255);
+    graph.frame.value.corners = {Point{100, 100}, Point{500, 100}, Point{500, 500}, Point{100, 500}};
+    AxisCalibration& axes = graph.axes.calibration.value;
+    axes.viewToUnits = {0.01, 0, -1, 0, -0.01, 5, 0, 0, 1};
+    axes.x.min = 0, axes.x.max = 4;
+    curves.front().color = {200, 30, 30};
+    for (int x = 100; x <= drawnTo_px; ++x) {
+      std::uint8_t* p = picture.rgb.data() + 3 * (700 * std::lround(row(x)) + x);
+      p[0] = 200, p[1] = p[2] = 30;
+      if (x <= 500) curves.front().points_px.push_back({double(x), row(x)});
+    }
+  }
+  static double row(int x) { return 450 - 0.5 * (x - 100); }
+  bool isWidened() const { return widenedToItsCurves(graph, curves).has_value(); }
+};
+
+}  // namespace
+
+TEST_CASE("a frame is widened to where its curve's ink ends, and the scale goes on") {
+  const Plot plot(530);
+  const auto wider = widenedToItsCurves(plot.graph, plot.curves);
+  REQUIRE(wider);
+  const Box box = wider->frame.value.box();
+  CHECK(box.x1 > 530);
+  CHECK(box.x1 < 540);
+  CHECK(box.x0 == 100);
+  CHECK(box.y0 == 100);
+  const AxisCalibration& axes = wider->axes.calibration.value;
+  CHECK(axes.x.max == Approx(axes.toUnits(wider->frame.value.corners[1]).x));
+}
+
+TEST_CASE("a frame stays where no curve leaves it") {
+  CHECK_FALSE(Plot(450).isWidened());
+  CHECK_FALSE(Plot(502).isWidened());  // a line's own end
+}
+
+TEST_CASE("a frame stays where the ink does not end near it") {
+  CHECK_FALSE(Plot(620).isWidened());  // more than a fifth of its width
+  Plot atEdge(530);
+  atEdge.graph.view.raster.width_px = 530;  // the picture is cut through the curve
+  atEdge.graph.view.raster.rgb.resize(3UL * 530 * 600);
+  CHECK_FALSE(atEdge.isWidened());
+}
+
+TEST_CASE("a frame stays where its scale is contradicted or it leans") {
+  Plot contradicted(530);
+  contradicted.graph.axes.remarks.push_back({RemarkCode::labelContradicts, {"60", "y", "40"}});
+  CHECK_FALSE(contradicted.isWidened());
+  Plot leaning(530);
+  leaning.graph.frame.value.corners[1].y += 4;
+  CHECK_FALSE(leaning.isWidened());
+}
