@@ -924,8 +924,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   }();
   if (!log) return log.failure();
   const QualitySettings settings = settingsFor(request.quality);
-  FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
-  options.curvesAway = request.curveErrors;
+  const FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
   auto fitted = [&] {
     StepClock time(seconds, ImportStep::fit);
     return fitBoth(log->strokes, options, options);

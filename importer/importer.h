@@ -89,8 +89,6 @@ struct ImportRequest {
   /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not as a
   /// Failure.
   bool acceptDoubt = false;
-  /// Of a log: the report tells how the curves may be off (FitSummary::oneSigmaAway).
-  bool curveErrors = false;
   /// Once it has passed what was read so far is taken, with a remark; where nothing was, unreadableInput.
   std::optional<TimeLimit> timeLimit;
 };

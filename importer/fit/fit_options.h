@@ -37,7 +37,6 @@ struct FitOptions {
   /// everywhere. In (0, 1].
   double noiseAtTactilePoints_share = 1;
   double correlationPoints = 0;  ///< points that share one error; 0: estimated from the residuals; else >= 1
-  bool curvesAway = false;       ///< FitSummary::oneSigmaAway is wanted; it costs a log's fit a sixth
   int candidateKnots = 200;      ///< places at which the first segmentation may put a knot; 8..2000
   int evidenceRounds = 2;        ///< rounds of taking out, adding and rounding off knots; 0..20
 };

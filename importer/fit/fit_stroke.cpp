@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "importer/fit/choose_knots.h"
-#include "importer/fit/foot_misfit.h"
 #include "importer/fit/segment_stroke.h"
 #include "importer/fit/tactile_misfit.h"
 
@@ -151,91 +150,6 @@ std::size_t nearestKnot(const KnotChain& chain, double u, double v) {
   return static_cast<std::size_t>(best - chain.begin());
 }
 
-/// Extrema between the ends, peaks and valleys alike.
-std::vector<std::size_t> extremaOf(const KnotChain& chain) {
-  std::vector<std::size_t> extrema;
-  for (std::size_t k = 1; k + 1 < chain.size(); ++k)
-    if ((chain[k].v() - chain[k - 1].v()) * (chain[k + 1].v() - chain[k].v()) < 0) extrema.push_back(k);
-  return extrema;
-}
-
-/// The knot where the wall of a curve begins, if it has one and it is not an end.
-std::optional<std::size_t> footKnotOf(const KnotChain& chain, const StrokeCurve& curve,
-                                      const StrokeSamples& samples) {
-  const BottomOut bottom = bottomOutOf(curve);
-  if (!bottom.wall) return {};
-  const std::size_t knot = nearestKnot(chain, samples.u(bottom.displacement_mm), samples.v(bottom.force_N));
-  return knot > 0 && knot + 1 < chain.size() ? std::optional(knot) : std::nullopt;
-}
-
-/// Gathers the ways in which the curve of a chain may be off.
-class CurvesAway {
- public:
-  CurvesAway(FitSummary& summary, const KnotChain& chain, const StrokeSamples& samples)
-      : summary_(summary), chain_(chain), samples_(samples) {}
-
-  void byNoise(const std::vector<std::vector<KnotParameters>>& moves, double inflation) {
-    for (const std::vector<KnotParameters>& move : moves)
-      for (const double side : {inflation, -inflation}) add(moved(move, side), 0.5);
-  }
-
-  /// What the covariance holds still: an end keeps one coordinate of its sample, and may leave the other's.
-  void byEnds(const PointNoise& noise) {
-    for (const std::size_t end : {std::size_t{0}, chain_.size() - 1}) {
-      const ChainKnot& inner = end == 0 ? chain_[1] : chain_[end - 1];
-      const bool inWall = std::abs(inner.v() - chain_[end].v()) > std::abs(inner.u() - chain_[end].u());
-      const SigmaPoint& sample = end == 0 ? samples_.points.front() : samples_.points.back();
-      for (const double side : {1.0, -1.0})
-        if (inWall)
-          add(movedKnot(end, 0, side * noise.sigma_N / samples_.newtonsPerV), 0.5);
-        else
-          add(movedKnot(end, side * noise.sigma_mm / samples_.mmPerU, 0), 0.5);
-      if (inWall) add(movedKnot(end, sample.u - chain_[end].u(), 0), 1, CurveDoubt::depth);
-    }
-  }
-
-  /// What few cubics make of extrema and of the foot of a wall.
-  void byMisfit(const StrokeCurve& curve, double tactileSign) {
-    for (const std::size_t k : extremaOf(chain_)) {
-      const double sign = chain_[k].v() > chain_[k - 1].v() ? 1 : -1;
-      const TactileMisfit misfit =
-          tactileMisfit(chain_, samples_.points, chain_[k], sign, summary_.correlationPoints,
-                        sign == tactileSign ? tactileWindow : valleyWindow);
-      add(movedKnot(k, misfit.u, 0), misfitWeight, CurveDoubt::places);
-      add(movedKnot(k, 0, misfit.v), misfitWeight, CurveDoubt::places);
-    }
-    const auto foot = footKnotOf(chain_, curve, samples_);
-    const auto corner =
-        foot ? cornerFoot(chain_, samples_.points, *foot, summary_.correlationPoints) : std::nullopt;
-    if (corner) add(withCorner(chain_, *corner, *foot), misfitWeight * corner->likely, CurveDoubt::places);
-  }
-
- private:
-  KnotChain moved(const std::vector<KnotParameters>& move, double times) const {
-    KnotChain chain = chain_;
-    for (std::size_t k = 0; k < chain.size(); ++k)
-      for (std::size_t i = 0; i < chain[k].at.size(); ++i) chain[k].at[i] += times * move[k][i];
-    return chain;
-  }
-  KnotChain movedKnot(std::size_t knot, double u, double v) const {
-    KnotChain chain = chain_;
-    chain[knot].at[0] += u, chain[knot].at[1] += v;
-    return chain;
-  }
-  /// A misfit is known rather than drawn: it lies beside the truth by less than itself as often as beyond.
-  static constexpr double misfitWeight = 1.15;
-
-  void add(KnotChain chain, double weight, CurveDoubt doubt = CurveDoubt::course) {
-    levelDisplacements(chain);
-    auto curve = StrokeCurve::fromKnots(modelKnots(chain, samples_));
-    if (curve) summary_.oneSigmaAway.push_back({*std::move(curve), weight, doubt});
-  }
-
-  FitSummary& summary_;
-  const KnotChain& chain_;
-  const StrokeSamples& samples_;
-};
-
 void addErrors(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, const ChosenChain& fit,
                const StrokeSamples& samples, const FitOptions& options) {
   const KnotErrors errors = knotErrors(fit.chain, samples.points, choiceSettings(options).solve);
@@ -243,17 +157,11 @@ void addErrors(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, con
   // `correlationPoints` residuals share one error.
   const double inflation = std::sqrt(summary.correlationPoints);
   const double sign = stroke == Stroke::press ? 1 : -1;
-  if (options.curvesAway) {
-    CurvesAway away(summary, fit.chain, samples);
-    away.byNoise(errors.moves, inflation);
-    away.byEnds(options.noise);
-    away.byMisfit(curve, sign);
-  }
   for (const TactilePoint& point : tactilePoints(curve, stroke)) {
     const std::size_t knot =
         nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N));
-    const TactileMisfit misfit = tactileMisfit(fit.chain, samples.points, fit.chain[knot], sign,
-                                               summary.correlationPoints, tactileWindow);
+    const TactileMisfit misfit =
+        tactileMisfit(fit.chain, samples.points, fit.chain[knot], sign, summary.correlationPoints);
     summary.tactilePoints.push_back(
         {point, std::hypot(errors.sigmas[knot].u * inflation, misfit.u) * samples.mmPerU,
          std::hypot(errors.sigmas[knot].v * inflation, misfit.v) * samples.newtonsPerV});

@@ -24,20 +24,6 @@ struct FittedTactilePoint {
   double sigma_N = 0;
 };
 
-/// What of a stroke may be otherwise.
-enum class CurveDoubt {
-  course,  ///< forces along the way
-  places,  ///< where extrema and the foot of the wall are; not the force at a given place
-  depth    ///< how far the travel goes, which both strokes of a button share
-};
-
-/// The stroke as it may be as well.
-struct CurveAway {
-  StrokeCurve curve;
-  double weight = 1;  ///< 1/2 where another lies to the other side
-  CurveDoubt doubt = CurveDoubt::course;
-};
-
 enum class FitOutcome {
   converged,
   iterationLimit,  ///< usable; the solver stopped before its tolerance
@@ -55,10 +41,6 @@ struct FitSummary {
   double bic = 0;
   double seconds = 0;
   std::vector<FittedTactilePoint> tactilePoints;
-  /// Where FitOptions::curvesAway asks for it: one or two for every independent way in which the curve may be off by one standard error: how noise moves the knots together,
-  /// what the ends rest on, how far extrema and the foot of a wall stand beside the points' own. A value's variance is the sum of
-  /// weight times its squared difference from the curve's own.
-  std::vector<CurveAway> oneSigmaAway;
   std::string brief() const;  ///< one line
 };
 

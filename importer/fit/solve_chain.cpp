@@ -354,25 +354,6 @@ double conditionOf(const Eigen::MatrixXd& information) {
   return std::sqrt(greatest / std::max(eigenvalues[0], beyondRounding * greatest));
 }
 
-/// A root of the covariance, column by column.
-std::vector<std::vector<KnotParameters>> movesOf(const Eigen::MatrixXd& covariance,
-                                                 const std::vector<std::size_t>& free, std::size_t knots) {
-  constexpr double least = 1e-12;  // of the greatest variance: rounding
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(covariance);
-  std::vector<std::vector<KnotParameters>> moves;
-  for (Eigen::Index axis = 0; axis < covariance.cols(); ++axis) {
-    const double variance = axes.eigenvalues()[axis];
-    if (!(variance > least * axes.eigenvalues()[covariance.cols() - 1])) continue;
-    std::vector<KnotParameters> move(knots, KnotParameters{});
-    for (Eigen::Index c = 0; c < covariance.cols(); ++c) {
-      const std::size_t i = free[static_cast<std::size_t>(c)];
-      move[i / perKnot][i % perKnot] = std::sqrt(variance) * axes.eigenvectors()(c, axis);
-    }
-    moves.push_back(std::move(move));
-  }
-  return moves;
-}
-
 }  // namespace
 
 double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale) {
@@ -431,7 +412,6 @@ KnotErrors knotErrors(const KnotChain& chain, const std::vector<SigmaPoint>& poi
     if (parameter == 0) errors.sigmas[knot].u = sigma;
     if (parameter == 1) errors.sigmas[knot].v = sigma;
   }
-  errors.moves = movesOf(covariance, free, chain.size());
   return errors;
 }
 

@@ -37,9 +37,6 @@ struct KnotErrors {
   /// their number (van der Sluis 1969): how much less is known of the worst combination of knots than of the
   /// best. 1 to 1e8: it is taken from J'J, whose least eigenvalue is rounding beyond.
   double condition = 1;
-  /// Ways in which the knots may be off together, one standard error each: changes of every knot's parameters. The squares
-  /// of what each does to a value add up to the value's variance.
-  std::vector<std::vector<KnotParameters>> moves;
 };
 
 /// Standard errors of all knots' places from the covariance of the whole fit, all knots free. Weights differ

@@ -44,9 +44,9 @@ std::vector<double> runningMeans(const std::vector<SigmaPoint>& points, double s
   return means;
 }
 
-Window windowAround(const std::vector<SigmaPoint>& points, const ChainKnot& at, double sign,
-                    double dropShare) {
-  constexpr double noise = 3;  // sigmas that a point may stand above the extremum
+Window windowAround(const std::vector<SigmaPoint>& points, const ChainKnot& at, double sign) {
+  constexpr double dropShare = 0.5;  // of the shallower side's drop, down to which points count
+  constexpr double noise = 3;        // sigmas that a point may stand above the extremum
   const std::vector<double> heights = runningMeans(points, sign);
   const double height = sign * at.v();
   const auto beyond =
@@ -172,8 +172,8 @@ Eigen::VectorXd chainHeights(const KnotChain& chain, const ChainKnot& at, double
 }  // namespace
 
 TactileMisfit tactileMisfit(const KnotChain& chain, const std::vector<SigmaPoint>& points,
-                            const ChainKnot& at, double sign, double correlationPoints, double dropShare) {
-  Window window = windowAround(points, at, sign, dropShare);
+                            const ChainKnot& at, double sign, double correlationPoints) {
+  Window window = windowAround(points, at, sign);
   const auto count = static_cast<std::size_t>(window.t.size());
   if (count < fewestPoints) return {};
   const Eigen::VectorXd own = chainHeights(chain, at, sign, window);

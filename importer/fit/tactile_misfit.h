@@ -7,19 +7,15 @@
 
 namespace detent::importer {
 
-/// Distance of an extremum of the chain from the mean of several local models of the points around it, each as likely as its
+/// Distance of a tactile point of the chain from the mean of several local models of the points around it, each as likely as its
 /// evidence says, the chain's own pieces among them (Hoeting et al. 1999; docs/decisions/0204-misfit-of-tactile-points.md).
 struct TactileMisfit {
   double u = 0, v = 0;  ///< sigmas, signed: model mean - chain
 };
 
-/// Shares of the shallower side's drop, down to which points around an extremum count: of a tactile point, and of the valley after it,
-/// whose steep and flat sides no polynomial follows for long.
-inline constexpr double tactileWindow = 0.5, valleyWindow = 0.1;
-
-/// `at`: the chain's extremum nearest to a tactile point; `sign`: 1 for a peak, -1 for a valley; `correlationPoints` >= 1:
+/// `at`: the chain's extremum nearest to a tactile point; `sign`: 1 for a press, -1 for a release; `correlationPoints` >= 1:
 /// points that share one error. Zero where too few points lie around it to tell.
 TactileMisfit tactileMisfit(const KnotChain& chain, const std::vector<SigmaPoint>& points,
-                            const ChainKnot& at, double sign, double correlationPoints, double dropShare);
+                            const ChainKnot& at, double sign, double correlationPoints);
 
 }  // namespace detent::importer

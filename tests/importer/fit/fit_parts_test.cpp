@@ -7,7 +7,6 @@
 
 #include "importer/fit/band_matrix.h"
 #include "importer/fit/choose_knots.h"
-#include "importer/fit/foot_misfit.h"
 #include "importer/fit/segment_stroke.h"
 #include "importer/fit/tactile_misfit.h"
 #include "tests/importer/fit/drawn_strokes.h"
@@ -238,8 +237,7 @@ std::vector<SigmaPoint> pointsOf(const KnotChain& chain, double noise, int count
 TEST_CASE("a tactile point of the right curve is not far from what the points around it say") {
   for (const double sign : {1.0, -1.0}) {
     const KnotChain chain = extremum(sign);
-    const TactileMisfit misfit =
-        tactileMisfit(chain, pointsOf(chain, 0.3, 400), chain[1], sign, 1, tactileWindow);
+    const TactileMisfit misfit = tactileMisfit(chain, pointsOf(chain, 0.3, 400), chain[1], sign, 1);
     CHECK(std::abs(misfit.u) < 1.5);
     CHECK(std::abs(misfit.v) < 0.3);
   }
@@ -249,43 +247,16 @@ TEST_CASE("a tactile point that the curve's few pieces put beside the points' ow
   for (const double sign : {1.0, -1.0}) {
     const std::vector<SigmaPoint> points = pointsOf(extremum(sign), 0.3, 400);
     const KnotChain off = extremum(sign, 8);
-    CHECK(tactileMisfit(off, points, off[1], sign, 1, tactileWindow).u == Approx(-8).margin(2));
+    CHECK(tactileMisfit(off, points, off[1], sign, 1).u == Approx(-8).margin(2));
     KnotChain high = extremum(sign);
     high[1].at[1] += sign * 3;
-    CHECK(tactileMisfit(high, points, high[1], sign, 1, tactileWindow).v == Approx(-3 * sign).margin(0.5));
+    CHECK(tactileMisfit(high, points, high[1], sign, 1).v == Approx(-3 * sign).margin(0.5));
   }
 }
 
 TEST_CASE("around a tactile point of a handful of points nothing is known but the fit's own error") {
   const KnotChain chain = extremum(1);
-  const TactileMisfit misfit = tactileMisfit(chain, pointsOf(chain, 1, 12), chain[1], 1, 1, tactileWindow);
+  const TactileMisfit misfit = tactileMisfit(chain, pointsOf(chain, 1, 12), chain[1], 1, 1);
   CHECK(misfit.u == 0);
   CHECK(misfit.v == 0);
-}
-
-TEST_CASE("the foot of a wall that few pieces round off is told where its points have it") {
-  // A spring to 300, 60; from there a wall up to 320, 360.
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal(0, 0.3);
-  std::vector<SigmaPoint> points;
-  for (int i = 0; i <= 600; ++i) points.push_back({0.5 * i + normal(random), 0.1 * i + normal(random), 1});
-  for (int i = 1; i <= 60; ++i)
-    points.push_back({300 + i / 3.0 + normal(random), 60 + 5.0 * i + normal(random), 1});
-  const KnotChain rounded{{{0, 0, 0.2, 0.2}, JointKind::smooth},
-                          {{293, 62, 0.5, 0.5}, JointKind::smooth},
-                          {{320, 360, 18, 18}, JointKind::smooth}};
-  const auto corner = cornerFoot(rounded, points, 1, 1);
-  REQUIRE(corner);
-  CHECK(corner->u == Approx(300).margin(0.5));
-  CHECK(corner->v == Approx(60).margin(0.5));
-  CHECK(corner->slopeAfter == Approx(15).epsilon(0.1));
-  CHECK(corner->likely > 0.99);
-  const KnotChain cornered = withCorner(rounded, *corner, 1);
-  REQUIRE(cornered.size() == 3);
-  CHECK(cornered[1].joint == JointKind::corner);
-  CHECK(chiSquareOf(cornered, points, 3) < chiSquareOf(rounded, points, 3));
-  // Of a chain that has the corner the points say nothing else.
-  const auto same = cornerFoot(cornered, points, 1, 1);
-  REQUIRE(same);
-  CHECK(same->u == Approx(cornered[1].u()).margin(0.5));
 }
