@@ -504,12 +504,15 @@ class Doubts {
 
   /// Of the trace that the stroke was taken from.
   Rgb colorOf(const StrokePoints& stroke) const {
-    const auto has = [&](const CurveTrace& trace) {
-      return !trace.points_px.empty() && (trace.points_px.front() == stroke.points_px.front() ||
-                                          trace.points_px.back() == stroke.points_px.front());
-    };
-    const auto from = std::find_if(findings_.traces.begin(), findings_.traces.end(), has);
-    return from == findings_.traces.end() ? Rgb{} : from->color;
+    // Its foot may be another curve's, under which its own runs: its upper end says more.
+    for (const Point end : {stroke.points_px.back(), stroke.points_px.front()}) {
+      const auto has = [&](const CurveTrace& trace) {
+        return !trace.points_px.empty() && (trace.points_px.front() == end || trace.points_px.back() == end);
+      };
+      const auto from = std::find_if(findings_.traces.begin(), findings_.traces.end(), has);
+      if (from != findings_.traces.end()) return from->color;
+    }
+    return {};
   }
 
   const GraphFindings& findings_;

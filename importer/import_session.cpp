@@ -388,6 +388,7 @@ struct ImportSession::Impl {
       keepUnusedTicks(axes.calibration.value.y, reading.asLocated->calibration.value.y);
     }
     axes.texts = std::move(graph.axes.texts);
+    axes.otherLines = std::move(graph.axes.otherLines);
     graph.axes = std::move(axes);
     reading.hints = hints;
     return Done{};
@@ -401,13 +402,14 @@ struct ImportSession::Impl {
     int graphCount = 1;                                // of all that could have been chosen
     std::vector<std::pair<int, std::size_t>> rivals;   // page and index of others on equal axes
     std::shared_ptr<LocatedGraph> mirrored = nullptr;  // what is followed where its numbers fall
-    LocatedGraph& located() const { return mirrored ? *mirrored : onPage->located.graphs[index]; }
+    LocatedGraph& located() const { return mirrored ? *mirrored : asRead(); }
+    LocatedGraph& asRead() const { return onPage->located.graphs[index]; }  // as it stands on the page
   };
 
   /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons differ.
   std::string buttonName(const Choice& choice) const {
     const bool alone = document->pageCount() == 1 && choice.onPage->located.graphs.size() == 1;
-    const std::string title = alone ? std::string() : titleAbove(choice.located());
+    const std::string title = alone ? std::string() : titleAbove(choice.asRead());
     return title.empty() ? stem() : stem() + " " + title;
   }
 
@@ -585,7 +587,7 @@ struct ImportSession::Impl {
     const auto curves = traces(choice, request.hints.trace, options, progress);
     if (!curves) return {};
     StepClock time(seconds, ImportStep::copies);
-    auto strokes = separateStrokes(**curves, graph.axes, request.hints.strokes);
+    auto strokes = separateStrokes(**curves, graph.axes, asSeen(request.hints.strokes, **curves, graph.view));
     if (!strokes) return {};
     const Box frame = graph.frame.value.box();
     const CopyRank rank{std::min(graph.confidence(), strokes->confidence), strokes->value.press.fromVector,
@@ -695,7 +697,7 @@ Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportReques
   const QualitySettings settings = settingsFor(request.quality);
   auto choice = choose(request, locateKeyOf(request), progress);
   if (!choice) return choice.failure();
-  letViewsGo(&choice->located());
+  letViewsGo(&choice->asRead());
   makeReady(*choice, progress);
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
   if (!curves) return placed(curves.failure(), *choice);
@@ -823,7 +825,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   auto choice = chosen(request, look, progress);
   if (!choice) return {choice.failure(), {}};
   lastRead = {choice->page, choice->graph, choice->located().candidate.value.pageBox, choice->remarks};
-  letViewsGo(&choice->located());
+  letViewsGo(&choice->asRead());
   makeReady(*choice, progress);
   const LocatedGraph& graph = choice->located();
   if (auto falling = stillFalling(graph, request.hints.axes)) return stopped(*falling, *choice, {}, {});
@@ -843,7 +845,8 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
         request.hints.drawn, graph);
   }();
   std::optional<Wider> wider;
-  if (strokes && request.hints.frame.empty() && request.hints.drawn.press.empty())
+  if (strokes && request.hints.frame.empty() && request.hints.drawn.press.empty() &&
+      request.hints.drawn.release.empty())
     wider = readWider(graph, **curves, request, settings.trace, progress);
   if (wider) {
     curves = &wider->curves;
@@ -863,6 +866,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
     if (refined && refined->shape != SheetShape::asRead) {
       refinedGraph = *read;
       refinedGraph->axes.calibration.value = refined->calibration;
+      if (wider) refinedGraph->axes.calibration.value.x.max = wider->graph.axes.calibration.value.x.max;
       moveTo(refined->calibration, graph.axes.calibration.value, strokes->value.press);
       if (strokes->value.release)
         moveTo(refined->calibration, graph.axes.calibration.value, *strokes->value.release);

@@ -33,6 +33,7 @@ std::vector<double> runningMeans(const std::vector<double>& values, std::size_t 
 SampledStroke::SampledStroke(const StrokeCurve& curve, const std::vector<CurvePoint>& points)
     : curve_(curve), points_(points) {
   if (points_.front().displacement_mm > points_.back().displacement_mm) std::ranges::reverse(points_);
+  std::ranges::stable_sort(points_, {}, &CurvePoint::displacement_mm);  // a sensor's place may tremble
   std::vector<double> steps;
   for (std::size_t i = 1; i < points_.size(); ++i)
     if (const double step = std::abs(points_[i].displacement_mm - points_[i - 1].displacement_mm); step > 0)

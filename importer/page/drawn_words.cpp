@@ -39,6 +39,14 @@ void fillText(Drawing& d, fz_matrix place) {
   fz_catch(context) fz_rethrow(context);
 }
 
+/// A sign without a letter is drawn as nothing or as a box.
+bool hasAllLetters(const fz_text* text) {
+  for (const fz_text_span* span = text->head; span != nullptr; span = span->next)
+    for (int i = 0; i < span->len; ++i)
+      if (span->items[i].gid == 0 && span->items[i].ucs > ' ') return false;
+  return true;
+}
+
 }  // namespace
 
 std::optional<Raster> wordsDrawn(const std::string& utf8, int height_px) {
@@ -56,6 +64,7 @@ std::optional<Raster> wordsDrawn(const std::string& utf8, int height_px) {
     const auto size = static_cast<float>(height_px);
     fz_show_string(context, d.text, d.font, fz_scale(size, -size), utf8.c_str(), 0, 0, FZ_BIDI_LTR,
                    FZ_LANG_UNSET);
+    if (!hasAllLetters(d.text)) return;
     const fz_rect bounds = fz_bound_text(context, d.text, nullptr, fz_identity);
     const fz_irect whole = fz_irect_from_rect(fz_expand_rect(bounds, 2));
     d.pixels = fz_new_pixmap_with_bbox(context, fz_device_gray(context), whole, nullptr, 0);

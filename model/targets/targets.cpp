@@ -67,7 +67,9 @@ class Search {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(bendable_.unknowns());
     auto now = seen(z);
     int onceMet = 0;
-    for (int step = 0; now && step < mostSteps && !clock_.over(); ++step) {
+    for (int step = 0; now && step < mostSteps && !clock_.givenUp(); ++step) {
+      if (onceMet == 0 && clock_.late()) break;  // what is met is still made the least change
+
       const bool met = isMet(*now);
       if (met && onceMet++ >= stepsOnceMet) break;
       const auto slopes = slopesAt(z, *now);
@@ -514,7 +516,9 @@ TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::
   if (allMet(now, wanted)) return {button, {}};
   const Clock clock(patience);
   const Bending bending(button, state, tolerance, settings, clock);
-  if (auto next = bending.solved(wanted)) return {*std::move(next), {}};
+  auto next = bending.solved(wanted);
+  if (clock.givenUp()) return {};
+  if (next) return {*std::move(next), {}};
   const std::vector<FigureTarget> contradicting = bending.fewest(wanted);
   TargetConflict conflict = contradicting.size() > 1
                                 ? conflictOf(contradicting)

@@ -52,7 +52,10 @@ struct JackStream::Client {
   static int process(jack_nframes_t frames, void* self) {
     Client& client = *static_cast<Client*>(self);
     client.inside = true;
-    if (!client.leaving) client.render(frames);
+    if (client.leaving)
+      client.silence(frames);  // what is in a buffer would sound once more
+    else
+      client.render(frames);
     client.inside = false;
     return 0;
   }
@@ -69,6 +72,11 @@ struct JackStream::Client {
     return 0;
   }
   static void shutdown(void* self) { static_cast<Client*>(self)->down = true; }
+
+  void silence(jack_nframes_t frames) {
+    for (std::size_t c = 0; c < channels; ++c)
+      std::fill_n(static_cast<float*>(jack_port_get_buffer(ports[c], frames)), frames, 0.0F);
+  }
 
   void render(jack_nframes_t frames) {
     const double entry_s = now_s();

@@ -44,6 +44,8 @@ void giveContact(HapticProgram& program) {
     if (state.hasOperatingPoint) continue;
     state.hasOperatingPoint = true;
     state.operating_mm = (state.start_mm + state.end_mm) / 2;
+    state.hasResetPoint = true;
+    state.reset_mm = state.operating_mm;
   }
 }
 

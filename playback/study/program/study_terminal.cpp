@@ -199,7 +199,9 @@ class Desk {
       if (!end) return end.failure();
       if (*end == TrialEnd::answered) return Outcome::answered;
       if (*end == TrialEnd::paused) return Outcome::paused;
-      if (*end == TrialEnd::stopping && confirmed(terminal)) return Outcome::stopped;
+      if (*end != TrialEnd::stopping) continue;
+      if (confirmed(terminal)) return Outcome::stopped;
+      if (Result<Done> ok = session_.interrupted("stop not confirmed"); !ok) return ok.failure();
     }
   }
 

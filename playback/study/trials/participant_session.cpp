@@ -239,10 +239,11 @@ std::vector<double> drawnPresses(const StudyDesign& d, const Trial& trial, const
     return presses;
   }
   const double carrier_s = d.task == TimingTask::window ? trial.window_s : trial.interval_s;
-  for (;;) {
+  for (int tries = 0; tries < 1000; ++tries) {
     const double press_s = timing.place * carrier_s + timing.spread * trial.interval_s * drawNormal(random);
     if (countedPress(trial, {press_s})) return {press_s};
   }
+  return {};  // of such a person no press counts
 }
 
 /// The trial as a person works on it, at made-up times.
@@ -273,7 +274,6 @@ Answer simulatedTiming(const Study& study, const Trial& trial, const Simulation&
 
 /// "PLACE,SPREAD"
 std::optional<PressTiming> timingNamed(const std::string& text) {
-  PressTiming timing;
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) return {};
   const auto place = numberBehind(text.substr(0, comma), "timing=", -0.45, 5);
