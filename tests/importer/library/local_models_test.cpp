@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/library/local_models.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -118,4 +119,10 @@ TEST_CASE("a stroke's samples tell the meter's noise, its step and what samples 
   CHECK(std::sqrt(slow.areaVariance() / even.areaVariance()) > 1.2);
   for (int i = 0; i < 40; ++i) white.insert(white.begin() + 20 * i, white[20 * i]);
   CHECK_FALSE(SampledStroke(*curve, white).isEven());
+  // A place that trembles goes back now and then: a window holds what lies in it all the same.
+  std::vector<CurvePoint> trembling = carried;
+  for (std::size_t i = 10; i + 12 < trembling.size(); i += 12) std::swap(trembling[i], trembling[i + 11]);
+  const LocalWindow inside = SampledStroke(*curve, trembling).between(1, 2);
+  CHECK(inside.points.size() == slow.between(1, 2).points.size());
+  CHECK(std::ranges::is_sorted(inside.points, {}, &CurvePoint::displacement_mm));
 }

@@ -248,6 +248,16 @@ TEST_CASE("who simulates a timing study says when they press") {
   CHECK_FALSE(simulationNamed("presses=/nowhere.csv"));
 }
 
+TEST_CASE("a person of whom no press can count answers nothing, and is not waited for") {
+  const StudyFolder folder(timing(TimingTask::cue), {"A"});
+  auto session = ParticipantSession::open(*folder.study, "P01", person);
+  REQUIRE(session);
+  const Answer answer =
+      simulatedAnswer(*folder.study, "P01", *session->trial(), *simulationNamed("timing=2,0.01"));
+  CHECK(answer.presses_s.empty());
+  CHECK_FALSE(session->record(answer));
+}
+
 TEST_CASE("timing studies: lists tell the times, and the plan what people and trials come to") {
   const StudyFolder folder(timing(TimingTask::window), {"A", "B"});
   const std::string list = listCsv(*folder.study, "P01", 0);
