@@ -78,6 +78,7 @@ bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& pict
 std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
                                                const std::vector<CurveTrace>& curves) {
   constexpr double atEdge_px = 2, mostShare = 0.2, roomShare = 0.01, leastRoom_px = 3;  // shares of the width
+  constexpr double wallAlongEdge_px = 5;  // half of the thickest line
   const PlotFrame& frame = graph.frame.value;
   const Box box = frame.box();
   const Raster& picture = graph.view.raster;
@@ -89,9 +90,10 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
     std::vector<Point> line = curve.points_px;
     if (line.front().x > line.back().x) std::ranges::reverse(line);
     if (line.back().x < box.x1 - atEdge_px) continue;
-    leaves = leaves || goesOnBeyond(line, curve.color, picture);
     const auto end = inkEndsAt(curve, box, mostShare * box.width(), picture);
     if (!end) return {};
+    // A wall along the edge goes on upwards, over the frame's own line.
+    leaves = leaves || (*end > box.x1 + wallAlongEdge_px && goesOnBeyond(line, curve.color, picture));
     edge_px = std::max(edge_px, *end + std::max(leastRoom_px, roomShare * box.width()));
   }
   edge_px = std::min(edge_px, picture.width_px - 1.0);
