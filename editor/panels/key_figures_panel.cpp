@@ -67,6 +67,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   patience_.setInterval(patience_ms);
   setFocusProxy(table_);
 
+  about_->setMinimumHeight(1);  // it asks no window to be higher before it is hidden
   auto* aboutLayout = new QHBoxLayout(about_);
   aboutLayout->setContentsMargins(6, 6, 6, 6);
   aboutLayout->addWidget(picture_);
