@@ -274,12 +274,14 @@ class Walk:
         read_to_its_end(self.editor, DIALOG)
         self.desktop.key("alt+1")
         self.desktop.move((5, 5))
-        wait_for("the grid that the axes imply", lambda: differ(self.colour_at(on_line), before[0]), 20)
+        # The tick stands some pixels beside the click; an upright line would stand eighty away.
+        wait_for("the grid that the axes imply", lambda: any(differ(self.colour_at(on_line, right_px), before[0]) for right_px in range(-9, 10, 3)), 20)
         if differ(self.colour_at(beside), before[1]):
             raise AssertionError("a line of the implied grid runs upright on a page askew")
 
-    def colour_at(self, place):
-        return self.desktop.darkest_near(self.editor.on_page(*place))
+    def colour_at(self, place, right_px=0):
+        x, y = self.editor.on_page(*place)
+        return self.desktop.darkest_near((x + right_px, y))
 
     # ---- saved
 
