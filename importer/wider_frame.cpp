@@ -93,7 +93,9 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
     const auto end = inkEndsAt(curve, box, mostShare * box.width(), picture);
     if (!end) return {};
     // A wall along the edge goes on upwards, over the frame's own line.
-    leaves = leaves || (*end > box.x1 + wallAlongEdge_px && goesOnBeyond(line, curve.color, picture));
+    const double rightwards_px = line.back().x - line[line.size() - std::min<std::size_t>(line.size(), 13)].x;
+    const bool alongEdge = rightwards_px < 2 && *end <= box.x1 + wallAlongEdge_px;
+    leaves = leaves || (!alongEdge && goesOnBeyond(line, curve.color, picture));
     edge_px = std::max(edge_px, *end + std::max(leastRoom_px, roomShare * box.width()));
   }
   edge_px = std::min(edge_px, picture.width_px - 1.0);
