@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "importer/axes/button_sizes.h"
+#include "importer/page/same_ink.h"
 #include "importer/wider_frame.h"
 
 namespace detent::importer {

@@ -683,9 +683,9 @@ struct ImportSession::Impl {
     Result<Found<StrokePair>> strokes;
     Explanation explanation;
   };
-  static std::optional<Wider> readWider(const LocatedGraph& graph, const std::vector<CurveTrace>& curves,
-                                        const ImportRequest& request, const TraceOptions& options,
-                                        const Progress& progress);
+  std::optional<Wider> readWider(const LocatedGraph& graph, const std::vector<CurveTrace>& curves,
+                                 const ImportRequest& request, const TraceOptions& options,
+                                 const Progress& progress);
   Result<Choice> chosen(const ImportRequest& request, const Look& look, const Progress& progress);
   Failure tookTooLong(const TimeLimit& limit) const;
   ImportAttempt withDoubtsJudged(ImportAttempt attempt, const ImportRequest& request) const;
@@ -802,15 +802,16 @@ std::optional<ImportSession::Impl::Wider> ImportSession::Impl::readWider(
     const TraceOptions& options, const Progress& progress) {
   auto widened = widenedToItsCurves(graph, curves);
   if (!widened) return {};
+  StepClock time(seconds, ImportStep::trace);
   const TraceHints onView = inView(request.hints.trace, graph.view);
-  auto traced = traceCurves(widened->view, widened->frame.value, widened->axes, onView, options, progress);
-  if (!traced || progress.isCancelled()) return {};
+  auto followed = traceCurves(widened->view, widened->frame.value, widened->axes, onView, options, progress);
+  if (!followed || progress.isCancelled()) return {};
   auto strokes =
-      separateStrokes(*traced, widened->axes, asSeen(request.hints.strokes, *traced, widened->view));
+      separateStrokes(*followed, widened->axes, asSeen(request.hints.strokes, *followed, widened->view));
   if (!strokes) return {};
   Explanation explanation =
-      explain(widened->view, widened->frame.value, widened->axes.texts, *traced, onView.masks_px);
-  return Wider{std::move(*widened), std::move(*traced), std::move(strokes), std::move(explanation)};
+      explain(widened->view, widened->frame.value, widened->axes.texts, *followed, onView.masks_px);
+  return Wider{std::move(*widened), std::move(*followed), std::move(strokes), std::move(explanation)};
 }
 
 ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const Look& look,
@@ -835,8 +836,6 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
   if (!curves && request.hints.drawn.press.empty()) return stopped(curves.failure(), *choice, none, {});
   if (!curves) curves = &none;  // the person drew what could not be traced
-  Explanation explanation = explanationOf(*curves, *choice);
-
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
     StepClock time(seconds, ImportStep::strokes);
@@ -848,10 +847,10 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   if (strokes && request.hints.frame.empty() && request.hints.drawn.press.empty() &&
       request.hints.drawn.release.empty())
     wider = readWider(graph, **curves, request, settings.trace, progress);
+  const Explanation explanation = wider ? std::move(wider->explanation) : explanationOf(*curves, *choice);
   if (wider) {
     curves = &wider->curves;
     strokes = std::move(wider->strokes);
-    explanation = wider->explanation;
   }
   if (!strokes) return stopped(strokes.failure(), *choice, **curves, explanation);
   if (request.timeLimit && request.timeLimit->passed()) settings = cutShort(settings);

@@ -6,8 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "importer/page/same_ink.h"
+
 namespace detent::importer {
 namespace {
+
+constexpr std::size_t tail = 12;  // points of a curve that say where it leads
 
 /// Column in which a curve's ink ends beyond the frame's right edge; empty where it does not end within `most_px` of it.
 std::optional<int> inkEndsAt(const CurveTrace& curve, const Box& frame, double most_px,
@@ -50,15 +54,7 @@ bool isContradicted(const LocatedGraph& graph) {
 
 }  // namespace
 
-bool isInkOf(const Raster& picture, Rgb color, int x, int y) {
-  constexpr double sameInk = 70;  // colour levels
-  if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
-  const std::uint8_t* p = picture.at(x, y);
-  return std::hypot(p[0] - color.r, p[1] - color.g, p[2] - color.b) <= sameInk;
-}
-
 bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& picture) {
-  constexpr std::size_t tail = 12;
   constexpr int reach = 2;
   if (curve.size() <= tail) return false;
   const Point end = curve.back(), before = curve[curve.size() - 1 - tail];
@@ -93,7 +89,7 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
     const auto end = inkEndsAt(curve, box, mostShare * box.width(), picture);
     if (!end) return {};
     // A wall along the edge goes on upwards, over the frame's own line.
-    const double rightwards_px = line.back().x - line[line.size() - std::min<std::size_t>(line.size(), 13)].x;
+    const double rightwards_px = line.back().x - line[line.size() - std::min(line.size(), tail + 1)].x;
     const bool alongEdge = rightwards_px < 2 && *end <= box.x1 + wallAlongEdge_px;
     leaves = leaves || (!alongEdge && goesOnBeyond(line, curve.color, picture));
     edge_px = std::max(edge_px, *end + std::max(leastRoom_px, roomShare * box.width()));

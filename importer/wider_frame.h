@@ -11,9 +11,6 @@
 
 namespace detent::importer {
 
-/// Whether a pixel, inside the picture or not, has about this colour.
-bool isInkOf(const Raster& picture, Rgb color, int x, int y);
-
 /// Whether ink of this colour stands on a straight line beyond a curve's end, seen at three places.
 bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& picture);
 

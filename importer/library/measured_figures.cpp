@@ -56,7 +56,8 @@ class Measured {
  public:
   explicit Measured(const ImportReport& report)
       : state_(report.button.states().front()),
-        figures_(keyFiguresOf(state_)),
+        fitted_(keyFiguresOf(state_)),
+        figures_(fitted_),
         down_(state_.graph.press(), report.strokes.press.points),
         halfStep_mm_(0.5 * down_.step_mm()) {
     if (state_.graph.release() && report.strokes.release)
@@ -224,18 +225,18 @@ class Measured {
     } else {
       errorOf(force).isTold = false;
     }
-    const KeyFigures here = keyFiguresOf(state_);
     ButtonState away = state_;
     std::optional<double>& moved_mm =
         force == KeyFigure::operatingForce ? away.operatingPoint_mm : away.resetPoint_mm;
     *moved_mm += 0.5 * samples.step_mm();
     const KeyFigures there = keyFiguresOf(away);
     for (std::size_t i = 0; i < keyFigureCount; ++i)
-      if (here.values[i] && there.values[i] && *here.values[i] != *there.values[i])
-        errors_[i].addBound(*there.values[i] - *here.values[i]);
+      if (fitted_.values[i] && there.values[i] && *fitted_.values[i] != *there.values[i])
+        errors_[i].addBound(*there.values[i] - *fitted_.values[i]);
   }
 
   const ButtonState& state_;
+  const KeyFigures fitted_;  ///< as the fit has them
   KeyFigures figures_;
   SampledStroke down_;
   std::optional<SampledStroke> up_;

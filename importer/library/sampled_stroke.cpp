@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <Eigen/Dense>
 
@@ -98,7 +99,8 @@ void SampledStroke::weighNoise() {
   };
   if (length < fewest) return byBends();
   static const Blocks usual(longest);
-  const Blocks& blocks = length == longest ? usual : Blocks(length);
+  const std::optional<Blocks> own = length == longest ? std::nullopt : std::optional<Blocks>(length);
+  const Blocks& blocks = own ? *own : usual;
   struct Stretch {
     double variance_N2 = 0, shared_N2 = 0;
   };

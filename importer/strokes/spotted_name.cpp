@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "importer/page/drawn_words.h"
+#include "importer/page/same_ink.h"
 
 namespace detent::importer {
 namespace {
@@ -94,8 +95,6 @@ Sighting lookFor(const cv::Mat& name, const cv::Mat& ink) {
   return seen;
 }
 
-constexpr double kSameInk = 70;  // colour levels
-
 /// Columns from a word to the nearest ink of a switch's curves, level with it; empty where none is near.
 std::optional<int> columnsTo(const PlotSwitch& its, const std::vector<CurveTrace>& traces, const Box& word,
                              const Raster& picture) {
@@ -103,11 +102,9 @@ std::optional<int> columnsTo(const PlotSwitch& its, const std::vector<CurveTrace
   const int most = static_cast<int>(reach * word.height());
   const auto isIts = [&](int x) {
     for (int y = static_cast<int>(word.middle().y - band * word.height());
-         y <= static_cast<int>(word.middle().y + band * word.height()); ++y) {
-      if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) continue;
+         y <= static_cast<int>(word.middle().y + band * word.height()); ++y)
       for (const std::size_t t : its.traces)
-        if (apart(rgbAt(picture, x, y), traces[t].color) <= kSameInk) return true;
-    }
+        if (isInkOf(picture, traces[t].color, x, y)) return true;
     return false;
   };
   for (int by = 2; by <= most; ++by)

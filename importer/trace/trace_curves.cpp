@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
@@ -205,7 +206,7 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
 /// Looks beside a word, in a strip as long as a legend's sample may be; `direction` -1: left of it, +1:
 /// right.
 std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
-                                const Raster& raster, const Backdrop& backdrop, double heights = kLength) {
+                                const Raster& raster, const Backdrop& backdrop, double heights) {
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
   const double far = near + direction * heights * height;
@@ -229,13 +230,16 @@ std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vecto
   return seen;
 }
 
-/// Which trace's sample stands beside a word: level, ended, and of one ink only. `nearest`: of the first thing beside it alone.
+/// How far to look for a sample beside a word, in its heights; the direction as in lookBeside.
+using StripLength = std::function<double(const Box& word, int direction)>;
+
+/// Which trace's sample stands beside a word: level, ended, and of one ink only.
 std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const PageView& view,
-                                        const Backdrop& backdrop, bool nearest = false) {
+                                        const Backdrop& backdrop, const StripLength& lengthOf) {
   const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // as people write, sample first
   for (int direction : {before, -before}) {
-    const double length = nearest ? lengthOfFirstBeside(word, direction, view.raster, backdrop) : kLength;
-    const std::vector<InkSeen> seen = lookBeside(word, direction, inks, view.raster, backdrop, length);
+    const std::vector<InkSeen> seen =
+        lookBeside(word, direction, inks, view.raster, backdrop, lengthOf(word, direction));
     std::optional<std::size_t> found;
     bool several = false;
     for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -268,11 +272,11 @@ std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
 
 /// The texts beside each trace's legend sample.
 LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
-                        const PageView& view, const Backdrop& backdrop, bool nearest = false) {
+                        const PageView& view, const Backdrop& backdrop, const StripLength& lengthOf) {
   LegendTexts beside(inks.size());
   for (const SeenText& text : texts) {
     if (std::abs(text.angle_deg) > 20 || text.box.empty()) continue;
-    if (const auto trace = sampledTrace(text.box, inks, view, backdrop, nearest))
+    if (const auto trace = sampledTrace(text.box, inks, view, backdrop, lengthOf))
       beside[*trace].push_back(text);
   }
   return beside;
@@ -304,7 +308,7 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const P
                  const Backdrop& backdrop) {
   std::vector<Ink> inks;
   for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, backdrop));
-  LegendTexts beside = textsBeside(axes.texts, inks, view, backdrop);
+  LegendTexts beside = textsBeside(axes.texts, inks, view, backdrop, [](const Box&, int) { return kLength; });
   for (std::vector<SeenText>& texts : beside)
     std::erase_if(texts, [](const SeenText& text) { return text.utf8.empty(); });
   for (std::size_t i = 0; i < traces.size(); ++i) {
@@ -314,7 +318,10 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const P
       named.label += (named.label.empty() ? "" : " / ") + text.utf8;
     }
   }
-  labelByOtherLines(traces, textsBeside(axes.otherLines, inks, view, backdrop, true));
+  const auto firstBeside = [&](const Box& word, int direction) {
+    return lengthOfFirstBeside(word, direction, view.raster, backdrop);
+  };
+  labelByOtherLines(traces, textsBeside(axes.otherLines, inks, view, backdrop, firstBeside));
 }
 
 Mask either(const Mask& a, const Mask& b) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -16,7 +17,7 @@ namespace {
 constexpr double tapHold_s = 0.15;
 constexpr double firstReading_s = 3, look_s = 0.02;
 constexpr double tone_Hz = 2000, tone_s = 0.015, toneLevel = 0.25;  // heard, but above what a fingertip feels
-constexpr double twoPi = 6.28318530717958647692;
+constexpr double twoPi = 2 * std::numbers::pi;
 constexpr double overPress = 1.25;  // a quarter more than the bottom-out needs, as standardPress
 
 struct PreparedStimulus {

@@ -339,13 +339,17 @@ int runStatus(const ReadArguments& a, const Cancelled& cancelled) {
   return 0;
 }
 
+Result<StudyResults> resultsIn(const Study& study) {
+  Result<std::vector<ParticipantRecord>> records = readParticipants(study);
+  if (!records) return records.failure();
+  return resultsOf(study, *records);
+}
+
 Result<StudyResults> resultsIn(const std::string& folder) {
   if (holdsPrintedCounts(folder)) return readPrintedCounts(folder);
   Result<Study> study = openStudy(folder);
   if (!study) return study.failure();
-  Result<std::vector<ParticipantRecord>> records = readParticipants(*study);
-  if (!records) return records.failure();
-  return resultsOf(*study, *records);
+  return resultsIn(*study);
 }
 
 /// What was to be expected of the study's buttons on its device, mode by mode; nothing for printed counts.
@@ -465,7 +469,7 @@ Result<std::vector<FigureTable>> pressesIn(const std::string& file, TimingTask& 
         std::string("is a study of kind ") + nameOf(study->design.kind) + ": nobody's presses were timed",
         "Name a study of kind timing, or a CSV file"};
   task = study->design.task;
-  Result<StudyResults> results = resultsIn(file);
+  Result<StudyResults> results = resultsIn(*study);
   if (!results) return results.failure();
   for (const std::string& warning : results->warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   if (results->rows.empty())

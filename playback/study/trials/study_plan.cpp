@@ -34,7 +34,7 @@ std::size_t mostChoices(const std::vector<Trial>& trials) {
 }
 
 std::string xOf(const Study& study, const Trial& trial) {
-  if (study.design.kind == StudyKind::rating || study.design.kind == StudyKind::timing) return {};
+  if (!hasRightAnswer(study.design.kind)) return {};
   if (study.design.kind == StudyKind::threshold) return "choice_" + std::to_string(trial.target + 1);
   return study.buttons[trial.choices[trial.target]].label;
 }
