@@ -78,7 +78,7 @@ class ThumbnailDelegate : public QStyledItemDelegate {
   static void drawWords(QPainter& painter, QRect place, Qt::Alignment side, const QString& lines) {
     place.setHeight(painter.fontMetrics().height());
     for (const QString& line : lines.split('\n')) {
-      painter.drawText(place, side, painter.fontMetrics().elidedText(line, Qt::ElideRight, place.width()));
+      painter.drawText(place, side.toInt(), painter.fontMetrics().elidedText(line, Qt::ElideRight, place.width()));
       place.translate(0, place.height());
     }
   }
