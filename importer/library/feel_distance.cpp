@@ -83,6 +83,15 @@ double slopesApart_gf2_per_mm2(const std::vector<double>& a, const std::vector<d
   return over.count > 1 ? sum / (over.count - 1) / (step_mm * step_mm) : 0;
 }
 
+double squared(double value) { return value * value; }
+
+/// d^2 of one shift, of the terms that are known.
+double sum_gf2(const FeelDifference& of, const FeelWeights& weights) {
+  return of.press_gf2 + squared(weights.release) * of.release_gf2 +
+         squared(weights.slope_mm) * of.slope_gf2_per_mm2 + squared(weights.level * of.level_gf) +
+         squared(weights.travel_gf_per_mm * of.travel_mm) + squared(weights.shift_gf_per_mm * of.shift_mm);
+}
+
 }  // namespace
 
 FeelDistance::FeelDistance(const FeltShape& wanted, const FeelWeights& weights)
@@ -91,40 +100,46 @@ FeelDistance::FeelDistance(const FeltShape& wanted, const FeelWeights& weights)
   if (!wanted.release_N.empty()) release_gf_ = sampled_gf(wanted.release_N, travel_mm_, step_mm_, cells + 1);
 }
 
-std::vector<FeelDifference> FeelDistance::differencesTo(const FeltShape& other) const {
+std::vector<FeelDifference> FeelDistance::differencesTo(const FeltShape& other, double atMost_gf) const {
   constexpr int most = cells + 1 + farthestShift;
+  // Who is as far as the last that counts is not left out by a rounding.
+  const double most_gf2 = squared(atMost_gf) * (1 + 1e-9);
   const std::vector<double> press = sampled_gf(other.press_N, other.travel_mm, step_mm_, most);
   // A record without its way up is compared by its way down alone, which has then to speak for both.
   const bool releases = !release_gf_.empty() && !other.release_N.empty();
-  const std::vector<double> release =
-      releases ? sampled_gf(other.release_N, other.travel_mm, step_mm_, most) : std::vector<double>{};
+  std::vector<double> release;
   std::vector<FeelDifference> all;
   all.reserve(2 * farthestShift / shiftStride + 1);
   for (int shift = -farthestShift; shift <= farthestShift; shift += shiftStride) {
     const Overlap over = overlapAt(shift, static_cast<int>(press_gf_.size()), static_cast<int>(press.size()));
     if (over.count < 1) continue;
     const Moments down = apart(press_gf_, press, over);
+    FeelDifference each{down.aboutMean, 0, 0, 0, other.travel_mm - travel_mm_, shift * step_mm_};
+    if (sum_gf2(each, weights_) > most_gf2) continue;
+    if (releases && release.empty()) release = sampled_gf(other.release_N, other.travel_mm, step_mm_, most);
     const Moments up = releases ? apart(release_gf_, release, over) : down;
-    all.push_back({down.aboutMean, up.aboutMean, slopesApart_gf2_per_mm2(press_gf_, press, over, step_mm_),
-                   (down.mean + up.mean) / 2, other.travel_mm - travel_mm_, shift * step_mm_});
+    each.release_gf2 = up.aboutMean;
+    each.level_gf = (down.mean + up.mean) / 2;
+    if (sum_gf2(each, weights_) > most_gf2) continue;
+    each.slope_gf2_per_mm2 = slopesApart_gf2_per_mm2(press_gf_, press, over, step_mm_);
+    all.push_back(each);
   }
   return all;
 }
 
-double FeelDistance::to(const FeltShape& other) const {
-  return distance_gf(differencesTo(other), weights_) / labNoise_gf;
+double FeelDistance::to(const FeltShape& other, double atMost_labNoise) const {
+  return distance_gf(differencesTo(other, atMost_labNoise * labNoise_gf), weights_) / labNoise_gf;
+}
+
+double FeelDistance::leastTo(double travel_mm) const {
+  constexpr double roundedDown = 1 - 1e-9;
+  return roundedDown * weights_.travel_gf_per_mm * std::abs(travel_mm - travel_mm_) / labNoise_gf;
 }
 
 double distance_gf(const std::vector<FeelDifference>& byShift, const FeelWeights& weights) {
-  const auto squared = [](double value) { return value * value; };
-  double least = std::numeric_limits<double>::infinity();
-  for (const FeelDifference& each : byShift)
-    least = std::min(least, each.press_gf2 + squared(weights.release) * each.release_gf2 +
-                                squared(weights.slope_mm) * each.slope_gf2_per_mm2 +
-                                squared(weights.level * each.level_gf) +
-                                squared(weights.travel_gf_per_mm * each.travel_mm) +
-                                squared(weights.shift_gf_per_mm * each.shift_mm));
-  return std::sqrt(least);
+  double least_gf2 = std::numeric_limits<double>::infinity();
+  for (const FeelDifference& each : byShift) least_gf2 = std::min(least_gf2, sum_gf2(each, weights));
+  return std::sqrt(least_gf2);
 }
 
 }  // namespace detent::importer

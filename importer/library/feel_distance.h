@@ -2,6 +2,7 @@
 #pragma once
 // How far apart two switches feel, by their curves, in units of what two laboratories differ by on one switch.
 
+#include <limits>
 #include <vector>
 
 #include "importer/library/felt_shape.h"
@@ -35,10 +36,14 @@ struct FeelWeights {
 class FeelDistance {
  public:
   explicit FeelDistance(const FeltShape& wanted, const FeelWeights& weights = {});
-  /// >= 0, in units of lab noise; 0 to itself.
-  double to(const FeltShape& other) const;
-  /// One for every shift of the contact, within 8 % of the wanted travel.
-  std::vector<FeelDifference> differencesTo(const FeltShape& other) const;
+  /// >= 0, in units of lab noise; 0 to itself. What is farther than `atMost` is infinitely far where that is found out early.
+  double to(const FeltShape& other, double atMost_labNoise = std::numeric_limits<double>::infinity()) const;
+  /// At least so far is every shape of this travel, in units of lab noise.
+  double leastTo(double travel_mm) const;
+  /// One for every shift of the contact, within 8 % of the wanted travel, but for shifts of which some terms alone are farther than
+  /// `atMost_gf`.
+  std::vector<FeelDifference> differencesTo(const FeltShape& other,
+                                            double atMost_gf = std::numeric_limits<double>::infinity()) const;
 
  private:
   double travel_mm_, step_mm_;
@@ -46,7 +51,7 @@ class FeelDistance {
   FeelWeights weights_;
 };
 
-/// At the shift where it is least, in gf.
+/// At the shift where it is least, in gf; of no shift infinite.
 double distance_gf(const std::vector<FeelDifference>& byShift, const FeelWeights& weights);
 
 }  // namespace detent::importer

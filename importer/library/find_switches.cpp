@@ -2,6 +2,8 @@
 #include "importer/library/find_switches.h"
 
 #include <algorithm>
+#include <limits>
+#include <queue>
 #include <utility>
 
 #include "importer/library/wanted_button.h"
@@ -23,6 +25,36 @@ std::vector<Ranked> nearestOf(std::vector<Ranked> all, std::size_t limit) {
   std::ranges::nth_element(all, last, {}, &Ranked::by);
   std::erase_if(all, [most = last->by](const Ranked& each) { return each.by > most; });
   return all;
+}
+
+/// The nearest `limit` > 0, whoever is as far as the last of them, and some that are farther. From the travel that is most alike on,
+/// so that most curves need not be read.
+Result<std::vector<Ranked>> rankedByFeel(const LibraryStore& store, const FeelDistance& distance,
+                                         const std::vector<std::pair<SwitchId, double>>& travels_mm,
+                                         std::size_t limit) {
+  std::vector<Ranked> atLeast;
+  for (const auto& [id, travel_mm] : travels_mm) atLeast.push_back({id, distance.leastTo(travel_mm)});
+  std::ranges::sort(atLeast, {}, &Ranked::by);
+  std::vector<SwitchId> ids;
+  for (const Ranked& each : atLeast) ids.push_back(each.id);
+  std::vector<Ranked> ranked;
+  std::priority_queue<double> nearest;  // at most `limit`, the farthest on top
+  const auto atMost = [&] {
+    return nearest.size() < limit ? std::numeric_limits<double>::infinity() : nearest.top();
+  };
+  std::size_t seen = 0;
+  const auto done = store.shapesOf(ids, [&](SwitchId id, const FeltShape& shape) {
+    const double by = distance.to(shape, atMost());
+    if (by <= atMost()) {
+      ranked.push_back({id, by});
+      nearest.push(by);
+      if (nearest.size() > limit) nearest.pop();
+    }
+    ++seen;
+    return seen < atLeast.size() && atLeast[seen].by <= atMost();
+  });
+  if (!done) return done.failure();
+  return ranked;
 }
 
 /// The rows themselves: by number, then by name.
@@ -60,17 +92,19 @@ Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRe
                                          std::size_t& fitting) {
   std::vector<Ranked> ranked;
   if (request.like) {
-    const FeelDistance distance(*request.like);
-    const auto done = store.eachShape(request.ranges, [&](SwitchId id, const FeltShape& shape) {
-      ranked.push_back({id, distance.to(shape)});
-    });
-    if (!done) return done.failure();
+    const auto travels_mm = store.travels_mm(request.ranges);
+    if (!travels_mm) return travels_mm.failure();
+    fitting = travels_mm->size();
+    if (request.limit == 0) return std::vector<FoundSwitch>{};
+    auto nearest = rankedByFeel(store, FeelDistance(*request.like), *travels_mm, request.limit);
+    if (!nearest) return nearest.failure();
+    ranked = std::move(*nearest);
   } else {
     const auto ids = store.idsByName(request.ranges);
     if (!ids) return ids.failure();
     for (const SwitchId id : *ids) ranked.push_back({id, double(ranked.size())});
+    fitting = ranked.size();
   }
-  fitting = ranked.size();
   auto rows = rowsOf(store, std::move(ranked), request.limit);
   if (!rows) return rows.failure();
   std::vector<FoundSwitch> found;

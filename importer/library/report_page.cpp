@@ -129,16 +129,22 @@ const std::array<Column, 7>& columns() {
   return all;
 }
 
+/// " ± 0.2"; nothing where it is smaller than the last place shown.
+std::string errorOf(double error, const Column& column) {
+  const std::string shown = format(column.pattern, error / column.unit);
+  return shown.find_first_of("123456789") == std::string::npos ? "" : " ± " + shown;
+}
+
 /// "54.1 ± 0.2", and below it what its units scatter by.
 std::string figureOf(const LibrarySwitch& entry, const SwitchSpread& spread, const Column& column) {
   const auto& value = entry.figures[column.figure];
   if (!value) return "–";
   std::string text = format(column.pattern, *value / column.unit);
   if (const auto& sigma = entry.sigmas[column.figure])
-    text += "<small> ± " + format(column.pattern, *sigma / column.unit) + "</small>";
-  if (const auto& sd = spread.sd[column.figure])
-    text += "<br><small>" + std::string(spread.units > 1 ? "units" : "runs") + " ± " +
-            format(column.pattern, *sd / column.unit) + "</small>";
+    text += "<small>" + errorOf(*sigma, column) + "</small>";
+  if (const auto& sd = spread.sd[column.figure]; sd && !errorOf(*sd, column).empty())
+    text +=
+        "<br><small>" + std::string(spread.units > 1 ? "units" : "runs") + errorOf(*sd, column) + "</small>";
   return text;
 }
 
@@ -204,12 +210,19 @@ std::string reportPage(const LibrarySwitch& like, const std::vector<FoundSwitch>
       name + "</title><style>" + style + "</style></head><body>\n<h1>What feels like " + name + "</h1>\n<p>";
   page += format(
       "The %zu nearest of %zu. Distances are in units of what two laboratories differ by on one switch (%g "
-      "gf): "
-      "of the %zu below 1 nobody can say that they differ, so read them as a group and not as a ranking.",
-      found.size(), fitting, labNoise_gf, static_cast<std::size_t>(alike));
+      "gf). ",
+      found.size(), fitting, labNoise_gf);
   page +=
-      " Behind ± stands a standard error: of the meter's noise and of the curve fitted to it, not of the "
-      "meter's calibration. Curves begin "
+      alike == 0
+          ? std::string("None is below 1, where nobody could say that they differ.")
+          : format(
+                "Of the %zu below 1 nobody can say that they differ, so read them as a group and not as a "
+                "ranking.",
+                static_cast<std::size_t>(alike));
+  page +=
+      " Behind ± stands a standard error, where it reaches the last place shown: of the meter's noise and "
+      "steps, not of "
+      "its calibration. Curves begin "
       "at first contact; the release is dashed. No figure here says how good a switch "
       "is.</p>\n";
   page += tableOf(like, found) + "<h2>Curves</h2><p>Black: " + name + ".</p><div class=\"plots\">\n";

@@ -62,7 +62,7 @@ std::string switchTable() {
 
 const char* const curveTable =
     "CREATE TABLE curve (switch INTEGER PRIMARY KEY, travel_mm REAL NOT NULL, press BLOB NOT NULL, release "
-    "BLOB NOT NULL);";
+    "BLOB NOT NULL); CREATE INDEX curve_travel ON curve (travel_mm);";  // who asks for travels reads no curves
 
 const char* const ratingTable =
     "CREATE TABLE rating (id INTEGER PRIMARY KEY, file INTEGER NOT NULL, name TEXT NOT NULL, maker TEXT NOT "
@@ -512,16 +512,33 @@ Result<std::vector<SwitchId>> LibraryStore::idsByName(const std::vector<FigureRa
   });
 }
 
-Result<Done> LibraryStore::eachShape(const std::vector<FigureRange>& ranges,
-                                     const std::function<void(SwitchId, const FeltShape&)>& take) const {
+Result<std::vector<std::pair<SwitchId, double>>> LibraryStore::travels_mm(
+    const std::vector<FigureRange>& ranges) const {
   return impl_->guarded([&] {
-    Statement row(impl_->database,
-                  "SELECT switch.id, " + curveColumns + switchTables + withCurves + whereWithin(ranges));
-    bindRanges(row, ranges);
+    Statement kept(impl_->database, std::string("SELECT switch.id") + switchTables + whereWithin(ranges));
+    bindRanges(kept, ranges);
+    std::vector<SwitchId> ids;
+    while (kept.step()) ids.push_back(kept.integer(0));
+    std::ranges::sort(ids);
+    Statement row(impl_->database, "SELECT switch, travel_mm FROM curve INDEXED BY curve_travel");
+    std::vector<std::pair<SwitchId, double>> travels;
+    while (row.step())
+      if (std::ranges::binary_search(ids, row.integer(0)))
+        travels.emplace_back(row.integer(0), row.real(1).value_or(0));
+    return travels;
+  });
+}
+
+Result<Done> LibraryStore::shapesOf(const std::vector<SwitchId>& ids,
+                                    const std::function<bool(SwitchId, const FeltShape&)>& take) const {
+  return impl_->guarded([&] {
+    Statement row(impl_->database, "SELECT " + curveColumns + " FROM curve WHERE switch = ?");
     FeltShape shape;
-    while (row.step()) {
-      readShape(row, 1, shape);
-      take(row.integer(0), shape);
+    for (const SwitchId id : ids) {
+      if (!row.bind(1, id).step()) throw DatabaseFault{SQLITE_CORRUPT, "a switch is not in it any more"};
+      readShape(row, 0, shape);
+      row.finish();
+      if (!take(id, shape)) break;
     }
     return Done{};
   });

@@ -20,7 +20,7 @@
 namespace detent::importer {
 
 /// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
-inline constexpr int libraryVersion = 5;
+inline constexpr int libraryVersion = 6;
 
 /// Why a file is not in the library.
 struct RefusedFile {
@@ -93,9 +93,11 @@ class LibraryStore {
   Result<std::vector<LibrarySwitch>> switchesOf(const std::vector<SwitchId>& ids) const;
   /// What `switches` gives, without reading it.
   Result<std::vector<SwitchId>> idsByName(const std::vector<FigureRange>& ranges) const;
-  /// The curves of what keeps every range, in no order.
-  Result<Done> eachShape(const std::vector<FigureRange>& ranges,
-                         const std::function<void(SwitchId, const FeltShape&)>& take) const;
+  /// How far what keeps every range travels (FeltShape::travel_mm), without reading curves; in no order.
+  Result<std::vector<std::pair<SwitchId, double>>> travels_mm(const std::vector<FigureRange>& ranges) const;
+  /// Their curves, in this order, until `take` wants no more.
+  Result<Done> shapesOf(const std::vector<SwitchId>& ids,
+                        const std::function<bool(SwitchId, const FeltShape&)>& take) const;
   /// Of all files that are there, in no order.
   Result<std::vector<std::pair<SwitchId, KeyFigures>>> figures() const;
   /// Of the files that are there, in the order of the sheets.

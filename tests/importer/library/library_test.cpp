@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
 #include "importer/library/report_page.h"
+#include "importer/library/store.h"
 #include "importer/library/switch_name.h"
 #include "importer/library/wanted_button.h"
 #include "model/units.h"
@@ -216,6 +218,67 @@ TEST_CASE("a short answer is the beginning of the long one, of equals the first 
   CHECK(missing->nearest[0].miss_labNoise <= missing->nearest[1].miss_labNoise);
 }
 
+TEST_CASE("the nearest are those that all distances say, though few curves are read") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  std::mt19937 draw(29);
+  std::vector<LibraryFile> files;
+  for (int i = 0; i < 240; ++i) {
+    LibraryFile file;
+    file.path = (folder / std::to_string(i)).string();
+    LibrarySwitch each;
+    each.name = "s" + std::to_string(i / 2);  // every other one is the one before once more: equals
+    each.source = file.path;
+    each.figures[KeyFigure::totalTravel] = 3 + 0.01 * (i % 50);
+    if (i % 2 == 1) {
+      each.shape = files.back().switches.front().shape;
+    } else {
+      const auto number = [&](double from, double to) {
+        return std::uniform_real_distribution(from, to)(draw);
+      };
+      const double start_gf = number(30, 60), bump_gf = number(0, 30), travel_mm = number(3, 3.6);
+      const double gf = newtonsPer(ForceUnit::gramForce);
+      each.shape.travel_mm = travel_mm;
+      for (std::size_t k = 0; k < FeltShape::samples; ++k) {
+        const double f_gf =
+            force_gf(0.2 + travel_mm * double(k) / double(FeltShape::samples), start_gf, bump_gf);
+        each.shape.press_N.push_back(static_cast<float>(gf * f_gf));
+        if (i % 3 != 0) each.shape.release_N.push_back(static_cast<float>(gf * (f_gf - 6)));
+      }
+    }
+    file.switches.push_back(each);
+    files.push_back(file);
+  }
+  {
+    auto store = LibraryStore::openToWrite(database);
+    REQUIRE(store);
+    REQUIRE(store->put(files));
+  }
+  for (const std::vector<FigureRange>& ranges :
+       {std::vector<FigureRange>{}, std::vector<FigureRange>{{KeyFigure::totalTravel, 3.1, 3.3}}})
+    for (const std::size_t like : {0U, 17U, 100U, 239U})
+      for (const std::size_t limit : {1U, 2U, 7U, 50U, 1000U}) {
+        const FeltShape& asked = files[like].switches.front().shape;
+        const FeelDistance distance(asked);
+        std::vector<std::pair<double, std::string>> all;
+        for (const LibraryFile& file : files) {
+          const LibrarySwitch& each = file.switches.front();
+          const double travel_mm = *each.figures[KeyFigure::totalTravel];
+          if (!ranges.empty() && (travel_mm < 3.1 || travel_mm > 3.3)) continue;
+          all.emplace_back(distance.to(each.shape), each.name);
+        }
+        std::ranges::sort(all);
+        const auto result = findSwitches({database, asked, ranges, limit});
+        REQUIRE(result);
+        CHECK(result->fitting == all.size());
+        REQUIRE(result->found.size() == std::min(limit, all.size()));
+        for (std::size_t i = 0; i < result->found.size(); ++i) {
+          CHECK(result->found[i].distance_labNoise == all[i].first);
+          CHECK(result->found[i].entry.name == all[i].second);
+        }
+      }
+}
+
 TEST_CASE("every figure of a record has an error, and several records of a switch a spread") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
@@ -371,8 +434,10 @@ TEST_CASE(
   folder.write("s/other.csv", tidyCsv(60, 0));
   folder.write("s/LICENSE", "Ask \"me\" & <b>first</b>\n");
   indexed(folder, database);
-  const auto like = readSwitches((folder / "s/other.csv").string());
+  auto like = readSwitches((folder / "s/other.csv").string());
   REQUIRE(like);
+  like->front().sigmas[KeyFigure::bottomOutForce] = 0.2 * newtonsPer(ForceUnit::gramForce);
+  like->front().sigmas[KeyFigure::totalTravel] = 0.004;  // below the last place shown
   const std::vector<FoundSwitch> all = found({database, like->front().shape, {}, 9});
   REQUIRE(all.size() == 2);
   const std::string page = reportPage(like->front(), all, 2);
@@ -386,6 +451,8 @@ TEST_CASE(
   for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++plots;
   CHECK(plots == 2);
   CHECK(page.find("nan") == std::string::npos);
+  CHECK(page.find("± 0.2</small>") != std::string::npos);
+  for (const char* const none : {"± 0.0<", "± 0.00<"}) CHECK(page.find(none) == std::string::npos);
 }
 
 TEST_CASE("figures that no switch has: the nearest is told, and bent it has them") {
