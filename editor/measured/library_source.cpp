@@ -23,8 +23,12 @@ void LibrarySource::cancel() { cancelled_ = true; }
 
 void LibrarySource::run(std::function<void()> work) { worker_.start(std::move(work)); }
 
-void LibrarySource::load(const QString& database) {
-  run([this, database] { loadHere(database); });
+void LibrarySource::load(const QString& database, LibraryRequest orFrom) {
+  run([this, database, orFrom = std::move(orFrom)]() mutable {
+    const bool isReadable(importer::LibraryStore::openToRead(QFile::encodeName(database).toStdString()));
+    if (isReadable || orFrom.index.folders.empty()) return loadHere(database);
+    indexHere(std::move(orFrom));
+  });
 }
 
 void LibrarySource::loadHere(const QString& database) {
@@ -55,24 +59,26 @@ importer::PageReader LibrarySource::pageReader() {
 
 void LibrarySource::index(LibraryRequest request) {
   cancelled_ = false;
-  run([this, request = std::move(request)]() mutable {
-    constexpr qint64 reportEvery_ms = 50;
-    QElapsedTimer sinceReport;
-    importer::IndexProgress progress;
-    progress.cancelled = [this] { return cancelled_.load(); };
-    progress.report = [&](double fraction, const std::string& file) {
-      if (sinceReport.isValid() && sinceReport.elapsed() < reportEvery_ms) return;
-      sinceReport.start();
-      emit progressed(fraction, QFile::decodeName(QByteArray::fromStdString(file)));
-    };
-    if (request.pages) request.index.readPages = pageReader();
-    const auto summary = importer::indexFolders(request.index, progress);
-    if (!summary)
-      emit failed(sentenceOf(summary.failure()));
-    else
-      emit indexed(*summary);
-    loadHere(QFile::decodeName(QByteArray::fromStdString(request.index.database)));
-  });
+  run([this, request = std::move(request)]() mutable { indexHere(std::move(request)); });
+}
+
+void LibrarySource::indexHere(LibraryRequest request) {
+  constexpr qint64 reportEvery_ms = 50;
+  QElapsedTimer sinceReport;
+  importer::IndexProgress progress;
+  progress.cancelled = [this] { return cancelled_.load(); };
+  progress.report = [&](double fraction, const std::string& file) {
+    if (sinceReport.isValid() && sinceReport.elapsed() < reportEvery_ms) return;
+    sinceReport.start();
+    emit progressed(fraction, QFile::decodeName(QByteArray::fromStdString(file)));
+  };
+  if (request.pages) request.index.readPages = pageReader();
+  const auto summary = importer::indexFolders(request.index, progress);
+  if (!summary)
+    emit failed(sentenceOf(summary.failure()));
+  else
+    emit indexed(*summary);
+  loadHere(QFile::decodeName(QByteArray::fromStdString(request.index.database)));
 }
 
 void LibrarySource::open(const std::vector<importer::LibrarySwitch>& entries) {

@@ -26,8 +26,9 @@ class LibrarySource : public QObject {
   explicit LibrarySource(QObject* parent = nullptr);
   ~LibrarySource() override;  ///< cancels what runs, and waits for it
 
-  /// `loaded` or `failed` follows.
-  void load(const QString& database);
+  /// `loaded` or `failed` follows. A library that cannot be read, as that of another version of the program, is made anew from folders,
+  /// where some are given: then as index().
+  void load(const QString& database, LibraryRequest orFrom = {});
   /// `indexed`, then what load() gives; or `failed`. Calls `progressed` meanwhile.
   void index(LibraryRequest request);
   /// Ends an index run; what was read stays read, and is loaded.
@@ -45,6 +46,7 @@ class LibrarySource : public QObject {
 
  private:
   void loadHere(const QString& database);  // worker thread
+  void indexHere(LibraryRequest request);  // worker thread
   /// On the worker's own thread, page by page, as the import window reads them.
   importer::PageReader pageReader();
   void run(std::function<void()> work);

@@ -195,7 +195,8 @@ QVariant MeasuredTable::headerData(int section, Qt::Orientation orientation, int
   }
   if (const auto figure = figureOf(section)) {
     if (role == Qt::ToolTipRole)
-      return tr("%1\nBehind ± stands a standard error: of the meter's noise and of the curve fitted to it")
+      return tr("%1\nBehind ± stands a standard error: of the meter's noise and steps, not of its "
+                "calibration")
           .arg(definitionOf(*figure));
     return role == Qt::DisplayRole ? figureTitle(*figure, units_) : QVariant();
   }

@@ -11,6 +11,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPlainTextEdit>
+#include <QProxyStyle>
 #include <QScreen>
 #include <QShortcut>
 #include <QSplitter>
@@ -29,13 +30,22 @@ namespace detent::editor {
 namespace {
 
 constexpr QSize first_px{1180, 760}, leastPlot_px{260, 180};
-constexpr int nameColumn_em = 16, figureColumn_em = 12, wideColumn_em = 12, headerLines = 3;
+constexpr int nameColumn_em = 20, figureColumn_em = 11, wideColumn_em = 14, headerLines = 3;
 constexpr int tableShare = 3, plotsShare = 2;  // of the width
+constexpr int mapShare = 1, overlayShare = 1;  // of the plots' height
 constexpr int rankPause_ms = 120;              // of an edit of the button asked for
 constexpr int forecastPause_ms = 400;
 constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20;
 constexpr std::size_t comparedSwitches = seriesColors;
 constexpr int longestList = 4;  // of credits and licences in a line
+
+/// A header whose sections cannot be dragged has no grips: a click beside a line between two rows chooses the row.
+class NoGrips : public QProxyStyle {
+ public:
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    return metric == PM_HeaderGripMargin ? 0 : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+};
 
 QLabel* wordsOf(const char* name) {
   auto* label = described(new QLabel, QString::fromLatin1(name));
@@ -223,6 +233,9 @@ QWidget* MeasuredWindow::tableView() {
   view_->setSortingEnabled(true);
   QHeaderView* const down = view_->verticalHeader();
   down->setSectionResizeMode(QHeaderView::Fixed);
+  auto* noGrips = new NoGrips;
+  noGrips->setParent(down);
+  down->setStyle(noGrips);
   down->setDefaultSectionSize(fontMetrics().lineSpacing() + em / 2);
   down->setFixedWidth(nameColumn_em * em);
   connect(across, &QHeaderView::customContextMenuRequested, this, &MeasuredWindow::columnMenu);
@@ -295,11 +308,13 @@ QWidget* MeasuredWindow::fullPage() {
   auto* plots = new QSplitter(Qt::Vertical);
   plots->addWidget(mapView());
   plots->addWidget(overlay_);
+  plots->setSizes({mapShare * first_px.height(), overlayShare * first_px.height()});
   auto* sides = new QSplitter(Qt::Horizontal);
   sides->addWidget(tableView());
   sides->addWidget(plots);
   sides->setStretchFactor(0, tableShare);
   sides->setStretchFactor(1, plotsShare);
+  sides->setSizes({tableShare * first_px.width(), plotsShare * first_px.width()});
   sides->setChildrenCollapsible(false);
   auto* page = new QWidget;
   auto* layout = new QVBoxLayout(page);
@@ -329,7 +344,7 @@ void MeasuredWindow::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   if (loadedOnce_ || !QFileInfo::exists(database())) return;
   sayBusy(true);
-  source_.load(database());
+  source_.load(database(), ofFolders());
 }
 
 void MeasuredWindow::openLibrary(const QString& path) {
@@ -355,18 +370,23 @@ void MeasuredWindow::addFolder(const QString& folder) {
   indexAgain();
 }
 
-void MeasuredWindow::indexAgain() {
-  loadedOnce_ = true;
+LibraryRequest MeasuredWindow::ofFolders() const {
   LibraryRequest request;
   request.pages = places_.settings.value("measured/pages", false).toBool();
+  request.index.database = QFile::encodeName(database()).toStdString();
   for (const QString& folder : folders())
     if (QFileInfo::exists(folder)) request.index.folders.push_back(QFile::encodeName(folder).toStdString());
+  return request;
+}
+
+void MeasuredWindow::indexAgain() {
+  loadedOnce_ = true;
+  LibraryRequest request = ofFolders();
   if (request.index.folders.empty()) {
     said_->setText(tr("None of its folders is there. Add one."));
     return said_->show();
   }
   QDir().mkpath(QFileInfo(database()).absolutePath());
-  request.index.database = QFile::encodeName(database()).toStdString();
   sayBusy(true);
   source_.index(std::move(request));
 }
@@ -456,6 +476,7 @@ void MeasuredWindow::chooseAsked() {
 void MeasuredWindow::askFor(ButtonDocument& document) {
   if (asked_ && asked_->document) asked_->document->disconnect(&rankSoon_);
   asked_ = Asked{document.title(), {}, {}, &document};
+  nearestFirst();
   for (const auto signal : {&ButtonDocument::changed, &ButtonDocument::activeStateChanged})
     connect(&document, signal, &rankSoon_, qOverload<>(&QTimer::start));
   listAsked();
@@ -466,9 +487,13 @@ void MeasuredWindow::askLikeChosen() {
   if (chosen_.size() != 1) return;
   const importer::LibrarySwitch& entry = table_.switches()[*chosen_.begin()];
   asked_ = Asked{titleOf(entry), entry, *chosen_.begin(), {}};
+  nearestFirst();
   listAsked();
   rank();
 }
+
+// Who asks wants to see them, whatever the table was sorted by.
+void MeasuredWindow::nearestFirst() { view_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder); }
 
 void MeasuredWindow::rank() {
   std::optional<importer::FeltShape> shape;
@@ -496,8 +521,10 @@ void MeasuredWindow::rank() {
 
 void MeasuredWindow::forecastNearest() {
   if (!asked_ || !table_.ranked()) return;
+  std::vector<SwitchIndex> order = table_.shown();
+  std::ranges::stable_sort(order, {}, [&](SwitchIndex each) { return table_.distanceOf(each); });
   std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest;
-  for (const SwitchIndex each : table_.shown()) {
+  for (const SwitchIndex each : order) {
     if (nearest.size() == foretoldSwitches) break;
     if (asked_->own != each) nearest.emplace_back(each, table_.switches()[each]);
   }
@@ -577,24 +604,28 @@ void MeasuredWindow::showChosen() {
 
 void MeasuredWindow::sayCredits() {
   QStringList credits, licences, names;
-  const bool anyChosen = !chosen_.empty();
-  bool doubtful = false;
+  const bool anyChosen =
+      std::ranges::any_of(table_.shown(), [&](SwitchIndex each) { return chosen_.contains(each); });
+  int doubtful = 0;
   for (const SwitchIndex each : table_.shown()) {
     if (anyChosen && !chosen_.contains(each)) continue;
     const importer::LibrarySwitch& entry = table_.switches()[each];
     names << titleOf(entry);
-    doubtful = doubtful || entry.scaleDoubtful;
+    if (entry.scaleDoubtful) ++doubtful;
     if (const QString credit = creditWords(entry); !credits.contains(credit)) credits << credit;
     if (const QString licence = licenceWords(entry); !licences.contains(licence)) licences << licence;
   }
   if (names.isEmpty()) return credits_->clear();
   const QString of = anyChosen ? joined(names) : tr("All shown");
   QString said = tr("%1. Credit: %2. Licence: %3.").arg(of, joined(credits), joined(licences));
-  if (chosen_.size() == 1) {
+  if (anyChosen && chosen_.size() == 1) {
     said += spreadWords(table_.spreadOf(*chosen_.begin()), places_.view.units());
     said += ratingWords(table_.ratingsOf(*chosen_.begin()));
   }
-  if (doubtful) said += ' ' + doubtfulScaleWords();
+  if (doubtful > 0)
+    said += ' ' + (names.size() == 1
+                       ? doubtfulScaleWords()
+                       : tr("Forces of %n of them may lie well off other laboratories'.", nullptr, doubtful));
   credits_->setText(said);
 }
 

@@ -86,6 +86,7 @@ class MeasuredWindow : public QDialog {
 
   QString database() const;
   QStringList folders() const;
+  LibraryRequest ofFolders() const;  ///< of those that are there
   void indexAgain();
   void take(const QString& database, const std::shared_ptr<const MeasuredSwitches>& switches);
   void sayIndexed(const importer::IndexSummary& summary);
@@ -94,6 +95,7 @@ class MeasuredWindow : public QDialog {
 
   void chooseAsked();
   void askLikeChosen();
+  void nearestFirst();
   void rank();
   void forecastNearest();
   void listAsked();

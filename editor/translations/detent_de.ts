@@ -5905,9 +5905,9 @@ Lizenz: %3</translation>
     <name>detent::editor::MeasuredTable</name>
     <message>
         <source>%1
-Behind ± stands a standard error: of the meter&apos;s noise and of the curve fitted to it</source>
+Behind ± stands a standard error: of the meter&apos;s noise and steps, not of its calibration</source>
         <translation>%1
-Hinter ± steht ein Standardfehler: des Rauschens des Messgeräts und der angepassten Kurve</translation>
+Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts, nicht seiner Eichung</translation>
     </message>
     <message>
         <source>By the drop: linear below 5 gf, tactile above 8 gf, between</source>
@@ -5960,6 +5960,13 @@ Hinter ± steht ein Standardfehler: des Rauschens des Messgeräts und der angepa
 </context>
 <context>
     <name>detent::editor::MeasuredWindow</name>
+    <message numerus="yes">
+        <source>Forces of %n of them may lie well off other laboratories&apos;.</source>
+        <translation>
+            <numerusform>Die Kräfte von %n davon können weit neben denen anderer Labore liegen.</numerusform>
+            <numerusform>Die Kräfte von %n davon können weit neben denen anderer Labore liegen.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Measured switches</source>
         <translation>Gemessene Schalter</translation>

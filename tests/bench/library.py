@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The library against its bars: reading, figures' errors, search, map, spread, morph.
 
-    library.py [--bin FOLDER] [--clones FOLDER] [--few] [--out docs/bench-library.md]
+    library.py [--bin FOLDER] [--clones FOLDER] [--few] [--no-errors] [--out docs/bench-library.md]
 
 Prints the table, writes it with --out. Draws the laboratories' layouts (switch_logs.py); with --clones also reads public clones in FOLDER (force-curves-tidy,
-Open-Switch-Curve-Meter, topre-force-curves, switch-force-tester; none is needed, nothing of them is kept). --few: a tenth of everything, to try the script. Times are of the processor,
+Open-Switch-Curve-Meter, topre-force-curves, switch-force-tester; none is needed, nothing of them is kept). --few: a tenth of everything, to try the script. --no-errors: without the figures'
+errors, which docs/decisions/0813 has by the same buttons. Times are of the processor,
 of all threads together: bars of two cores are met at twice the wall clock. --bin: default build/release/bin."""
 
 import argparse
@@ -273,6 +274,7 @@ def main():
     parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin")
     parser.add_argument("--clones", type=Path)
     parser.add_argument("--few", action="store_true")
+    parser.add_argument("--no-errors", action="store_true")
     parser.add_argument("--out", type=Path)
     options = parser.parse_args()
     random.seed(29)
@@ -284,7 +286,10 @@ def main():
         database = bench.layouts()
         if options.clones:
             bench.clones(options.clones.resolve())
-        bench.coverage()
+        if options.no_errors:
+            bench.say("\n## Errors of the figures\n\nBy kind of curve, on seeds that nothing was chosen on: [0813](decisions/0813-errors-of-measured-figures.md).")
+        else:
+            bench.coverage()
         bench.five_thousand(database)
         bench.hundred_thousand()
         bench.morph()

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <QApplication>
 #include <QPixmap>
+#include <QTableView>
 #include <vector>
 
 #include "editor/measured/measured_table.h"
@@ -63,6 +64,13 @@ int main(int argc, char** argv) {
   table.sort(-1);
   tell("feels like this",
        [&](int round) { table.rankBy(table.switches()[static_cast<std::size_t>(round)].shape); });
+  QTableView view;
+  view.setModel(&table);
+  view.resize(900, 700);
+  tell("scroll by a page", [&](int round) {
+    view.scrollTo(table.index(500 * (round + 1) % table.rowCount(), 0), QAbstractItemView::PositionAtTop);
+    view.grab();
+  });
   tell("draw the map", [&](int) {
     map.redraw();
     map.replot();

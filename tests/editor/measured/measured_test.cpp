@@ -240,6 +240,20 @@ class MeasuredTest : public QObject {
     QVERIFY2(credits->text().contains(
                  "Rated by credit unknown of \"Firm\": Push Feel 31, Sound 7 (licence: MIT)."),
              qPrintable(credits->text()));
+    // A name is clicked anywhere, on its row's edges too.
+    QHeaderView* const names = view_->verticalHeader();
+    for (const int row : {2, 1}) {
+      const int edge = row == 1 ? 0 : names->sectionSize(row) - 1;
+      QTest::mouseClick(names->viewport(), Qt::LeftButton, {},
+                        QPoint(10, names->sectionViewportPosition(row) + edge));
+      QCOMPARE(view_->selectionModel()->selectedRows().size(), 1);
+      QCOMPARE(view_->selectionModel()->selectedRows().front().row(), row);
+    }
+    window.findChild<QLineEdit*>("measuredWords")->setText("soft");  // what is chosen is out of view
+    QVERIFY2(credits->text().contains("MIT"), qPrintable(credits->text()));
+    window.findChild<QLineEdit*>("measuredWords")->clear();
+    QVERIFY2(credits->text().startsWith("Firm"), qPrintable(credits->text()));
+    view_->sortByColumn(MeasuredTable::kindColumn, Qt::DescendingOrder);
     QTest::mouseClick(window.findChild<QPushButton*>("measuredLikeThis"), Qt::LeftButton);
     QVERIFY(!view_->isColumnHidden(MeasuredTable::distanceColumn));
     QCOMPARE(view_->model()->headerData(0, Qt::Vertical, Qt::DisplayRole).toString(), QString("Firm"));
@@ -275,6 +289,22 @@ class MeasuredTest : public QObject {
     window.findChild<QAction*>("measuredIndexAgain")->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 4, patience_ms);
     QCOMPARE(view_->model()->rowCount(), 4);
+
+    // Another version of the program meets the library: it is made anew from its folders, and that is said.
+    {
+      std::fstream file(folder.filePath("l.db").toStdString(),
+                        std::ios::in | std::ios::out | std::ios::binary);
+      file.seekp(63);  // the last byte of user_version in the head of an SQLite file
+      file.put('\1');
+    }
+    MeasuredWindow another({view, settings, {}, {}, {}, {}, {}, {}});
+    QSignalSpy shownThere(&another, &MeasuredWindow::shown);
+    another.show();
+    QTRY_COMPARE_WITH_TIMEOUT(shownThere.count(), 1, patience_ms);
+    QCOMPARE(another.findChild<QTableView*>("measuredTable")->model()->rowCount(),
+             3);  // and the page, where asked for
+    const QString said = another.findChild<QLabel*>("measuredSaid")->text();
+    QVERIFY2(said.contains("version 1"), qPrintable(said));
   }
 
   void whatIsNoLibraryIsSaid() {
