@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/speed_family.h"
 
+// Without std::ranges: the browsers' library (libc++ 14, playback/page) has none.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,7 +25,7 @@ Result<StrokeCurve> mixed(const StrokeCurve& a, const StrokeCurve& b, double sha
   std::vector<double> places;
   for (const StrokeCurve* curve : {&a, &b})
     for (const Knot& knot : curve->knots()) places.push_back(knot.displacement_mm);
-  std::ranges::sort(places);
+  std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   std::vector<Knot> knots;
   for (const double at_mm : places) {
@@ -54,8 +55,9 @@ Failure wrong(const char* subject, Message problem, const Message& advice) {
 /// All graphs of a state, by rising speed.
 std::vector<SpeedGraph> membersOf(const ButtonState& state) {
   std::vector<SpeedGraph> members = state.otherSpeeds;
-  const auto above =
-      std::ranges::upper_bound(members, *state.speed_mm_per_s, {}, &SpeedGraph::speed_mm_per_s);
+  const auto above = std::upper_bound(
+      members.begin(), members.end(), *state.speed_mm_per_s,
+      [](double speed_mm_per_s, const SpeedGraph& g) { return speed_mm_per_s < g.speed_mm_per_s; });
   members.insert(above, {*state.speed_mm_per_s, state.graph});
   return members;
 }
@@ -74,7 +76,7 @@ std::vector<double> speedsOf(const ButtonState& state) {
   if (!state.speed_mm_per_s) return speeds;
   speeds.push_back(*state.speed_mm_per_s);
   for (const SpeedGraph& other : state.otherSpeeds) speeds.push_back(other.speed_mm_per_s);
-  std::ranges::sort(speeds);
+  std::sort(speeds.begin(), speeds.end());
   return speeds;
 }
 
@@ -82,14 +84,15 @@ std::vector<double> speedsOf(const Button& button) { return speedsOf(button.stat
 
 const ForceGraph& graphAt(const ButtonState& state, std::size_t index) {
   if (!state.speed_mm_per_s) return state.graph;
-  const auto below = static_cast<std::size_t>(std::ranges::count_if(
-      state.otherSpeeds, [&](const SpeedGraph& g) { return g.speed_mm_per_s < *state.speed_mm_per_s; }));
+  const auto below = static_cast<std::size_t>(
+      std::count_if(state.otherSpeeds.begin(), state.otherSpeeds.end(),
+                    [&](const SpeedGraph& g) { return g.speed_mm_per_s < *state.speed_mm_per_s; }));
   if (index == below) return state.graph;
   return state.otherSpeeds.at(index < below ? index : index - 1).graph;
 }
 
 SpeedPlace placeOf(const std::vector<double>& speeds, double speed_mm_per_s) {
-  const auto above = std::ranges::upper_bound(speeds, speed_mm_per_s);
+  const auto above = std::upper_bound(speeds.begin(), speeds.end(), speed_mm_per_s);
   if (above == speeds.begin()) return {0, 0, 0};
   const auto lower = static_cast<std::size_t>(above - speeds.begin()) - 1;
   if (above == speeds.end()) return {lower, lower, 0};
@@ -124,7 +127,8 @@ Result<Button> familyOf(const std::vector<Button>& buttons, const std::vector<do
       return wrong("buttons", "some are momentary and some self-locking", "Give buttons of one kind");
   std::vector<std::size_t> order(buttons.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return speeds_mm_per_s[i]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return speeds_mm_per_s[a] < speeds_mm_per_s[b]; });
   std::vector<ButtonState> states = buttons.front().states();
   for (std::size_t s = 0; s < states.size(); ++s) {
     states[s].speed_mm_per_s = speeds_mm_per_s.front();

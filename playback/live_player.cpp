@@ -15,6 +15,7 @@
 #include "playback/device/serial_sensor.h"
 #include "playback/device/signal_server.h"
 #include "playback/device/steady_clock.h"
+#include "playback/offline/press_speed.h"
 #include "playback/offline/resample.h"
 #include "playback/playback.h"
 
@@ -76,7 +77,7 @@ class Player : public LivePlayer {
     output_.reset();  // last: until here the callback reads programs
   }
 
-  Result<Done> open(const PlayerSettings& settings, const HapticProgram& program, CallbackHooks hooks) {
+  Result<Done> open(const PlayerSettings& settings, const LiveProgram& program, CallbackHooks hooks) {
     setProgram(program);
     Result<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audioSettings(settings), session_, hooks);
     if (!output) return output.failure();
@@ -85,26 +86,20 @@ class Player : public LivePlayer {
                                                                           : Result<Done>(Done{});
   }
 
-  void setProgram(const HapticProgram& program) override {
+  void setProgram(const LiveProgram& program) override {
     receive();
     const std::lock_guard lock(controlMutex_);
-    if (sounding_) {
-      programs_.push_back(std::make_unique<HapticProgram>(program));
-      SessionCommand command;
-      command.kind = CommandKind::program;
-      command.program = programs_.back().get();
-      if (!session_.send(Lane::control, command)) programs_.pop_back();
-    }
+    sendProgram(program);
     const std::lock_guard routeLock(readingMutex_);
     const double force_N = follower_.position().force_N;
-    auto taken = std::make_unique<HapticProgram>(program);
-    follower_.use(taken.get());
+    auto taken = std::make_unique<LiveProgram>(program);
+    follower_.use(&taken->program, &taken->speeds);
     follower_.placeAtForce(force_N);
-    presses_.use(taken.get());
+    presses_.use(&taken->program);
     presses_.take(follower_.position());
     routeProgram_ = std::move(taken);
-    ownForce_.setSettings(limitsFor(program));
-    if (sensor_) sensor_->setConditioner(limitsFor(program));
+    ownForce_.setSettings(limitsFor(program.program));
+    if (sensor_) sensor_->setConditioner(limitsFor(program.program));
   }
 
   void setGain(double gain) override {
@@ -139,7 +134,7 @@ class Player : public LivePlayer {
     settings.calibration = calibration;
     {
       const std::lock_guard lock(readingMutex_);
-      settings.conditioner = limitsFor(*routeProgram_);
+      settings.conditioner = limitsFor(routeProgram_->program);
     }
     Result<std::unique_ptr<SerialSensor>> sensor =
         SerialSensor::open(settings, [this](const SensorReading& reading) { forward(reading); });
@@ -190,7 +185,12 @@ class Player : public LivePlayer {
     if (replaces) dropSentAhead(inputs.front());
     tracePlaying_ = true;
     stopTrace_ = false;
-    traceThread_ = std::thread([this, inputs = std::move(inputs)] { feedTrace(inputs); });
+    const bool oneSpeed = playAtSpeedOf(trace);
+    traceThread_ = std::thread([this, inputs = std::move(inputs), oneSpeed] {
+      feedTrace(inputs);
+      if (oneSpeed) endSpeed();
+      tracePlaying_ = false;
+    });
     return start;
   }
   bool tracePlaying() const override { return tracePlaying_; }
@@ -321,6 +321,32 @@ class Player : public LivePlayer {
   }
 
   /// controlMutex_ is held.
+  void sendProgram(const LiveProgram& program) {
+    if (!sounding_) return;
+    programs_.push_back(std::make_unique<LiveProgram>(program));
+    SessionCommand command;
+    command.kind = CommandKind::program;
+    command.program = &programs_.back()->program;
+    command.speeds = &programs_.back()->speeds;
+    if (!session_.send(Lane::control, command)) programs_.pop_back();
+  }
+
+  /// Of a trace the speed is known beforehand: it is played on the program of that speed, as it is rendered. True: `endSpeed` is due.
+  bool playAtSpeedOf(const PressTrace& trace) {
+    const std::lock_guard lock(controlMutex_);
+    const std::lock_guard readingLock(readingMutex_);
+    if (routeProgram_->speeds.empty()) return false;
+    const double speed_mm_per_s = pressSpeed_mm_per_s(routeProgram_->program, trace).value_or(0);
+    sendProgram(nearest(routeProgram_->speeds, speed_mm_per_s).program);
+    return true;
+  }
+  void endSpeed() {
+    const std::lock_guard lock(controlMutex_);
+    const std::lock_guard readingLock(readingMutex_);
+    sendProgram(*routeProgram_);
+  }
+
+  /// controlMutex_ is held.
   bool sendTake(const SoundTake* take) {
     SessionCommand command;
     command.kind = CommandKind::take;
@@ -362,6 +388,7 @@ class Player : public LivePlayer {
     s.releasing = position.releasing;
     s.contact = position.contact;
     s.state = position.state;
+    s.speed_mm_per_s = follower_.speed_mm_per_s();
   }
 
   void receive() {
@@ -378,7 +405,7 @@ class Player : public LivePlayer {
           keepStrongest();
           break;
         case ReportKind::retired:
-          std::erase_if(programs_, [&](const auto& p) { return p.get() == report.retired; });
+          std::erase_if(programs_, [&](const auto& p) { return &p->program == report.retired; });
           break;
         case ReportKind::takeEnded:
           std::erase_if(takes_, [&](const auto& t) { return &t->taken == report.endedTake; });
@@ -434,16 +461,16 @@ class Player : public LivePlayer {
     ++followedCounts_.inputs;
     if (kind == CommandKind::resync) {
       follower_.placeAtForce(value);
-      presses_.use(routeProgram_.get());  // what was done meanwhile is not known
+      presses_.use(&routeProgram_->program);  // what was done meanwhile is not known
       presses_.take(follower_.position());
       followedAt_s_ = time_s;
       return;
     }
-    const Crossings& crossings =
-        kind == CommandKind::force ? follower_.updateForce(value) : follower_.updateDisplacement(value);
+    const Crossings& crossings = kind == CommandKind::force ? follower_.updateForce(value, time_s)
+                                                            : follower_.updateDisplacement(value, time_s);
     presses_.take(follower_.position());
     keepClosings(crossings, time_s);
-    if (route_) route_->send(crossings, *routeProgram_);
+    if (route_) route_->send(crossings, *follower_.program());
     if (sounding_) return;  // the callback reports what it plays
     const double frame = (time_s - began_s_) * session_.sampleRate_Hz();
     for (std::size_t i = 0; i < crossings.count; ++i) {
@@ -539,7 +566,7 @@ class Player : public LivePlayer {
   std::vector<EngineInput> traceInputs(const PressTrace& trace, double origin_s) {
     const std::lock_guard lock(readingMutex_);
     ConditionerCounts counts;
-    return conditionedInputs(trace, *routeProgram_, session_.sampleRate_Hz(), origin_s, counts);
+    return conditionedInputs(trace, routeProgram_->program, session_.sampleRate_Hz(), origin_s, counts);
   }
 
   // Of the trace before: what was sent ahead never comes, and the finger is where the new one begins.
@@ -575,7 +602,6 @@ class Player : public LivePlayer {
     }
     // What was sent ahead must have been applied before another source may speak.
     if (!stopTrace_) sleepUntil(now_s() + traceAhead_s + 0.05);
-    tracePlaying_ = false;
   }
 
   void stopTrace() {
@@ -589,7 +615,7 @@ class Player : public LivePlayer {
   const double began_s_;
   std::mutex controlMutex_, readingMutex_, networkMutex_;  // control before reading where both are held
   std::mutex traceMutex_;                                  // before all others: one playTrace at a time
-  std::vector<std::unique_ptr<HapticProgram>> programs_;
+  std::vector<std::unique_ptr<LiveProgram>> programs_;
   std::vector<std::unique_ptr<OwnedTake>> takes_;  // controlMutex_; in the callback's hands
   SessionStatus lastStatus_;
   struct {
@@ -599,8 +625,8 @@ class Player : public LivePlayer {
   std::deque<EngineEvent> events_;
   ForceConditioner ownForce_;
   ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12, 0, 0}};
-  std::unique_ptr<HapticProgram> routeProgram_;
-  StrokeTracker follower_;                // of routeProgram_
+  std::unique_ptr<LiveProgram> routeProgram_;
+  SpeedTracker follower_;                 // of routeProgram_
   PressCounter presses_;                  // readingMutex_
   double followedAt_s_ = 0;               // readingMutex_: of the last reading
   std::vector<ContactClosing> closings_;  // readingMutex_
@@ -636,7 +662,7 @@ Result<std::vector<SoundDevice>> listSoundDevices() {
 }
 
 Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings& settings,
-                                                      const HapticProgram& program) {
+                                                      const LiveProgram& program) {
   Result<double> rate = sampleRateFor(audioSettings(settings));
   if (!rate) return rate.failure();
   if (*rate < HapticEngine::lowestSampleRate_Hz || *rate > HapticEngine::highestSampleRate_Hz) {
@@ -649,7 +675,7 @@ Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings& sett
   return std::unique_ptr<LivePlayer>(std::move(player));
 }
 
-Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const HapticProgram& program) {
+Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const LiveProgram& program) {
   auto player = std::make_unique<Player>(silentRate_Hz, false);
   player->setProgram(program);
   return std::unique_ptr<LivePlayer>(std::move(player));

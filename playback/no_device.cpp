@@ -14,10 +14,10 @@ Failure withoutDevices() {
 
 bool livePlaybackAvailable() { return false; }
 Result<std::vector<SoundDevice>> listSoundDevices() { return withoutDevices(); }
-Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings&, const HapticProgram&) {
+Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings&, const LiveProgram&) {
   return withoutDevices();
 }
-Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const HapticProgram&) { return withoutDevices(); }
+Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const LiveProgram&) { return withoutDevices(); }
 Result<SoundRecording> playAndRecordSamples(const PlayerSettings&, const std::string&,
                                             const std::vector<float>&, const std::function<bool()>&) {
   return withoutDevices();

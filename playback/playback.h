@@ -30,8 +30,11 @@
 #include "playback/force_feedback.h"
 #include "playback/measurement/spectrogram.h"
 #include "playback/offline/press_files.h"
+#include "playback/offline/press_speed.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/prepare/prepare_speeds.h"
+#include "playback/realtime/live_program.h"
 #include "playback/realtime/press_counter.h"
 
 namespace detent::playback {
@@ -88,7 +91,9 @@ struct PlayerStatus {
   /// Where the last reading led; a recorded trace's as the callback plays it, up to 20 ms late.
   double force_N = 0, displacement_mm = 0;
   bool releasing = false, contact = false;
-  int state = 0;     ///< of a self-locking button
+  int state = 0;  ///< of a self-locking button
+  double speed_mm_per_s =
+      0;             ///< of the press under way or the last one, of a button with several; 0: none is known
   double level = 0;  ///< peak of the last 20 ms, share of full scale
   double felt_dB =
       -std::numeric_limits<double>::infinity();  ///< strongest 10 ms of the last 1.5 s, above threshold
@@ -112,15 +117,15 @@ struct PlayerStatus {
 class LivePlayer {
  public:
   static Result<std::unique_ptr<LivePlayer>> start(const PlayerSettings& settings,
-                                                   const HapticProgram& program);
+                                                   const LiveProgram& program);
   /// The same finger, sensor and messages on the same program without a sound device: position, contact,
   /// state and events are followed, nothing sounds. For displays on machines that have no device, or until
   /// one is open. Traces are not played. Failure: deviceTrouble in a library built without devices.
-  static Result<std::unique_ptr<LivePlayer>> startSilent(const HapticProgram& program);
+  static Result<std::unique_ptr<LivePlayer>> startSilent(const LiveProgram& program);
   virtual ~LivePlayer() = default;
 
   /// Exchanges the button under the finger without a click.
-  virtual void setProgram(const HapticProgram& program) = 0;
+  virtual void setProgram(const LiveProgram& program) = 0;
   /// Output gain >= 0; changes in a 10 ms ramp.
   virtual void setGain(double gain) = 0;
 
@@ -147,8 +152,8 @@ class LivePlayer {
   /// Data.
   virtual Result<Done> sendSignals(const std::string& host, std::uint16_t port) = 0;
 
-  /// Plays a recorded trace, sample for sample what renderPress gives; begins `lead_s` from now. Gives the
-  /// stream sample at which time 0 of the trace lies. Ends by itself; a second call replaces the first.
+  /// Plays a recorded trace, sample for sample what renderPress gives (of a button with several speeds: of the
+  /// program nearest to the trace's); begins `lead_s` from now. Gives the stream sample at which time 0 of the trace lies. Ends by itself; a second call replaces the first.
   virtual Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) = 0;
   virtual bool tracePlaying() const = 0;
 

@@ -13,7 +13,7 @@ namespace detent::editor {
 /// All may take seconds and are called on threads of their own.
 struct FeelDevices {
   std::function<Result<std::unique_ptr<playback::LivePlayer>>(const playback::PlayerSettings&,
-                                                              const playback::HapticProgram&)>
+                                                              const playback::LiveProgram&)>
       open = playback::LivePlayer::start;
   std::function<Result<std::unique_ptr<playback::ForcePlayer>>(const Button&,
                                                                const playback::ForcePlayerSettings&)>

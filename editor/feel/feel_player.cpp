@@ -48,7 +48,7 @@ FeelPlayer::~FeelPlayer() {
   if (worker_.joinable()) worker_.join();
 }
 
-void FeelPlayer::setProgram(std::shared_ptr<const playback::HapticProgram> program) {
+void FeelPlayer::setProgram(std::shared_ptr<const playback::LiveProgram> program) {
   program_ = std::move(program);
   if (!program_) {
     letGo();
@@ -376,8 +376,8 @@ bool FeelPlayer::atRest() const {
   if (finger_ != Finger::none) return false;
   if (!program_) return true;
   const std::size_t state = std::min<std::size_t>(static_cast<std::size_t>(status_.state), 1);
-  return status_.force_N <= program_->hysteresis_N ||
-         status_.displacement_mm <= program_->states[state].start_mm;
+  const playback::HapticProgram& front = program_->program;
+  return status_.force_N <= front.hysteresis_N || status_.displacement_mm <= front.states[state].start_mm;
 }
 
 void FeelPlayer::tick() {

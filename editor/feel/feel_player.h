@@ -43,7 +43,7 @@ class FeelPlayer : public QObject {
   ~FeelPlayer() override;  ///< stops the sound; waits for a device that is just being opened
 
   /// What is pressed; exchanged under the finger. Null: nothing can be pressed.
-  void setProgram(std::shared_ptr<const playback::HapticProgram> program);
+  void setProgram(std::shared_ptr<const playback::LiveProgram> program);
 
   /// Whether a press may open the sound device. Off closes it.
   void setSoundWanted(bool wanted);
@@ -120,7 +120,7 @@ class FeelPlayer : public QObject {
   void pace();
 
   FeelDevices devices_;
-  std::shared_ptr<const playback::HapticProgram> program_;
+  std::shared_ptr<const playback::LiveProgram> program_;
   Player player_;   // null without a program, or in a build without devices
   Player waiting_;  // open, taken up as soon as no finger is down
   std::thread worker_;

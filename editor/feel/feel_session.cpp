@@ -78,14 +78,14 @@ void FeelSession::feel(FeelSide side) {
   emit said(tr("Pressing %1, at its true level").arg(feltDocument()->title()));
 }
 
-std::shared_ptr<const playback::HapticProgram> FeelSession::program() const {
+std::shared_ptr<const playback::LiveProgram> FeelSession::program() const {
   return felt().document && felt().signal ? felt().signal->program : nullptr;
 }
 
 double FeelSession::full_N() const {
   if (settings_.full_N > 0) return settings_.full_N;
   const auto pressed = program();
-  return pressed ? fullForceOf(*pressed) : 1;
+  return pressed ? fullForceOf(pressed->program) : 1;
 }
 
 void FeelSession::underFinger() {
@@ -245,7 +245,8 @@ void FeelSession::pushDepth(double share) {
 const playback::StateProgram* FeelSession::pressedState() const {
   const auto played = program();  // kept by the felt slot
   if (!played) return nullptr;
-  return &played->states[(state_ + played->stateCount - firstState()) % played->stateCount];
+  const playback::HapticProgram& front = played->program;
+  return &front.states[(state_ + front.stateCount - firstState()) % front.stateCount];
 }
 
 void FeelSession::followPlayer() {
@@ -255,7 +256,7 @@ void FeelSession::followPlayer() {
   }
   const playback::PlayerStatus& s = player_.status();
   const bool pressed = player_.pressed();
-  const std::size_t states = program() ? program()->stateCount : 1;
+  const std::size_t states = program() ? program()->program.stateCount : 1;
   // A finger that trembles at one place turns the engine's stroke to and fro; it has turned for the eye once
   // it moves.
   const bool rests = pressed && s.displacement_mm == motion_.displacement_mm;

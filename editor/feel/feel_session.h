@@ -57,7 +57,7 @@ class FeelSession : public QObject {
   /// What a press of the felt button is like; null until it is computed.
   const std::shared_ptr<const PressSignal>& signal() const { return felt().signal; }
   /// Null where nothing can be pressed.
-  std::shared_ptr<const playback::HapticProgram> program() const;
+  std::shared_ptr<const playback::LiveProgram> program() const;
   /// State of the felt button that is pressed.
   std::size_t state() const { return state_; }
   /// The felt button's state under the finger, as it is played; null without a program.

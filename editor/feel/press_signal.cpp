@@ -15,19 +15,29 @@ PressSignal failed(const Failure& failure) {
 }
 
 PressSignal computed(const PressSignalRequest& request) {
-  Result<playback::PreparedProgram> prepared = playback::prepareProgram(
-      begunIn(request.button, request.firstState), request.profile, request.settings);
+  const Button button = begunIn(request.button, request.firstState);
+  Result<playback::PreparedProgram> prepared =
+      playback::prepareProgram(button, request.profile, request.settings);
   if (!prepared) return failed(prepared.failure());
+  Result<playback::LiveProgram> live =
+      playback::prepareLive(*prepared, button, request.profile, request.settings);
+  if (!live) return failed(live.failure());
   PressSignal signal;
   signal.firstState = request.firstState < request.button.states().size() ? request.firstState : 0;
-  signal.program = std::make_shared<const playback::HapticProgram>(prepared->program);
-  signal.summary = prepared->summary.line();
-  for (const playback::PrepareWarning& w : prepared->summary.warnings) signal.warnings.push_back(w.message);
+  signal.program = std::make_shared<const playback::LiveProgram>(*std::move(live));
   signal.standard = request.press == nullptr;
-  signal.press = signal.standard ? playback::standardPress(*signal.program) : *request.press;
+  signal.press = signal.standard ? playback::standardPress(prepared->program) : *request.press;
+  const Result<playback::PressedButton> felt =
+      playback::asPressed(button, *prepared, signal.press, request.profile, request.settings);
+  if (!felt) return failed(felt.failure());
+  signal.speed_mm_per_s = felt->speed_mm_per_s;
+  signal.summary = felt->prepared.summary.line();
+  for (const playback::PrepareWarning& w : felt->prepared.summary.warnings)
+    signal.warnings.push_back(w.message);
   playback::RenderSettings settings;
   settings.sampleRate_Hz = drawnRate_Hz;
-  Result<playback::RenderedPress> rendered = playback::renderPress(*signal.program, signal.press, settings);
+  Result<playback::RenderedPress> rendered =
+      playback::renderPress(felt->prepared.program, signal.press, settings);
   if (!rendered) return failed(rendered.failure());
   signal.samples = std::move(rendered->samples);
   signal.peak = static_cast<double>(rendered->summary.peak);

@@ -3,6 +3,7 @@
 // What a press of a button feels like, as signals to look at. Pure: same request, same answer.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,12 @@ struct PressSignalRequest {
 
 /// A button prepared for playing, and one press of it.
 struct PressSignal : DrawnSignal {
-  std::shared_ptr<const playback::HapticProgram> program;
-  std::string summary;            ///< what was prepared, in one line
-  std::vector<Message> warnings;  ///< what did not fit a program
-  bool standard = true;           ///< playback::StandardPress, or a recorded one
-  std::size_t firstState = 0;     ///< the button's state that is the program's first
+  std::shared_ptr<const playback::LiveProgram> program;  ///< what is pressed
+  std::optional<double> speed_mm_per_s;  ///< of the press, of a button with graphs at several speeds
+  std::string summary;                   ///< what was prepared, in one line
+  std::vector<Message> warnings;         ///< what did not fit a program
+  bool standard = true;                  ///< playback::StandardPress, or a recorded one
+  std::size_t firstState = 0;            ///< the button's state that is the program's first
   double computing_s = 0;
 };
 

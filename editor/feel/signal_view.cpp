@@ -139,8 +139,11 @@ QSize SignalView::minimumSizeHint() const { return {240, 190}; }
 void SignalView::setSignal(std::shared_ptr<const PressSignal> signal) {
   press_ = std::move(signal);
   const bool standard = !press_ || press_->standard;
+  QString summary = press_ ? QString::fromStdString(press_->summary) : QString();
+  if (press_ && press_->speed_mm_per_s)
+    summary += tr("; pressed at %1 mm/s").arg(*press_->speed_mm_per_s, 0, 'g', 3);
   setDrawn(press_, standard ? tr("Vibration of a standard press") : tr("Vibration of my last press"),
-           press_ ? QString::fromStdString(press_->summary) : QString());
+           summary);
 }
 
 void SignalView::setReference(std::shared_ptr<const ReferenceDrawing> reference, const QString& name) {

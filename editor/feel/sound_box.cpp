@@ -165,7 +165,8 @@ void SoundBox::showStatus() {
   felt_->setText(feltWords());
   if (sound != SoundState::on) return meter_->setIdle();
   const auto program = session_.program();
-  meter_->setLevel(session_.player().status().level, program ? program->limiterCeiling : 1, steadyTime_s());
+  meter_->setLevel(session_.player().status().level, program ? program->program.limiterCeiling : 1,
+                   steadyTime_s());
 }
 
 }  // namespace detent::editor

@@ -78,11 +78,14 @@ Result<Done> exportDrawing(QSize size, const QString& path,
 }
 
 Result<Done> exportWav(const Button& button, std::size_t state, const QString& path) {
-  const auto prepared = playback::prepareProgram(begunIn(button, state), {}, playback::usualSettings());
+  const Button begun = begunIn(button, state);
+  const auto prepared = playback::prepareProgram(begun, {}, playback::usualSettings());
   if (!prepared) return prepared.failure();
+  const auto press = playback::standardPress(prepared->program);
+  const auto felt = playback::asPressed(begun, *prepared, press, {}, playback::usualSettings());
+  if (!felt) return felt.failure();
   const auto written =
-      playback::renderPressToFile(prepared->program, playback::standardPress(prepared->program), {},
-                                  std::filesystem::path(bytesOf(path)));
+      playback::renderPressToFile(felt->prepared.program, press, {}, std::filesystem::path(bytesOf(path)));
   if (!written) return written.failure();
   return Done{};
 }
@@ -99,9 +102,11 @@ Result<playback::Exported> deviceExport(const Button& button, const DeviceExport
   const std::string press = pressName(wanted.wayDown_s);
   const auto trace = playback::namedPress(press, prepared->program);
   if (!trace) return trace.failure();
+  const auto felt = playback::asPressed(button, *prepared, *trace, {}, playback::usualSettings());
+  if (!felt) return felt.failure();
   playback::ExportSettings settings = wanted.settings;
   settings.pressName = playback::pressInWords(press);
-  return playback::exportPress(button, prepared->program, *trace, settings);
+  return playback::exportPress(felt->button, felt->prepared.program, *trace, settings);
 }
 
 Result<Done> exportForDevice(const Button& button, const DeviceExport& wanted, const QString& path) {

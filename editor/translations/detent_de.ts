@@ -7053,6 +7053,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Hier wird die Schwingung eines Drucks gezeichnet.</translation>
     </message>
     <message>
+        <source>; pressed at %1 mm/s</source>
+        <translation>; mit %1 mm/s gedrückt</translation>
+    </message>
+    <message>
         <source>Vibration of a standard press</source>
         <translation>Schwingung eines Normdrucks</translation>
     </message>

@@ -14,6 +14,12 @@ namespace {
 constexpr double endShare = 0.1;    // of the travel, left out at each end: there a press begins and stops
 constexpr double sameSpeed = 0.01;  // a trace of straight lines is off by its rounding, a press by far more
 
+Result<Button> feltAtSpeed(const Button& button, double speed_mm_per_s) {
+  for (const double stated : speedsOf(button))
+    if (std::abs(speed_mm_per_s / stated - 1) <= sameSpeed) return atSpeed(button, stated);
+  return atSpeed(button, speed_mm_per_s);
+}
+
 }  // namespace
 
 std::optional<double> pressSpeed_mm_per_s(const HapticProgram& program, const PressTrace& trace) {
@@ -46,10 +52,16 @@ std::optional<double> pressSpeed_mm_per_s(const HapticProgram& program, const Pr
   return {};
 }
 
-Result<Button> feltAtSpeed(const Button& button, double speed_mm_per_s) {
-  for (const double stated : speedsOf(button))
-    if (std::abs(speed_mm_per_s / stated - 1) <= sameSpeed) return atSpeed(button, stated);
-  return atSpeed(button, speed_mm_per_s);
+Result<PressedButton> asPressed(const Button& button, const PreparedProgram& front, const PressTrace& trace,
+                                const DeviceProfile& profile, const PlaybackSettings& settings) {
+  const std::vector<double> speeds = speedsOf(button);
+  if (speeds.empty()) return PressedButton{button, front, {}};
+  const std::optional<double> speed_mm_per_s = pressSpeed_mm_per_s(front.program, trace);
+  Result<Button> felt = feltAtSpeed(button, speed_mm_per_s.value_or(speeds.front()));
+  if (!felt) return felt.failure();
+  Result<PreparedProgram> prepared = prepareProgram(*felt, profile, settings);
+  if (!prepared) return prepared.failure();
+  return PressedButton{*std::move(felt), *std::move(prepared), speed_mm_per_s};
 }
 
 }  // namespace detent::playback

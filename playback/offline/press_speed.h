@@ -6,6 +6,7 @@
 
 #include "model/button.h"
 #include "playback/offline/render_press.h"
+#include "playback/prepare/prepare_program.h"
 
 namespace detent::playback {
 
@@ -13,7 +14,18 @@ namespace detent::playback {
 /// them. Empty where none does. Allocates.
 std::optional<double> pressSpeed_mm_per_s(const HapticProgram& program, const PressTrace& trace);
 
-/// The button at a speed; a stated speed that is no farther off than a press is known takes its very graph.
-Result<Button> feltAtSpeed(const Button& button, double speed_mm_per_s);
+/// A button as a press finds it.
+struct PressedButton {
+  Button button;  ///< with one graph per state
+  PreparedProgram prepared;
+  std::optional<double>
+      speed_mm_per_s;  ///< none of a button with one graph per state, nor where no press goes through its travel
+};
+
+/// Of a button with graphs at several speeds that of the trace's speed, or of the lowest where no press goes through; a stated speed that is no
+/// farther off than a press is known takes its very graph. Any other button as it is. `front` is prepared from the same three. Failures:
+/// as prepareProgram. Allocates.
+Result<PressedButton> asPressed(const Button& button, const PreparedProgram& front, const PressTrace& trace,
+                                const DeviceProfile& profile, const PlaybackSettings& settings);
 
 }  // namespace detent::playback

@@ -70,8 +70,7 @@ class NumberReader {
   bool complete_ = true;
 };
 
-Result<ButtonState> stateFrom(NumberReader& reader, std::string name) {
-  const auto operating_mm = reader.place_mm(), reset_mm = reader.place_mm();
+Result<ForceGraph> graphFrom(NumberReader& reader) {
   const std::size_t pressCount = reader.count(StrokeCurve::maxKnots),
                     releaseCount = reader.count(StrokeCurve::maxKnots);
   const std::vector<Knot> pressKnots = reader.knots(pressCount), releaseKnots = reader.knots(releaseCount);
@@ -84,9 +83,37 @@ Result<ButtonState> stateFrom(NumberReader& reader, std::string name) {
     if (!curve) return curve.failure();
     release = std::move(*curve);
   }
-  Result<ForceGraph> graph = ForceGraph::fromCurves(std::move(*press), std::move(release));
+  return ForceGraph::fromCurves(std::move(*press), std::move(release));
+}
+
+Result<ButtonState> stateFrom(NumberReader& reader, std::string name) {
+  const auto operating_mm = reader.place_mm(), reset_mm = reader.place_mm();
+  Result<ForceGraph> graph = graphFrom(reader);
   if (!graph) return graph.failure();
   return ButtonState{std::move(name), std::move(*graph), operating_mm, reset_mm, {}};
+}
+
+Result<Done> addSpeeds(NumberReader& reader, std::vector<ButtonState>& states) {
+  const std::size_t others = reader.count(Button::mostSpeeds - 1);
+  const double own_mm_per_s = reader.next();
+  for (ButtonState& state : states) {
+    state.speed_mm_per_s = own_mm_per_s;
+    for (std::size_t i = 0; i < others; ++i) {
+      const double speed_mm_per_s = reader.next();
+      Result<ForceGraph> graph = graphFrom(reader);
+      if (!graph) return graph.failure();
+      state.otherSpeeds.push_back({speed_mm_per_s, std::move(*graph)});
+    }
+  }
+  return Done{};
+}
+
+void append(const ForceGraph& graph, std::vector<double>& numbers) {
+  const std::optional<StrokeCurve>& release = graph.release();
+  numbers.insert(numbers.end(), {static_cast<double>(graph.press().knots().size()),
+                                 release ? static_cast<double>(release->knots().size()) : 0.0});
+  append(graph.press().knots(), numbers);
+  if (release) append(release->knots(), numbers);
 }
 
 }  // namespace
@@ -94,13 +121,17 @@ Result<ButtonState> stateFrom(NumberReader& reader, std::string name) {
 std::vector<double> numbersOf(const Button& button) {
   std::vector<double> numbers{static_cast<double>(button.states().size())};
   for (const ButtonState& state : button.states()) {
-    const std::optional<StrokeCurve>& release = state.graph.release();
-    numbers.insert(numbers.end(), {orNone(state.operatingPoint_mm), orNone(state.resetPoint_mm),
-                                   static_cast<double>(state.graph.press().knots().size()),
-                                   release ? static_cast<double>(release->knots().size()) : 0.0});
-    append(state.graph.press().knots(), numbers);
-    if (release) append(release->knots(), numbers);
+    numbers.insert(numbers.end(), {orNone(state.operatingPoint_mm), orNone(state.resetPoint_mm)});
+    append(state.graph, numbers);
   }
+  const ButtonState& first = button.states().front();
+  if (!first.speed_mm_per_s) return numbers;
+  numbers.insert(numbers.end(), {static_cast<double>(first.otherSpeeds.size()), *first.speed_mm_per_s});
+  for (const ButtonState& state : button.states())
+    for (const SpeedGraph& other : state.otherSpeeds) {
+      numbers.push_back(other.speed_mm_per_s);
+      append(other.graph, numbers);
+    }
   return numbers;
 }
 
@@ -114,7 +145,10 @@ Result<Button> buttonFrom(const std::vector<double>& numbers) {
     if (!state) return state.failure();
     states.push_back(std::move(*state));
   }
-  if (states.empty() || !reader.complete() || !reader.atEnd()) return notAButton();
+  if (states.empty() || !reader.complete()) return notAButton();
+  if (!reader.atEnd())
+    if (Result<Done> added = addSpeeds(reader, states); !added) return added.failure();
+  if (!reader.complete() || !reader.atEnd()) return notAButton();
   return Button::fromStates("", std::move(states));
 }
 

@@ -59,6 +59,9 @@
     graph.append(svg("text", { class: "press", x: right - 8, y: bottom - 28, "text-anchor": "end" }, "press"));
     if (b.states.some((s) => s.release.length)) graph.append(svg("text", { class: "release", x: right - 8, y: bottom - 8, "text-anchor": "end" }, "release"));
     graph.append(svg("circle", { class: "here", id: "here", r: 5, cx: -20, cy: -20 }));
+    const speeds = b.speeds_mm_per_s, told = byId("speeds");
+    told.hidden = !speeds;
+    if (speeds) told.textContent = `Graph and figures at ${+b.drawn_mm_per_s.toPrecision(3)}\u00a0mm/s; pressed, it feels as at the speed of your press, ${+speeds[0].toPrecision(3)} to ${+speeds.at(-1).toPrecision(3)}\u00a0mm/s.`;
   }
 
   function showPosition(v) {

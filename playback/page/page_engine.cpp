@@ -11,9 +11,11 @@
 #include <memory>
 #include <vector>
 
+#include "playback/offline/press_speed.h"
 #include "playback/offline/standard_press.h"
 #include "playback/page/button_numbers.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/prepare/prepare_speeds.h"
 #include "playback/realtime/finger_profile.h"
 #include "playback/realtime/force_conditioner.h"
 #include "playback/realtime/haptic_engine.h"
@@ -32,6 +34,13 @@ struct ShownState {
   double pressJumps = 0, releaseJumps = 0, bottomOuts = 0, peak = 0;
 };
 
+/// A button of the page. They stand still once the engine has begun.
+struct PageButton {
+  Button button;
+  PreparedProgram front;
+  std::vector<SpeedProgram> speeds;  ///< from detent_start on
+};
+
 /// Who holds the finger.
 enum class Hand : std::uint8_t { none, timed, steered };
 
@@ -47,13 +56,19 @@ class Page {
     if (!button) return -1;
     Result<PreparedProgram> prepared = prepareProgram(*button, {}, usualSettings());
     if (!prepared) return -1;
-    programs_.push_back(std::make_unique<HapticProgram>(prepared->program));
-    return static_cast<int>(programs_.size()) - 1;
+    buttons_.push_back({*std::move(button), *std::move(prepared), {}});
+    return static_cast<int>(buttons_.size()) - 1;
   }
 
   int renderStandard(std::size_t index, double sampleRate_Hz) {
-    if (index >= programs_.size()) return -1;
-    Result<RenderedPress> rendered = renderStandardPress(*programs_[index], sampleRate_Hz);
+    if (index >= buttons_.size()) return -1;
+    const PageButton& b = buttons_[index];
+    const PressTrace press = standardPress(b.front.program);
+    Result<PressedButton> felt = asPressed(b.button, b.front, press, {}, usualSettings());
+    if (!felt) return -1;
+    RenderSettings settings;
+    settings.sampleRate_Hz = sampleRate_Hz;
+    Result<RenderedPress> rendered = renderPress(felt->prepared.program, press, settings);
     if (!rendered) return -1;
     rendered_ = std::move(rendered->samples);
     return static_cast<int>(rendered_.size());
@@ -61,7 +76,12 @@ class Page {
   const float* rendered() const { return rendered_.data(); }
 
   int start(double sampleRate_Hz) {
-    if (programs_.empty()) return -1;
+    if (buttons_.empty()) return -1;
+    for (PageButton& b : buttons_) {
+      Result<std::vector<SpeedProgram>> speeds = prepareSpeeds(b.button, {}, usualSettings());
+      if (!speeds) return -1;
+      b.speeds = *std::move(speeds);
+    }
     engine_ = std::make_unique<HapticEngine>(sampleRate_Hz);
     block_.assign(mostFrames, 0);
     use(0);
@@ -69,11 +89,11 @@ class Page {
   }
 
   void use(std::size_t index) {
-    if (!engine_ || index >= programs_.size()) return;
-    program_ = programs_[index].get();
-    engine_->use(program_);
-    profile_.peak_N = standardPeak_N(*program_);
-    conditioner_ = ForceConditioner(limitsFor(*program_));
+    if (!engine_ || index >= buttons_.size()) return;
+    const HapticProgram& program = buttons_[index].front.program;
+    engine_->use(&program, &buttons_[index].speeds);
+    profile_.peak_N = standardPeak_N(program);
+    conditioner_ = ForceConditioner(limitsFor(program));
   }
 
   /// A finger that presses as a person does, and stays.
@@ -149,11 +169,10 @@ class Page {
   }
 
   std::vector<double> numbers_;
-  std::vector<std::unique_ptr<HapticProgram>> programs_;
+  std::vector<PageButton> buttons_;
   std::vector<float> rendered_;
   std::unique_ptr<HapticEngine> engine_;
   std::vector<float> block_;
-  const HapticProgram* program_ = nullptr;
   FingerProfile profile_;
   ForceConditioner conditioner_;
   ShownState shown_;

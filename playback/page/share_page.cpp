@@ -11,6 +11,7 @@
 
 #include "model/file/json_text.h"
 #include "model/key_figures.h"
+#include "model/speed_family.h"
 #include "model/version.h"
 #include "playback/offline/standard_press.h"
 #include "playback/page/button_numbers.h"
@@ -98,11 +99,16 @@ Result<Json> described(const Button& button, std::size_t index) {
     states.push_back({{"name", state.name},
                       {"press", drawn(state.graph.press())},
                       {"release", state.graph.release() ? drawn(*state.graph.release()) : Json::array()}});
-  return Json{{"name", button.name().empty() ? "Button " + std::to_string(index + 1) : button.name()},
-              {"numbers", base64(bytesOf(numbersOf(button)))},
-              {"fullPress_N", standardPeak_N(prepared->program)},
-              {"states", states},
-              {"figures", figuresOf(button.states().front())}};
+  Json described{{"name", button.name().empty() ? "Button " + std::to_string(index + 1) : button.name()},
+                 {"numbers", base64(bytesOf(numbersOf(button)))},
+                 {"fullPress_N", standardPeak_N(prepared->program)},
+                 {"states", states},
+                 {"figures", figuresOf(button.states().front())}};
+  if (const std::vector<double> speeds = speedsOf(button); !speeds.empty()) {
+    described["speeds_mm_per_s"] = speeds;
+    described["drawn_mm_per_s"] = *button.states().front().speed_mm_per_s;
+  }
+  return described;
 }
 
 /// JSON that cannot end the element it stands in, whatever a button is called; bytes that are no UTF-8 become U+FFFD.

@@ -12,6 +12,7 @@
 #include "playback/interchange/export_loss_json.h"
 #include "playback/interchange/export_press.h"
 #include "playback/offline/press_files.h"
+#include "playback/offline/press_speed.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 
@@ -62,20 +63,26 @@ int run(const ExportArguments& a, const Cancelled& cancelled) {
   ExportSettings settings = a.settings;
   settings.pressName = pressInWords(a.press);
   settings.feel = a.feel.settings.feel;
-  Result<Exported> exported = exportPress(*button, prepared->program, *trace, settings);
+  Result<PressedButton> felt = asPressed(*button, *prepared, *trace, *profile, a.feel.settings);
+  if (!felt) return fail(felt.failure());
+  tellSpeed(*button, felt->speed_mm_per_s);
+  Result<Exported> exported = exportPress(felt->button, felt->prepared.program, *trace, settings);
   if (!exported) return fail(exported.failure());
   if (cancelled && cancelled()) return fail(Failure::cancelled("export"));
   Result<std::vector<std::string>> paths = writeExported(*exported, a.outputFile);
   if (!paths) return fail(paths.failure());
   for (const std::string& path : *paths) std::fprintf(stderr, "%s\n", path.c_str());
   for (const std::string& line : linesOf(exported->loss)) std::fprintf(stderr, "  %s\n", line.c_str());
-  if (a.json)
-    print({{"status", "ok"},
-           {"format", exportFormats.word(settings.format)},
-           {"outputs", *paths},
-           {"press", settings.pressName},
-           {"feel", feels.word(settings.feel)},
-           {"loss", jsonOf(exported->loss)}});
+  if (a.json) {
+    Json json = {{"status", "ok"},
+                 {"format", exportFormats.word(settings.format)},
+                 {"outputs", *paths},
+                 {"press", settings.pressName},
+                 {"feel", feels.word(settings.feel)},
+                 {"loss", jsonOf(exported->loss)}};
+    if (felt->speed_mm_per_s) json["press_speed_mm_per_s"] = *felt->speed_mm_per_s;
+    print(json);
+  }
   return 0;
 }
 

@@ -58,9 +58,9 @@ class LiveView {
       : a_(a), buttons_(buttons), profile_(profile), settings_(a.feel.settings), gain_(a.gain) {}
 
   int run(const Cancelled& cancelled) {
-    Result<PreparedProgram> program = prepare();
+    Result<LiveProgram> program = prepare();
     if (!program) return fail(program.failure());
-    Result<std::unique_ptr<LivePlayer>> player = LivePlayer::start(a_.player, program->program);
+    Result<std::unique_ptr<LivePlayer>> player = LivePlayer::start(a_.player, *program);
     if (!player) return fail(player.failure());
     player_ = std::move(*player);
     if (Result<Done> ok = connect(); !ok) return fail(ok.failure());
@@ -81,13 +81,12 @@ class LiveView {
   }
 
  private:
-  Result<PreparedProgram> prepare() {
+  Result<LiveProgram> prepare() {
     Result<PreparedProgram> prepared = prepareProgram(buttons_[current_], profile_, settings_);
-    if (prepared) {
-      for (const PrepareWarning& w : prepared->summary.warnings) warn(english(w.message));
-      for (const Message& w : doubtsAbout(a_, buttons_[current_], profile_, *prepared)) warn(english(w));
-    }
-    return prepared;
+    if (!prepared) return prepared.failure();
+    for (const PrepareWarning& w : prepared->summary.warnings) warn(english(w.message));
+    for (const Message& w : doubtsAbout(a_, buttons_[current_], profile_, *prepared)) warn(english(w));
+    return prepareLive(*prepared, buttons_[current_], profile_, settings_);
   }
 
   /// A line of its own; on a terminal the status line is drawn again below it.
@@ -166,9 +165,9 @@ class LiveView {
   }
 
   void exchange() {
-    Result<PreparedProgram> program = prepare();
+    Result<LiveProgram> program = prepare();
     if (program) {
-      player_->setProgram(program->program);
+      player_->setProgram(*program);
     } else {
       exitCode_ = fail(program.failure());
       ended_ = true;
@@ -210,17 +209,25 @@ class LiveView {
     return words;
   }
 
+  /// " 47 mm/s": of a button with graphs at several speeds, that of the press.
+  static std::string speedWords(const PlayerStatus& s) {
+    if (!(s.speed_mm_per_s > 0)) return "";
+    char words[32];
+    std::snprintf(words, sizeof words, " %3.0f mm/s", s.speed_mm_per_s);
+    return words;
+  }
+
   void draw(const PlayerStatus& s) {
     const std::size_t bars = static_cast<std::size_t>(std::lround(std::clamp(s.level, 0.0, 1.0) * 10));
     char text[400];
     std::snprintf(
         text, sizeof text,
-        "%s%s%s%s %5.2f N %6.3f mm %s%s |%-10s| %s gain %+.0f dB %s %s grains %llu jumps %llu %s load "
+        "%s%s%s%s %5.2f N %6.3f mm%s %s%s |%-10s| %s gain %+.0f dB %s %s grains %llu jumps %llu %s load "
         "%2.0f%% xruns %llu %s",
         warnings_.mostUrgent() ? titleOf(*warnings_.mostUrgent()) : "", warnings_.mostUrgent() ? " | " : "",
         buttons_[current_].name().substr(0, 20).c_str(),
         buttons_[current_].selfLocking() ? (s.state == 0 ? " (1)" : " (2)") : "", s.force_N,
-        s.displacement_mm, s.releasing ? "up  " : "down", s.contact ? "*" : " ",
+        s.displacement_mm, speedWords(s).c_str(), s.releasing ? "up  " : "down", s.contact ? "*" : " ",
         std::string(bars, '#').c_str(), feltWords(s).c_str(), 20 * std::log10(std::max(gain_, 1e-6)),
         nameOf(settings_.mode), settings_.placement == EventPlacement::atOnce ? "fast" : "time-stamped",
         static_cast<unsigned long long>(s.counts.grains),

@@ -12,7 +12,6 @@
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
 #include "model/program/command_line.h"
-#include "model/speed_family.h"
 #include "playback/measurement/exact_number.h"
 #include "playback/offline/press_speed.h"
 #include "playback/offline/render_press.h"
@@ -108,20 +107,11 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
   Result<PressTrace> trace =
       a.standardPress ? Result<PressTrace>(standardPress(prepared->program)) : readPressTrace(a.pressFile);
   if (!trace) return fail(trace.failure());
-  std::optional<double> speed;
-  if (const std::vector<double> speeds = speedsOf(*button); !speeds.empty()) {
-    speed = pressSpeed_mm_per_s(prepared->program, *trace);
-    Result<Button> felt = feltAtSpeed(*button, speed.value_or(speeds.front()));
-    if (!felt) return fail(felt.failure());
-    prepared = prepareProgram(*felt, *profile, a.feel.settings);
-    if (!prepared) return fail(prepared.failure());
-    if (speed)
-      std::fprintf(stderr, "pressed at %.3g mm/s: the button is that of this speed\n", *speed);
-    else
-      std::fprintf(stderr,
-                   "no press goes through the travel: the button is that of its lowest speed, %.3g mm/s\n",
-                   speeds.front());
-  }
+  Result<PressedButton> felt = asPressed(*button, *prepared, *trace, *profile, a.feel.settings);
+  if (!felt) return fail(felt.failure());
+  prepared = felt->prepared;
+  const std::optional<double> speed = felt->speed_mm_per_s;
+  tellSpeed(*button, speed);
   RenderSettings settings;
   settings.sampleRate_Hz = a.sampleRate_Hz;
   settings.format = a.format;

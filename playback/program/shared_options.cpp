@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/shared_options.h"
 
+#include <cstdio>
 #include <fstream>
 
 #include "model/program/command_line.h"
+#include "model/speed_family.h"
 #include "playback/measurement/profile_file.h"
 #include "playback/program/number_option.h"
 
@@ -133,6 +135,17 @@ Result<DeviceProfile> profileOf(const std::string& file) {
 Result<DeviceProfile> profileToExtend(const std::string& file) {
   if (!std::ifstream(file)) return DeviceProfile{};
   return readDeviceProfile(file);
+}
+
+void tellSpeed(const Button& button, std::optional<double> speed_mm_per_s) {
+  const std::vector<double> speeds = speedsOf(button);
+  if (speeds.empty()) return;
+  if (speed_mm_per_s)
+    std::fprintf(stderr, "pressed at %.3g mm/s: the button is that of this speed\n", *speed_mm_per_s);
+  else
+    std::fprintf(stderr,
+                 "no press goes through the travel: the button is that of its lowest speed, %.3g mm/s\n",
+                 speeds.front());
 }
 
 }  // namespace detent::playback

@@ -2,6 +2,7 @@
 #pragma once
 // Options that several subcommands take, worded once.
 
+#include <optional>
 #include <string>
 
 #include "playback/playback.h"
@@ -34,5 +35,8 @@ Result<DeviceProfile> profileOf(const std::string& file);
 
 /// The profile a measurement is written into: an existing one is added to, a broken one is not overwritten.
 Result<DeviceProfile> profileToExtend(const std::string& file);
+
+/// To stderr, of a button with graphs at several speeds: that of which a press plays.
+void tellSpeed(const Button& button, std::optional<double> speed_mm_per_s);
 
 }  // namespace detent::playback

@@ -78,11 +78,11 @@ void HapticEngine::forgetWaiting() {
   lastGrain_frames_ = never_frames;
 }
 
-void HapticEngine::use(const HapticProgram* program) {
+void HapticEngine::use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds) {
   const StrokePosition held = tracker_.position();
   program_ = program;
   counts_.suppressed = tracker_.suppressed();
-  tracker_.use(program);
+  tracker_.use(program, speeds);
   forgetWaiting();  // what was still to come belongs to the old program
   if (program == nullptr) return;
   // Of a finger that is known by its displacement the force is the old button's.
@@ -143,8 +143,9 @@ void HapticEngine::apply(const EngineInput& input) {
     double from = hasLastInput_ ? lastInput_frames_ : time - longest;
     if (from < time - longest) from = time - longest;
     if (from > time) from = time;
-    schedule(input.kind == InputKind::force ? tracker_.updateForce(input.value)
-                                            : tracker_.updateDisplacement(input.value),
+    const double time_s = time / sampleRate_Hz_;
+    schedule(input.kind == InputKind::force ? tracker_.updateForce(input.value, time_s)
+                                            : tracker_.updateDisplacement(input.value, time_s),
              from, time);
     counts_.suppressed = tracker_.suppressed();
   }
@@ -163,7 +164,7 @@ void HapticEngine::schedule(const Crossings& crossings, double from_frames, doub
 }
 
 Burst HapticEngine::grainOf(const Crossing& crossing, double met_frames) {
-  const StateProgram& state = program_->states[crossing.state];
+  const StateProgram& state = tracker_.program()->states[crossing.state];
   Burst burst = program_->grain;
   burst.amplitude *= crossing.level;
   burst.amplitude *= tracker_.position().releasing ? state.release.slopeLevel : state.press.slopeLevel;
@@ -177,7 +178,7 @@ Burst HapticEngine::grainOf(const Crossing& crossing, double met_frames) {
 }
 
 Burst HapticEngine::burstOf(const Crossing& crossing, double met_frames) {
-  const StateProgram& state = program_->states[crossing.state];
+  const StateProgram& state = tracker_.program()->states[crossing.state];
   switch (crossing.kind) {
     case CrossingKind::grain:
       return grainOf(crossing, met_frames);

@@ -4,7 +4,7 @@
 // inputs, sample index) and of nothing else: no clock, no allocation, no lock, no file, no throw, no unseeded
 // chance. The live path and the offline render call this same class.
 //
-// Reading order: haptic_program.h (what is played), stroke_tracker.h (readings -> crossings), grain_voice.h,
+// Reading order: haptic_program.h (what is played), stroke_tracker.h, speed_tracker.h (readings -> crossings), grain_voice.h,
 // voice.h, biquad.h, sound_chain.h, limiter.h (crossings -> samples), this file (when), live_session.h (the
 // bridge to other threads).
 
@@ -12,11 +12,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "playback/realtime/haptic_program.h"
 #include "playback/realtime/limiter.h"
 #include "playback/realtime/sound_chain.h"
-#include "playback/realtime/stroke_tracker.h"
+#include "playback/realtime/speed_tracker.h"
 
 namespace detent::playback {
 
@@ -93,7 +94,9 @@ class HapticEngine {
   /// Plays another program from the next sample on; `program` must outlive its use (nullptr: silence).
   /// What sounds, ends as its own program meant it; a pressed finger is taken over without a sound. Callback
   /// thread or before the stream starts.
-  void use(const HapticProgram* program);
+  void use(const HapticProgram* program) { use(program, nullptr); }
+  /// Of a button that feels different at different speeds (live_program.h); `speeds` must outlive its use too.
+  void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds);
   const HapticProgram* program() const { return program_; }
 
   /// Extra constant delay of time-stamped events, in samples: the live path's buffer. Default 0. Callback
@@ -123,6 +126,8 @@ class HapticEngine {
 
   const EngineCounts& counts() const { return counts_; }
   const StrokePosition& position() const { return tracker_.position(); }
+  /// Of the press under way or the last one, of a button with several; 0: none is known.
+  double speed_mm_per_s() const { return tracker_.speed_mm_per_s(); }
   /// Largest |sample| since the last call.
   float takePeak();
   /// The limiter is turning the sound down.
@@ -169,7 +174,7 @@ class HapticEngine {
   std::int64_t now_ = 0;
   double bufferDelay_frames_ = 0;
 
-  StrokeTracker tracker_;
+  SpeedTracker tracker_;
   bool hasLastInput_ = false;
   bool heldByDisplacement_ = false;  ///< the last reading was a displacement
   double held_mm_ = 0;               ///< of it

@@ -197,7 +197,7 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
     }
     case CommandKind::program: {
       const HapticProgram* old = engine.program();
-      engine.use(command.program);
+      engine.use(command.program, command.speeds);
       if (command.program != nullptr) s.felt.use(*command.program, engine.sampleRate_Hz());
       if (old == nullptr) break;
       if (s.retiredCount == s.retired.size()) publishRetired();

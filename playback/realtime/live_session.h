@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "playback/realtime/haptic_engine.h"
 #include "playback/realtime/take_player.h"
@@ -45,7 +46,8 @@ struct SessionCommand {
   double value = 0;                        ///< N, mm, or gain
   Burst burst;                             ///< for burst
   const HapticProgram* program = nullptr;  ///< for program; must live until it comes back as retired
-  const SoundTake* take = nullptr;         ///< for take; must live until it comes back as takeEnded
+  const std::vector<SpeedProgram>* speeds = nullptr;  ///< of that program; must live as long
+  const SoundTake* take = nullptr;  ///< for take; must live until it comes back as takeEnded
 };
 
 /// How the stream is doing; sent about 50 times a second.

@@ -46,6 +46,24 @@ void StrokeTracker::use(const HapticProgram* program) {
   position_.displacement_mm = extreme_mm_ = state().start_mm;
 }
 
+void StrokeTracker::exchange(const HapticProgram* program) {
+  const bool atTop = position_.displacement_mm == state().start_mm;
+  program_ = program;
+  const StateProgram& now = state();
+  double x = atTop ? now.start_mm : clamped(position_.displacement_mm, now.low_mm, now.end_mm);
+  // No finger stands within a jump: it is about to be met.
+  for (std::size_t i = 0; i < now.press.jumpCount; ++i) {
+    const JumpEntry& jump = now.press.jumps[i];
+    if (jump.from_mm < x && x < jump.to_mm) x = jump.from_mm;
+  }
+  position_.displacement_mm = x;
+  extreme_mm_ = atTop ? x : clamped(extreme_mm_, now.low_mm, now.end_mm);
+  for (std::size_t i = 0; i < now.press.jumpCount; ++i) pressFired_[i] = x > now.press.jumps[i].from_mm;
+  for (std::size_t i = 0; i < now.release.jumpCount; ++i)
+    releaseFired_[i] = x < now.release.jumps[i].rearm_mm;
+  bottomOutArmed_ = x < now.bottomOut_mm;
+}
+
 std::int64_t StrokeTracker::grainCell(double displacement_mm) const {
   return static_cast<std::int64_t>(
       std::floor((displacement_mm - program_->gridOrigin_mm) * program_->grainsPerMm + cellRounding));

@@ -156,6 +156,28 @@ class SpeedFamily(unittest.TestCase):
             peaks[speed] = hashlib.sha256(rendered["one"]).hexdigest()
         self.assertGreaterEqual(len(set(peaks.values())), 5)
 
+    def test_a_press_at_a_stated_speed_is_exported_as_the_button_of_that_speed(self):
+        family = self.family([20.0, 5.0, 90.0])
+        one, trace = self.folder / "one.button.json", self.folder / "trace.csv"
+        seen = set()
+        for speed in (5.0, 90.0):
+            times = [0, 0.05, 0.05 + 4.2 / speed, 0.15 + 4.2 / speed, 0.15 + 8.4 / speed]
+            trace.write_text("time_s,displacement_mm\n" + "".join(
+                f"{t:.9f},{x}\n" for t, x in zip(times, (-0.1, -0.1, 4.1, 4.1, -0.1))), encoding="utf-8")
+            run("detent-graph", "convert", family, one, "--speed", speed)
+            for kind in ("package", "c", "haptic", "pcm"):
+                written = []
+                for button in (family, one):
+                    out = self.folder / f"export.{kind}"
+                    made = run("detent-play", "export", button, "--format", kind, "--press", trace, "-o", out, "--json")
+                    self.assertEqual(made.returncode, 0, made.stderr)
+                    written.append(out.read_bytes())
+                    told = json.loads(made.stdout).get("press_speed_mm_per_s")
+                    self.assertEqual(told is not None, button == family)
+                self.assertEqual(written[0], written[1], f"{kind} at {speed} mm/s")
+                seen.add(hashlib.sha256(written[0]).hexdigest())
+        self.assertEqual(len(seen), 8)
+
     def record(self, speed, name=None, timed=True, halves=1.0, release_speed=None, noise_N=0.002):
         """A force meter's log at 2000 Hz of a press and release of the dome, with noise."""
         chance = np.random.default_rng(int(1000 * speed))

@@ -8,6 +8,7 @@
 #include "importer/library/felt_shape.h"
 #include "importer/program/library_json.h"
 #include "playback/offline/press_files.h"
+#include "playback/offline/press_speed.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
@@ -49,14 +50,16 @@ playback::PlaybackSettings settingsOf(const std::string& feel) {
 
 std::vector<float> renderedPress(const Button& button, const std::string& traceFile, double rate_Hz,
                                  const std::string& feel, const Cancelled& cancelled) {
-  const auto prepared = valueOf(playback::prepareProgram(button, {}, settingsOf(feel)));
+  const playback::PlaybackSettings felt = settingsOf(feel);
+  const auto prepared = valueOf(playback::prepareProgram(button, {}, felt));
   const auto trace = traceFile.empty() ? playback::standardPress(prepared.program)
                                        : valueOf(playback::readPressTrace(traceFile));
   playback::RenderSettings settings;
   settings.sampleRate_Hz = rate_Hz;
   settings.cancelled = cancelled;
   valueOf(playback::checkRendering(trace, settings));
-  return valueOf(playback::renderPress(prepared.program, trace, settings)).samples;
+  const auto pressed = valueOf(playback::asPressed(button, prepared, trace, {}, felt));
+  return valueOf(playback::renderPress(pressed.prepared.program, trace, settings)).samples;
 }
 
 std::string confusionOf(const std::vector<Button>& buttons, const Cancelled& cancelled) {

@@ -18,9 +18,8 @@ struct NoDevices {
 
   editor::FeelDevices devices() const {
     editor::FeelDevices d;
-    d.open = [count = opened](
-                 const playback::PlayerSettings&,
-                 const playback::HapticProgram&) -> Result<std::unique_ptr<playback::LivePlayer>> {
+    d.open = [count = opened](const playback::PlayerSettings&,
+                              const playback::LiveProgram&) -> Result<std::unique_ptr<playback::LivePlayer>> {
       ++*count;
       return Failure{FailureCode::deviceTrouble, "default device", "", "no sound output is there",
                      "Connect one, or start a JACK server"};

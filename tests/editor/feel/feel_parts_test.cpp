@@ -16,6 +16,7 @@
 #include "editor/feel/signal_view.h"
 #include "editor/feel/sound_device_list.h"
 #include "model/edits.h"
+#include "model/speed_family.h"
 #include "tests/editor/feel/feel_buttons.h"
 
 using namespace detent;
@@ -85,11 +86,33 @@ class FeelPartsTest : public QObject {
     QVERIFY(first.program && second.program);
     QCOMPARE(first.firstState, std::size_t(0));
     QCOMPARE(second.firstState, std::size_t(1));
-    QCOMPARE(second.program->states[0].end_mm, first.program->states[1].end_mm);
-    QCOMPARE(second.program->states[1].end_mm, first.program->states[0].end_mm);
+    QCOMPARE(second.program->program.states[0].end_mm, first.program->program.states[1].end_mm);
+    QCOMPARE(second.program->program.states[1].end_mm, first.program->program.states[0].end_mm);
     QVERIFY(first.samples != second.samples);
     request.firstState = 7;  // of a button that had more states
     QCOMPARE(pressSignalOf(request).firstState, std::size_t(0));
+  }
+
+  // A button with graphs at several speeds is drawn as the press finds it, and pressed at the finger's speed.
+  void aPressIsDrawnAtItsSpeed() {
+    const Button family = *familyOf({linearButton(), tactileButton()}, {10, 60});
+    PressSignalRequest request{family, {}, {}};
+    const auto travelled = [&](double speed_mm_per_s) {
+      auto press = std::make_shared<playback::PressTrace>();
+      press->quantity = playback::PressTrace::Quantity::displacement_mm;
+      press->readings = {
+          {0, -0.1}, {0.05, -0.1}, {0.05 + 4.2 / speed_mm_per_s, 4.1}, {0.1 + 4.2 / speed_mm_per_s, -0.1}};
+      request.press = press;
+      return pressSignalOf(request);
+    };
+    const PressSignal slow = travelled(10), quick = travelled(60);
+    QVERIFY(std::fabs(*slow.speed_mm_per_s - 10) < 1e-3 && std::fabs(*quick.speed_mm_per_s - 60) < 1e-3);
+    QCOMPARE(countOf(slow, EventKind::pressJump), std::size_t{0});
+    QCOMPARE(countOf(quick, EventKind::pressJump), std::size_t{1});
+    QVERIFY(slow.program->speeds.size() >= 2);
+    QVERIFY(pressSignalOf({family, {}, {}}).speed_mm_per_s);
+    QVERIFY(!pressSignalOf({tactileButton(), {}, {}}).speed_mm_per_s);
+    QVERIFY(pressSignalOf({tactileButton(), {}, {}}).program->speeds.empty());
   }
 
   void settingsAndProfileReachTheSignal() {

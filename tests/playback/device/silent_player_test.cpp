@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "model/speed_family.h"
 #include "playback/device/steady_clock.h"
 #include "playback/playback.h"
 #include "tests/playback/device/pty_sensor.h"
@@ -101,6 +102,32 @@ TEST_CASE("silent: another button under the finger takes the finger over without
   player->setProgram(*linear);
   CHECK(player->takeEvents().empty());
   CHECK(player->status().displacement_mm == Approx(2 + 0.2 / 0.15).margin(0.01));  // 0.6 N on A's line
+}
+
+TEST_CASE("silent: a press goes over to its speed") {
+  const auto peakAt = [](double at_mm) {
+    return buttonOf("peak", {stateOf("", {{0, 0.1}, {at_mm, 0.8}, {2.2, 0.4}, {4, 1.1}},
+                                     {{0, 0.05}, {at_mm, 0.3}, {2.2, 0.25}, {4, 1}})});
+  };
+  const Button family = *familyOf({peakAt(1), peakAt(1.5)}, {10, 150});
+  const Result<PreparedProgram> front = prepareProgram(family, {}, {});
+  auto player = *LivePlayer::startSilent(*prepareLive(*front, family, {}, {}));
+  const auto jumpOfPress = [&](double pause_s) {
+    player->takeEvents();
+    for (int i = 0; i <= 300; ++i) {
+      player->pushDisplacement(0.01 * i);
+      sleepUntil(now_s() + pause_s);
+    }
+    double jump_mm = 0;
+    for (const EngineEvent& e : player->takeEvents())
+      if (e.kind == EventKind::pressJump) jump_mm = e.displacement_mm;
+    for (int i = 300; i >= 0; --i) player->pushDisplacement(0.01 * i);
+    return jump_mm;
+  };
+  CHECK(jumpOfPress(0.002) == Approx(1).margin(0.03));  // 5 mm/s at most
+  CHECK(player->status().speed_mm_per_s < 6);
+  CHECK(jumpOfPress(0) == Approx(1.5).margin(0.03));
+  CHECK(player->status().speed_mm_per_s > 150);
 }
 
 TEST_CASE("silent: displacement readings, and readings no finger can make") {

@@ -277,6 +277,54 @@ class PageInBrowser(unittest.TestCase):
         self.assertTrue(urls)
         self.assertEqual([], [u for u in urls if not u.startswith((self.page.as_uri()[:60], "data:", "chrome:"))])
 
+    def test_a_family_feels_as_the_speed_of_the_press(self):
+        def graph(peak):
+            level = lambda x, f, slope=0: {"displacement_mm": x, "force_N": f, "slopeBefore_N_per_mm": slope, "slopeAfter_N_per_mm": slope}
+            return {"press": [level(0, 0.1, 0.5), level(1, peak), level(2, 0.6 * peak), level(4, 1.2, 0.4)],
+                    "release": [level(0, 0.05, 0.1), level(1, 0.3), level(2, 0.25), level(4, 1.2, 0.6)]}
+        family = self.folder / "family.button.json"
+        family.write_text(json.dumps({"format": "detent-button", "version": 5, "name": "family", "states": [
+            {**graph(0.6), "speed_mm_per_s": 10, "otherSpeeds": [{**graph(0.95), "speed_mm_per_s": 100}]}]}))
+        page, wav = self.folder / "family.html", self.folder / "family.wav"
+        subprocess.run([PROGRAM, "page", str(family), "-o", str(page)], check=True, capture_output=True)
+        subprocess.run([PROGRAM, "render", str(family), "--standard-press", "-o", str(wav)], check=True, capture_output=True)
+        self.browser.do("POST", "/url", {"url": page.as_uri()})
+        self.browser.wait("return document.documentElement.dataset.detent === 'ready'")
+        self.assertEqual("Graph and figures at 10\u00a0mm/s; pressed, it feels as at the speed of your press, 10 to 100\u00a0mm/s.",
+                         self.browser.run("return document.getElementById('speeds').textContent"))
+        expected = samples_of(wav)
+        got = self.browser.run_async("const done = arguments[0]; detent.render(0).then((a) => done(Array.from(a)))")
+        self.assertEqual(len(expected), len(got))
+        self.assertLessEqual(max(abs(a - b) for a, b in zip(expected, got)), 1e-6)
+        jumps_N, grown = self.browser.run("""
+          const data = JSON.parse(document.getElementById('data').textContent);
+          const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+          const engine = detentInstance(new WebAssembly.Module(bytes(data.engine)),
+                                        data.buttons.map((b) => new Float64Array(bytes(b.numbers).buffer)));
+          engine.detent_start(48000);
+          const before = engine.memory.buffer.byteLength;
+          const shown = () => new Float64Array(engine.memory.buffer, engine.detent_shown(), 9);
+          const jumps = [1.3, 40, 1.3, 13].map((rate_N_per_s) => {
+            for (let k = 0; k < 800; ++k) { engine.detent_steer(0); engine.detent_process(128); }
+            let force_N = 0, before_mm = 0;
+            for (let k = 0; k < 20000; ++k) {  // until the place jumps
+              engine.detent_steer(k * 32 / 48000 * rate_N_per_s);
+              engine.detent_process(32);
+              const v = shown();
+              if (v[0] > before_mm + 0.7) return force_N;
+              [before_mm, force_N] = [v[0], v[1]];
+            }
+            return NaN;
+          });
+          return [jumps, engine.memory.buffer.byteLength - before];""")
+        self.assertEqual(0, grown)
+        self.browser.do("POST", "/se/log", {"type": "performance"})  # this page's requests are no other's
+        # 1.3 N/s takes 0.7 s from 10 to 90 % of the travel, 5 mm/s; 40 N/s lies beyond 100 mm/s; 13 N/s between.
+        self.assertLess(abs(jumps_N[0] - 0.6), 0.02, jumps_N)
+        self.assertGreater(jumps_N[1], 0.85, jumps_N)
+        self.assertLess(abs(jumps_N[2] - 0.6), 0.02, jumps_N)
+        self.assertTrue(0.65 < jumps_N[3] < 0.85, jumps_N)
+
     def test_size_and_feel(self):
         self.assertLessEqual(self.page.stat().st_size, 700_000)
         self.assertIn("feel: clear", self.browser.run("return document.querySelector('footer').textContent"))

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/file/button_file.h"
+#include "model/speed_family.h"
 #include "playback/page/button_numbers.h"
 
 using namespace detent;
@@ -34,6 +35,28 @@ TEST_CASE("A button comes back from its numbers as it was, bit for bit") {
       CHECK(back->states()[i].graph == button.states()[i].graph);
       CHECK(back->states()[i].operatingPoint_mm == button.states()[i].operatingPoint_mm);
       CHECK(back->states()[i].resetPoint_mm == button.states()[i].resetPoint_mm);
+    }
+  }
+}
+
+TEST_CASE("A button with graphs at several speeds comes back from its numbers, or not at all") {
+  for (const char* name : {"B", "latch"}) {
+    const Button family = familyOf({sample(name), sample(name), sample(name)}, {50, 10, 200}).value();
+    const std::vector<double> numbers = numbersOf(family);
+    const Result<Button> back = buttonFrom(numbers);
+    REQUIRE(back.ok());
+    CHECK(speedsOf(*back) == std::vector<double>{10, 50, 200});
+    for (std::size_t i = 0; i < family.states().size(); ++i) {
+      CHECK(back->states()[i].speed_mm_per_s == family.states()[i].speed_mm_per_s);
+      CHECK(back->states()[i].otherSpeeds == family.states()[i].otherSpeeds);
+    }
+    const std::size_t whole = numbersOf(sample(name)).size();
+    for (std::size_t cut = whole + 1; cut < numbers.size(); ++cut)
+      CHECK_FALSE(buttonFrom({numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(cut)}).ok());
+    for (const double wrong : {-1.0, 0.5, 4.0, std::numeric_limits<double>::quiet_NaN()}) {
+      std::vector<double> damaged = numbers;
+      damaged[whole] = wrong;  // number of other speeds
+      CHECK_FALSE(buttonFrom(damaged).ok());
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/playback/realtime/callback_guard.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -10,6 +11,8 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include "model/speed_family.h"
+#include "playback/prepare/prepare_speeds.h"
 #include "playback/realtime/live_session.h"
 #include "tests/playback/sample_buttons.h"
 
@@ -96,4 +99,43 @@ TEST_CASE("guard: the callback makes no guarded call over 10,000 events") {
   CHECK(events >= 10000);
   INFO(firstGuardHit());
   CHECK(guardHits() == 0);
+}
+
+TEST_CASE("guard: the callback makes no guarded call while a press goes over to its speed") {
+  if (skipped()) return;
+  const Button family = *familyOf(
+      {tactileButton(), buttonOf("stiff", {stateOf("", {{0, 0.1}, {1.4, 0.9}, {2, 0.5}, {3, 0.8}, {4, 1.2}},
+                                                   {{0, 0.05}, {1, 0.3}, {1.6, 0.2}, {3, 0.4}, {4, 1.1}})})},
+      {10, 150});
+  const Result<PreparedProgram> front = prepareProgram(family, {}, {});
+  const auto live = std::make_unique<LiveProgram>(*prepareLive(*front, family, {}, {}));
+  LiveSession session(48000);
+  SessionCommand command;
+  command.kind = CommandKind::program;
+  command.program = &live->program;
+  command.speeds = &live->speeds;
+  session.send(Lane::control, command);
+  resetGuard();
+  std::vector<float> out(64);
+  SessionReport report;
+  std::vector<double> jumps_mm;
+  double phase = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const double now_s = i * 64 / 48000.0, lasts_s = 0.1 + 0.9 * std::fmod(now_s, 7) / 7;
+    phase = std::fmod(phase + 64 / 48000.0 / lasts_s, 1);
+    session.send(Lane::sensor,
+                 {CommandKind::force, TimeBase::clock, now_s, 1.5 * std::sin(M_PI * phase), {}, {}});
+    {
+      GuardedScope scope;
+      session.process(out.data(), out.size(), now_s);
+    }
+    while (session.receive(report))
+      if (report.kind == ReportKind::event && report.event.kind == EventKind::pressJump)
+        jumps_mm.push_back(report.event.displacement_mm);
+  }
+  INFO(firstGuardHit());
+  CHECK(guardHits() == 0);
+  REQUIRE(jumps_mm.size() > 50);
+  CHECK(*std::max_element(jumps_mm.begin(), jumps_mm.end()) >
+        *std::min_element(jumps_mm.begin(), jumps_mm.end()) + 0.05);
 }

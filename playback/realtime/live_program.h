@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What plays under a finger: a button's program, and of one that feels different at different speeds a program for each of a row of speeds.
+// Built by playback/prepare/prepare_speeds.h, followed by speed_tracker.h.
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "playback/realtime/haptic_program.h"
+
+namespace detent::playback {
+
+/// The button as it is at one speed.
+struct SpeedProgram {
+  double speed_mm_per_s = 0;
+  HapticProgram program;
+};
+
+struct LiveProgram {
+  HapticProgram program;             ///< of the graph in front: by it speeds are told
+  std::vector<SpeedProgram> speeds;  ///< by rising speed; empty: `program` plays at any speed
+
+  LiveProgram(const HapticProgram& only) : program(only) {}  // NOLINT(google-explicit-constructor)
+  LiveProgram(const HapticProgram& front, std::vector<SpeedProgram> others)
+      : program(front), speeds(std::move(others)) {}
+};
+
+/// The one nearest to a speed; `speeds` not empty.
+inline const SpeedProgram& nearest(const std::vector<SpeedProgram>& speeds, double speed_mm_per_s) {
+  const SpeedProgram* best = &speeds.front();
+  for (const SpeedProgram& s : speeds)
+    if (std::fabs(s.speed_mm_per_s - speed_mm_per_s) < std::fabs(best->speed_mm_per_s - speed_mm_per_s))
+      best = &s;
+  return *best;
+}
+
+}  // namespace detent::playback

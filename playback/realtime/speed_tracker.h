@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A stroke tracker on a button that may feel different at different speeds: how fast a press is, is told while it goes on, and the tables
+// of that speed are put under the finger (docs/decisions/1112).
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "playback/realtime/live_program.h"
+#include "playback/realtime/stroke_tracker.h"
+
+namespace detent::playback {
+
+/// How fast a press is: what `render` measures from 10 to 90 % of the travel, foretold from the way so far. Of forces the way is that from
+/// the force at 10 % to the strongest up to 90 %, of the graph in front. Callback thread; no allocation.
+class PressPace {
+ public:
+  void use(const HapticProgram& front);
+  /// After a reading was followed, in N or mm. False: nothing new is known.
+  bool take(double value, bool isForce, std::uint8_t state, double time_s);
+  double speed_mm_per_s() const { return speed_; }
+  /// A press is under way whose beginning was seen.
+  bool begun() const { return begun_; }
+  /// The next reading does not follow from the one before.
+  void interrupt() { heard_ = begun_ = timed_ = false; }
+
+ private:
+  /// Places and forces at shares of the travel.
+  struct Marks {
+    double touch = 0, from = 0, to = 0;
+  };
+  struct StateMarks {
+    Marks mm, N;
+    double travel_mm = 0;
+  };
+
+  std::array<StateMarks, maxStates> marks_{};
+  double speed_ = 0;
+  double before_ = 0, before_s_ = 0;     // the reading before
+  double touched_s_ = 0, passed_s_ = 0;  // when it passed these marks
+  bool heard_ = false, begun_ = false, timed_ = false;
+};
+
+/// As StrokeTracker, of a button with or without graphs at several speeds. One speed belongs to one press: until its first jump, at most
+/// until half the travel, the press goes over to the program of the speed it shows; from then on, and on its way back, it keeps it. A press
+/// begins on the program of the lowest speed. It goes over only with a reading that presses on: under a finger that rests nothing moves. What
+/// lies behind the finger is not met again, and no jump is lost. Without speeds it is the StrokeTracker. Callback thread; no allocation.
+class SpeedTracker {
+ public:
+  /// Both must outlive their use here; `speeds` as in LiveProgram, nullptr: none. A press under way keeps its speed.
+  void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds = nullptr);
+
+  /// As StrokeTracker's, with the time of the reading.
+  const Crossings& updateForce(double force_N, double time_s);
+  const Crossings& updateDisplacement(double displacement_mm, double time_s);
+  void placeAtForce(double force_N);
+  void placeAtDisplacement(double displacement_mm);
+
+  const StrokePosition& position() const { return tracker_.position(); }
+  std::uint64_t suppressed() const { return tracker_.suppressed(); }
+  /// To which the crossings of the last reading belong.
+  const HapticProgram* program() const { return playing_; }
+  /// Of the press under way or the last one; 0: none is known.
+  double speed_mm_per_s() const { return pace_.speed_mm_per_s(); }
+
+ private:
+  bool family() const { return speeds_ != nullptr && !speeds_->empty(); }
+  void goOver(double value);
+  void look(const Crossings& crossings, double value, bool isForce, double time_s);
+
+  StrokeTracker tracker_;
+  PressPace pace_;
+  const std::vector<SpeedProgram>* speeds_ = nullptr;
+  const HapticProgram* playing_ = nullptr;  // the tracker's
+  const HapticProgram* wanted_ = nullptr;   // from the next reading on
+  double last_ = 0;                         // reading, N or mm
+  bool settled_ = false;
+};
+
+}  // namespace detent::playback
