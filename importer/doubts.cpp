@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "importer/axes/button_sizes.h"
+#include "importer/axes/printed_unit.h"
 #include "importer/page/same_ink.h"
 #include "importer/wider_frame.h"
 
@@ -199,6 +200,23 @@ double forceLeft(const StrokePair& strokes) {
   return force_N > 0 ? end.force_N / force_N : 0;
 }
 
+/// Whether ink leads downwards from left to right all the way.
+bool onlyFalls(const std::vector<Point>& ink) {
+  constexpr std::size_t parts = 10;
+  constexpr double unevenness_px = 2;
+  const auto [left, right] = std::ranges::minmax(ink, {}, &Point::x);
+  std::vector<double> sums(parts, 0), counts(parts, 0), rows;
+  for (const Point p : ink) {
+    const auto part =
+        static_cast<std::size_t>((p.x - left.x) / std::max(1.0, right.x - left.x) * (parts - 1) + 0.5);
+    sums[part] += p.y, counts[part] += 1;
+  }
+  for (std::size_t k = 0; k < parts; ++k)
+    if (counts[k] > 0) rows.push_back(sums[k] / counts[k]);
+  const auto rises = [&](double a, double b) { return b < a - unevenness_px; };
+  return std::ranges::adjacent_find(rows, rises) == rows.end();
+}
+
 class Doubts {
  public:
   Doubts(const GraphFindings& findings, const std::vector<SpecCheck>& checks, const ImportHints& hints)
@@ -318,7 +336,8 @@ class Doubts {
     const Box frame = findings_.graph.frame.value.box();
     const auto& left = findings_.explanation.left;
     const auto line = std::ranges::find_if(left, [&](const Remainder& each) {
-      return each.thickness < mostThickness && each.box_px.width() >= leastWidth * frame.width() &&
+      return isOfAStroke(each) && !isMark(each) && each.thickness < mostThickness &&
+             each.box_px.width() >= leastWidth * frame.width() &&
              each.box_px.height() >= leastHeight * frame.height() && !outlinesABox(each) && liesApart(each);
     });
     if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::inkLeftOver, unconfirmed);
@@ -359,15 +378,17 @@ class Doubts {
     constexpr double likeACurve = 0.5;  // likeness 0..1, docs/decisions/0810
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
     const auto& [left, leaps, patches] = findings_.explanation;
-    if (!left.empty() && left.front().likeness >= likeACurve)
+    const auto ofAStroke = [&](const auto& each) { return isOfAStroke(each); };
+    const auto most = std::ranges::find_if(left, ofAStroke);
+    if (most != left.end() && most->likeness >= likeACurve)
       // A curve that goes on is a curve cut short; ink by itself may be another thing of the page: it is said, not refused.
-      sayAt(left.front().box_px.middle(), DoubtCode::inkLeftOver,
-            left.front().atAnEnd || left.front().dashed ? unconfirmed : inPart);
+      sayAt(most->box_px.middle(), DoubtCode::inkLeftOver,
+            most->atAnEnd || most->dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
         0.1;  // of the curves' ink; 0 on charts with markers and fills, 0.21 along a filled band
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::inkLeftOver, unconfirmed);
-    if (!leaps.empty())
-      sayAt(0.5 * (leaps.front().from_px + leaps.front().to_px), DoubtCode::curveWithoutInk, unconfirmed);
+    if (const auto leap = std::ranges::find_if(leaps, ofAStroke); leap != leaps.end())
+      sayAt(0.5 * (leap->from_px + leap->to_px), DoubtCode::curveWithoutInk, unconfirmed);
   }
 
   void place() {
@@ -382,10 +403,23 @@ class Doubts {
     edges(strokes.press);
     if (strokes.release) edges(*strokes.release);
     const bool curvesChosen = hints_.trace.pressColor || !hints_.drawn.press.empty();
-    if (findings_.graph.axes.otherRightScale && !curvesChosen)
+    if (findings_.graph.axes.otherRightScale && !curvesChosen && !otherScaleHasItsCurve())
       add(DoubtCode::otherScale, unconfirmed, {},
           {{RemedyKind::pickPress, {}},
            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
+  }
+
+  /// Whether a curve in an ink of its own was set aside that is the second scale's: the legend names it after what that measures, or names
+  /// press and release beside it.
+  bool otherScaleHasItsCurve() const {
+    const auto& evidence = findings_.strokes.evidence;
+    const bool named =
+        std::ranges::find(evidence, EvidenceCode::namedByLegend, &EvidenceItem::code) != evidence.end();
+    return findings_.strokes.value.release &&
+           std::ranges::any_of(findings_.traces, [&](const CurveTrace& trace) {
+             return trace.points_px.size() >= 2 && !isOfAStroke(trace.color) &&
+                    (named || !otherQuantityIn(trace.label).empty());
+           });
   }
 
   /// What the steps are sure of holds less often where the page came from paper, unless a person gave frame and axes.
@@ -503,8 +537,8 @@ class Doubts {
     return (backwards ? stroke.points.front() : stroke.points.back()).force_N;
   }
 
-  /// Of the trace that the stroke was taken from.
-  Rgb colorOf(const StrokePoints& stroke) const {
+  /// Of the trace that the stroke was taken from; empty where that was cut.
+  std::optional<Rgb> traceColorOf(const StrokePoints& stroke) const {
     // Its foot may be another curve's, under which its own runs: its upper end says more.
     for (const Point end : {stroke.points_px.back(), stroke.points_px.front()}) {
       const auto has = [&](const CurveTrace& trace) {
@@ -514,6 +548,57 @@ class Doubts {
       if (from != findings_.traces.end()) return from->color;
     }
     return {};
+  }
+  Rgb colorOf(const StrokePoints& stroke) const { return traceColorOf(stroke).value_or(Rgb{}); }
+
+  /// Whether this colour is a stroke's, or may be.
+  bool isOfAStroke(Rgb color) const {
+    const StrokePair& strokes = findings_.strokes.value;
+    const auto press = traceColorOf(strokes.press);
+    const auto release = strokes.release ? traceColorOf(*strokes.release) : press;
+    constexpr double clear = 70;  // colour levels
+    const auto isOf = [&](Rgb its) {
+      return std::hypot(color.r - its.r, color.g - its.g, color.b - its.b) <= clear;
+    };
+    return !press || !release || isOf(*press) || isOf(*release);
+  }
+
+  /// How many of a remainder's pixels show a colour.
+  std::size_t shownOf(const Remainder& left, Rgb color) const {
+    const Raster& picture = findings_.graph.view.raster;
+    if (picture.empty()) return 0;
+    return static_cast<std::size_t>(std::ranges::count_if(left.ink_px, [&](Point p) {
+      return isInkOf(picture, color, static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+    }));
+  }
+
+  /// Whether a remainder may be a stroke's: what shows the ink of a curve that was set aside more than any stroke's is that one's.
+  bool isOfAStroke(const Remainder& left) const {
+    std::size_t ofStrokes = 0, ofOthers = 0;
+    for (const CurveTrace& trace : findings_.traces) {
+      std::size_t& most = isOfAStroke(trace.color) ? ofStrokes : ofOthers;
+      most = std::max(most, shownOf(left, trace.color));
+    }
+    return ofStrokes >= ofOthers;
+  }
+
+  /// A leap is its curve's.
+  bool isOfAStroke(const Leap& leap) const {
+    constexpr double on_px = 1.5;
+    return std::ranges::none_of(findings_.traces, [&](const CurveTrace& trace) {
+      return !isOfAStroke(trace.color) && liesOn(trace.points_px, leap.from_px, on_px) &&
+             liesOn(trace.points_px, leap.to_px, on_px);
+    });
+  }
+
+  /// Whether a line falls all the way from left to right and shows hardly any stroke's colour: an arrow or a leader. No stroke falls so.
+  bool isMark(const Remainder& left) const {
+    constexpr double mostOfStrokes = 0.4;  // of its pixels: smoothed rims have any colour
+    std::size_t ofStrokes = 0;
+    for (const CurveTrace& trace : findings_.traces)
+      ofStrokes = std::max(ofStrokes, shownOf(left, trace.color));
+    return !left.ink_px.empty() && !findings_.graph.view.raster.empty() && onlyFalls(left.ink_px) &&
+           static_cast<double>(ofStrokes) < mostOfStrokes * static_cast<double>(left.ink_px.size());
   }
 
   const GraphFindings& findings_;

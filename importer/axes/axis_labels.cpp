@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "importer/axes/equal_digits.h"
 #include "importer/axes/small_labels.h"
 #include "importer/axes/text_lines.h"
 #include "importer/frame/glyph_marks.h"
@@ -165,6 +166,25 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   found.progression = fitProgression(places, ticks, axis == Axis::x);
 }
 
+/// Where equal digits are equal to the pixel, each is read as the same one everywhere.
+void readAlike(const GraphReading& r, AxisLabels& found, std::vector<LabelPlace>& places,
+               std::vector<std::string>& texts, Axis axis) {
+  std::vector<std::vector<LetterShape>> letters;
+  std::vector<double> centers;
+  for (std::size_t i = 0; i < found.words.size(); ++i) {
+    if (found.words[i].confidence >= 1) return;  // the document's own text
+    letters.push_back(lettersOf(r.ink, found.words[i].box));
+    centers.push_back(places[i].center_px);
+  }
+  const auto read = readEqualDigits(letters, centers, axis == Axis::x, texts);
+  if (!read) return;
+  for (std::size_t i = 0; i < read->size(); ++i) {
+    texts[i] = found.words[i].utf8 = (*read)[i];
+    found.words[i].confidence = std::max(found.words[i].confidence, sureReading);
+    found.readings[i] = numberReadings(texts[i], found.words[i].confidence);
+  }
+}
+
 /// Numbers that fall to the right or upwards are believed where all of a row agree, four at least, each at its tick.
 std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& places,
                                               const std::vector<GridLine>& ticks, Axis axis) {
@@ -200,6 +220,7 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
     found.words.push_back(std::move(seen));
     places.push_back(std::move(place));
   }
+  if (kind == TextKind::number && upright) readAlike(r, found, places, texts, axis);
   expectLostPoints(texts, found.readings);
   found.thousands = expectThousands(texts, found.readings);
   for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "importer/axes/axis_calibration.h"
+#include "importer/axes/equal_digits.h"
 #include "importer/axes/read_text.h"
 #include "importer/axes/text_lines.h"
 #include "importer/frame/darkness.h"
@@ -114,9 +115,11 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   });
   if (lines.size() > maxLines) lines.resize(maxLines);
   TextReader reader(view);
+  const std::vector<LetterShape> digits = digitsOf(ink, axes.calibration.value);
   for (const auto& line : lines) {
     if (progress.isCancelled()) return;
     auto seen = reader.readLine(line.box, TextKind::words);
+    if (!digits.empty()) seen.utf8 = withKnownDigits(seen.utf8, lettersOf(ink, line.box), digits);
     if (seen.confidence >= minConfidence && lettersIn(seen.utf8) >= minLetters) {
       axes.texts.push_back(std::move(seen));
       continue;

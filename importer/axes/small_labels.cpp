@@ -2,9 +2,7 @@
 #include "importer/axes/small_labels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -13,96 +11,13 @@
 #include <opencv2/imgproc.hpp>
 
 #include "importer/axes/drawn_text.h"
+#include "importer/axes/label_scales.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer {
 namespace {
 
 constexpr std::size_t fewestLabels = 3, mostLabels = 12;
-
-/// A scale the labels may stand on: value of each, and how usual it is.
-struct Scale {
-  std::vector<std::string> texts;
-  double prior = 0;             ///< nats, <= 0
-  double step = 0, lowest = 0;  ///< from label to label, and the smallest value
-
-  /// Zeros behind the point or none: the same numbers.
-  bool sameValues(const Scale& other) const { return step == other.step && lowest == other.lowest; }
-};
-
-std::string written(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
-/// Without zeros behind the point.
-std::string shortened(std::string text) {
-  if (text.find('.') == std::string::npos) return text;
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
-/// Places as whole steps from the first; empty if they are not even.
-std::vector<int> evenSteps(const std::vector<double>& centers_px) {
-  constexpr double evenWithin = 0.15;  // of a step
-  double pitch = std::numeric_limits<double>::max();
-  for (std::size_t i = 1; i < centers_px.size(); ++i)
-    pitch = std::min(pitch, centers_px[i] - centers_px[i - 1]);
-  if (!(pitch > 4)) return {};
-  for (int round = 0; round < 2; ++round)  // the smallest gap is off by a pixel, all together are not
-    pitch = (centers_px.back() - centers_px.front()) /
-            std::max(1.0, std::round((centers_px.back() - centers_px.front()) / pitch));
-  std::vector<int> steps;
-  for (const double c : centers_px) {
-    const double k = (c - centers_px.front()) / pitch;
-    if (std::abs(k - std::round(k)) > evenWithin) return {};
-    steps.push_back(static_cast<int>(std::lround(k)));
-  }
-  return steps;
-}
-
-/// All scales of nice steps from zero or a multiple of the step.
-std::vector<Scale> scalesOf(std::vector<int> steps, bool rising) {
-  struct Mantissa {
-    double value, prior;
-    int decimals;
-  };
-  constexpr std::array mantissas{Mantissa{1, 0, 0},    Mantissa{2, 0, 0},    Mantissa{5, 0, 0},
-                                 Mantissa{2.5, -1, 1}, Mantissa{4, -2, 0},   Mantissa{3, -2, 0},
-                                 Mantissa{1.5, -2, 1}, Mantissa{6, -3, 0},   Mantissa{8, -3, 0},
-                                 Mantissa{1.2, -3, 1}, Mantissa{1.25, -3, 2}};
-  constexpr double notFromZero = -2,
-                   zerosBehind = -0.5;  // nats: axes begin at 0, and no two zeros follow a point
-  constexpr int furthestStart = 12;
-  if (!rising)
-    for (int& k : steps) k = -k;
-  const int lowest = *std::min_element(steps.begin(), steps.end());
-  std::vector<Scale> scales;
-  for (const Mantissa& m : mantissas)
-    for (int power = -2; power <= 3; ++power) {
-      const double step = m.value * std::pow(10.0, power);
-      const int decimals = std::max(0, m.decimals - power);
-      if (decimals > 3) continue;
-      for (int start = 0; start <= furthestStart; ++start) {
-        Scale even, plain;
-        even.prior = plain.prior = m.prior + (start > 0 ? notFromZero : 0);
-        even.step = plain.step = step;
-        even.lowest = plain.lowest = step * start;
-        for (const int k : steps) {
-          even.texts.push_back(written(step * (k - lowest + start), decimals));
-          plain.texts.push_back(shortened(even.texts.back()));
-        }
-        if (plain.texts != even.texts) {
-          even.prior += zerosBehind;
-          scales.push_back(std::move(plain));
-        }
-        scales.push_back(std::move(even));
-      }
-    }
-  return scales;
-}
 
 /// The labels' pixels and boxes.
 struct Row {
@@ -149,7 +64,7 @@ class Comparison {
 
 /// A scale, and how well the labels stand to it in the hand that suits it best.
 struct Judged {
-  const Scale* scale = nullptr;
+  const LabelScale* scale = nullptr;
   double score = -std::numeric_limits<double>::max();  ///< nats
   double likeness = -1;                                ///< of the least alike label
 };
@@ -215,9 +130,9 @@ std::optional<SmallLabels> readSmallLabels(const cv::Mat& darkness, const std::v
   }
   const Row row{patches, words};
   const double height = medianOf(heights);
-  const std::vector<Scale> scales = scalesOf(steps, rising);
+  const std::vector<LabelScale> scales = scalesOf(steps, rising);
   std::vector<Judged> judged;
-  for (const Scale& scale : scales) judged.push_back({&scale});
+  for (const LabelScale& scale : scales) judged.push_back({&scale});
   judge(judged, row, handsOf(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.6}));
   keepBest(judged, 24);
   judge(judged, row, handsOf(height, {cv::FONT_HERSHEY_SIMPLEX, cv::FONT_HERSHEY_COMPLEX}, {0, 0.6, 1.2}));

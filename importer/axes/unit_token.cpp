@@ -114,10 +114,18 @@ std::string UnitToken::endOf(const std::string& line) const {
 
 namespace {
 
+/// How sure a reading has to be: of three letters and more between two brackets hardly anything but a unit comes out as one.
+double leastSure(const std::string& text) {
+  constexpr double sure = 0.7, sureInBrackets = 0.5;  // of the engine's
+  constexpr std::size_t fewest = 5;                   // signs
+  const bool whole = text.size() >= fewest && (text.front() == '(' || text.front() == '[') &&
+                     (text.back() == ')' || text.back() == ']');
+  return whole ? sureInBrackets : sure;
+}
+
 /// Tries the line's last letters as a unit; `letters` in their order.
 std::optional<UnitToken> unitIn(TextReader& reader, const std::vector<Box>& letters, double height,
                                 int quarterTurns, double angle_deg) {
-  constexpr double sure = 0.7;  // of the engine's
   constexpr std::size_t tries = 3;
   std::size_t tried = 0;
   bool behindMark = false;
@@ -127,7 +135,7 @@ std::optional<UnitToken> unitIn(TextReader& reader, const std::vector<Box>& lett
     for (std::size_t i = from; i < letters.size(); ++i) token = token.joined(letters[i]);
     const SeenText seen =
         reader.readLineCarefully(turned(token, 4 - quarterTurns), TextKind::unit, angle_deg);
-    if (seen.confidence >= sure)
+    if (seen.confidence >= leastSure(seen.utf8))
       if (auto unit = named(seen.utf8, letters.size() - from, behindMark)) return unit;
     behindMark = !seen.utf8.empty() && (isBracket(seen.utf8.front()) || seen.utf8.front() == '/');
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <opencv2/imgproc.hpp>
 
@@ -13,7 +14,7 @@ namespace detent::importer {
 namespace {
 
 constexpr double kLeastLike = 0.72;   // correlation
-constexpr double kLeastApart = 0.03;  // of the best place from any other
+constexpr double kLeastApart = 0.03;  // of the best place from any other switch's
 constexpr double kBlur_px = 0.7;      // how far two typefaces' strokes may lie apart
 
 Rgb rgbAt(const Raster& picture, int x, int y) {
@@ -56,14 +57,10 @@ struct Place {
   double like = -1;
 };
 
-/// Best place of a name on a picture, and how alike the best one apart from it is.
-struct Sighting {
-  Place best;
-  double next = -1;
-};
-
-Sighting lookFor(const cv::Mat& name, const cv::Mat& ink) {
+/// Where on a picture a name may stand, the most alike place first, no two of them on each other.
+std::vector<Place> placesOf(const cv::Mat& name, const cv::Mat& ink) {
   constexpr int least_px = 8, most_px = 40;  // height of the writing
+  constexpr int eachSize = 4;                // places looked at
   std::vector<Place> all;
   cv::Mat page;
   cv::GaussianBlur(ink, page, {}, kBlur_px);
@@ -76,7 +73,7 @@ Sighting lookFor(const cv::Mat& name, const cv::Mat& ink) {
     cv::copyMakeBorder(word, word, rim, rim, rim, rim, cv::BORDER_CONSTANT, cv::Scalar(0));
     cv::GaussianBlur(word, word, {}, kBlur_px);
     cv::matchTemplate(page, word, alike, cv::TM_CCOEFF_NORMED);
-    for (int n = 0; n < 3; ++n) {
+    for (int n = 0; n < eachSize; ++n) {
       double like = 0;
       cv::Point at;
       cv::minMaxLoc(alike, nullptr, &like, nullptr, &at);
@@ -87,12 +84,12 @@ Sighting lookFor(const cv::Mat& name, const cv::Mat& ink) {
                     cv::FILLED);
     }
   }
-  Sighting seen;
+  std::ranges::sort(all, std::greater<>{}, &Place::like);
+  std::vector<Place> apart;
   for (const Place& each : all)
-    if (each.like > seen.best.like) seen.best = each;
-  for (const Place& each : all)
-    if (!each.box.touches(seen.best.box)) seen.next = std::max(seen.next, each.like);
-  return seen;
+    if (std::ranges::none_of(apart, [&](const Place& other) { return each.box.touches(other.box); }))
+      apart.push_back(each);
+  return apart;
 }
 
 /// Columns from a word to the nearest ink of a switch's curves, level with it; empty where none is near.
@@ -121,6 +118,23 @@ bool isRunThrough(const Box& word, const std::vector<CurveTrace>& traces) {
   });
 }
 
+/// The switch that a name stands beside.
+std::optional<std::size_t> nearestTo(const std::vector<PlotSwitch>& switches,
+                                     const std::vector<CurveTrace>& traces, const Box& word,
+                                     const Raster& picture) {
+  std::optional<std::size_t> nearest;
+  int columns = 0;
+  bool tied = false;
+  for (std::size_t i = 0; i < switches.size(); ++i) {
+    const auto to = columnsTo(switches[i], traces, word, picture);
+    if (!to || (nearest && *to > columns)) continue;
+    tied = nearest && *to == columns;
+    nearest = i;
+    columns = *to;
+  }
+  return tied ? std::nullopt : nearest;
+}
+
 bool isAscii(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
@@ -136,20 +150,17 @@ std::optional<std::size_t> switchSpotted(const std::vector<PlotSwitch>& switches
   if (!drawn) return {};
   const cv::Mat name = cutToInk(inkOf(*drawn));
   if (name.empty()) return {};
-  const Sighting seen = lookFor(name, inkOf(picture));
-  if (seen.best.like < kLeastLike || seen.best.like - seen.next < kLeastApart) return {};
-  if (isRunThrough(seen.best.box, traces)) return {};
-  std::optional<std::size_t> nearest;
-  int columns = 0;
-  bool tied = false;
-  for (std::size_t i = 0; i < switches.size(); ++i) {
-    const auto to = columnsTo(switches[i], traces, seen.best.box, picture);
-    if (!to || (nearest && *to > columns)) continue;
-    tied = nearest && *to == columns;
-    nearest = i;
-    columns = *to;
+  const std::vector<Place> places = placesOf(name, inkOf(picture));
+  // A legend says a switch's name once for each of its strokes.
+  std::optional<std::size_t> found;
+  for (const Place& place : places) {
+    if (place.like < kLeastLike || place.like < places.front().like - kLeastApart) break;
+    const auto its =
+        isRunThrough(place.box, traces) ? std::nullopt : nearestTo(switches, traces, place.box, picture);
+    if (!its || (found && *found != *its)) return {};
+    found = its;
   }
-  return tied ? std::nullopt : nearest;
+  return found;
 }
 
 }  // namespace detent::importer

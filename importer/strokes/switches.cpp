@@ -188,6 +188,46 @@ Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::str
   return fitting;
 }
 
+/// Words of letters and digits, lower case; bytes above ASCII are letters.
+std::vector<std::string> wordsOf(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (const char c : name) {
+    const std::string letter = bare({&c, 1});
+    if (!letter.empty())
+      words.back() += letter;
+    else if (!words.back().empty())
+      words.emplace_back();
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+/// Whether a word of five letters and more differs from another in one letter within it, which a reader of pixels may have
+/// misread. First and last ones and digits tell switches apart: "SwitchA", "Mk2".
+bool isMisreadOf(const std::string& read, const std::string& asked) {
+  constexpr std::size_t fewest = 5;
+  if (read.size() != asked.size() || asked.size() < fewest) return false;
+  const auto [here, there] = std::ranges::mismatch(read, asked);
+  if (there == asked.begin() || there == asked.end() || std::next(there) == asked.end()) return false;
+  const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return isLetter(*here) && isLetter(*there) && std::equal(std::next(here), read.end(), std::next(there));
+}
+
+/// Switches of whose name one letter of one long word was misread.
+Indices namedNearly(const std::vector<PlotSwitch>& switches, const std::string& asked) {
+  const std::vector<std::string> wanted = wordsOf(asked);
+  Indices fitting;
+  for (std::size_t i = 0; i < switches.size(); ++i) {
+    const std::vector<std::string> words = wordsOf(switches[i].name);
+    if (words.size() != wanted.size() || words.empty()) continue;
+    const auto [here, there] = std::ranges::mismatch(words, wanted);
+    if (there != wanted.end() && isMisreadOf(*here, *there) &&
+        std::equal(std::next(here), words.end(), std::next(there)))
+      fitting.push_back(i);
+  }
+  return fitting;
+}
+
 std::optional<std::size_t> numbered(const std::string& asked, std::size_t count) {
   std::size_t number = 0;
   const char* const end = asked.data() + asked.size();
@@ -244,7 +284,7 @@ Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
        {named(switches, traces, asked, [](const std::string& s) { return s; }),
         named(switches, traces, asked, [](const std::string& s) { return bare(s); }),
         named(switches, traces, asked, [](const std::string& s) { return blurred(s); }),
-        namedByTheirEnds(switches, asked)})
+        namedByTheirEnds(switches, asked), namedNearly(switches, asked)})
     if (fitting.size() == 1) return fitting.front();
   if (const auto index = numbered(asked, switches.size())) return *index;
   Failure notThere{FailureCode::wrongUsage, kPlace, "",

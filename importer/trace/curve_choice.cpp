@@ -170,19 +170,27 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
   return dashed;
 }
 
-/// Ink that lies in places no line is wide enough for: a tolerance band, the area under a curve.
+/// Ink that lies in places no line is wide enough for: a tolerance band, the area under a curve. A marker is as wide, but
+/// no longer than that.
 bool isFilledArea(const PlotInks& plot, int index) {
   constexpr float kInked = 0.4F;  // coverage
   constexpr int kLeastWidth_px = 7;
+  constexpr double kMarker = 0.08;  // of the frame's smaller side, at most
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
   const double side_px = std::min(plot.area.frame.width(), plot.area.frame.height());
   const int width_px = std::max(kLeastWidth_px, static_cast<int>(plot.options.fillWidth * side_px));
   const cv::Mat inked =
       cv::Mat(own.height, own.width, CV_32F, const_cast<float*>(own.values.data())) > kInked;
-  cv::Mat wide;
+  cv::Mat wide, labels, stats, centroids;
   cv::morphologyEx(inked, wide, cv::MORPH_OPEN,
                    cv::getStructuringElement(cv::MORPH_RECT, {width_px, width_px}));
-  return cv::countNonZero(wide) > plot.options.fillShare * cv::countNonZero(inked);
+  const int count = cv::connectedComponentsWithStats(wide, labels, stats, centroids, 8, CV_32S);
+  double filled = 0;
+  for (int i = 1; i < count; ++i)
+    if (std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) >
+        kMarker * side_px)
+      filled += stats.at<int>(i, cv::CC_STAT_AREA);
+  return filled > plot.options.fillShare * cv::countNonZero(inked);
 }
 
 std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
@@ -225,6 +233,28 @@ bool isMixtureOf(Color3 direction, Color3 u, Color3 v) {
   const float a = (du - dv * uv) / determinant, b = (dv - du * uv) / determinant;
   if (a < 0 || b < 0) return false;
   return norm(direction - (a * u + b * v)) < 0.12F;
+}
+
+/// Whether each of the curves ends elsewhere than all others, as no two strokes of one switch do.
+bool endApart(const std::vector<CurveInk>& curves) {
+  constexpr double clear = 0.1;  // of the longest one's travel
+  double travel_px = 0;
+  for (const CurveInk& curve : curves) travel_px = std::max(travel_px, curve.pooling * curve.course.span_px);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::abs(tipOf(curves[i]).x - tipOf(curves[j]).x) <= clear * travel_px) return false;
+  return true;
+}
+
+/// Whether a legend has a line of this ink.
+bool hasSample(const PlotInks& plot, int index) {
+  return std::ranges::any_of(plot.samples, [&](const LegendSample& sample) { return sample.ink == index; });
+}
+
+/// Whether a course ends higher than it begins, as a press does.
+bool rises(const CurveInk& curve) {
+  const auto [left, right] = std::ranges::minmax(curve.course.points, {}, &Point::x);
+  return right.y < left.y;
 }
 
 /// Beside the ink of text a faint trace of colour is a letter's edge (sub-pixel rendering), not a curve.
@@ -283,6 +313,19 @@ std::optional<CurveField> dashesJoined(const CurveField& field) {
   return joined;
 }
 
+CurveField besideDashesOnly(const CurveField& field) {
+  constexpr float kDash = 0.3F;  // coverage
+  constexpr int kReach_px = 2;   // of a dash, over its neighbour
+  const cv::Mat own(field.own.height, field.own.width, CV_32F, const_cast<float*>(field.own.values.data()));
+  cv::Mat near;
+  cv::dilate(own > kDash, near,
+             cv::getStructuringElement(cv::MORPH_RECT, {2 * kReach_px + 1, 2 * kReach_px + 1}));
+  CurveField alone = field;
+  cv::Mat others(own.size(), CV_32F, alone.otherCurves.values.data());
+  others.setTo(0, near == 0);
+  return alone;
+}
+
 bool isNeutral(const PlotInks& plot, int index) {
   const Ink& ink = plot.palette[static_cast<std::size_t>(index)];
   const Color3 full = plot.backdrop.paper() + ink.difference();
@@ -326,25 +369,29 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   const auto strength = [&](const CurveInk& curve) {
     return static_cast<double>(plot.palette[static_cast<std::size_t>(curve.ink)].strength);
   };
+  const auto sizeOf = [&](const CurveInk& curve) {
+    return Plane((plot.coverage.unknown.width - 1) / curve.pooling + 1,
+                 (plot.coverage.unknown.height - 1) / curve.pooling + 1);
+  };
   std::vector<CurveInk> curves;
   for (CurveInk& curve : found) {
-    const Plane size((plot.coverage.unknown.width - 1) / curve.pooling + 1,
-                     (plot.coverage.unknown.height - 1) / curve.pooling + 1);
     const bool faint =
         !curves.empty() && strength(curve) < plot.options.minStrength * strength(curves.front());
     if (faint) continue;  // shading of an uneven paper
     const bool restOfSomething =
         !curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px;
     if (restOfSomething && (curves.size() > 1 || !leadsBackFrom(curves.front(), curve))) continue;
-    if (!isSeam(plot, curve, curves, size)) curves.push_back(std::move(curve));
+    if (!isSeam(plot, curve, curves, sizeOf(curve))) curves.push_back(std::move(curve));
   }
-  if (curves.size() != 1 || curves.front().secondStrand > plot.options.secondStrand) return curves;
+  const bool lone = curves.size() == 1 && curves.front().secondStrand <= plot.options.secondStrand;
   for (int k : neutral) {
+    if (!lone && !(curves.size() > 1 && (endApart(curves) || hasSample(plot, k)))) continue;
     auto curve = curveOf(plot, k, true);
     // A lone coloured curve may have its partner in the ink of the frame; a leader or a callout is much
-    // shorter.
+    // shorter. Beside several it is one more, which rises.
     if (curve && curve->course.span_px >= 0.5 * curves.front().course.span_px &&
-        curve->course.gain_px >= 0.4 * curves.front().course.gain_px) {
+        curve->course.gain_px >= 0.4 * curves.front().course.gain_px &&
+        (lone || (rises(*curve) && !isSeam(plot, *curve, curves, sizeOf(*curve))))) {
       curves.push_back(std::move(*curve));
       break;
     }

@@ -60,6 +60,9 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
 /// The field to look for a dashed line's course on; nothing where the ink is not drawn in dashes.
 std::optional<CurveField> dashesJoined(const CurveField& field);
 
+/// The field of a dashed line in which other curves hide its dashes alone: beside a gap a neighbour hides nothing.
+CurveField besideDashesOnly(const CurveField& field);
+
 /// Ink of text, frame and grid: its direction is theirs, or its colour is grey.
 bool isNeutral(const PlotInks& plot, int index);
 

@@ -58,6 +58,10 @@ class ExplainedPlot {
                 const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px)
       : area_(makePlotArea(view.raster, frame, texts, masks_px)) {
     if (area_.raster.empty()) return;
+    const Box box = frame.box();
+    for (const GridLine& line : frame.xLines)
+      columns_.push_back(area_.fromView({line.position_px, box.y1}).x);
+    for (const GridLine& line : frame.yLines) rows_.push_back(area_.fromView({box.x0, line.position_px}).y);
     backdrop_ = Backdrop::measure(area_);
     for (const CurveTrace& curve : curves) {
       if (curve.points_px.size() < 2) continue;
@@ -135,6 +139,8 @@ class ExplainedPlot {
         if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kInked) mask.at<std::uint8_t>(y, x) = 255;
     for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
     for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
+    for (const double column : columns_) takeDots(mask, ink, column, true);
+    for (const double row : rows_) takeDots(mask, ink, row, false);
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
         if (mask.at<std::uint8_t>(y, x) && backdrop_.onLine(x, y) &&
@@ -162,21 +168,58 @@ class ExplainedPlot {
 
   /// Clears a line of the plot where it is no thicker than it is elsewhere.
   void takeLine(cv::Mat& mask, const CurveInkOnArea& ink, double at, bool plumb) const {
-    const int length = plumb ? mask.rows : mask.cols, lanes = plumb ? mask.cols : mask.rows;
+    const std::vector<double> runs = runsAlong(ink, at, plumb);
+    const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (runs[i] <= most) clearAcross(mask, static_cast<int>(i), at, most, plumb);
+  }
+
+  /// How thick the ink is along a line of the plot, pixel by pixel.
+  std::vector<double> runsAlong(const CurveInkOnArea& ink, double at, bool plumb) const {
     std::vector<double> runs;
+    const int length = plumb ? area_.raster.height_px : area_.raster.width_px;
     for (int i = 0; i < length; ++i)
       runs.push_back(plumb ? ink.across(at, i, true).thickness_px : ink.across(i, at, false).thickness_px);
-    const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
-    const int reach = static_cast<int>(std::ceil(0.5 * most)) + 2;
-    for (int i = 0; i < length; ++i) {
-      if (runs[static_cast<std::size_t>(i)] > most) continue;
-      for (int lane = static_cast<int>(std::lround(at)) - reach; lane <= std::lround(at) + reach; ++lane)
-        if (lane >= 0 && lane < lanes)
-          (plumb ? mask.at<std::uint8_t>(i, lane) : mask.at<std::uint8_t>(lane, i)) = 0;
+    return runs;
+  }
+
+  /// Clears pixels of a line, so thick as it may be.
+  void clearAcross(cv::Mat& mask, int along, double at, double most_px, bool plumb) const {
+    const int lanes = plumb ? mask.cols : mask.rows, reach = static_cast<int>(std::ceil(0.5 * most_px)) + 2;
+    for (int lane = static_cast<int>(std::lround(at)) - reach; lane <= std::lround(at) + reach; ++lane)
+      if (lane >= 0 && lane < lanes)
+        (plumb ? mask.at<std::uint8_t>(along, lane) : mask.at<std::uint8_t>(lane, along)) = 0;
+  }
+
+  /// Clears a gridline of dots or dashes at a number of the axis: ink and gaps take turns along nearly all of it. Where it is drawn
+  /// through, something else stands on it.
+  void takeDots(cv::Mat& mask, const CurveInkOnArea& ink, double at, bool plumb) const {
+    constexpr double inked_px = 0.3, least = 0.15, most = 0.8;  // shares of a stretch that are inked
+    constexpr std::size_t stretches = 10, mostOther = 2, window = 12;
+    const std::vector<double> runs = runsAlong(ink, at, plumb);
+    std::vector<double> before{0}, thick;  // inked pixels before each place
+    for (const double run : runs) {
+      before.push_back(before.back() + (run > inked_px ? 1 : 0));
+      if (run > inked_px) thick.push_back(run);
     }
+    const auto shareOf = [&](std::size_t from, std::size_t to) {
+      return (before[to] - before[from]) / static_cast<double>(std::max<std::size_t>(1, to - from));
+    };
+    std::size_t other = 0;
+    for (std::size_t k = 0; k < stretches; ++k) {
+      const double share = shareOf(k * runs.size() / stretches, (k + 1) * runs.size() / stretches);
+      other += share < least || share > most ? 1 : 0;
+    }
+    if (other > mostOther) return;
+    const double most_px = kLineTimes * quantileOf(thick, 0.5) + 0.4;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (runs[i] <= most_px &&
+          shareOf(i - std::min(i, window), std::min(i + window + 1, runs.size())) <= most)
+        clearAcross(mask, static_cast<int>(i), at, most_px, plumb);
   }
 
   PlotArea area_;
+  std::vector<double> columns_, rows_;  // where the axes' numbers, ticks and gridlines stand
   Backdrop backdrop_;
   std::vector<Drawn> drawn_;
 };

@@ -100,7 +100,50 @@ std::size_t pointsOnFootLine(const CurveTrace& trace, const std::vector<CurveTra
   return *here < std::lerp(*own, thick_px, kSame) ? *tail - 1 : 0;
 }
 
+/// How many points at a trace's right end are none of its ink: on the frame's upper or right line, and what leads there over
+/// bare paper.
+std::size_t pointsBeyondInk(const std::vector<Point>& points, const PlotArea& area,
+                            const CurveInkOnArea& ink) {
+  constexpr double near_px = 3, bare = 0.3, leastBare = 0.02;  // coverage; of the frame's height
+  const Box& frame = area.frame;
+  const auto onEdge = [&](Point p) { return p.y - frame.y0 <= near_px || frame.x1 - p.x <= near_px; };
+  const auto isBare = [&](Point p) {
+    return ink.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))) < bare;
+  };
+  const auto from = std::find_if_not(points.rbegin(), points.rend(), onEdge);
+  if (from == points.rend()) return 0;
+  const auto inked = std::find_if_not(from, points.rend(), isBare);
+  if (inked == points.rend() || from == points.rbegin()) return 0;
+  const Point edge = *std::prev(from);
+  if (distance(edge, points.back()) < kLeastTail * frame.width()) return 0;
+  if (distance(*inked, edge) < leastBare * frame.height()) return 0;
+  return static_cast<std::size_t>(inked - points.rbegin());
+}
+
+/// Takes points off a trace's left or right end.
+void drop(CurveTrace& trace, std::size_t count, bool atRight) {
+  const bool atBack = (trace.points_px.front().x > trace.points_px.back().x) != atRight;
+  const auto n = static_cast<std::ptrdiff_t>(count);
+  const auto dropFrom = [&](auto& values) {
+    values.erase(atBack ? values.end() - n : values.begin(), atBack ? values.end() : values.begin() + n);
+  };
+  dropFrom(trace.points_px);
+  if (!trace.width_px.empty()) dropFrom(trace.width_px);
+}
+
 }  // namespace
+
+void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotArea& area) {
+  if (area.raster.empty()) return;
+  std::optional<Backdrop> backdrop;
+  for (CurveTrace& trace : traces) {
+    const std::vector<Point> points = onArea(trace, area);
+    if (trace.fromVector || points.empty() || area.frame.x1 - points.back().x > kThickest_px) continue;
+    if (!backdrop) backdrop = Backdrop::measure(area);
+    const CurveInkOnArea ink(area, *backdrop, trace.color);
+    if (ink.distinct()) drop(trace, pointsBeyondInk(points, area, ink), true);
+  }
+}
 
 void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotArea& area) {
   if (area.raster.empty()) return;
@@ -114,17 +157,8 @@ void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotArea& area) {
     const CurveInkOnArea ink(area, backdrop, trace.color);
     onLine.push_back(mayRunOnFoot(trace) && ink.distinct() ? pointsOnFootLine(trace, traces, area, ink) : 0);
   }
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    const auto count = static_cast<std::ptrdiff_t>(onLine[i]);
-    if (count == 0) continue;
-    const bool fromRight = traces[i].points_px.front().x > traces[i].points_px.back().x;
-    const auto drop = [&](auto& values) {
-      values.erase(fromRight ? values.end() - count : values.begin(),
-                   fromRight ? values.end() : values.begin() + count);
-    };
-    drop(traces[i].points_px);
-    if (!traces[i].width_px.empty()) drop(traces[i].width_px);
-  }
+  for (std::size_t i = 0; i < traces.size(); ++i)
+    if (onLine[i] > 0) drop(traces[i], onLine[i], false);
 }
 
 }  // namespace detent::importer::trace

@@ -14,4 +14,7 @@ namespace detent::importer::trace {
 /// thick as the curves tells nothing, and nothing is cut.
 void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotArea& area);
 
+/// Cuts traces where their ink ends and they cross bare paper to the frame's upper or right line, which they run along from there.
+void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotArea& area);
+
 }  // namespace detent::importer::trace

@@ -105,7 +105,7 @@ class ColouredCurves {
     follow.thickness_px = curve.thickness_px;
     const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
     const CoarseCurve course = followCurve(joined ? *joined : field, plot_.area.frame, follow);
-    CentreLine line = centreLine(field, course, curve.thickness_px);
+    CentreLine line = centreLine(curve.dashed ? besideDashesOnly(field) : field, course, curve.thickness_px);
     finishEnds(line, field, plot_.area.frame);
     CurveTrace trace;
     trace.color =
@@ -527,6 +527,7 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
   if (!traces) return traces;
   for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, frame);
   cutAlongFootLine(*traces, area);
+  cutAcrossToEdges(*traces, area);
   addLostWalls(*traces, area);
   return traces;
 }

@@ -158,11 +158,23 @@ const SeenText* legendWords(const std::vector<LegendSample>& samples, const Line
   return words;
 }
 
-bool wanted(const LineStyle& style, const TraceHints& hints) {
+bool isGiven(Rgb color, const std::optional<Rgb>& given) {
   constexpr double sameColor = 60;  // colour levels
+  return given && colorDistance(color, *given) < sameColor;
+}
+
+bool wanted(const LineStyle& style, const TraceHints& hints) {
   if (!hints.pressColor && !hints.releaseColor) return true;
-  return (hints.pressColor && colorDistance(style.color, *hints.pressColor) < sameColor) ||
-         (hints.releaseColor && colorDistance(style.color, *hints.releaseColor) < sameColor);
+  return isGiven(style.color, hints.pressColor) || isGiven(style.color, hints.releaseColor);
+}
+
+/// Whether a line was found of each colour given: of one alone nobody asked for.
+bool hasAllGiven(const std::vector<CurveTrace>& traces, const TraceHints& hints) {
+  const auto found = [&](const std::optional<Rgb>& given) {
+    return !given ||
+           std::ranges::any_of(traces, [&](const CurveTrace& trace) { return isGiven(trace.color, given); });
+  };
+  return found(hints.pressColor) && found(hints.releaseColor);
 }
 
 /// Two strokes in one ink, solid and dashed or both alike: the press lies above the release.
@@ -220,6 +232,7 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     }
     traces.push_back(std::move(trace));
   }
+  if (!hasAllGiven(traces, hints)) return {};
   nameStrokesOfOneInk(traces, plane);
   nameStrokesByHints(traces, hints);
   return traces;

@@ -86,15 +86,20 @@ std::vector<Polyline> cutAtFolds(const Polyline& line, double leastArm_px) {
 }
 
 /// Frames, legend boxes, text backgrounds, grids drawn as one long line: nothing but long level and plumb
-/// segments.
+/// segments. A curve of many short steps leaves its way by less than a thick line's tolerance at each of them: these slant.
 bool onlyLongAxisParallel(const Polyline& line, double tolerance_px, double longLength_px) {
+  constexpr double slant = 0.1, mostSlanted = 0.1;  // across to along; of the line's length
   bool anyLong = false;
+  double length_px = 0, slanted_px = 0;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double dx = std::abs(line[i].x - line[i - 1].x), dy = std::abs(line[i].y - line[i - 1].y);
-    if (std::min(dx, dy) > tolerance_px) return false;
-    if (std::max(dx, dy) > longLength_px) anyLong = true;
+    const auto [across, along] = std::minmax(dx, dy);
+    if (across > tolerance_px) return false;
+    if (along > longLength_px) anyLong = true;
+    length_px += along;
+    if (across > slant * along) slanted_px += along;
   }
-  return anyLong;
+  return anyLong && slanted_px <= mostSlanted * length_px;
 }
 
 bool nearAny(const std::vector<double>& positions, double at, double tolerance) {

@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "importer/axes/equal_digits.h"
 #include "importer/axes/small_units.h"
 
 using namespace detent;
@@ -140,4 +141,52 @@ TEST_CASE("a unit takes the place of what was read in the brackets") {
   CHECK(withUnit("Fore (cNI", "cN") == "Fore (cN)");
   CHECK(withUnit("Travvel prmt)", "mm") == "Travvel (mm)");
   CHECK(withUnit("", "N") == "(N)");
+}
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// What equal shapes make of labels in even steps of which the engine read `engine`.
+std::optional<Texts> readAlike(const Texts& drawn, const Texts& engine, bool rising = true) {
+  cv::Mat ink = cv::Mat::zeros(20, 40 * static_cast<int>(drawn.size()) + 40, CV_8U);
+  std::vector<std::vector<LetterShape>> letters;
+  std::vector<double> centers_px;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const Box word = write(ink, drawn[i], 10 + 40 * static_cast<int>(i), 5);
+    letters.push_back(lettersOf(ink, word));
+    CHECK(letters.back().size() == drawn[i].size());
+    centers_px.push_back(10 + 40.0 * static_cast<double>(i));
+  }
+  return readEqualDigits(letters, centers_px, rising, engine);
+}
+
+}  // namespace
+
+TEST_CASE("equal digits are read as the same one everywhere, unequal ones as others") {
+  const Texts tenths{"0.0", "0.2", "0.4", "0.6", "0.8"};
+  CHECK(readAlike(tenths, {"6.0", "6.2", "6.4", "6.6", "6.8"}) == tenths);
+  CHECK(readAlike(tenths, {"8.0", "8.2", "8.4", "0.0", "8.8"}) == tenths);
+  CHECK(readAlike(tenths, tenths) == tenths);
+  const Texts tens{"80", "60", "40", "20", "0"};
+  CHECK(readAlike(tens, {"88", "6o", "40", "28", "8"}, false) == tens);
+  // What the engine lost in part still counts as far as it was read.
+  CHECK(readAlike(tens, {"8", "60", "40", "20", ""}, false) == tens);
+}
+
+TEST_CASE("shapes that fit no scale, or several as well, are not read") {
+  CHECK_FALSE(readAlike({"0.0", "0.2", "0.4", "0.6", "0.2"}, {"6.0", "6.2", "6.4", "6.6", "6.8"}));
+  CHECK_FALSE(readAlike({"0", "1", "2", "4", "5"}, {"", "", "", "", ""}));
+  CHECK_FALSE(readAlike({"0.0", "0.2"}, {"0.0", "0.2"}));
+  CHECK_FALSE(readAlike({"0.0", "0.2", "0.4"}, {"77", "77", "77"}));
+}
+
+TEST_CASE("digits known by their shape stand in names, whatever the engine makes of them") {
+  cv::Mat ink = cv::Mat::zeros(20, 120, CV_8U);
+  const std::vector<LetterShape> name = lettersOf(ink, write(ink, "1.0N", 10, 5));
+  std::vector<LetterShape> known = lettersOf(ink, write(ink, "10", 60, 5));
+  known[0].sign = '1', known[1].sign = '0';
+  CHECK(withKnownDigits("1.6 N", name, known) == "1.0 N");
+  CHECK(withKnownDigits("1.6 NN", name, known) == "1.6 NN");  // not letter for letter
+  CHECK(withKnownDigits("1.6 N", name, {}) == "1.6 N");
 }

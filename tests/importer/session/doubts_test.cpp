@@ -140,6 +140,45 @@ TEST_CASE("sizes no button has are said twice or doubted") {
   CHECK(wide.doubted(DoubtCode::implausibleTravel));
 }
 
+TEST_CASE(
+    "what is left over in the ink of a curve that was set aside is that curve's, and a black mark nobody's") {
+  Import import;
+  Raster& picture = import.graph.view.raster;
+  picture.rgb.assign(3UL * 700 * 600, 255);
+  CurveTrace stroke, contact;
+  stroke.color = {200, 0, 0}, contact.color = {0, 0, 200};
+  for (const CurvePoint& p : import.press) stroke.points_px.push_back(inView(p));
+  contact.points_px = {inView({0, 3}), inView({2, 3})};
+  import.traces = {stroke, contact};
+  Remainder left;
+  left.likeness = 0.8, left.atAnEnd = true, left.box_px = {150, 150, 450, 300}, left.thickness = 1;
+  const auto paint = [&](Rgb color, int rising) {
+    left.ink_px.clear();
+    for (int x = 150; x < 450; ++x) {
+      const int y = 225 + rising * (150 - x) / 4;
+      std::uint8_t* p = picture.rgb.data() + 3 * (700 * y + x);
+      p[0] = color.r, p[1] = color.g, p[2] = color.b;
+      left.ink_px.push_back({double(x), double(y)});
+    }
+    import.explanation = {{left}, {}, {}};
+  };
+  paint(contact.color, 1);
+  CHECK(import.doubts().empty());
+  paint(stroke.color, 1);
+  CHECK(import.weighed(DoubtCode::inkLeftOver));
+  left.likeness = 0;
+  paint({20, 20, 20}, 1);
+  CHECK(import.weighed(DoubtCode::inkLeftOver));  // another state's line
+  paint({20, 20, 20}, -1);
+  CHECK(import.doubts().empty());
+  paint(stroke.color, -1);
+  CHECK(import.weighed(DoubtCode::inkLeftOver));
+  import.explanation = {{}, {{ inView({0.5, 3}), inView({1.5, 3}), 0.1 }}, {}};
+  CHECK(import.doubts().empty());
+  import.explanation = {{}, {{ inView({0.5, 2}), inView({1.5, 2}), 0.1 }}, {}};
+  CHECK(import.weighed(DoubtCode::curveWithoutInk));
+}
+
 TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that no ink does") {
   Import import;
   Remainder left;
@@ -377,6 +416,26 @@ TEST_CASE("a second scale is denied by the colours of the curves that count") {
   CHECK(scales.doubted(DoubtCode::otherScale));
   scales.hints.trace.pressColor = Rgb{200, 30, 30};
   CHECK_FALSE(scales.doubted(DoubtCode::otherScale));
+}
+
+TEST_CASE("a second scale whose curve is known does not touch the strokes") {
+  Import scales;
+  scales.graph.axes.otherRightScale = true;
+  scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
+  CurveTrace press, release, contact;
+  press.color = {200, 0, 0}, release.color = {0, 160, 0}, contact.color = {0, 0, 200};
+  for (const CurvePoint& p : scales.press) press.points_px.push_back(inView(p));
+  for (const CurvePoint& p : scales.release) release.points_px.push_back(inView(p));
+  contact.points_px = {inView({0, 3}), inView({2, 3}), inView({2, 0.1})};
+  scales.traces = {press, release, contact};
+  CHECK(scales.weighed(DoubtCode::otherScale));
+  scales.traces.back().label = "Contact resistance";
+  CHECK_FALSE(scales.weighed(DoubtCode::otherScale));
+  scales.traces.back().label.clear();
+  scales.namedByLegend = true;
+  CHECK_FALSE(scales.weighed(DoubtCode::otherScale));
+  scales.traces.pop_back();  // the right scale may be a stroke's
+  CHECK(scales.weighed(DoubtCode::otherScale));
 }
 
 namespace {

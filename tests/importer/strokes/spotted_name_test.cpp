@@ -85,6 +85,15 @@ TEST_CASE("a name that a curve runs through is not told") {
   CHECK(legend.spotted("红轴") == 0);
 }
 
+TEST_CASE("a name that the legend says once for each stroke of its switch is that switch's") {
+  Legend legend({"红轴 下压", "红轴 回弹", "青轴"});
+  legend.switches = {{{}, kInks[0], kInks[1], {0, 1}}, {{}, kInks[2], {}, {2}}};
+  CHECK(legend.spotted("红轴") == 0);
+  CHECK(legend.spotted("青轴") == 1);
+  legend.switches = {{{}, kInks[0], {}, {0}}, {{}, kInks[1], {}, {1}}, {{}, kInks[2], {}, {2}}};
+  CHECK_FALSE(legend.spotted("红轴"));
+}
+
 TEST_CASE("names of Latin letters and numbers are left to the reader") {
   const Legend legend({"红轴", "青轴"});
   CHECK_FALSE(legend.spotted("1"));

@@ -219,6 +219,25 @@ TEST_CASE("A switch is asked for by name or number", "[switches]") {
   }
 }
 
+TEST_CASE("One letter within a long word may be misread; what tells switches apart may not", "[switches]") {
+  const auto chosen = [](const Names& read, const std::string& asked) -> std::optional<std::size_t> {
+    std::vector<CurveTrace> traces;
+    for (const std::string& name : read)
+      traces.push_back(trace(name, 10 + 20 * static_cast<double>(traces.size()),
+                             static_cast<std::uint8_t>(traces.size() + 1), static_cast<int>(traces.size())));
+    const auto found = chosenSwitch(switchesAmong(traces), traces, asked);
+    return found ? std::optional(*found) : std::nullopt;
+  };
+  CHECK(chosen({"Linear 45", "Tactlle 45"}, "Tactile 45") == 1U);
+  CHECK(chosen({"Linear 45", "Tachile 45"}, "Tactile 45") == 1U);
+  CHECK_FALSE(chosen({"Linear 45", "Tachlle 45"}, "Tactile 45"));
+  CHECK_FALSE(chosen({"Linear 45", "Tactlle 55"}, "Tactile 45"));
+  CHECK_FALSE(chosen({"Tactale", "Tactele"}, "Tactile"));
+  CHECK_FALSE(chosen({"SwitchA", "SwitchC"}, "SwitchB"));
+  CHECK_FALSE(chosen({"Alpha1", "Alpha3"}, "Alpha2"));
+  CHECK_FALSE(chosen({"Rod", "Blue"}, "Red"));
+}
+
 TEST_CASE("Presses in inks of their own that no switch could have both are offered by number", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};

@@ -326,6 +326,70 @@ TEST_CASE("A black curve beside a red one, in a black frame with grey grid", "[t
   CHECK(apart(ofColor(*traces, {255, 0, 0}).points_px, up) < 0.2);
 }
 
+TEST_CASE(
+    "A black curve beside coloured ones is one more where those are of different switches, or a legend shows "
+    "it",
+    "[trace]") {
+  Plot plot(700, 430);
+  plot.grid(1, 1, kBlack);
+  const auto ending = [&](double end, double height) {
+    return plot.at(
+        {{0, 0}, {0.3 * end, height}, {0.6 * end, 0.6 * height}, {0.8 * end, 0.7 * height}, {end, 0.9}});
+  };
+  const bool apart = GENERATE(true, false);
+  plot.line(ending(0.55, 0.7), 2, kRed);
+  plot.line(ending(apart ? 0.9 : 0.55, 0.5), 2, kBlue);
+  plot.line(ending(0.7, 0.3), 2, kBlack);
+  CHECK(plot.trace()->size() == (apart ? 3U : 2U));
+  if (apart) return;
+  plot.line(plot.at({{0.75, 0.9}, {0.8, 0.9}}), 2, kBlack);
+  plot.letters("Press", 0.82, 0.89, 14, kBlack, 1);
+  CHECK(plot.trace()->size() == 3);
+}
+
+TEST_CASE("A curve with markers as large as they are drawn is a curve, no filled area", "[trace]") {
+  Plot plot(700, 430);
+  plot.grid(8, 6, kGrey);
+  const Curve down = plot.at({{0, 0}, {0.1, 0.3}, {0.6, 0.4}, {0.8, 0.9}});
+  plot.line(down, 3, kBlue);
+  const Curve points = densified(down, 1);
+  for (std::size_t k = 12; k + 12 < points.size(); k += 30) plot.line({points[k], points[k + 2]}, 15, kBlue);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 1);
+  CHECK(::apart(traces->front().points_px, down) < 1.5);
+  plot.line(plot.at({{0.1, 0.1}, {0.7, 0.1}}), 90, kRed);  // as high as a band
+  for (const CurveTrace& trace : *plot.trace()) CHECK(trace.color.b > trace.color.r);
+}
+
+TEST_CASE("What runs along the frame's upper line after a leap over bare paper is none of a stroke",
+          "[trace]") {
+  Plot plot(700, 430);
+  plot.grid(1, 1, kBlack);
+  const Curve drawn = {{0, 0}, {0.5, 0.4}, {0.7, 0.8}};
+  plot.line(plot.at(drawn), 2, kBlue);
+  Curve followed = drawn;
+  followed.insert(followed.end(), {{0.69, 1}, {1, 1}});
+  CurveTrace stroke;
+  stroke.points_px = dense(plot.at(followed));
+  const bool fromRight = GENERATE(false, true);
+  if (fromRight) std::ranges::reverse(stroke.points_px);
+  stroke.color = kBlue;
+  stroke.width_px.assign(stroke.points_px.size(), 2);
+  const auto area = [&] { return trace::makePlotArea(plot.view().raster, plot.frame()); };
+  std::vector<CurveTrace> traces{stroke};
+  trace::cutAcrossToEdges(traces, area());
+  const auto [left, right] = std::ranges::minmax(traces[0].points_px, {}, &Point::x);
+  CHECK(std::abs(left.x - plot.at(0, 0).x) < 1);
+  CHECK(std::abs(right.x - plot.at(0.7, 0).x) < 3);
+  CHECK(traces[0].width_px.size() == traces[0].points_px.size());
+  // Where its ink leads up there, it goes on.
+  plot.line(plot.at({{0.7, 0.8}, {0.69, 1}}), 2, kBlue);
+  traces = {stroke};
+  trace::cutAcrossToEdges(traces, area());
+  CHECK(traces[0].points_px.size() == stroke.points_px.size());
+}
+
 TEST_CASE("Grid in a curve's own hue", "[trace]") {
   Plot plot(800, 500);
   plot.grid(6, 6, {170, 190, 215});
@@ -606,6 +670,34 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
   }
 }
 
+TEST_CASE("Gridlines of dots in the curve's ink are the plot's, a wall drawn through on one of them is not",
+          "[trace]") {
+  Plot plot(700, 430);
+  const Loop loop = loopEndingAt(0.7);
+  const auto dots = [&](Point from, Point to) {
+    const Curve line = densified(plot.at({from, to}), 1);
+    for (std::size_t k = 0; k + 2 < line.size(); k += 4) plot.line({line[k], line[k + 1]}, 1.5, kBlack);
+  };
+  for (const double at : {0.25, 0.5, 0.75}) {
+    dots({at, 0}, {at, 1}), dots({0, at}, {1, at});
+    // Known by their ticks, as lines that curves cross often are.
+    plot.frame().xLines.push_back({.position_px = plot.at(at, 0).x});
+    plot.frame().yLines.push_back({.position_px = plot.at(0, at).y});
+  }
+  plot.line(plot.at(loop.press), 3, kBlack);
+  CurveTrace press;
+  press.points_px = plot.at(loop.press), press.color = kBlack;
+  const auto widest = [&] {
+    double most = 0;
+    for (const Remainder& left : explain(plot.view(), plot.frame(), {}, {press}, {}).left)
+      most = std::max(most, left.length);
+    return most;
+  };
+  CHECK(widest() < 0.1);
+  plot.line(plot.at({{0.75, 0.3}, {0.75, 0.9}}), 1.5, kBlack);
+  CHECK(widest() > 0.2);
+}
+
 TEST_CASE("A stroke drawn through that takes the way of a line of dashes is seen", "[trace]") {
   Plot plot(700, 430);
   const Loop loop = loopEndingAt(0.7);
@@ -713,6 +805,22 @@ TEST_CASE("Dashes of an ink of their own are linked", "[trace]") {
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 2);
   CHECK(apart(ofColor(*traces, kRed).points_px, up) < 0.5);
+}
+
+TEST_CASE("The gaps of a dashed curve are not taken for places where its neighbour hides it", "[trace]") {
+  Plot plot(900, 550);
+  Curve down = {{0, 0}, {0.1, 0.4}, {0.7, 0.45}, {0.8, 0.9}}, up = down;
+  for (Point& p : up) p.y -= p.y > 0.3 ? 0.011 : 0;  // five pixels below, of lines of three
+  for (const Curve& dash : dashesOf(plot.at(up))) plot.line(dash, 3, kRed);
+  plot.line(plot.at(down), 3, kTeal);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  const Curve &followed = ofColor(*traces, kRed).points_px, course = plot.at(up);
+  double worst = 0;
+  for (const Point& p : followed)
+    if (p.x > plot.at(0.15, 0).x && p.x < plot.at(0.65, 0).x) worst = std::max(worst, distanceTo(p, course));
+  CHECK(worst < 1);
 }
 
 TEST_CASE("A dotted curve is followed from end to end, however steep and however wide its gaps", "[trace]") {

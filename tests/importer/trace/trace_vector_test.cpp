@@ -387,6 +387,36 @@ TEST_CASE("a thick line turned into an outline gives its centre line") {
   CHECK_FALSE(centreOfOutline({{0, 0}, {100, 0}, {100, 30}, {0, 30}}, 20));  // too wide for a line
 }
 
+TEST_CASE("a thick curve of many short steps is no box, however long one of its steps is") {
+  Drawing drawing;
+  drawing.width = 9;  // a quarter of it is more than the steps' widths
+  Polyline falling =
+      curve([](double u) { return u < 0.4 ? 0.3 + 0.5 * u : 0.35 + 0.3 * (u - 0.4); }, 0, 0.95, 800);
+  drawing.stroke(falling);
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 1);
+  CHECK(traces[0].points_px == falling);
+  // A box of a thick line, its corners rounded in short steps, still is one.
+  Drawing framed;
+  framed.width = 9;
+  const Box b{200, 150, 800, 400};
+  framed.stroke(
+      {{b.x0 + 1, b.y0}, {b.x1 - 1, b.y0}, {b.x1, b.y0 + 1}, {b.x1, b.y1}, {b.x0, b.y1}, {b.x0, b.y0 + 1}},
+      true);
+  CHECK(framed.traced().empty());
+}
+
+TEST_CASE("of two colours given, one of which no line has, the other's line is not taken alone") {
+  Drawing drawing;
+  drawing.color = {200, 0, 0};
+  drawing.stroke(press);
+  TraceHints hints;
+  hints.releaseColor = Rgb{200, 0, 0};
+  CHECK(drawing.traced(hints).size() == 1);
+  hints.pressColor = Rgb{0, 160, 0};
+  CHECK(drawing.traced(hints).empty());
+}
+
 TEST_CASE("hints: colours choose and name, masks cut") {
   Drawing drawing;
   drawing.color = {200, 0, 0};

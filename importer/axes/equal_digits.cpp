@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/axes/equal_digits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "importer/axes/label_scales.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr std::size_t fewestLabels = 3, mostLabels = 12;
+
+/// Which letters of all words are of one shape: the number of each one's shape.
+std::vector<std::vector<std::size_t>> numbered(const std::vector<std::vector<LetterShape>>& words) {
+  std::vector<const LetterShape*> shapes;
+  std::vector<std::vector<std::size_t>> numbers;
+  for (const std::vector<LetterShape>& word : words) {
+    numbers.emplace_back();
+    for (const LetterShape& letter : word) {
+      const auto same =
+          std::ranges::find_if(shapes, [&](const LetterShape* s) { return s->looksLike(letter); });
+      numbers.back().push_back(static_cast<std::size_t>(same - shapes.begin()));
+      if (same == shapes.end()) shapes.push_back(&letter);
+    }
+  }
+  return numbers;
+}
+
+/// Whether one sign stands for one shape and one shape for one sign all over the labels.
+bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<std::size_t>>& shapes) {
+  constexpr std::size_t none = ~std::size_t{0};
+  std::array<std::size_t, 128> shapeOf;
+  shapeOf.fill(none);
+  std::vector<char> signOf;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (texts[i].size() != shapes[i].size()) return false;
+    for (std::size_t k = 0; k < texts[i].size(); ++k) {
+      const std::size_t shape = shapes[i][k];
+      signOf.resize(std::max(signOf.size(), shape + 1), 0);
+      std::size_t& its = shapeOf[static_cast<unsigned char>(texts[i][k])];
+      if (its == none && signOf[shape] == 0) its = shape, signOf[shape] = texts[i][k];
+      if (its != shape || signOf[shape] != texts[i][k]) return false;
+    }
+  }
+  return true;
+}
+
+/// How many signs of the labels the engine read as they are.
+std::size_t agreeing(const std::vector<std::string>& texts, const std::vector<std::string>& engine) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (std::size_t k = 0; k < texts[i].size() && texts[i].size() == engine[i].size(); ++k)
+      count += texts[i][k] == engine[i][k] || (texts[i][k] == '.' && engine[i][k] == ',');
+  return count;
+}
+
+std::string withoutBlanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+}  // namespace
+
+bool LetterShape::looksLike(const LetterShape& other) const {
+  constexpr std::size_t pixelsPerOther = 50;
+  if (width != other.width || height != other.height) return false;
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < ink.size(); ++i) others += ink[i] != other.ink[i];
+  return others * pixelsPerOther <= ink.size();
+}
+
+std::vector<LetterShape> digitsOf(const cv::Mat& ink, const AxisCalibration& axes) {
+  std::vector<LetterShape> digits;
+  for (const AxisReading* axis : {&axes.x, &axes.y})
+    for (const TickLabel& tick : axis->ticks) {
+      std::vector<LetterShape> letters = lettersOf(ink, tick.box);
+      if (!tick.used || letters.size() != tick.text.size()) continue;
+      for (std::size_t k = 0; k < letters.size(); ++k) {
+        if (tick.text[k] < '0' || tick.text[k] > '9') continue;
+        letters[k].sign = tick.text[k];
+        const auto isSame = [&](const LetterShape& d) { return d.sign == letters[k].sign; };
+        const auto same = std::ranges::find_if(digits, isSame);
+        if (same == digits.end())
+          digits.push_back(letters[k]);
+        else if (!same->looksLike(letters[k]))
+          return {};
+      }
+    }
+  return digits;
+}
+
+std::vector<LetterShape> lettersOf(const cv::Mat& ink, const Box& word) {
+  const cv::Rect all(0, 0, ink.cols, ink.rows);
+  const cv::Rect at =
+      all &
+      cv::Rect(static_cast<int>(std::lround(word.x0 + 0.5)), static_cast<int>(std::lround(word.y0 + 0.5)),
+               static_cast<int>(std::lround(word.width())), static_cast<int>(std::lround(word.height())));
+  std::vector<LetterShape> letters;
+  const auto isInked = [&](int x) { return cv::countNonZero(ink(cv::Rect(x, at.y, 1, at.height))) > 0; };
+  for (int x = at.x; !at.empty() && x < at.x + at.width; ++x) {
+    if (!isInked(x)) continue;
+    int end = x + 1;
+    while (end < at.x + at.width && isInked(end)) ++end;
+    const cv::Rect columns(x, at.y, end - x, at.height);
+    const cv::Rect own = cv::boundingRect(ink(columns)) + columns.tl();
+    LetterShape letter{own.width, own.height, {}, 0};
+    for (int v = own.y; v < own.y + own.height; ++v)
+      for (int u = own.x; u < own.x + own.width; ++u)
+        letter.ink.push_back(ink.at<std::uint8_t>(v, u) != 0 ? 1 : 0);
+    letters.push_back(std::move(letter));
+    x = end;
+  }
+  return letters;
+}
+
+std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::vector<LetterShape>>& words,
+                                                        const std::vector<double>& centers_px, bool rising,
+                                                        const std::vector<std::string>& engine) {
+  constexpr double leastAgreed = 0.35;  // of the signs
+  constexpr std::size_t ahead = 2;      // signs
+  if (words.size() < fewestLabels || words.size() > mostLabels) return {};
+  const std::vector<int> steps = evenSteps(centers_px);
+  if (steps.empty()) return {};
+  const std::vector<std::vector<std::size_t>> shapes = numbered(words);
+  std::size_t signs = 0;
+  for (const auto& word : shapes) signs += word.size();
+  std::optional<LabelScale> best;
+  std::size_t most = 0, next = 0;
+  for (LabelScale& scale : scalesOf(steps, rising)) {
+    if (!fits(scale.texts, shapes)) continue;
+    const std::size_t agreed = agreeing(scale.texts, engine);
+    if (best && !scale.sameValues(*best)) next = std::max(next, std::min(agreed, most));
+    if (best && agreed <= most) continue;
+    if (best && !scale.sameValues(*best)) next = std::max(next, most);
+    best = std::move(scale), most = agreed;
+  }
+  if (!best || static_cast<double>(most) < leastAgreed * static_cast<double>(signs) || most < next + ahead)
+    return {};
+  return best->texts;
+}
+
+std::string withKnownDigits(const std::string& utf8, const std::vector<LetterShape>& letters,
+                            const std::vector<LetterShape>& known) {
+  if (withoutBlanks(utf8).size() != letters.size()) return utf8;
+  std::string text = utf8;
+  std::size_t at = 0;
+  for (char& sign : text) {
+    if (sign == ' ') continue;
+    const LetterShape& letter = letters[at++];
+    const auto same = std::ranges::find_if(known, [&](const LetterShape& k) { return k.looksLike(letter); });
+    if (same != known.end()) sign = same->sign;
+  }
+  return text;
+}
+
+}  // namespace detent::importer
