@@ -78,7 +78,7 @@ void waitFor_ms(double wait_ms) {
 FeelDevices noDevices() {
   FeelDevices devices;
   devices.open = [](const playback::PlayerSettings&,
-                    const playback::HapticProgram&) -> Result<std::unique_ptr<playback::LivePlayer>> {
+                    const playback::LiveProgram&) -> Result<std::unique_ptr<playback::LivePlayer>> {
     return Failure{FailureCode::deviceTrouble, "sound", "", "is left out of this benchmark", "Go on"};
   };
   devices.list = []() -> Result<std::vector<playback::SoundDevice>> {
