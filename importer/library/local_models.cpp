@@ -68,27 +68,42 @@ struct Shape {
   }
 };
 
-/// t and force of the samples, weighed.
+/// t of the samples, and their forces as what each adds to those before it: white, of a variance of 1 up to a common factor.
 struct Columns {
   explicit Columns(const LocalWindow& window) {
     const auto& points = window.points;
     middle_mm = 0.5 * (points.front().displacement_mm + points.back().displacement_mm);
     half_mm = 0.5 * (points.back().displacement_mm - points.front().displacement_mm);
     const auto count = static_cast<Index>(points.size());
-    t.resize(count), force.resize(count), weight.resize(count), together.resize(count);
+    t.resize(count), perSigma.resize(count), gain.resize(count);
+    VectorXd force_N(count);
+    share = window.share;
+    double known = window.carried;  // variance of what is carried on, by the readings so far
     for (Index i = 0; i < count; ++i) {
       const auto k = static_cast<std::size_t>(i);
       t[i] = this->at(points[k].displacement_mm);
-      force[i] = points[k].force_N;
-      weight[i] = window.weights[k];
-      together[i] = window.together[k];
+      force_N[i] = points[k].force_N;
+      const double variance = known + window.own[k];
+      perSigma[i] = 1 / std::sqrt(variance);
+      gain[i] = known / variance;
+      known = share * share * known * (1 - gain[i]) + (1 - share * share) * window.carried;
     }
+    force = whitened(force_N);
   }
   double at(double displacement_mm) const { return (displacement_mm - middle_mm) / half_mm; }
-  double independent() const { return together.cwiseInverse().sum(); }
+  /// What each row adds to what is expected by those before it (Kalman 1960), in standard deviations.
+  MatrixXd whitened(MatrixXd rows) const {
+    Eigen::RowVectorXd expected = Eigen::RowVectorXd::Zero(rows.cols());
+    for (Index i = 0; i < rows.rows(); ++i) {
+      const Eigen::RowVectorXd news = rows.row(i) - expected;
+      rows.row(i) = perSigma[i] * news;
+      expected = share * (expected + gain[i] * news);
+    }
+    return rows;
+  }
 
-  double middle_mm = 0, half_mm = 0;
-  VectorXd t, force, weight, together;
+  double middle_mm = 0, half_mm = 0, share = 0;
+  VectorXd t, perSigma, gain, force;
 };
 
 struct Solved {
@@ -98,20 +113,21 @@ struct Solved {
 };
 
 /// Least squares, with the scatter of the samples as they are. Nothing where the samples do not determine it.
-std::optional<Solved> solved(const Columns& columns, const MatrixXd& matrix) {
-  if (static_cast<double>(matrix.cols() + 2) > columns.independent()) return {};
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns.weight.asDiagonal() * matrix);
+std::optional<Solved> solved(const Columns& columns, const MatrixXd& terms_N) {
+  const MatrixXd matrix = columns.whitened(terms_N);
+  if (matrix.cols() + 2 > matrix.rows()) return {};
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(matrix);
   if (qr.rank() < matrix.cols()) return {};
   Solved solution;
-  solution.terms = qr.solve(columns.weight.cwiseProduct(columns.force));
-  solution.squares = columns.weight.cwiseProduct(columns.force - matrix * solution.terms).squaredNorm();
+  solution.terms = qr.solve(columns.force);
+  solution.squares = (columns.force - matrix * solution.terms).squaredNorm();
   const Index terms = matrix.cols();
   const MatrixXd upper = qr.matrixR().topLeftCorner(terms, terms).triangularView<Eigen::Upper>();
-  const MatrixXd orthonormal = qr.householderQ() * MatrixXd::Identity(matrix.rows(), terms);
-  const MatrixXd perReading =
-      qr.colsPermutation() * MatrixXd(upper.triangularView<Eigen::Upper>().solve(orthonormal.transpose()));
-  solution.covariance = perReading * columns.together.asDiagonal() * perReading.transpose() *
-                        solution.squares / static_cast<double>(columns.t.size() - terms);
+  const MatrixXd perNews =
+      qr.colsPermutation() *
+      MatrixXd(upper.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(terms, terms)));
+  solution.covariance =
+      perNews * perNews.transpose() * solution.squares / static_cast<double>(columns.t.size() - terms);
   return solution;
 }
 
@@ -151,7 +167,7 @@ struct Said {
 /// The mean of the models by their evidence (Akaike's, corrected for few samples); their errors hold what they differ by.
 std::optional<LocalPlace> meanOf(const std::vector<Said>& all, const Columns& columns) {
   if (all.empty()) return {};
-  const double n = columns.independent();
+  const auto n = static_cast<double>(columns.t.size());
   const auto score = [&](const Said& each) {
     const auto k = static_cast<double>(each.parameters) + 1;  // and the scatter
     return n * std::log(std::max(each.squares, 1e-300) / n) + 2 * k +
@@ -196,18 +212,16 @@ std::optional<Solved> placed(const Columns& columns, Shape& shape) {
   constexpr double done = 1e-4, longest = 0.08, inside = 0.95;  // of half the window
   double step = 1;
   for (int i = 0; i < rounds && std::abs(step) > done; ++i) {
-    if (static_cast<double>(shape.parameters() + 2) > columns.independent()) return {};
-    const Eigen::HouseholderQR<MatrixXd> qr(columns.weight.asDiagonal() * matrixOf(columns, shape));
-    const VectorXd forces = columns.weight.cwiseProduct(columns.force);
-    const VectorXd terms = qr.solve(forces);
+    if (shape.parameters() + 2 > columns.t.size()) return {};
+    const Eigen::HouseholderQR<MatrixXd> qr(columns.whitened(matrixOf(columns, shape)));
+    const VectorXd terms = qr.solve(columns.force);
     // What of the joint's column, and of the forces, no term explains: its step is their regression (Golub & Pereyra 1973).
     const auto unexplained = [&](const VectorXd& column) -> VectorXd {
       const VectorXd turned = qr.householderQ().adjoint() * column;
       return turned.tail(turned.size() - shape.columns());
     };
-    const VectorXd joint =
-        unexplained(columns.weight.cwiseProduct(matrixOf(columns, shape, &terms).rightCols(1).col(0)));
-    step = std::clamp(joint.dot(unexplained(forces)) / joint.squaredNorm(), -longest, longest);
+    const VectorXd joint = unexplained(columns.whitened(matrixOf(columns, shape, &terms).rightCols(1)));
+    step = std::clamp(joint.dot(unexplained(columns.force)) / joint.squaredNorm(), -longest, longest);
     if (!std::isfinite(step)) return {};
     shape.joint += step;
     if (!(std::abs(shape.joint) < inside)) return {};
@@ -244,8 +258,8 @@ std::optional<Said> extremumOf(const Columns& columns, Shape shape, double sign)
   const auto solution = placed(columns, shape);
   if (!solution) return {};
   if (shape.kind == Shape::Joint::level) {
-    for (int side = 0; side < 2; ++side)
-      if (!(sign * solution->terms[side * (shape.degree - 1) + 1] < 0)) return {};
+    for (const double end : {-1.0, 1.0})  // it falls away to either side on the whole, however flat at first
+      if (!(sign * (shape.at(end).dot(solution->terms) - solution->terms[0]) < 0)) return {};
     return jointOf(columns, shape, *solution);
   }
   constexpr int places = 40;

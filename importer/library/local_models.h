@@ -19,8 +19,10 @@ struct LocalPlace {
 /// Samples side by side, in the order of their displacements.
 struct LocalWindow {
   std::vector<CurvePoint> points;
-  std::vector<double> weights;   ///< one over the standard deviation of each, up to a common factor
-  std::vector<double> together;  ///< of each, how many share its error, >= 1
+  // Variances of the noise, up to a common factor:
+  std::vector<double> own;  ///< of each reading's own, > 0
+  double carried = 0;       ///< of what each reading carries on to the next by a share
+  double share = 0;         ///< [0, 1)
 };
 
 /// The extremum of the window's models: a peak for a `sign` of 1, a valley for -1. Nothing where no model has one, or too few samples

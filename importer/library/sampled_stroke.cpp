@@ -2,6 +2,7 @@
 #include "importer/library/sampled_stroke.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -29,6 +30,115 @@ std::vector<double> runningMeans(const std::vector<double>& values, std::size_t 
   return means;
 }
 
+/// Polynomials of rising degree through so many samples side by side, orthonormal; and the autocovariances that noise has behind a cubic:
+/// noise of which each sample carries on a share to the next, 0 of white noise.
+struct Blocks {
+  static constexpr std::size_t mostLags = 40;
+  static constexpr Eigen::Index cubic = 4;  // terms
+  static constexpr std::array shares{0.0, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.925, 0.95, 0.97};
+
+  explicit Blocks(std::size_t length) : lags(std::min(mostLags, length / 2)) {
+    constexpr Eigen::Index terms = 10;
+    const auto count = static_cast<Eigen::Index>(length);
+    const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(count, -1, 1);
+    Eigen::MatrixXd powers(count, terms);
+    powers.col(0).setOnes();
+    for (Eigen::Index k = 1; k < terms; ++k) powers.col(k) = powers.col(k - 1).cwiseProduct(t);
+    basis = Eigen::HouseholderQR<Eigen::MatrixXd>(powers).householderQ() *
+            Eigen::MatrixXd::Identity(count, terms);
+    const Eigen::MatrixXd taken = basis.leftCols(cubic);
+    for (const double share : shares) {
+      Eigen::MatrixXd noise(count, count);
+      for (Eigen::Index apart = 0; apart < count; ++apart) {
+        noise.diagonal(apart).setConstant(std::pow(share, static_cast<double>(apart)));
+        noise.diagonal(-apart).setConstant(std::pow(share, static_cast<double>(apart)));
+      }
+      noise -= taken * (taken.transpose() * noise).eval();
+      noise -= (noise * taken).eval() * taken.transpose();
+      Eigen::VectorXd behind(static_cast<Eigen::Index>(lags));
+      for (Eigen::Index lag = 0; lag < behind.size(); ++lag)
+        behind[lag] = noise.diagonal(lag).sum() / static_cast<double>(count - cubic);
+      behindCubic.push_back(std::move(behind));
+    }
+  }
+
+  std::size_t lags;
+  Eigen::MatrixXd basis;
+  std::vector<Eigen::VectorXd> behindCubic;  ///< of each share, of a variance of 1
+};
+
+struct Noise {
+  double variance_N2 = 0;  ///< of a reading
+  double carried_N2 = 0;   ///< of this, what it carries on to the next by a share
+  double share = 0;
+
+  /// How many readings share one error.
+  double together() const { return 1 + carried_N2 / variance_N2 * ((1 + share) / (1 - share) - 1); }
+};
+
+/// Of the shares the likeliest by these autocovariances behind cubics.
+Noise noiseBy(const Eigen::VectorXd& covariances, const Blocks& blocks) {
+  const auto count = static_cast<double>(covariances.size());
+  const auto score = [&](const Eigen::VectorXd& said, int parameters) {  // Schwarz 1978
+    return count * std::log(std::max((said - covariances).squaredNorm(), 1e-300)) +
+           parameters * std::log(count);
+  };
+  const Eigen::VectorXd& white = blocks.behindCubic.front();
+  const double alone_N2 = covariances.dot(white) / white.squaredNorm();
+  Noise best{alone_N2};
+  double least = score(alone_N2 * white, 1);
+  for (std::size_t i = 1; i < Blocks::shares.size(); ++i) {
+    Eigen::MatrixX2d both(covariances.size(), 2);
+    both << white, blocks.behindCubic[i];
+    Eigen::Vector2d parts_N2 = both.colPivHouseholderQr().solve(covariances);
+    if (!(parts_N2[1] > 0)) continue;
+    if (parts_N2[0] < 0) parts_N2 = {0, covariances.dot(both.col(1)) / both.col(1).squaredNorm()};
+    const double here = score(both * parts_N2, 3);
+    if (here >= least) continue;
+    least = here;
+    best = {parts_N2.sum(), parts_N2[1], Blocks::shares[i]};
+  }
+  return best;
+}
+
+/// Means over the stretches through which a cubic runs as well as any higher polynomial. Nothing where there are none.
+std::optional<Eigen::VectorXd> covariancesBehindCubics(const std::vector<CurvePoint>& points,
+                                                       const Blocks& blocks, double together) {
+  const auto length = static_cast<std::size_t>(blocks.basis.rows());
+  const double independent = static_cast<double>(length) / together;
+  const double freedom = static_cast<double>(length) - static_cast<double>(Blocks::cubic);
+  std::vector<Eigen::VectorXd> plain;
+  Eigen::VectorXd forces(blocks.basis.rows());
+  for (std::size_t from = 0; from + length <= points.size(); from += length / 4) {
+    for (std::size_t i = 0; i < length; ++i)
+      forces[static_cast<Eigen::Index>(i)] = points[from + i].force_N - points[from].force_N;
+    const Eigen::VectorXd terms = blocks.basis.transpose() * forces;
+    const Eigen::VectorXd rest = forces - blocks.basis.leftCols(Blocks::cubic) * terms.head(Blocks::cubic);
+    const double squares = rest.squaredNorm();
+    if (squares == 0) continue;  // before contact a reading may stand still
+    bool isCubic = true;         // Schwarz 1978
+    for (const Eigen::Index terms_more : {2, 4, 6}) {
+      const double left = squares - terms.segment(Blocks::cubic, terms_more).squaredNorm();
+      isCubic = isCubic && independent * std::log(std::max(left, 1e-300) / std::max(squares, 1e-300)) +
+                                   static_cast<double>(terms_more) * std::log(independent) >=
+                               0;
+    }
+    if (!isCubic) continue;
+    Eigen::VectorXd& covariances = plain.emplace_back(static_cast<Eigen::Index>(blocks.lags));
+    for (Eigen::Index lag = 0; lag < covariances.size(); ++lag)
+      covariances[lag] = rest.head(rest.size() - lag).dot(rest.tail(rest.size() - lag)) / freedom;
+  }
+  if (plain.empty()) return {};
+  constexpr double like = 1.7, quiet = 0.3;  // times the variance below which that share of the stretches is
+  std::ranges::sort(plain, {}, [](const Eigen::VectorXd& each) { return each[0]; });
+  const double most_N2 = like * plain[static_cast<std::size_t>(quiet * static_cast<double>(plain.size()))][0];
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(blocks.lags));
+  double taken = 0;
+  for (const Eigen::VectorXd& each : plain)
+    if (each[0] <= most_N2) sum += each, ++taken;
+  return sum / taken;
+}
+
 }  // namespace
 
 SampledStroke::SampledStroke(const StrokeCurve& curve, const std::vector<CurvePoint>& points)
@@ -47,41 +157,7 @@ SampledStroke::SampledStroke(const StrokeCurve& curve, const std::vector<CurvePo
   weighNoise();
 }
 
-/// Polynomials of rising degree through so many samples side by side, orthonormal; and what the autocovariances of white noise add up
-/// to behind a cubic.
-struct SampledStroke::Blocks {
-  static constexpr std::size_t lags = 20;
-  static constexpr Eigen::Index cubic = 4;  // terms
-
-  explicit Blocks(std::size_t length) {
-    constexpr Eigen::Index terms = 10;
-    const auto count = static_cast<Eigen::Index>(length);
-    const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(count, -1, 1);
-    Eigen::MatrixXd powers(count, terms);
-    powers.col(0).setOnes();
-    for (Eigen::Index k = 1; k < terms; ++k) powers.col(k) = powers.col(k - 1).cwiseProduct(t);
-    basis = Eigen::HouseholderQR<Eigen::MatrixXd>(powers).householderQ() *
-            Eigen::MatrixXd::Identity(count, terms);
-    for (std::size_t lag = 0; lag < lags; ++lag) {
-      const auto k = static_cast<Eigen::Index>(lag);
-      double taken = 0;
-      for (Eigen::Index i = 0; i + k < count; ++i)
-        taken += basis.row(i).head(cubic).dot(basis.row(i + k).head(cubic));
-      ofWhite += shareOf(lag) * ((lag == 0 ? static_cast<double>(count) : 0) - taken);
-    }
-    ofWhite /= static_cast<double>(count - cubic);
-  }
-  /// Of a lag's autocovariance in the variance of a mean (Newey and West 1987).
-  static double shareOf(std::size_t lag) {
-    return lag == 0 ? 1 : 2 * (1 - static_cast<double>(lag) / static_cast<double>(lags));
-  }
-
-  Eigen::MatrixXd basis;
-  double ofWhite = 0;
-};
-
-/// Noise from the stretches of samples through which a cubic runs as well as any higher polynomial: their scatter about it, and by their
-/// autocovariances how many share one error.
+/// Noise from the stretches of samples that a cubic follows: by their autocovariances how large it is and how many samples share one error.
 void SampledStroke::weighNoise() {
   constexpr std::size_t longest = 200, fewest = 30;  // samples
   const std::size_t length = std::min(longest, points_.size() / 2);
@@ -101,46 +177,17 @@ void SampledStroke::weighNoise() {
   static const Blocks usual(longest);
   const std::optional<Blocks> own = length == longest ? std::nullopt : std::optional<Blocks>(length);
   const Blocks& blocks = own ? *own : usual;
-  struct Stretch {
-    double variance_N2 = 0, shared_N2 = 0;
-  };
-  std::vector<Stretch> plain;
-  const auto count = static_cast<double>(length);
-  const double freedom = count - static_cast<double>(Blocks::cubic);
-  Eigen::VectorXd forces(static_cast<Eigen::Index>(length));
-  for (std::size_t from = 0; from + length <= points_.size(); from += length / 4) {
-    for (std::size_t i = 0; i < length; ++i)
-      forces[static_cast<Eigen::Index>(i)] = points_[from + i].force_N - points_[from].force_N;
-    const Eigen::VectorXd terms = blocks.basis.transpose() * forces;
-    const Eigen::VectorXd rest = forces - blocks.basis.leftCols(Blocks::cubic) * terms.head(Blocks::cubic);
-    const double squares = rest.squaredNorm();
-    Stretch stretch{squares / freedom, 0};
-    for (std::size_t lag = 0; lag < Blocks::lags; ++lag) {
-      const Eigen::Index n = rest.size() - static_cast<Eigen::Index>(lag);
-      stretch.shared_N2 += Blocks::shareOf(lag) * rest.head(n).dot(rest.tail(n)) / freedom;
-    }
-    if (squares == 0) continue;  // before contact a reading may stand still
-    bool isCubic = true;         // Schwarz 1978
-    for (const Eigen::Index terms_more : {2, 4, 6}) {
-      const double left = squares - terms.segment(Blocks::cubic, terms_more).squaredNorm();
-      isCubic = isCubic && count * std::log(std::max(left, 1e-300) / std::max(squares, 1e-300)) +
-                                   static_cast<double>(terms_more) * std::log(count) >=
-                               0;
-    }
-    if (isCubic) plain.push_back(stretch);
+  // What samples share looks like a bend to who takes each for a reading of its own: with what was found, once more.
+  std::optional<Noise> found;
+  for (int round = 0; round < 2; ++round) {
+    const auto covariances = covariancesBehindCubics(points_, blocks, found ? found->together() : 1);
+    if (!covariances) break;
+    found = noiseBy(*covariances, blocks);
   }
-  if (plain.empty()) return byBends();
-  constexpr double like = 1.7, quiet = 0.3;  // times the variance below which that share of the stretches is
-  std::ranges::sort(plain, {}, &Stretch::variance_N2);
-  const double most_N2 =
-      like * plain[static_cast<std::size_t>(quiet * static_cast<double>(plain.size()))].variance_N2;
-  Stretch sum;
-  double taken = 0;
-  for (const Stretch& each : plain)
-    if (each.variance_N2 <= most_N2)
-      sum.variance_N2 += each.variance_N2, sum.shared_N2 += each.shared_N2, ++taken;
-  noise_N_ = std::max(noise_N_, std::sqrt(sum.variance_N2 / taken));
-  if (sum.variance_N2 > 0) together_ = std::max(1.0, sum.shared_N2 / (sum.variance_N2 * blocks.ofWhite));
+  if (!found) return byBends();
+  noise_N_ = std::max(noise_N_, std::sqrt(found->variance_N2));
+  together_ = found->together();
+  carried_N2_ = found->carried_N2, share_ = found->share;
 }
 
 double SampledStroke::area_mJ(double from_mm, double to_mm) const {
@@ -171,14 +218,16 @@ LocalWindow SampledStroke::window(std::size_t from, std::size_t to) const {
   LocalWindow window;
   // A place rounded by itself moves the force by the curve's slope.
   const double rounded_mm = even_ ? 0 : step_mm_ / std::sqrt(12.0);
+  constexpr double least = 1e-3;  // of the noise: nothing is read without any of its own
+  const double own_N2 =
+      noise_N_ > 0 ? std::max(noise_N_ * noise_N_ - carried_N2_, least * noise_N_ * noise_N_) : 1;
+  window.carried = carried_N2_;
+  window.share = share_;
   for (std::size_t i = from; i < to; ++i) {
     const double at_mm = std::clamp(points_[i].displacement_mm, curve_.start_mm(), curve_.end_mm());
-    const double scatter_N = std::hypot(noise_N_, rounded_mm * curve_.slope_N_per_mm(at_mm));
     window.points.push_back(points_[i]);
-    const double ofNoise = scatter_N > 0 ? noise_N_ / scatter_N : 1;
-    window.weights.push_back(ofNoise);
     // What is rounded off a place is each sample's own.
-    window.together.push_back(1 + (together_ - 1) * ofNoise * ofNoise);
+    window.own.push_back(own_N2 + std::pow(rounded_mm * curve_.slope_N_per_mm(at_mm), 2));
   }
   return window;
 }

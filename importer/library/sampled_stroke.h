@@ -37,13 +37,15 @@ class SampledStroke {
   LocalWindow atStart(double to_mm) const;
 
  private:
-  struct Blocks;
   void weighNoise();
   LocalWindow window(std::size_t from, std::size_t to) const;  ///< [from, to)
 
   const StrokeCurve& curve_;
   std::vector<CurvePoint> points_;
-  double step_mm_ = 0, noise_N_ = 0, together_ = 1;
+  double step_mm_ = 0, noise_N_ = 0;
+  double carried_N2_ = 0,
+         share_ = 0;     ///< of the noise, what a reading carries on to the next, and by what share
+  double together_ = 1;  ///< how many readings share one error
   bool even_ = false;
 };
 
