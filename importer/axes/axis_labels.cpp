@@ -171,6 +171,9 @@ void readAlike(const GraphReading& r, AxisLabels& found, std::vector<LabelPlace>
                std::vector<std::string>& texts, Axis axis) {
   std::vector<std::vector<LetterShape>> letters;
   std::vector<double> centers;
+  std::vector<Box> boxes;
+  for (const SeenText& word : found.words) boxes.push_back(word.box);
+  if (!isUnsmoothed(r.darkness, boxes)) return;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     if (found.words[i].confidence >= 1) return;  // the document's own text
     letters.push_back(lettersOf(r.ink, found.words[i].box));

@@ -91,6 +91,26 @@ std::vector<LetterShape> digitsOf(const cv::Mat& ink, const AxisCalibration& axe
   return digits;
 }
 
+bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words) {
+  constexpr double paper = 0.25, full = 0.75,
+                   mostBetween = 0.05;  // of the darkest; of the pixels in full ink
+  cv::Mat all;
+  for (const Box& word : words) {
+    const cv::Rect at = cv::Rect(0, 0, darkness.cols, darkness.rows) &
+                        cv::Rect(static_cast<int>(std::lround(word.x0 + 0.5)) - 1,
+                                 static_cast<int>(std::lround(word.y0 + 0.5)) - 1,
+                                 static_cast<int>(std::lround(word.width())) + 2,
+                                 static_cast<int>(std::lround(word.height())) + 2);
+    if (!at.empty()) all.push_back(darkness(at).clone().reshape(1, 1).t());
+  }
+  if (all.empty()) return false;
+  double darkest = 0;
+  cv::minMaxLoc(all, nullptr, &darkest);
+  const int inked = cv::countNonZero(all > full * darkest),
+            between = cv::countNonZero(all > paper * darkest) - inked;
+  return between <= mostBetween * inked;
+}
+
 std::vector<LetterShape> lettersOf(const cv::Mat& ink, const Box& word) {
   const cv::Rect all(0, 0, ink.cols, ink.rows);
   const cv::Rect at =
@@ -125,7 +145,10 @@ std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::v
   if (steps.empty()) return {};
   const std::vector<std::vector<std::size_t>> shapes = numbered(words);
   std::size_t signs = 0;
-  for (const auto& word : shapes) signs += word.size();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (engine[i].size() > shapes[i].size()) return {};  // digits that touch are one shape
+    signs += shapes[i].size();
+  }
   std::optional<LabelScale> best;
   std::size_t most = 0, next = 0;
   for (LabelScale& scale : scalesOf(steps, rising)) {

@@ -24,11 +24,14 @@ struct LetterShape {
   bool looksLike(const LetterShape& other) const;
 };
 
+/// Whether words are drawn in full ink and paper alone, with hardly a pixel between. `darkness`: of their view, ink high.
+bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words);
+
 /// The shapes of a word's letters from left to right, told apart by columns without ink. `ink`: 255 where ink is, else 0.
 std::vector<LetterShape> lettersOf(const cv::Mat& ink, const Box& word);
 
 /// Numbers in even steps (three to twelve words, ordered along the axis) that have the same digit where the shape is the same and another
-/// one where it is not, nearest to what the engine read. Empty where the shapes fit no scale, or several that the engine's
+/// one where it is not, nearest to what the engine read. Empty where the engine saw more signs in a word than there are shapes, where the shapes fit no scale, or several that the engine's
 /// reading does not tell apart. `rising`: values grow with the place.
 std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::vector<LetterShape>>& words,
                                                         const std::vector<double>& centers_px, bool rising,

@@ -181,6 +181,16 @@ TEST_CASE("shapes that fit no scale, or several as well, are not read") {
   CHECK_FALSE(readAlike({"0.0", "0.2", "0.4"}, {"77", "77", "77"}));
 }
 
+TEST_CASE("digits that touch, or are smoothed, have no shapes of their own") {
+  CHECK_FALSE(readAlike({"80", "60", "40", "20", "0"}, {"100", "60", "50", "20", "0"}, false));
+  cv::Mat darkness = cv::Mat::zeros(20, 60, CV_8U);
+  const std::vector<Box> words{write(darkness, "0.6", 5, 5), write(darkness, "45", 35, 5)};
+  CHECK(isUnsmoothed(darkness, words));
+  cv::GaussianBlur(darkness, darkness, {}, 0.5);
+  CHECK_FALSE(isUnsmoothed(darkness, words));
+  CHECK_FALSE(isUnsmoothed(darkness, {}));
+}
+
 TEST_CASE("digits known by their shape stand in names, whatever the engine makes of them") {
   cv::Mat ink = cv::Mat::zeros(20, 120, CV_8U);
   const std::vector<LetterShape> name = lettersOf(ink, write(ink, "1.0N", 10, 5));
