@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "importer/axes/label_scales.h"
+#include "importer/page/quantile.h"
 
 namespace detent::importer {
 namespace {
@@ -54,6 +55,16 @@ std::size_t agreeing(const std::vector<std::string>& texts, const std::vector<st
     for (std::size_t k = 0; k < texts[i].size() && texts[i].size() == engine[i].size(); ++k)
       count += texts[i][k] == engine[i][k] || (texts[i][k] == '.' && engine[i][k] == ',');
   return count;
+}
+
+/// Whether a shape is wider than a digit: several that touch.
+bool anyTouch(const std::vector<std::vector<LetterShape>>& words) {
+  constexpr double widest = 1.6;  // times the usual width
+  std::vector<int> widths;
+  for (const auto& word : words)
+    for (const LetterShape& letter : word) widths.push_back(letter.width);
+  const int usual = medianOf(widths);
+  return std::ranges::any_of(widths, [&](int width) { return width > widest * usual; });
 }
 
 std::string withoutBlanks(std::string text) {
@@ -145,10 +156,8 @@ std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::v
   if (steps.empty()) return {};
   const std::vector<std::vector<std::size_t>> shapes = numbered(words);
   std::size_t signs = 0;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (engine[i].size() > shapes[i].size()) return {};  // digits that touch are one shape
-    signs += shapes[i].size();
-  }
+  for (const auto& word : shapes) signs += word.size();
+  if (anyTouch(words)) return {};
   std::optional<LabelScale> best;
   std::size_t most = 0, next = 0;
   for (LabelScale& scale : scalesOf(steps, rising)) {

@@ -31,7 +31,7 @@ bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words);
 std::vector<LetterShape> lettersOf(const cv::Mat& ink, const Box& word);
 
 /// Numbers in even steps (three to twelve words, ordered along the axis) that have the same digit where the shape is the same and another
-/// one where it is not, nearest to what the engine read. Empty where the engine saw more signs in a word than there are shapes, where the shapes fit no scale, or several that the engine's
+/// one where it is not, nearest to what the engine read. Empty where digits touch, where the shapes fit no scale, or several that the engine's
 /// reading does not tell apart. `rising`: values grow with the place.
 std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::vector<LetterShape>>& words,
                                                         const std::vector<double>& centers_px, bool rising,

@@ -182,7 +182,20 @@ TEST_CASE("shapes that fit no scale, or several as well, are not read") {
 }
 
 TEST_CASE("digits that touch, or are smoothed, have no shapes of their own") {
-  CHECK_FALSE(readAlike({"80", "60", "40", "20", "0"}, {"100", "60", "50", "20", "0"}, false));
+  cv::Mat ink = cv::Mat::zeros(20, 240, CV_8U);
+  std::vector<std::vector<LetterShape>> letters;
+  std::vector<double> centers_px;
+  for (const std::string text : {"80", "60", "40", "20", "0"}) {
+    const int x = 10 + 40 * static_cast<int>(letters.size());
+    letters.push_back(lettersOf(ink, write(ink, text, x, 5)));
+    centers_px.push_back(x);
+  }
+  const Texts engine{"100", "60", "40", "20", "0"};
+  CHECK(readEqualDigits(letters, centers_px, false, engine));
+  LetterShape& touching = letters[0][0];
+  touching.width *= 2;
+  touching.ink.insert(touching.ink.end(), touching.ink.begin(), touching.ink.end());
+  CHECK_FALSE(readEqualDigits(letters, centers_px, false, engine));
   cv::Mat darkness = cv::Mat::zeros(20, 60, CV_8U);
   const std::vector<Box> words{write(darkness, "0.6", 5, 5), write(darkness, "45", 35, 5)};
   CHECK(isUnsmoothed(darkness, words));
