@@ -115,8 +115,11 @@ double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, dou
   const double lead_mm =
       velocity_mm_per_s * program_->law.holdLead_s +
       0.5 * program_->step_mm * std::clamp(velocity_mm_per_s / leadSpeed_mm_per_s_, -1.0, 1.0);
+  // An actuation comes before the force behind its operating point does.
+  const double farthest_mm = pending() ? std::max(position_mm, table().operating_mm) : position_mm + lead_mm;
   const double aheadShare = std::clamp(pressShare + 0.5 * lead_mm / program_->law.playRadius_mm, 0.0, 1.0);
-  const double ahead_N = curveForce_N(placeAt(position_mm + lead_mm), aheadShare, velocity_mm_per_s);
+  const double ahead_N =
+      curveForce_N(placeAt(std::min(position_mm + lead_mm, farthest_mm)), aheadShare, velocity_mm_per_s);
   force_N = velocity_mm_per_s > 0 ? std::max(force_N, ahead_N) : std::min(force_N, ahead_N);
   return table().damped ? force_N + here.damping_Ns_per_mm() * velocity_mm_per_s : force_N;
 }

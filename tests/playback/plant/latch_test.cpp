@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A self-locking button under 1,000 fingers: once per press, at its drawn force. Issue 25, section 2; [!shouldfail] as in safety_test.cpp.
+// A self-locking button under 1,000 fingers: once per press, at its drawn force. Issue 25, section 2.
 
 #include <algorithm>
 #include <cmath>
@@ -105,12 +105,7 @@ std::size_t actuationsOff(double share) {
 }  // namespace
 
 // A softened wall has its force later than drawn: an operating point left where it is drawn acts at 0.05 N.
-TEST_CASE("1,000 fingers: a latch acts at its drawn force, of 2,000 times 30 more than 5 % off", "[latch]") {
-  CHECK(actuationsOff(0.06) == 0);
-  CHECK(actuationsOff(0.05) <= 30);
-}
-
-// Not kept yet: the fastest fingers go 0.14 mm between two readings, on a wall of 2 N/mm.
-TEST_CASE("1,000 fingers: a latch acts within 5 % of its drawn force", "[latch][!shouldfail]") {
+// A force that is led beyond the operating point, on a wall of 2 N/mm, lies above it: fast fingers go 0.14 mm between two readings.
+TEST_CASE("1,000 fingers: a latch acts within 5 % of its drawn force", "[latch]") {
   CHECK(actuationsOff(0.05) == 0);
 }
