@@ -71,6 +71,19 @@ TEST_CASE("an extremum's error covers its truth, and a bend that jumps at the to
   }
 }
 
+TEST_CASE("where the models of a window do not agree, that is in the error") {
+  const auto valley = [](const LocalWindow& window) { return extremumIn(window, -1); };
+  for (const double to_mm : {1.3, 1.5})
+    for (const double steep : {0.9, 2.0}) {
+      // Flat behind the valley, as a monotone cubic is: models without the joint lie behind it.
+      const Covered each = covered(
+          [&](double x) { return 0.3 + (x < 1 ? steep * (x - 1) * (x - 1) : 0.15 * std::pow(x - 1, 3)); },
+          0.75, to_mm, {1, 0.3}, valley);
+      CHECK(each.place > 60);
+      CHECK(each.force == Approx(68).margin(10));
+    }
+}
+
 TEST_CASE("noise that samples carry on is in the errors") {
   const auto smooth = [](double x) { return 0.6 - 0.9 * (x - 1) * (x - 1) + 0.5 * std::pow(x - 1, 3); };
   const auto peak = [](const LocalWindow& window) { return extremumIn(window, 1); };
