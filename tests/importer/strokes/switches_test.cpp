@@ -234,6 +234,9 @@ TEST_CASE("One letter within a long word may be misread; what tells switches apa
   CHECK_FALSE(chosen({"Linear 45", "Tactlle 55"}, "Tactile 45"));
   CHECK_FALSE(chosen({"Tactale", "Tactele"}, "Tactile"));
   CHECK_FALSE(chosen({"SwitchA", "SwitchC"}, "SwitchB"));
+  CHECK_FALSE(chosen({"SwitchA", "Tactile"}, "SwitchB"));
+  CHECK_FALSE(chosen({"Switch", "Tactile"}, "Kwitch"));
+  CHECK_FALSE(chosen({"Alpha1x", "Tactile"}, "Alpha2x"));
   CHECK_FALSE(chosen({"Alpha1", "Alpha3"}, "Alpha2"));
   CHECK_FALSE(chosen({"Rod", "Blue"}, "Red"));
 }
