@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/drawn_result.h"
 
+#include <cmath>
+
 #include "editor/importing/import_state.h"
 
 namespace detent::editor {
@@ -54,9 +56,15 @@ std::vector<DrawnTick> ticksOf(GraphAxis axis, const importer::GraphEvidence& ev
   return ticks;
 }
 
+// Along a leaning edge the steps of its own ink pass for ticks: there only whole gridlines are to be trusted.
 std::vector<QPointF> linesOf(GraphAxis axis, const importer::GraphEvidence& evidence) {
+  constexpr double level_px = 1.5;
+  const auto& corners = evidence.frame.corners;
+  const bool leans =
+      std::abs(corners[2].y - corners[3].y) > level_px || std::abs(corners[0].x - corners[3].x) > level_px;
   std::vector<QPointF> feet;
   for (const auto& line : axis == GraphAxis::x ? evidence.frame.xLines : evidence.frame.yLines) {
+    if (leans && !line.spansFrame) continue;
     const importer::Point p = placeOfTick(axis, evidence, line.position_px);
     feet.emplace_back(p.x, p.y);
   }

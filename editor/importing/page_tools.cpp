@@ -79,11 +79,9 @@ class ScaleTool : public PageTool {
 
   /// The other end of the gridline through the target.
   importer::Point acrossFrom(GraphAxis axis, const FrameCorners& c) const {
-    const double share = shareAlong(axis, c, target_->at).value_or(0);
-    const auto between = [share](importer::Point a, importer::Point b) {
-      return importer::Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-    };
-    return axis == GraphAxis::x ? between(c[0], c[1]) : between(c[2], c[1]);
+    const FrameCorners turned =
+        axis == GraphAxis::x ? FrameCorners{c[3], c[2], c[1], c[0]} : FrameCorners{c[1], c[0], c[3], c[2]};
+    return placeAlong(axis, turned, shareAlong(axis, c, target_->at).value_or(0));
   }
 
   std::optional<Target> targetAt(QPointF widget) const {

@@ -48,6 +48,11 @@ QJsonObject axesJson(const QCustomPlot& plot) {
 
 QJsonArray transformJson(const QTransform& t) { return {t.m11(), t.m12(), t.m21(), t.m22(), t.dx(), t.dy()}; }
 
+// What comes of it may still move the page.
+bool isReading(const ImportState& state) {
+  return state.opening() || state.working() || (state.isOpen() && state.searchedPages() < state.pageCount());
+}
+
 QJsonArray actionsJson(const QMenu& menu) {
   QJsonArray all;
   for (QAction* action : menu.actions())
@@ -87,8 +92,10 @@ QJsonObject widgetJson(const QWidget& widget) {
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget); button && button->isCheckable())
     object["checked"] = button->isChecked();
   if (const auto* plot = qobject_cast<const QCustomPlot*>(&widget)) object["axes"] = axesJson(*plot);
-  if (const auto* page = qobject_cast<const PageView*>(&widget))
+  if (const auto* page = qobject_cast<const PageView*>(&widget)) {
     object["page"] = transformJson(page->pageToWidget());
+    object["reading"] = isReading(page->state());
+  }
   if (const auto* menu = qobject_cast<const QMenu*>(&widget)) object["actions"] = actionsJson(*menu);
   if (const auto* table = qobject_cast<const QTableView*>(&widget)) object["cells"] = cellsJson(*table);
   if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) {

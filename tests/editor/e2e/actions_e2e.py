@@ -108,7 +108,7 @@ def walk_by_hand(page, editor, desktop, folder):
     wait_for("the page", lambda: editor.find("pageView", dialog) and editor.find("adviceBar", dialog))
     editor.active(dialog)
     desktop.key("alt+3")
-    desktop.drag(editor.on_page(page.LEFT, page.TOP), editor.on_page(page.RIGHT, page.BOTTOM))
+    editor.drag_on_page((page.LEFT, page.TOP), (page.RIGHT, page.BOTTOM))
     read_to_its_end(editor, dialog)
     for field, value in (("xMin", "0"), ("xMax", "4"), ("yMin", "0"), ("yMax", "1")):
         editor.replace_text(field, value, dialog)

@@ -213,6 +213,11 @@ class Editor:
     def on_page(self, x, y):
         return self.page_places()(x, y)
 
+    def drag_on_page(self, start, stop):
+        """Both ends as the page lies when the drag begins."""
+        place = self.page_places()
+        self.desktop.drag(place(*start), place(*stop))
+
     def per_pixel(self, name="graphCanvas"):
         """mm and N of one pixel."""
         axes = self.widget(name)["axes"]
@@ -225,10 +230,19 @@ class Editor:
 
 
 def read_to_its_end(editor, dialog):
-    """Until what was given to the import is read: the button that stops it stands there meanwhile."""
-    time.sleep(0.2)  # it comes after 0.15 s
-    wait_for("the page to be read", lambda: not editor.find("stop", dialog), 2 * PATIENCE_S)
-    editor.at_rest("pageView", dialog)
+    """Until what was given to the import is read, and for a while nothing more: a message about it may move the page."""
+    time.sleep(0.2)  # what was done last reaches the program, and its report the file
+    seen, since = None, 0.0
+
+    def read():
+        nonlocal seen, since
+        view = editor.find("pageView", dialog)
+        place = view and not view["reading"] and (view["rect"], view["page"])
+        if not place or place != seen:
+            seen, since = place, time.monotonic()
+        return bool(seen) and time.monotonic() - since >= REST_S
+
+    wait_for("the page to be read", read, 2 * PATIENCE_S)
 
 
 def saved_press(programs, file):

@@ -162,7 +162,7 @@ class Walk:
         """Its frame, the origin by one click for both axes, one value of each, and the stretch that is missing."""
         self.desktop.key("ctrl+9")
         self.desktop.key("alt+3")
-        self.desktop.drag(self.editor.on_page(*BARE.corners[0]), self.editor.on_page(*BARE.corners[2]))
+        self.editor.drag_on_page(BARE.corners[0], BARE.corners[2])
         self.shows("yMax", "")
         read_to_its_end(self.editor, DIALOG)
         self.desktop.key("alt+2")
@@ -239,10 +239,10 @@ class Walk:
         self.desktop.key("ctrl+9")
         self.desktop.key("alt+3")
         drawn = rectangle(200, 200, 500, 400)
-        self.desktop.drag(self.editor.on_page(*drawn[0]), self.editor.on_page(*drawn[2]))
+        self.editor.drag_on_page(drawn[0], drawn[2])
         for corner, wanted in zip(drawn, ASKEW.corners):
             read_to_its_end(self.editor, DIALOG)
-            self.desktop.drag(self.editor.on_page(*corner), self.editor.on_page(*wanted))
+            self.editor.drag_on_page(corner, wanted)
         for field, value in (("xMin", "0"), ("xMax", "4"), ("yMin", "0"), ("yMax", "1")):
             self.editor.replace_text(field, value, DIALOG)
         self.desktop.xdotool("key", "Tab")
@@ -274,14 +274,12 @@ class Walk:
         read_to_its_end(self.editor, DIALOG)
         self.desktop.key("alt+1")
         self.desktop.move((5, 5))
-        # The tick stands some pixels beside the click; an upright line would stand eighty away.
-        wait_for("the grid that the axes imply", lambda: any(differ(self.colour_at(on_line, right_px), before[0]) for right_px in range(-9, 10, 3)), 20)
+        wait_for("the grid that the axes imply", lambda: differ(self.colour_at(on_line), before[0]), 20)
         if differ(self.colour_at(beside), before[1]):
             raise AssertionError("a line of the implied grid runs upright on a page askew")
 
-    def colour_at(self, place, right_px=0):
-        x, y = self.editor.on_page(*place)
-        return self.desktop.darkest_near((x + right_px, y))
+    def colour_at(self, place):
+        return self.desktop.darkest_near(self.editor.on_page(*place))
 
     # ---- saved
 

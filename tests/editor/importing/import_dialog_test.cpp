@@ -172,6 +172,7 @@ class ImportDialogTest : public QObject {
   void theLastGoodResultStays();
   void aDoubtedNumberNamesItsCause();
   void aFrameIsTakenToWhereItsCurveEnds();
+  void anAxisThatGoesOnOffersToExtendTheFrame();
   void severalGraphsAtOnce();
   void ofSeveralSwitchesOneIsChosen();
   void severalSwitchesOfOnePlotAtOnce();
@@ -186,6 +187,7 @@ class ImportDialogTest : public QObject {
   void axisEndsAreTypedAlikeInEveryLanguage();
   void graphsAreListedWithoutTheirPages();
   void theOriginSetsBothAxes();
+  void aTickOfAFrameAskewStandsWhereItWasClicked();
   void theDialogueFitsSmallScreens();
   void anotherSheetAsksBeforeCorrectionsGo();
   void aGraphOnItsSideIsCorrectedToo();
@@ -567,7 +569,7 @@ void ImportDialogTest::aFrameIsTakenToWhereItsCurveEnds() {
   ShownDialog dialog;
   dialog.openFile(file);
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
-  QVERIFY(dialog.findChild<QLineEdit*>("xMax")->text().startsWith('4'));
+  QTRY_VERIFY(dialog.findChild<QLineEdit*>("xMax")->text().startsWith('4'));  // what is shown follows
   for (const char* offered : {"xExtend", "yExtend"})  // nothing is left to be extended
     QVERIFY2(!dialog.findChild<QPushButton*>(offered)->isVisible(), offered);
   QSignalSpy imported(&dialog, &ImportDialog::imported);
@@ -576,6 +578,34 @@ void ImportDialogTest::aFrameIsTakenToWhereItsCurveEnds() {
   const auto result = imported.front().front().value<Report>();
   const double end_mm = result->evidence->axes.calibration.value.x.max;  // the curve's, and a little room
   QVERIFY2(end_mm >= 4 && end_mm < 4.1, qPrintable(QString::number(end_mm)));
+}
+
+// A box that ends at 0.8 N, above its curve, while the numbers of the axis go on to 1.
+void ImportDialogTest::anAxisThatGoesOnOffersToExtendTheFrame() {
+  QTemporaryDir folder;
+  const QString file = drawingOfC(
+      folder,
+      [](const QString& line) { return line.startsWith("<line x1=\"74.00\" y1=\"44.00\" x2=\"616.00\""); },
+      [](QString& line) {
+        if (line.contains("#c9c9c9")) line.replace("y1=\"44.00\"", "y1=\"115.20\"");
+        line.replace("y=\"44.00\" width=\"542.00\" height=\"356.00\"",
+                     "y=\"115.20\" width=\"542.00\" height=\"284.80\"");
+      });
+  ShownDialog dialog;
+  dialog.openFile(file);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  auto* offered = dialog.findChild<QPushButton*>("yExtend");
+  QTRY_VERIFY(offered->isVisible());
+  QVERIFY(!dialog.findChild<QPushButton*>("xExtend")->isVisible());
+  QVERIFY2(offered->text().contains("0.8") && offered->text().contains('1'), qPrintable(offered->text()));
+  QTest::mouseClick(offered, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(!offered->isVisible() && dialog.accept->isEnabled(), patience_ms);
+  QTRY_COMPARE(dialog.findChild<QLineEdit*>("yMax")->text().toDouble(), 1.0);
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, patience_ms);
+  const auto result = imported.front().front().value<Report>();
+  QVERIFY(std::abs(result->evidence->axes.calibration.value.y.max - 1) < 0.002);
 }
 
 void ImportDialogTest::severalGraphsAtOnce() {
@@ -948,6 +978,38 @@ void ImportDialogTest::theOriginSetsBothAxes() {
   state.undo();  // one step
   QVERIFY(state.current()->history.now() == Corrections{});
   QVERIFY(again(state));
+}
+
+void ImportDialogTest::aTickOfAFrameAskewStandsWhereItWasClicked() {
+  ShownView view({800, 600});
+  ImportState& state = view.state();
+  QImage picture(1000, 900, QImage::Format_RGB32);
+  picture.fill(Qt::white);
+  {
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(34, 34, 34), 1.5));
+    painter.drawPolygon(QPolygonF({{220, 120}, {900, 170}, {800, 700}, {110, 640}}));
+  }
+  state.openPicture(picture);
+  QTRY_VERIFY_WITH_TIMEOUT(state.sheet() && state.searchedPages() == 1, patience_ms);
+  const FrameCorners askew{{{219.7, 119.6}, {900.2, 170.3}, {800, 699.9}, {109.8, 640.2}}};
+  state.addGraph(askew);
+  QVERIFY(again(state));
+  view.fitPage();
+  view.setTool(PageToolKind::scale);
+  for (double share = 0.1; share < 0.95; share += 0.083) {
+    const QPoint clicked = view.toWidget(placeAlong(GraphAxis::x, askew, share)).toPoint();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, clicked);
+    auto* editor = view.findChild<QLineEdit*>("tickValue");
+    QVERIFY(editor);
+    editor->setText(QString::number(share));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QVERIFY(again(state));
+    const auto& ticks = state.current()->history.now().x.ticks;
+    const QPointF off = view.toWidget(ticks.back().at) - clicked;
+    QVERIFY2(std::hypot(off.x(), off.y()) < 1.5, qPrintable(QString("%1 %2").arg(off.x()).arg(off.y())));
+  }
 }
 
 // A screen of 1366x768 at twice the size leaves 683x384: what ends the work is still in reach.
