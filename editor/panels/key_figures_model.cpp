@@ -15,7 +15,6 @@ namespace detent::editor {
 namespace {
 
 constexpr int dragPause_ms = 80;
-constexpr double longestSolve_s = 2;
 constexpr int editedDigits = 12;  // what is typed comes back as typed
 constexpr int shownDigits = 4;
 constexpr QSize pictureSize(34, 22);
@@ -156,7 +155,7 @@ std::vector<FigureTarget> KeyFiguresModel::kept() const {
 
 TargetOutcome KeyFiguresModel::solved(const Solving::Asked& asked) {
   return bentToTargets(asked.request.button, asked.request.state, asked.request.targets, {}, {},
-                       {[&asked] { return asked.overtaken(); }, longestSolve_s});
+                       {[&asked] { return asked.overtaken(); }, mostKnots});
 }
 
 void KeyFiguresModel::lookAhead() {

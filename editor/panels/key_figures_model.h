@@ -27,6 +27,8 @@ class KeyFiguresModel : public QAbstractTableModel {
 
  public:
   enum Column { figure, now, wanted, keep, columns };
+  /// What one solve may bend and measure: some 2 s, and two and a half times what the samples need.
+  static constexpr std::size_t mostKnots = 2'000'000;
 
   KeyFiguresModel(ButtonDocument& document, ViewSettings& settings, QObject* parent = nullptr);
 

@@ -1236,8 +1236,8 @@ Lizenz: %3</translation>
         <translation>ginge mehr als eine Eigenschaft seiner Form verloren</translation>
     </message>
     <message>
-        <source>in %1 s no curve was found that has all of this, nor which of it contradicts: %2</source>
-        <translation>in %1 s fand sich weder eine Kurve, die all das hat, noch, was davon einander widerspricht: %2</translation>
+        <source>no curve was found that has all of this, nor which of it contradicts: %1</source>
+        <translation>es fand sich weder eine Kurve, die all das hat, noch, was davon einander widerspricht: %1</translation>
     </message>
     <message>
         <source>Leave some of it free, or give values nearer to the present ones</source>
@@ -4352,8 +4352,16 @@ Lizenz: %3</translation>
         <translation>Ein Band um den Hinweg, so weit über und unter seiner Kraft</translation>
     </message>
     <message>
-        <source>&amp;Tolerance:</source>
-        <translation>&amp;Toleranz:</translation>
+        <source>A band about the press so much force above and below it</source>
+        <translation>Ein Band um den Hinweg, um so viel Kraft darüber und darunter</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance ±:</source>
+        <translation>&amp;Toleranz ±:</translation>
+    </message>
+    <message>
+        <source>or by a force ±:</source>
+        <translation>oder um eine Kraft ±:</translation>
     </message>
     <message>
         <source>The font is too large for this size: there is no room for the curves.</source>

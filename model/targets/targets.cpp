@@ -2,10 +2,8 @@
 #include "model/targets/targets.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <set>
 
 #include "model/check.h"
@@ -34,42 +32,41 @@ constexpr ShapeRule rulesOfSteps[] = {ShapeRule::inOrder, ShapeRule::onStroke, S
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 const char* termOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].term; }
 
-// What time there is.
-class Clock {
+// What has been done, and how much may be.
+class Effort {
  public:
-  explicit Clock(const TargetPatience& patience) : patience_(patience) {}
+  explicit Effort(const TargetPatience& patience) : patience_(patience) {}
 
-  bool givenUp() const { return patience_.givenUp && patience_.givenUp(); }
-  bool late() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count() >
-           patience_.longest_s;
+  void spend(const ButtonState& measured) {
+    knots_ += measured.graph.press().knots().size();
+    if (measured.graph.release()) knots_ += measured.graph.release()->knots().size();
   }
-  bool over() const { return givenUp() || late(); }
-  double longest_s() const { return patience_.longest_s; }
+  bool givenUp() const { return patience_.givenUp && patience_.givenUp(); }
+  bool spent() const { return knots_ > patience_.mostKnots; }
+  bool over() const { return givenUp() || spent(); }
 
  private:
   const TargetPatience& patience_;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  std::size_t knots_ = 0;
 };
 
 // One solve: the unknowns of a state, and how far its figures are from the targets, in shares of travel and range.
 class Search {
  public:
   Search(BendableState bendable, const std::vector<FigureTarget>& targets, const TargetTolerance& tolerance,
-         const SectionSettings& settings, const Clock& clock)
+         const SectionSettings& settings, Effort& effort)
       : bendable_(std::move(bendable)),
         targets_(targets),
         tolerance_(tolerance),
         settings_(settings),
-        clock_(clock) {}
+        effort_(effort) {}
 
   std::optional<ButtonState> found() {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(bendable_.unknowns());
     auto now = seen(z);
     int onceMet = 0;
-    for (int step = 0; now && step < mostSteps && !clock_.givenUp(); ++step) {
-      if (onceMet == 0 && clock_.late()) break;  // what is met is still made the least change
-
+    for (int step = 0; now && step < mostSteps && !effort_.givenUp(); ++step) {
+      if (onceMet == 0 && effort_.spent()) break;  // what is met is still made the least change
       const bool met = isMet(*now);
       if (met && onceMet++ >= stepsOnceMet) break;
       const auto slopes = slopesAt(z, *now);
@@ -139,6 +136,7 @@ class Search {
   std::optional<Seen> seen(const Eigen::VectorXd& z) const {
     auto state = bendable_.at(z);
     if (!state) return {};
+    effort_.spend(*state);
     const KeyFigures figures = keyFiguresOf(*state, settings_);
     Eigen::VectorXd missing(static_cast<Eigen::Index>(targets_.size()));
     for (std::size_t i = 0; i < targets_.size(); ++i) {
@@ -249,7 +247,7 @@ class Search {
   const std::vector<FigureTarget>& targets_;
   TargetTolerance tolerance_;
   SectionSettings settings_;
-  const Clock& clock_;
+  Effort& effort_;
   std::optional<Stuck> stuck_;
 };
 
@@ -340,12 +338,12 @@ TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
   return {figuresOf(targets), {}, refusal(std::move(problem), remedy)};
 }
 
-/// What was not found out in time, of targets that could not be met until then.
-TargetConflict undecided(const std::vector<FigureTarget>& targets, double longest_s) {
+/// What was not found out with all the effort allowed, of targets that could not be met until then.
+TargetConflict undecided(const std::vector<FigureTarget>& targets) {
   return {figuresOf(targets),
           {},
-          refusal(Message("in %1 s no curve was found that has all of this, nor which of it contradicts: %2",
-                          longest_s, termsOf(targets)),
+          refusal(Message("no curve was found that has all of this, nor which of it contradicts: %1",
+                          termsOf(targets)),
                   "Leave some of it free, or give values nearer to the present ones"),
           true};
 }
@@ -370,12 +368,12 @@ Message valueWithUnit(double value, FigureUnit unit) {
 class Bending {
  public:
   Bending(const Button& button, std::size_t state, const TargetTolerance& tolerance,
-          const SectionSettings& settings, const Clock& clock)
+          const SectionSettings& settings, Effort& effort)
       : button_(button),
         state_(state),
         tolerance_(tolerance),
         settings_(settings),
-        clock_(clock),
+        effort_(effort),
         brokenBefore_(rulesBroken(button, settings)) {}
 
   std::optional<Button> solved(const std::vector<FigureTarget>& targets) const {
@@ -391,13 +389,13 @@ class Bending {
   /// Targets of which none can be done without: as few as still contradict each other.
   std::vector<FigureTarget> fewest(std::vector<FigureTarget> targets) const {
     // What a solve could not reach with more of them it may reach with fewer: tried until nothing goes any more.
-    for (bool gone = true; gone && !clock_.over();) {
+    for (bool gone = true; gone && !effort_.over();) {
       gone = false;
       for (std::size_t i = targets.size(); i-- > 0 && targets.size() > 1;) {
         std::vector<FigureTarget> without = targets;
         without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
         if (solved(without)) continue;
-        if (clock_.over()) return targets;
+        if (effort_.over()) return targets;
         targets = std::move(without);
         gone = true;
       }
@@ -427,8 +425,8 @@ class Bending {
     const bool contacts = state.operatingPoint_mm || state.resetPoint_mm;
     for (const auto way : {BendableState::Contacts::free, BendableState::Contacts::riding})
       for (const auto bulges : {BendableState::Bulges::atKnots, BendableState::Bulges::finer}) {
-        if (clock_.over() || (way == BendableState::Contacts::riding && !contacts)) return;
-        Search search(BendableState(state, settings_, bulges, way), targets, tolerance_, settings_, clock_);
+        if (effort_.over() || (way == BendableState::Contacts::riding && !contacts)) return;
+        Search search(BendableState(state, settings_, bulges, way), targets, tolerance_, settings_, effort_);
         auto found = search.found();
         if (!found && failed) failed(search);
         if (!found) continue;
@@ -448,7 +446,7 @@ class Bending {
   /// The last value on the way from `now` to the target that can be had.
   double nearest(const FigureTarget& target, double now) const {
     double reached = 0;
-    for (double part = 0.5; part >= leastOfWay && !clock_.over(); part /= 2)
+    for (double part = 0.5; part >= leastOfWay && !effort_.over(); part /= 2)
       if (solved({{target.figure, now + (reached + part) * (target.value - now)}})) reached += part;
     return now + reached * (target.value - now);
   }
@@ -471,7 +469,7 @@ class Bending {
   std::size_t state_;
   TargetTolerance tolerance_;
   SectionSettings settings_;
-  const Clock& clock_;
+  Effort& effort_;
   std::set<Rule> brokenBefore_;
 };
 
@@ -514,17 +512,17 @@ TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::
                           Message("Give a number"))}};
   }
   if (allMet(now, wanted)) return {button, {}};
-  const Clock clock(patience);
-  const Bending bending(button, state, tolerance, settings, clock);
+  Effort effort(patience);
+  const Bending bending(button, state, tolerance, settings, effort);
   auto next = bending.solved(wanted);
-  if (clock.givenUp()) return {};
+  if (effort.givenUp()) return {};
   if (next) return {*std::move(next), {}};
   const std::vector<FigureTarget> contradicting = bending.fewest(wanted);
   TargetConflict conflict = contradicting.size() > 1
                                 ? conflictOf(contradicting)
                                 : bending.limitOf(contradicting.front(), *now[contradicting.front().figure]);
-  if (clock.givenUp()) return {};
-  if (clock.late()) conflict = undecided(contradicting, clock.longest_s());
+  if (effort.givenUp()) return {};
+  if (effort.spent()) conflict = undecided(contradicting);
   return {{}, std::move(conflict)};
 }
 

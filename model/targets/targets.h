@@ -3,6 +3,7 @@
 // From wanted key figures to a button: the smallest change of the curve that gives them, or which of them contradict each
 // other. Reading order: targets.h, bendable_state.h (what can move, and what it costs), quadratic_program.h.
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -27,13 +28,15 @@ struct TargetConflict {
   /// Of a single figure: the value nearest to the one asked for that could be had, found on the way to it, to 1 part in 64 of the way.
   std::optional<double> reachable;
   Failure failure;         ///< the same in words, for a single figure with what stands in the way
-  bool outOfTime = false;  ///< it is not known whether they contradict, or whether fewer of them do
+  bool undecided = false;  ///< it is not known whether they contradict, or whether fewer of them do
 };
 
 /// How long a solve goes on.
 struct TargetPatience {
   std::function<bool()> givenUp = {};  ///< asked at every step, some 10 ms; true ends it, and nothing is told
-  double longest_s = std::numeric_limits<double>::infinity();  ///< then what is known is told; > 0
+  /// Curves that may be bent and measured, each counted by its knots; then what is known is told. Counted and not timed, so that
+  /// every machine gives the same answer.
+  std::size_t mostKnots = std::numeric_limits<std::size_t>::max();
 };
 
 /// Exactly one of the two is there; neither where it was given up.

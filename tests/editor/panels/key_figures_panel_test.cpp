@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <set>
 
+#include "editor/document/message_words.h"
 #include "editor/panels/figure_drawing.h"
 #include "editor/panels/key_figures_model.h"
 #include "model/edits.h"
@@ -39,6 +40,19 @@ Button tactile() {
   return require(setResetPoint(require(setOperatingPoint(require(tactileButton()), 0, 1.6)), 0, 1.2));
 }
 
+// The same press with many more knots.
+Button finely(const Button& button, int knots) {
+  return require(editGraph(button, 0, [&](const ForceGraph& graph) {
+    StrokeCurve press = graph.press();
+    for (int i = 0; i < knots; ++i) {
+      const auto next =
+          insertKnot(press, press.start_mm() + (i + 0.5) / knots * (press.end_mm() - press.start_mm()));
+      if (next) press = *next;
+    }
+    return ForceGraph::fromCurves(press, graph.release());
+  }));
+}
+
 }  // namespace
 
 class KeyFiguresPanelTest : public QObject {
@@ -50,6 +64,7 @@ class KeyFiguresPanelTest : public QObject {
   void whatIsWantedIsShownBeforeItIsTaken();
   void contradictionsAreNamed();
   void aLimitIsNamedWithWhatStandsInTheWay();
+  void whereASolveEndsIsTheSameEverywhere();
   void theWindowLivesWhileItSolves();
   void whatIsTypedWaitsForTheHandAndItsTurn();
   void figuresTheButtonLacksCannotBeTyped();
@@ -151,6 +166,28 @@ void KeyFiguresPanelTest::aLimitIsNamedWithWhatStandsInTheWay() {
   const TargetOutcome outcome = bentToTargets(rig.button(), 0, {{KeyFigure::differentialTravel, -1}});
   QVERIFY(outcome.conflict && outcome.conflict->reachable);
   QVERIFY2(why.contains(numberText(*outcome.conflict->reachable, 6) + " mm"), qPrintable(why));
+}
+
+// What contradicts on a curve of many knots is not found out with all that a solve may do.
+void KeyFiguresPanelTest::whereASolveEndsIsTheSameEverywhere() {
+  using enum KeyFigure;
+  WorkspaceRig rig(finely(tactile(), 500));
+  KeyFiguresPanel panel(rig.document, rig.settings);
+  KeyFiguresModel& model = panel.model();
+  // In the order of the table.
+  const std::vector<FigureTarget> wanted = {{preTravel, 3.7}, {peakForce, 2.5},   {peakTravel, 0.3},
+                                            {valleyForce, 2}, {totalTravel, 3.6}, {endForce, 0.2}};
+  for (const FigureTarget& target : wanted) {
+    const bool force = quantityOf(target.figure) == Quantity::force;
+    const QString text = QString::number(target.value) + (force ? " N" : " mm");
+    QVERIFY(model.setData(cell(model, target.figure, KeyFiguresModel::wanted), text, Qt::EditRole));
+  }
+  QVERIFY(QTest::qWaitFor([&] { return !model.solving(); }, 60'000));
+  QVERIFY(!model.preview());
+  const TargetOutcome outcome =
+      bentToTargets(rig.button(), 0, wanted, {}, {}, {{}, KeyFiguresModel::mostKnots});
+  QVERIFY(outcome.conflict && outcome.conflict->undecided);
+  QCOMPARE(model.conflict(), sentenceOf(outcome.conflict->failure, rig.settings.units()));
 }
 
 void KeyFiguresPanelTest::theWindowLivesWhileItSolves() {
