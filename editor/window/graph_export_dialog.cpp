@@ -21,7 +21,7 @@ namespace {
 
 constexpr QuantityRange widths_mm{60, 600}, heights_mm{60, 400}, lengths_mm{-1000, 1000},
     forces_N{-1000, 1000};
-constexpr double widestTolerance = 0.5;
+constexpr double widestTolerance = 0.5, widestTolerance_N = 1e4;
 constexpr double pxPerPoint = 96.0 / 72;
 constexpr QSize leastPicture_px{220, 150}, first_px{860, 640};
 
@@ -100,7 +100,10 @@ GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, Q
     connect(box, &QComboBox::currentIndexChanged, this, &GraphExportDialog::takeUnits);
   for (QCheckBox* box : {monochrome_, callouts_, dimensions_})
     connect(box, &QCheckBox::toggled, this, &GraphExportDialog::showChoice);
-  for (QuantityField* field : {tolerance_, width_, height_, xFrom_, xTo_, yFrom_, yTo_}) {
+  // One of the two, before it is shown.
+  connect(tolerance_, &QuantityField::valueChanged, this, [this] { toleranceForce_->setValue(0); });
+  connect(toleranceForce_, &QuantityField::valueChanged, this, [this] { tolerance_->setValue(0); });
+  for (QuantityField* field : {tolerance_, toleranceForce_, width_, height_, xFrom_, xTo_, yFrom_, yTo_}) {
     connect(field, &QuantityField::valueChanged, this, &GraphExportDialog::showChoice);
     connect(field, &QuantityField::refusalChanged, this, &GraphExportDialog::showChoice);
   }
@@ -173,9 +176,13 @@ QFormLayout* GraphExportDialog::shown() {
   dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"), tr("Pre-travel and differential travel"));
   tolerance_ = fieldOf("graphTolerance", tr("A band about the press so far above and below its force"),
                        Quantity::share, {0, widestTolerance});
-  tolerance_->setLowestText(tr("none"));
+  toleranceForce_ =
+      fieldOf("graphToleranceForce", tr("A band about the press so much force above and below it"),
+              Quantity::force, {0, widestTolerance_N});
+  for (QuantityField* field : {tolerance_, toleranceForce_}) field->setLowestText(tr("none"));
   for (QCheckBox* box : {monochrome_, callouts_, dimensions_}) form->addRow(box);
-  form->addRow(tr("&Tolerance:"), tolerance_);
+  form->addRow(tr("&Tolerance ±:"), tolerance_);
+  form->addRow(tr("or by a force ±:"), toleranceForce_);
   return form;
 }
 
@@ -193,7 +200,7 @@ void GraphExportDialog::takePreset() {
 }
 
 void GraphExportDialog::takeUnits() {
-  for (QuantityField* field : {xFrom_, xTo_, yFrom_, yTo_}) field->setUnits(units());
+  for (QuantityField* field : {xFrom_, xTo_, yFrom_, yTo_, toleranceForce_}) field->setUnits(units());
   showChoice();
 }
 
@@ -226,6 +233,7 @@ GraphExport GraphExportDialog::choice() const {
   style.callouts = callouts_->isChecked();
   style.dimensions = dimensions_->isChecked();
   if (tolerance_->value() > 0) style.tolerance = tolerance_->value();
+  if (toleranceForce_->value() > 0) style.tolerance_N = toleranceForce_->value();
   if (second_->currentIndex() > 0)
     style.secondForceUnit = offeredForceUnits[static_cast<std::size_t>(second_->currentIndex() - 1)];
   SvgPlotStyle tickToTick = style;
@@ -237,7 +245,8 @@ GraphExport GraphExportDialog::choice() const {
 }
 
 QString GraphExportDialog::refusal() const {
-  for (const QuantityField* field : {width_, height_, xFrom_, xTo_, yFrom_, yTo_, tolerance_})
+  for (const QuantityField* field :
+       {width_, height_, xFrom_, xTo_, yFrom_, yTo_, tolerance_, toleranceForce_})
     if (!field->acceptable()) return field->accessibleName() + QStringLiteral(": ") + field->refusal();
   const SvgPlotStyle style = choice().style;
   if (!hasRoom(style)) return tr("The font is too large for this size: there is no room for the curves.");

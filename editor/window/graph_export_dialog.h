@@ -43,7 +43,7 @@ class GraphExportDialog : public QDialog {
   Button button_;
   QComboBox *preset_, *format_, *language_, *decimalSign_, *length_, *force_, *second_, *font_;
   QCheckBox *monochrome_, *callouts_, *dimensions_;
-  QuantityField *tolerance_, *width_, *height_, *xFrom_, *xTo_, *yFrom_, *yTo_;
+  QuantityField *tolerance_, *toleranceForce_, *width_, *height_, *xFrom_, *xTo_, *yFrom_, *yTo_;
   QSpinBox* fontSize_;
   QLabel *picture_, *refusal_;
   QPushButton* accept_ = nullptr;

@@ -217,7 +217,7 @@ class Plot {
 
   void drawCurves(std::string& out) {
     const ForceGraph& graph = state_.graph;
-    if (style_.tolerance) drawTolerance(out, travelledSamples(graph, Stroke::press));
+    if (style_.tolerance || style_.tolerance_N) drawTolerance(out, travelledSamples(graph, Stroke::press));
     drawStroke(out, Stroke::press, "");
     if (graph.release()) drawStroke(out, Stroke::release, dash());
   }
@@ -272,13 +272,14 @@ class Plot {
 
   void drawTolerance(std::string& out, const std::vector<CurvePoint>& press) const {
     std::string d;
-    const auto add = [&](const CurvePoint& p, double factor) {
-      const Spot at = spot(p.displacement_mm, factor * p.force_N);
+    const auto add = [&](const CurvePoint& p, double side) {
+      const double away_N = style_.tolerance ? *style_.tolerance * p.force_N : *style_.tolerance_N;
+      const Spot at = spot(p.displacement_mm, p.force_N + side * away_N);
       d += (d.empty() ? "M" : " L") + px(std::clamp(at.x, frame_.x0, edge_px_)) + " " +
            px(std::clamp(at.y, frame_.y0, frame_.y1));
     };
-    for (const CurvePoint& p : press) add(p, 1 + *style_.tolerance);
-    for (std::size_t i = press.size(); i-- > 0;) add(press[i], 1 - *style_.tolerance);
+    for (const CurvePoint& p : press) add(p, 1);
+    for (std::size_t i = press.size(); i-- > 0;) add(press[i], -1);
     out += "<path class=\"tolerance\" d=\"" + d + " Z\" fill=\"#dfe7ee\"/>\n";
   }
 
@@ -340,8 +341,20 @@ class Plot {
       text(out, {x + sized(34), y}, "start", name);
       x += sized(34 + glyphWidth_px * (static_cast<double>(name.size()) + 1) + 18);
     };
-    entry(style_.words.press, Stroke::press, "");
+    entry(style_.words.press + toleranceText(), Stroke::press, "");
     if (state_.graph.release()) entry(style_.words.release, Stroke::release, dash());
+  }
+
+  // Of the band: its half width.
+  std::string toleranceText() const {
+    char buffer[60] = "";
+    if (style_.tolerance)
+      std::snprintf(buffer, sizeof buffer, " \u00b1 %.3g %%", 100 * *style_.tolerance);
+    else if (style_.tolerance_N)
+      std::snprintf(buffer, sizeof buffer, " \u00b1 %.3g %s",
+                    *style_.tolerance_N / newtonsPer(style_.forceUnit),
+                    std::string(symbolOf(style_.forceUnit)).c_str());
+    return numbered(buffer);
   }
 
   std::string valueText(CurvePoint p) const {
@@ -374,6 +387,7 @@ class Plot {
     if (metrics_.press.bottomOut.wall)
       callout(out, {metrics_.press.bottomOut.displacement_mm, metrics_.press.bottomOut.force_N},
               style_.words.bottomOut, 1);
+    out += plates_;
   }
 
   // Two lines of text with a leader and a dot, where they cover neither curves nor each other if any place
@@ -402,11 +416,11 @@ class Plot {
     const Spot edge{std::clamp(at.x, best.x0, best.x1), std::clamp(at.y, best.y0, best.y1)};
     line(out, awayFrom(at, edge), edge, "stroke=\"#444\" stroke-width=\"0.9\"");
     dots_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"3.2\" fill=\"#222\"/>\n";
-    out += "<rect x=\"" + px(best.x0) + "\" y=\"" + px(best.y0) + "\" width=\"" + px(width) + "\" height=\"" +
-           px(height) + "\" fill=\"#fff\" fill-opacity=\"0.85\"/>\n";
+    plates_ += "<rect x=\"" + px(best.x0) + "\" y=\"" + px(best.y0) + "\" width=\"" + px(width) +
+               "\" height=\"" + px(height) + "\" fill=\"#fff\" fill-opacity=\"0.85\"/>\n";
     const double middle = 0.5 * (best.x0 + best.x1);
-    text(out, {middle, best.y0 + sized(13)}, "middle", name, smallText());
-    text(out, {middle, best.y0 + sized(27)}, "middle", value, smallText());
+    text(plates_, {middle, best.y0 + sized(13)}, "middle", name, smallText());
+    text(plates_, {middle, best.y0 + sized(27)}, "middle", value, smallText());
   }
 
   // A leader keeps off the curve.
@@ -438,7 +452,8 @@ class Plot {
   Ticks xTicks_, yTicks_;
   std::vector<Spot> ink_;
   std::vector<Box> taken_;
-  std::string dots_;  // of the callouts, over the curves
+  std::string plates_;  // of the callouts, over every leader
+  std::string dots_;    // of the callouts, over the curves
 };
 
 }  // namespace

@@ -38,8 +38,9 @@ struct SvgPlotStyle {
   bool monochrome = false;
   bool dimensions = false;  ///< pre-travel and differential travel, where the points they need are there
   std::optional<ForceUnit>
-      secondForceUnit;              ///< of a scale at the right side; not in a copy of the first unit
-  std::optional<double> tolerance;  ///< a band about the press this share of its forces wide, 0.01..1
+      secondForceUnit;                ///< of a scale at the right side; not in a copy of the first unit
+  std::optional<double> tolerance;    ///< a band about the press this share of its forces wide, 0.01..1
+  std::optional<double> tolerance_N;  ///< without that: a band so far above and below the press, > 0
   double roomBeyondEnd =
       0;  ///< of the axis: the box goes on so far behind its last tick, or behind the curves
           ///< where that tick lies farther out

@@ -683,6 +683,12 @@ class WindowTest : public QObject {
     QVERIFY(!dialog.findChild<QLabel*>("graphRefusal")->text().isEmpty());
     type("graphYTo", "automatic");
     QVERIFY(accept->isEnabled() && !dialog.choice().style.yEnds);
+    type("graphTolerance", "10 %");
+    QCOMPARE(*dialog.choice().style.tolerance, 0.1);
+    type("graphToleranceForce", "5 gf");  // one of the two
+    QVERIFY(!dialog.choice().style.tolerance);
+    QVERIFY(std::abs(*dialog.choice().style.tolerance_N - 5 * 0.00980665) < 1e-9);
+    QCOMPARE(field("graphTolerance")->findChild<QLineEdit*>()->text(), QString("none"));
     dialog.findChild<QSpinBox*>("graphFontSize")->setValue(30);
     QVERIFY(!accept->isEnabled());
   }

@@ -68,6 +68,41 @@ TEST_CASE("a plot speaks the reader's language and stands in millimetres") {
   CHECK_THAT(svg, !Catch::Contains("#0072b2") && !Catch::Contains(">0.5<"));
 }
 
+TEST_CASE("a band of tolerance is as wide as asked for, and named") {
+  SvgPlotStyle style;
+  style.forceUnit = ForceUnit::centinewton;
+  style.yEnds = AxisEnds{0, 200};
+  const PlotFrame frame = frameOfPlot(tactileButton()->states()[0], style);
+  const auto widest_px = [&](const std::string& svg) {
+    const std::string marker = "class=\"tolerance\" d=\"";
+    const auto from = svg.find(marker) + marker.size();
+    std::istringstream path(svg.substr(from, svg.find(" Z", from) - from));
+    std::vector<std::pair<double, double>> points;
+    char command = 0;
+    for (double x = 0, y = 0; path >> command >> x >> y;) points.emplace_back(x, y);
+    REQUIRE(points.size() > 4);
+    double widest = 0;  // the way back goes along the same places
+    for (std::size_t i = 0; i < points.size() / 2; ++i)
+      widest = std::max(widest, points[points.size() - 1 - i].second - points[i].second);
+    return widest;
+  };
+  const double perN_px = (frame.bottom_px - frame.top_px) / 2;  // of 200 cN
+  style.tolerance_N = 0.05;
+  const std::string byForce = svgFrom(*tactileButton(), style);
+  CHECK(widest_px(byForce) == Approx(2 * 0.05 * perN_px).margin(0.02));
+  CHECK_THAT(byForce, Catch::Contains("Press \u00b1 5 cN"));
+  style.tolerance = 0.1;
+  const std::string byShare = svgFrom(*tactileButton(), style);
+  const double largest_N = tactileButton()->states()[0].graph.press().forceRange_N().second;
+  CHECK(widest_px(byShare) == Approx(2 * 0.1 * largest_N * perN_px).margin(0.05));
+  CHECK_THAT(byShare, Catch::Contains("Press \u00b1 10 %"));
+}
+
+TEST_CASE("no leader crosses a name") {
+  const std::string svg = svgFrom(*tactileButton());
+  CHECK(svg.rfind("stroke=\"#444\"") < svg.find("fill-opacity=\"0.85\""));
+}
+
 TEST_CASE("curves end at the ends that are given, and have room behind the last tick") {
   SvgPlotStyle style;
   const PlotFrame whole = frameOfPlot(tactileButton()->states()[0], style);
