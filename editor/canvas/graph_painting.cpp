@@ -655,6 +655,7 @@ std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const Graph
 // A number on a flag at the curve; its words stand in the panel and beside the flag, as far as they are short.
 void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   constexpr double flag_px = 46, half_px = 8;  // above a tactile point's force
+  constexpr double beside_px = 26;             // half the flag and the margins of the words' plate
   constexpr int longest = 32;
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);
@@ -667,9 +668,13 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
     painter.drawEllipse(flag, half_px, half_px);
     const QRectF inside(flag - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px));
     painter.drawText(inside, Qt::AlignCenter, QString::number(i + 1));
-    const QString words = shortened(QString::fromStdString(scene.notes[i].text).simplified(), longest);
-    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(words) / 2 + half_px + 8;
-    const double side = flag.x() + 2 * wide < map.clip_px.right() ? 1 : -1;
+    const double left_px = flag.x() - map.clip_px.left(), right_px = map.clip_px.right() - flag.x();
+    const QFontMetricsF metrics(painter.font());
+    const QString text = shortened(QString::fromStdString(scene.notes[i].text).simplified(), longest);
+    const bool fits = metrics.horizontalAdvance(text) + beside_px < right_px;
+    const double side = fits || right_px >= left_px ? 1 : -1;
+    const QString words = metrics.elidedText(text, Qt::ElideRight, std::max(left_px, right_px) - beside_px);
+    const double wide = metrics.horizontalAdvance(words) / 2 + half_px + 8;
     paintTag(painter, flag + QPointF(side * wide, 0), words, scene.colors.text, scene.colors.background,
              map.clip_px);
   }

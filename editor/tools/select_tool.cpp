@@ -202,16 +202,27 @@ void SelectTool::takeBeneath(const PointerInput& input) {
   }
 }
 
+// What was said when it was pressed named the place before.
+void SelectTool::sayWhereItStands() {
+  const GraphCanvas& canvas = context_.canvas;
+  if (canvas.selection().size() != 1) return;
+  const MarkId mark = canvas.selection().front();
+  if (const auto at = placeOf(mark, canvas.state(), canvas.values()))
+    context_.say(describe({mark, *at}, context_.settings.units()));
+}
+
 bool SelectTool::released(const PointerInput& input) {
   if (input.button != Qt::LeftButton || holding_ == Holding::nothing) return false;
-  if (context_.drag.running())
+  if (context_.drag.running()) {
     context_.drag.finish();
-  else if (!travelled_ && holding_ == Holding::ground && !adding_)
+    sayWhereItStands();
+  } else if (!travelled_ && holding_ == Holding::ground && !adding_) {
     context_.canvas.setSelected({});
-  else if (!travelled_ && wasSelected_ && !adding_ && context_.canvas.selection().size() > 1)
+  } else if (!travelled_ && wasSelected_ && !adding_ && context_.canvas.selection().size() > 1) {
     context_.canvas.setSelected(held_->id);
-  else if (!travelled_ && wasSelected_ && !adding_)
+  } else if (!travelled_ && wasSelected_ && !adding_) {
     takeBeneath(input);
+  }
   holding_ = Holding::nothing;
   held_.reset();
   hover(input);

@@ -30,6 +30,7 @@ class SelectTool : public Tool {
   void beginDrag(const PointerInput& input);
   void beginGroupDrag();
   void takeBeneath(const PointerInput& input);
+  void sayWhereItStands();
   void toggleHeld();
   void bandTo(const PointerInput& input);
 

@@ -64,6 +64,7 @@ class CanvasTest : public QObject {
   void residualsAreDrawnOnDemand();
   void fingerIsDrawnInBothViews();
   void theLegendKeepsOffTheStrokes();
+  void wordsOfANoteLeaveItsNumberFree();
   void unitsScatterAsABandBehindTheirMean();
   void jumpIsAVerticalLine();
   void cursorIsReported();
@@ -278,6 +279,31 @@ void CanvasTest::theLegendKeepsOffTheStrokes() {
     seen += std::abs(there.red() - ink.red()) + std::abs(there.blue() - ink.blue()) < 120;
   }
   QVERIFY2(seen > 0.8 * all, qPrintable(QString("%1 of %2 places of the press are seen").arg(seen).arg(all)));
+}
+
+void CanvasTest::wordsOfANoteLeaveItsNumberFree() {
+  WorkspaceRig rig(require(tactileButton()));
+  Annotations noted;
+  noted.notes = {{0, Stroke::press, 1.3, "the peak must stay below this, or it is felt as a click"}};
+  rig.document.annotate(noted, "note");
+  GraphCanvas canvas(rig.document, rig.settings);
+  canvas.setHandlesShown(false);
+  for (const int width : {280, 340, 420}) {
+    canvas.resize(width, 240);
+    const QImage image = canvas.grab().toImage();
+    const double force_N = rig.document.graph().press().force_N(1.3);
+    const QPointF flag = canvas.mapping().toPixel(1.3, force_N) - QPointF(0, 46);
+    int dark = 0;  // of the ring around the number
+    for (int degrees = 0; degrees < 360; degrees += 30) {
+      const double angle = degrees * 3.14159265 / 180;
+      const QPoint at = (flag + 8 * QPointF(std::cos(angle), std::sin(angle))).toPoint();
+      int darkest = 255;
+      for (const QPoint& by : {QPoint(0, 0), QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)})
+        darkest = std::min(darkest, qGray(image.pixel(at + by)));
+      dark += darkest < 140;
+    }
+    QVERIFY2(dark >= 10, qPrintable(QString("%1 of 12 at a width of %2").arg(dark).arg(width)));
+  }
 }
 
 void CanvasTest::unitsScatterAsABandBehindTheirMean() {

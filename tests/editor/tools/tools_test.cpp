@@ -133,6 +133,10 @@ void ToolsTest::refusedMoveStopsAtTheLimit() {
   QVERIFY(said.last().at(0).toString().isEmpty());
   rig.release(from + QPointF(14, -14));
   QCOMPARE(rig.steps(), 1);
+  // Where it stands now, not where it was taken.
+  const TactilePoint moved = rig.canvas().values().press.tactile[0];
+  const Mark now{{MarkKind::tactilePoint, Stroke::press, 0}, {moved.displacement_mm, moved.force_N}};
+  QCOMPARE(said.last().at(0).toString(), describe(now, rig.settings.units()));
 }
 
 void ToolsTest::undoInTheMiddleOfADragEndsIt() {
