@@ -3,12 +3,14 @@
 // (playback/page/CMakeLists.txt); page.js and worklet.js call what is exported here. One instance renders whole presses
 // in the page's thread, another runs in the audio worklet; each has one thread.
 //
-// Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_push_* and detent_use touch
-// only what is there.
+// Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_steer and detent_use touch
+// only what is there. detent_allocations counts, so that a browser can tell.
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "playback/offline/press_speed.h"
@@ -25,6 +27,7 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t mostFrames = 8192;  // of one call of detent_process
+std::uint32_t allocations = 0;
 constexpr double steadier_per_s =
     60;  // how fast a dragged or measured force is followed between its messages
 
@@ -190,6 +193,15 @@ Page& page() {
 
 }  // namespace detent::playback
 
+void* operator new(std::size_t size) {
+  ++detent::playback::allocations;
+  void* const room = std::malloc(size > 0 ? size : 1);
+  if (room == nullptr) __builtin_trap();  // a page has no way to go on
+  return room;
+}
+void operator delete(void* room) noexcept { std::free(room); }
+void operator delete(void* room, std::size_t) noexcept { std::free(room); }
+
 #define DETENT_EXPORT(name) extern "C" __attribute__((export_name(#name), visibility("default")))
 
 using detent::playback::page;
@@ -215,6 +227,8 @@ DETENT_EXPORT(detent_steer) void detent_steer(double force_N) { page().steer(for
 DETENT_EXPORT(detent_process) const float* detent_process(std::uint32_t frames) {
   return page().process(frames);
 }
+/// How often memory was asked for since the module began.
+DETENT_EXPORT(detent_allocations) std::uint32_t detent_allocations() { return detent::playback::allocations; }
 /// Nine doubles: displacement mm, force N, releasing, state, contact, counts of press jumps, release jumps, bottom-outs, peak.
 DETENT_EXPORT(detent_shown) const double* detent_shown() {
   return reinterpret_cast<const double*>(page().shown());
