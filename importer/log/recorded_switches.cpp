@@ -235,6 +235,9 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, cons
                    {},
                    "it is no JSON",
                    "Export it again: it may have been cut off"};
+  if (json.is_object() && json.contains("resources"))
+    return without(subject, "it is the description of a data package",
+                   "Import the CSV of its curve, which lies beside it");
   if (!json.is_object() || !json.contains("down_x") || !json.contains("down_y"))
     return without(subject, "it holds no strokes", "A recording has the lists down_x, down_y and up_y");
   RecordedSwitch one;

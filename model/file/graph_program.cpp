@@ -120,6 +120,10 @@ Result<ButtonFile> readFile(const std::string& path) {
 Result<GraphFileKind> kindOfFile(const std::string& path) {
   if (lowered(std::filesystem::path(path).filename().string()) == "datapackage.json")
     return GraphFileKind::dataPackage;
+  // Its readers look for this very name, and tables of two packages in a folder would have one.
+  if (endsWith(path, ".datapackage.json"))
+    return usage(path, "is no name of a data package: its description is called datapackage.json",
+                 "Give each package a folder of its own: FOLDER/datapackage.json");
   if (endsWith(path, ".wpd.json")) return GraphFileKind::tracedProject;
   if (endsWith(path, ".tar")) return GraphFileKind::tracedArchive;
   if (endsWith(path, ".json")) return GraphFileKind::button;

@@ -207,6 +207,18 @@ class Exchange(unittest.TestCase):
         self.assertEqual(result.returncode, 5, result.stderr)
         self.assertFalse(out.exists())
 
+    def test_a_data_package_has_its_name_and_its_curve_is_what_is_imported(self):
+        made = run("detent-graph", "convert", sample("B"), self.folder / "B.datapackage.json")
+        self.assertEqual(made.returncode, 2, made.stderr)
+        self.assertIn("FOLDER/datapackage.json", made.stderr)
+        self.assertFalse((self.folder / "B.datapackage.json").exists())
+        self.assertEqual(run("detent-graph", "convert", sample("B"), self.folder / "datapackage.json").returncode, 0)
+        result, out = self.imported(self.folder / "datapackage.json")
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("Import the CSV of its curve", result.stderr)
+        self.assertFalse(out.exists())
+        self.assert_like(self.folder / "curve.csv", sample("B"))
+
     def test_bad_projects_are_refused(self):
         line = valued([(0, 0.1), (4, 0.9)])
         polar = {"name": "XY", "type": "PolarAxes"}
