@@ -49,6 +49,7 @@ struct StatePackage {
   std::optional<double> press_N, press_mm, release_N, release_mm;
   StateMetrics metrics;
   std::optional<double> operating_mm, operating_N, reset_mm, reset_N;
+  double settled_N = 0;  ///< at which a release comes to StateProgram::rest_mm
 };
 
 constexpr double courseTolerance = 1e-4;  // of full scale
@@ -61,36 +62,45 @@ double forceBetween(const TablePoint& a, const TablePoint& b, double displacemen
   return a.force_N + (b.force_N - a.force_N) * share;
 }
 
-/// The force at which a press first comes to a place; where a wall stands there, its foot.
-double pressedAt_N(const StrokeTable& table, double displacement_mm) {
+/// The force at which a press first comes to a place: the strongest on the way, not that of the place. Where a wall stands there, its foot.
+double pressedAt_N(const StateProgram& state, double displacement_mm) {
+  const StrokeTable& table = state.press;
   if (table.pointCount == 0) return 0;
-  if (displacement_mm <= table.points[0].displacement_mm) return table.points[0].force_N;
-  for (std::uint32_t i = 1; i < table.pointCount; ++i)
-    if (displacement_mm <= table.points[i].displacement_mm)
-      return forceBetween(table.points[i - 1], table.points[i], displacement_mm);
-  return table.points[table.pointCount - 1].force_N;
+  double strongest_N = table.points[0].force_N;
+  for (std::uint32_t i = 1; i < table.pointCount; ++i) {
+    const TablePoint &a = table.points[i - 1], &b = table.points[i];
+    if (displacement_mm <= a.displacement_mm) break;
+    if (displacement_mm <= b.displacement_mm)
+      return std::max(strongest_N, forceBetween(a, b, displacement_mm));
+    strongest_N = b.displacement_mm > state.start_mm ? std::max(strongest_N, b.force_N) : b.force_N;
+  }
+  return strongest_N;
 }
 
-/// The same for a release, which comes from below: of a wall, its top.
-double releasedAt_N(const StrokeTable& table, double displacement_mm) {
+/// The same for a release, which comes from below: the least on the way; of a wall, its top.
+double releasedAt_N(const StateProgram& state, double displacement_mm) {
+  const StrokeTable& table = state.release;
   if (table.pointCount == 0) return 0;
-  const TablePoint& deepest = table.points[table.pointCount - 1];
-  if (displacement_mm >= deepest.displacement_mm) return deepest.force_N;
-  for (std::uint32_t i = table.pointCount - 1; i > 0; --i)
-    if (displacement_mm >= table.points[i - 1].displacement_mm)
-      return forceBetween(table.points[i - 1], table.points[i], displacement_mm);
-  return table.points[0].force_N;
+  double least_N = table.points[table.pointCount - 1].force_N;
+  for (std::uint32_t i = table.pointCount - 1; i > 0; --i) {
+    const TablePoint &a = table.points[i - 1], &b = table.points[i];
+    if (displacement_mm >= b.displacement_mm) break;
+    if (displacement_mm >= a.displacement_mm) return std::min(least_N, forceBetween(a, b, displacement_mm));
+    least_N = std::min(least_N, a.force_N);
+  }
+  return least_N;
 }
 
-std::vector<Trigger> triggersOf(const StrokeTable& table, bool release) {
+/// Back is reached on the other stroke: what a press plays is armed by a release, and never above its own force.
+std::vector<Trigger> triggersOf(const StateProgram& state, bool release) {
   std::vector<Trigger> triggers;
-  const auto forceAt = [&](double place_mm) {
-    return release ? releasedAt_N(table, place_mm) : pressedAt_N(table, place_mm);
-  };
+  const StrokeTable& table = release ? state.release : state.press;
   for (std::uint32_t i = 0; i < table.jumpCount; ++i) {
     const JumpEntry& jump = table.jumps[i];
-    triggers.push_back({"jump", release, jump.from_mm, jump.to_mm, forceAt(jump.from_mm), jump.rearm_mm,
-                        forceAt(jump.rearm_mm), jump.burst});
+    const double at_N = release ? releasedAt_N(state, jump.from_mm) : pressedAt_N(state, jump.from_mm);
+    const double back_N = release ? std::max(at_N, pressedAt_N(state, jump.rearm_mm))
+                                  : std::min(at_N, releasedAt_N(state, jump.rearm_mm));
+    triggers.push_back({"jump", release, jump.from_mm, jump.to_mm, at_N, jump.rearm_mm, back_N, jump.burst});
   }
   return triggers;
 }
@@ -115,23 +125,25 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
   package.pressSlopes = slopesOf(program.press, whole);
   package.releaseSlopes = slopesOf(program.release, whole);
   package.metrics = metricsOf(state);
-  package.triggers = triggersOf(program.press, false);
+  package.triggers = triggersOf(program, false);
   if (program.hasBottomOut) {
     Burst bottom = whole.bottomOut;
     bottom.amplitude *= program.bottomOutLevel;
-    package.triggers.push_back({"bottom_out", false, program.bottomOut_mm, program.bottomOut_mm,
-                                pressedAt_N(program.press, program.bottomOut_mm), program.bottomOutRearm_mm,
-                                pressedAt_N(program.press, program.bottomOutRearm_mm), bottom});
+    const double at_N = pressedAt_N(program, program.bottomOut_mm);
+    package.triggers.push_back({"bottom_out", false, program.bottomOut_mm, program.bottomOut_mm, at_N,
+                                program.bottomOutRearm_mm,
+                                std::min(at_N, releasedAt_N(program, program.bottomOutRearm_mm)), bottom});
   }
-  for (const Trigger& trigger : triggersOf(program.release, true)) package.triggers.push_back(trigger);
+  for (const Trigger& trigger : triggersOf(program, true)) package.triggers.push_back(trigger);
   if (program.hasOperatingPoint) {
     package.operating_mm = program.operating_mm;
-    package.operating_N = pressedAt_N(program.press, program.operating_mm);
+    package.operating_N = pressedAt_N(program, program.operating_mm);
   }
   if (program.hasResetPoint) {
     package.reset_mm = program.reset_mm;
-    package.reset_N = releasedAt_N(program.release, program.reset_mm);
+    package.reset_N = releasedAt_N(program, program.reset_mm);
   }
+  package.settled_N = releasedAt_N(program, program.rest_mm);
   // What a device switches at is what is felt: the first jump; without one the operating point, then the bottom-out.
   for (const Trigger& trigger : package.triggers) {
     auto& at_N = trigger.release ? package.release_N : package.press_N;
@@ -146,7 +158,7 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
     package.press_mm = package.operating_mm;
   }
   if (!package.press_N && program.hasBottomOut) {
-    package.press_N = pressedAt_N(program.press, program.bottomOut_mm);
+    package.press_N = pressedAt_N(program, program.bottomOut_mm);
     package.press_mm = program.bottomOut_mm;
   }
   if (!package.release_N) {
@@ -299,6 +311,8 @@ std::string packageText(const ExportSource& source, const ExportLoss& loss) {
          {"release_threshold", threshold(state.release_N, state.release_mm)},
          {"operating_point", threshold(state.operating_N, state.operating_mm)},
          {"reset_point", threshold(state.reset_N, state.reset_mm)},
+         {"start_displacement_mm", program.start_mm},
+         {"settled", threshold(state.settled_N, program.rest_mm)},
          {"tact_switch_figures", tactFigures(state)},
          {"triggers", triggers},
          {"slopes", {{"press", jsonOf(state.pressSlopes)}, {"release", jsonOf(state.releaseSlopes)}}},
@@ -307,25 +321,28 @@ std::string packageText(const ExportSource& source, const ExportLoss& loss) {
            {"press", pointsOf(program.press)},
            {"release", pointsOf(program.release)}}}});
   }
-  const Json file{{"format", "detent-force-triggered-package"},
-                  {"version", 1},
-                  {"made_by", std::string("Detent ") + version()},
-                  {"button", source.plan.button},
-                  {"feel", feels.word(source.plan.feel)},
-                  {"self_locking", source.program.stateCount > 1},
-                  {"states", states},
-                  {"grains",
-                   {{"per_mm", source.program.grainsPerMm},
-                    {"origin_mm", source.program.gridOrigin_mm},
-                    {"wave", jsonOf(source.program.grain)},
-                    {"loudest_density_per_s", source.program.loudestDensity_per_s},
-                    {"level_by_density", levelByDensity}}},
-                  {"turns",
-                   {{"longest_bottom_out_wait_ms", 1000 * source.program.longestBottomOutWait_s},
-                    {"burst_spacing_ms", 1000 * source.program.burstSpacing_s}}},
-                  {"chain", chainOf(source.program, source.plan.sampleRate_Hz)},
-                  {"example_press", examplePress(source.plan)},
-                  {"loss", jsonOf(loss)}};
+  const Json file{
+      {"format", "detent-force-triggered-package"},
+      {"version", 1},
+      {"made_by", std::string("Detent ") + version()},
+      {"button", source.plan.button},
+      {"feel", feels.word(source.plan.feel)},
+      {"self_locking", source.program.stateCount > 1},
+      {"states", states},
+      {"grains",
+       {{"per_mm", source.program.grainsPerMm},
+        {"origin_mm", source.program.gridOrigin_mm},
+        {"wave", jsonOf(source.program.grain)},
+        {"loudest_density_per_s", source.program.loudestDensity_per_s},
+        {"level_by_density", levelByDensity}}},
+      {"strokes",
+       {{"hysteresis_N", source.program.hysteresis_N}, {"rest_force_N", source.program.restForce_N}}},
+      {"turns",
+       {{"longest_bottom_out_wait_ms", 1000 * source.program.longestBottomOutWait_s},
+        {"burst_spacing_ms", 1000 * source.program.burstSpacing_s}}},
+      {"chain", chainOf(source.program, source.plan.sampleRate_Hz)},
+      {"example_press", examplePress(source.plan)},
+      {"loss", jsonOf(loss)}};
   return jsonText(file, 1) + "\n";
 }
 
@@ -399,12 +416,14 @@ std::string cState(std::size_t index, const StatePackage& state, const StateProg
            std::to_string(pieces.size()) + "u, ";
   };
   return "  {" + cString(state.name) + ", " + number(state.press_N) + ", " + number(state.release_N) + ", " +
-         number(state.operating_N) + ", " + number(state.reset_N) + ", " +
-         slopes("press", state.pressSlopes) + slopes("release", state.releaseSlopes) + "detent_triggers_" +
-         n + ", " + std::to_string(state.triggers.size()) + "u, " + column("press", program.press, "mm") +
-         ", " + column("press", program.press, "N") + ", " + std::to_string(program.press.pointCount) +
-         "u, " + column("release", program.release, "mm") + ", " + column("release", program.release, "N") +
-         ", " + std::to_string(program.release.pointCount) + "u},\n";
+         number(state.operating_N) + ", " + number(state.reset_N) + ", " + cFloat(state.settled_N) + ", " +
+         number(state.operating_mm) + ", " + number(state.reset_mm) + ", " + cFloat(program.start_mm) + ", " +
+         cFloat(program.rest_mm) + ", " + slopes("press", state.pressSlopes) +
+         slopes("release", state.releaseSlopes) + "detent_triggers_" + n + ", " +
+         std::to_string(state.triggers.size()) + "u, " + column("press", program.press, "mm") + ", " +
+         column("press", program.press, "N") + ", " + std::to_string(program.press.pointCount) + "u, " +
+         column("release", program.release, "mm") + ", " + column("release", program.release, "N") + ", " +
+         std::to_string(program.release.pointCount) + "u},\n";
 }
 
 constexpr const char* cTypes = R"(#ifndef DETENT_BUTTON_H
@@ -414,7 +433,9 @@ constexpr const char* cTypes = R"(#ifndef DETENT_BUTTON_H
 typedef struct { float frequency_Hz, duration_ms, amplitude, rise_ms, fall_ms; } detent_wave;
 
 /* Play `wave` when the force passes force_N: upwards on a press (release == 0), downwards on a release; again only after it
-   has been back at rearm_N. kind: 0 jump, 1 bottom-out. */
+   has been back at rearm_N, and what a release plays not before it has been there. Who follows the curves plays it instead
+   when a stroke leaves displacement_mm (a jump) or arrives there (a bottom-out), and again only after it has been back at
+   rearm_displacement_mm. kind: 0 jump, 1 bottom-out. */
 typedef struct {
   unsigned char release, kind;
   float force_N, rearm_N, displacement_mm, rearm_displacement_mm;
@@ -424,10 +445,15 @@ typedef struct {
 /* A piece of a slope: grains from from_mm to to_mm, both included, each as strong as level says of detent_grain. */
 typedef struct { float from_mm, to_mm, level; } detent_slope;
 
-/* Forces that a state does not have are -1. Curves and slopes by rising displacement. */
+/* Points that a state does not have are -1. Curves and slopes by rising displacement, triggers in the order met.
+   A press follows its curve from start_mm to where the curve bears the force, a release to where it pushes back no more.
+   The contact closes when a press comes to operating_mm, opens when a release comes to reset_mm or ends.
+   A release ends at start_mm; one that follows an actuation (a press that came to operating_mm) at rest_mm, where the force
+   is settled_N. Then the next of several states answers, from its start_mm, armed as at the start; after the last comes the first. */
 typedef struct {
   const char* name;
-  float press_threshold_N, release_threshold_N, operating_N, reset_N;
+  float press_threshold_N, release_threshold_N, operating_N, reset_N, settled_N;
+  float operating_mm, reset_mm, start_mm, rest_mm;
   const detent_slope* press_slopes;
   unsigned press_slope_count;
   const detent_slope* release_slopes;
@@ -447,17 +473,22 @@ std::string cOrder(const HapticProgram& program) {
   const auto constant = [](const char* name, double value) {
     return std::string("static const float detent_") + name + " = " + cFloat(value) + ";\n";
   };
-  return "/* Grains that come n times a second are (n / loudest)^" + exact(levelByDensity) +
-         " as strong, n at least 1000 / "
-         "duration_ms and at most loudest; 0: all "
-         "alike.\n   Grains that begin while a jump sounds are quieter by detent_slope_under_jump. */\n" +
+  return "/* Grains that come n times a second are (n / loudest)^detent_grain_level_power as strong, n at "
+         "least "
+         "1000 / duration_ms and at\n   most loudest; 0: all alike. Grains that begin while a jump sounds "
+         "are "
+         "quieter by detent_slope_under_jump. */\n" +
          constant("loudest_grains_per_s", program.loudestDensity_per_s) +
+         constant("grain_level_power", levelByDensity) +
          constant("slope_under_jump", program.slopeUnderJump) +
          "/* A bottom-out lets the jump before it end, and waits for it at most "
          "detent_longest_bottom_out_wait_ms. "
          "No jump or bottom-out\n   begins within detent_burst_spacing_ms of the one before. */\n" +
          constant("longest_bottom_out_wait_ms", 1000 * program.longestBottomOutWait_s) +
-         constant("burst_spacing_ms", 1000 * program.burstSpacing_s);
+         constant("burst_spacing_ms", 1000 * program.burstSpacing_s) +
+         "/* A stroke turns when the force has come back by detent_hysteresis_N; at detent_rest_N and below "
+         "nobody presses. */\n" +
+         constant("hysteresis_N", program.hysteresis_N) + constant("rest_N", program.restForce_N);
 }
 
 std::string headerText(const ExportSource& source, const ExportLoss& loss) {
@@ -473,8 +504,8 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
   return cComment(headLines(source, loss)) + cTypes + tables +
          "\nstatic const detent_state detent_states[] = {\n" + list +
          "};\nstatic const unsigned detent_state_count = " + std::to_string(states.size()) +
-         "u;\n\n/* The slope: a grain wherever the stroke passes detent_grain_origin_mm + a multiple of "
-         "1/detent_grains_per_mm, and where it turns\n   on one. It takes the place of the last" +
+         "u;\n\n/* The slope: a grain where a press comes to detent_grain_origin_mm + a multiple of "
+         "1/detent_grains_per_mm, and where a release\n   leaves one. It takes the place of the last" +
          (source.program.grainCarrier == GrainCarrier::running
               ? ", whose sine runs on; after silence the sine begins anew"
               : "; its sine begins anew") +

@@ -3,7 +3,7 @@
  * header and on docs/export-formats.md. Compiled with -include button.h.
  *
  * stdin: the force of each sample in N, as text. stdout: a line "event SAMPLE KIND" per onset (press_jump, release_jump,
- * bottom_out, grain), then "samples" and what sounds at each sample, 48000 a second. One state: what switches states no header says. */
+ * bottom_out, grain), then "samples" and what sounds at each sample, 48000 a second. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,8 +22,9 @@ static Sounding bursts[MOST];
 static Sounding grain;
 static long carrierBegun, lastGrain = -1, now;
 static long earliest = -1000000, jumpEnds = -1000000;
-static int ready[64];
-static long waiting[64];
+static int ready[80];
+static long waiting[80];
+static const detent_trigger* waits[80];
 
 static double envelope(const detent_wave* w, double ms) {
   if (ms >= w->duration_ms) return 0;
@@ -62,7 +63,7 @@ static void beginGrain(float level) {
     if (lastGrain >= 0)
       perSecond = now > lastGrain ? RATE / (double)(now - lastGrain) : detent_loudest_grains_per_s;
     perSecond = fmin(fmax(perSecond, least), detent_loudest_grains_per_s);
-    next.level *= pow(perSecond / detent_loudest_grains_per_s, 0.3125);
+    next.level *= pow(perSecond / detent_loudest_grains_per_s, detent_grain_level_power);
   }
   for (i = 0; i < MOST; ++i)
     if (sounds(&bursts[i]) && bursts[i].jump) {
@@ -99,14 +100,14 @@ static double place(const float* x, const float* f, unsigned n, double force, do
   return x[0];
 }
 
-/* Grains of the places passed, each as strong as its piece says; of `from` itself where the stroke turned there. */
-static void pass(const detent_slope* slopes, unsigned count, double from, double to, int turned) {
-  const double pitch = 1.0 / detent_grains_per_mm, least = turned ? -1e-4 : 1e-4;
+/* Grains of the places that a press comes to or a release leaves, each as strong as its piece says. */
+static void pass(const detent_slope* slopes, unsigned count, double from, double to) {
+  const double pitch = 1.0 / detent_grains_per_mm;
   const double begins = (from - detent_grain_origin_mm) / pitch, ends = (to - detent_grain_origin_mm) / pitch;
   const long step = to > from ? 1 : -1;
-  long k = step > 0 ? (long)floor(begins + least) + 1 : (long)ceil(begins - least) - 1;
+  long k = (long)floor(begins + 1e-4) + (step > 0);
   unsigned i;
-  for (; step > 0 ? (double)k <= ends + 1e-4 : (double)k >= ends - 1e-4; k += step) {
+  for (; step > 0 ? (double)k <= ends + 1e-4 : (double)k > ends + 1e-4; k += step) {
     const double mm = detent_grain_origin_mm + (double)k * pitch;
     for (i = 0; i < count; ++i)
       if (mm >= slopes[i].from_mm - 1e-4 && mm <= slopes[i].to_mm + 1e-4) {
@@ -116,14 +117,13 @@ static void pass(const detent_slope* slopes, unsigned count, double from, double
   }
 }
 
-static void travel(const detent_state* s, int releasing, double* at, double to, int* turned) {
+static void travel(const detent_state* s, int releasing, double* at, double to) {
   if (to == *at || !(detent_grains_per_mm > 0)) return;
   if (releasing)
-    pass(s->release_slopes, s->release_slope_count, *at, to, *turned);
+    pass(s->release_slopes, s->release_slope_count, *at, to);
   else
-    pass(s->press_slopes, s->press_slope_count, *at, to, *turned);
+    pass(s->press_slopes, s->press_slope_count, *at, to);
   *at = to;
-  *turned = 0;
 }
 
 /* A bottom-out lets the jump before it end; jumps and bottom-outs keep their distance. */
@@ -137,37 +137,57 @@ static void beginInTurn(unsigned i, const detent_trigger* t) {
   earliest = wait + lround(RATE * detent_burst_spacing_ms / 1000);
   if (!t->kind) jumpEnds = wait + lround(RATE * t->wave.duration_ms / 1000);
   waiting[i] = wait + 1;
+  waits[i] = t;
+}
+
+/* A release arms what a press plays, a press what a release plays. */
+static void arm(const detent_state* s) {
+  unsigned i;
+  for (i = 0; i < s->trigger_count && i < 80; ++i) ready[i] = !s->triggers[i].release;
 }
 
 int main(void) {
   const detent_state* s = &detent_states[0];
   float* out = NULL;
   size_t room = 0;
-  double force, before = 0, at = 0;
-  int releasing = 0, turned = 0;
-  unsigned i;
-  for (i = 0; i < s->trigger_count && i < 64; ++i) ready[i] = 1;
+  double force, before = 0, at = s->start_mm, farthest = 0;
+  int releasing = 0, acted = 0;
+  unsigned i, answers = 0;
+  arm(s);
   for (now = 0; scanf("%lf", &force) == 1; ++now) {
     double next, sum = 0;
-    const int was = releasing;
     if ((size_t)now >= room) {
       room = 2 * room + (size_t)RATE;
       out = realloc(out, room * sizeof *out);
       if (!out) return 1;
     }
-    if (force != before) releasing = force < before;
+    /* The force has to come back by the hysteresis before a stroke turns; without a force the finger is gone. */
+    if (releasing ? force < farthest : force > farthest) farthest = force;
+    if (!releasing && (force < farthest - detent_hysteresis_N || force <= detent_rest_N)) {
+      releasing = before > detent_rest_N || at > s->start_mm;
+      farthest = force;
+    } else if (releasing && force > detent_rest_N && force > farthest + detent_hysteresis_N) {
+      releasing = 0;
+      farthest = force;
+    }
     next = releasing ? place(s->release_mm, s->release_N, s->release_points, force, at, 1)
                      : place(s->press_mm, s->press_N, s->press_points, force, at, 0);
-    turned = turned || was != releasing;
+    if (!releasing && force <= detent_rest_N) next = at;
+    if (releasing && next < (acted ? s->rest_mm : s->start_mm)) next = acted ? s->rest_mm : s->start_mm;
     /* What one sample meets comes in the order travelled. */
-    for (i = 0; i < s->trigger_count && i < 64; ++i) {
+    for (i = 0; i < 80; ++i)
+      if (waiting[i] == now + 1) {
+        waiting[i] = 0;
+        begin(waits[i]);
+      }
+    for (i = 0; i < s->trigger_count && i < 80; ++i) {
       const detent_trigger* t = &s->triggers[i];
       if (!ready[i]) ready[i] = t->release ? force >= t->rearm_N : force <= t->rearm_N;
       if (ready[i] && (t->release ? before > t->force_N && force <= t->force_N
                                   : before < t->force_N && force >= t->force_N)) {
         ready[i] = 0;
         if (releasing ? t->displacement_mm < at : t->displacement_mm > at)
-          travel(s, releasing, &at, t->displacement_mm, &turned);
+          travel(s, releasing, &at, t->displacement_mm);
         beginInTurn(i, t);
       }
       if (waiting[i] == now + 1) {
@@ -175,7 +195,18 @@ int main(void) {
         begin(t);
       }
     }
-    travel(s, releasing, &at, next, &turned);
+    travel(s, releasing, &at, next);
+    if (!(detent_grains_per_mm > 0)) at = next;
+    if (!releasing && s->operating_mm >= 0 && at >= s->operating_mm) acted = 1;
+    if (releasing && acted && at <= s->rest_mm) {
+      acted = 0;
+      if (detent_state_count > 1) {
+        answers = (answers + 1) % detent_state_count;
+        s = &detent_states[answers];
+        at = s->start_mm;
+        arm(s);
+      }
+    }
     before = force;
     for (i = 0; i < MOST; ++i)
       if (sounds(&bursts[i])) sum += wave(bursts[i].wave, now - bursts[i].begun, now - bursts[i].begun);

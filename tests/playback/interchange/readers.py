@@ -398,8 +398,8 @@ static void curve(const char* name, const float* mm, const float* N, unsigned co
   printf("],");
 }
 int main(void) {
-  printf("{\"grains_per_mm\":%.9g,\"loudest_per_s\":%.9g,\"under_jump\":%.9g,\"grain\":", detent_grains_per_mm,
-         detent_loudest_grains_per_s, detent_slope_under_jump);
+  printf("{\"grains_per_mm\":%.9g,\"loudest_per_s\":%.9g,\"under_jump\":%.9g,\"power\":%.9g,\"grain\":",
+         detent_grains_per_mm, detent_loudest_grains_per_s, detent_slope_under_jump, detent_grain_level_power);
   wave(detent_grain);
   printf(",\"states\":[");
   for (unsigned i = 0; i < detent_state_count; ++i) {
@@ -427,17 +427,14 @@ int main(void) {
 
 
 def read_c_header(path):
-    """The header as a compiler takes it, number by number; and the power of its comment on grains. None without a compiler."""
+    """The header as a compiler takes it, number by number. None without a compiler."""
     compiler = shutil.which("gcc") or shutil.which("cc")
     if not compiler:
         return None
     program = str(path) + ".dump"
     subprocess.run([compiler, "-std=c99", "-Wall", "-Werror", "-Wno-unused-variable", f'-DHEADER="{path}"', "-x", "c", "-", "-o", program],
                    input=C_DUMP, text=True, check=True)
-    data = json.loads(subprocess.run([program], capture_output=True, text=True, check=True).stdout)
-    with open(path, encoding="utf-8") as file:
-        data["power"] = float(re.search(r"\(n / loudest\)\^([\d.]+)", file.read()).group(1))
-    return data
+    return json.loads(subprocess.run([program], capture_output=True, text=True, check=True).stdout)
 
 
 def play_c_header(data, events, count):
