@@ -3020,6 +3020,10 @@ Lizenz: %3</translation>
         <translation>Größter Zeitfehler: %1 ms; verschmolzene Grains: %2; Frequenzen um bis zu %3 Hz verschoben</translation>
     </message>
     <message>
+        <source>The format has no room for the whole press: what comes last is cut off. The file says from where on.</source>
+        <translation>Das Format hat keinen Platz für den ganzen Druck: Was zuletzt kommt, ist abgeschnitten. Die Datei sagt, ab wo.</translation>
+    </message>
+    <message>
         <source>What the press is written for</source>
         <translation>Wofür der Druck geschrieben wird</translation>
     </message>

@@ -89,7 +89,12 @@ QString lossWords(const playback::ExportLoss& loss) {
          DeviceExportDialog::tr(
              "Worst error in time: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz")
              .arg(numberText(loss.worstTimingError_ms, 3), QString::number(loss.grainsMerged),
-                  numberText(loss.frequencyMoved_Hz, 3));
+                  numberText(loss.frequencyMoved_Hz, 3)) +
+         (loss.cut
+              ? QStringLiteral("\n") +
+                    DeviceExportDialog::tr("The format has no room for the whole press: what comes last is "
+                                           "cut off. The file says from where on.")
+              : QString());
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct ExportLoss {
   double worstTimingError_ms = 0;    ///< of jumps and bottom-outs
   std::size_t grainsMerged = 0;      ///< that are no events of their own any more
   double frequencyMoved_Hz = 0;      ///< at most
-  std::vector<std::string> dropped;  ///< in words
+  bool cut = false;                  ///< the format has no room for the end of the press, or of its release
+  std::vector<std::string> dropped;  ///< in words; where it is cut, too
 };
 
 /// Shares of energy of what is played against `original`, all at `sampleRate_Hz` and silent after their ends. Parts that are played apart

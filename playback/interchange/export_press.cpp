@@ -47,7 +47,7 @@ Reduction reductionOf(const ExportSource& source, const ExportSettings& settings
     case ExportFormat::drv2605:
       return drv2605Of(source);
     case ExportFormat::pcm:
-      return pcmOf(source, settings.bits);
+      return pcmOf(source, settings.bits, settings.sampleRate_Hz);
     case ExportFormat::touchpad:
       break;
   }
@@ -127,9 +127,10 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
     return Failure{FailureCode::wrongUsage, Subject::option("--bits"), "",
                    Message("%1 bits are no format of samples here", static_cast<std::size_t>(settings.bits)),
                    "Give 8 or 16"};
-  RenderSettings render;
-  if (settings.format == ExportFormat::pcm) render.sampleRate_Hz = settings.sampleRate_Hz;
-  Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, render);
+  RenderSettings asked;
+  if (settings.format == ExportFormat::pcm) asked.sampleRate_Hz = settings.sampleRate_Hz;
+  if (Result<Done> ok = checkRendering(trace, asked); !ok) return ok.failure();
+  Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, {});
   if (!plan) return plan.failure();
   plan->feel = settings.feel;
   Reduction reduction = reductionOf({button, program, *plan}, settings);

@@ -38,7 +38,8 @@ Reduction hjifOf(const ExportSource& source);
 Reduction bos1921Of(const ExportSource& source);
 Reduction da728xOf(const ExportSource& source);
 Reduction drv2605Of(const ExportSource& source);
-Reduction pcmOf(const ExportSource& source, unsigned bits);
+/// At any rate the samples of the plan, band-limited (docs/decisions/0918).
+Reduction pcmOf(const ExportSource& source, unsigned bits, double sampleRate_Hz);
 Reduction touchpadOf(const ExportSource& source);
 
 /// The waves as samples of the plan's length.

@@ -15,6 +15,7 @@
 #include "playback/interchange/export_loss_json.h"
 #include "playback/interchange/player_conventions.h"
 #include "playback/interchange/reduction.h"
+#include "playback/offline/resample.h"
 
 namespace detent::playback {
 
@@ -170,7 +171,8 @@ std::string bos1921Text(const ExportSource& source, const std::vector<Slice>& sl
 constexpr std::size_t daBytes = 100;
 constexpr std::size_t daPartBytes = 46;  // what two headers, four end pointers and two frames leave each
 constexpr double daTimebase_s = 0.00136;
-constexpr std::array<int, 4> daMultiples{1, 4, 16, 32};  // 1.36, 5.44, 21.76, 43.52 ms
+// 1.36 and 5.44 ms; its longer units would move what begins by 11 and 22 ms.
+constexpr std::array<int, 2> daMultiples{1, 4};
 constexpr int daLevels = 15, daLongest = 8;
 
 struct DaPoint {
@@ -183,7 +185,8 @@ struct DaPart {
   int timebase = 0;
   std::vector<DaPoint> points;
   std::vector<std::int64_t> onsets;
-  bool cut = false;  ///< the memory was full before the end
+  std::int64_t end = 0;  ///< sample at which it ends
+  bool cut = false;      ///< the memory was full before the end
 };
 
 double daUnit_s(const DaPart& part) {
@@ -275,6 +278,7 @@ DaPart daPart(const PressPlan& plan, const Stretch& all) {
   if (part.points.empty()) part.points.push_back({false, 1, 0});
   const double unit = daUnit_s(part) * plan.sampleRate_Hz;
   const double end = static_cast<double>(first) + unit * unitsOf(part);
+  part.end = std::llround(end);
   for (const PlannedBurst& planned : plan.bursts) {
     if (planned.kind == EventKind::grain || planned.frame < first || planned.frame >= all.to ||
         static_cast<double>(planned.frame) >= end)
@@ -364,11 +368,9 @@ std::string drv2605Text(const ExportSource& source, const TimedLevels& press, co
 
 // ---- the losses chips share
 
-ExportLoss lraLoss(const PressPlan& plan, const std::vector<std::int64_t>& press,
-                   const std::vector<std::int64_t>& release) {
+ExportLoss lraLoss(const PressPlan& plan, double worstTimingError_ms) {
   ExportLoss loss;
-  loss.worstTimingError_ms = std::fmax(worstTimingError_ms(plan, pressOf(plan), press),
-                                       worstTimingError_ms(plan, releaseOf(plan), release));
+  loss.worstTimingError_ms = worstTimingError_ms;
   loss.grainsMerged = grainsWithin(plan, wholeOf(plan));
   loss.frequencyMoved_Hz = furthestFromResonance_Hz(plan);
   loss.dropped = {oneRecordedPress, "every frequency (the motor plays its own)"};
@@ -470,7 +472,14 @@ Reduction da728xOf(const ExportSource& source) {
   Reduction reduction;
   reduction.played = {playedBy({waveOf(press, plan.sampleRate_Hz)}, plan),
                       playedBy({waveOf(release, plan.sampleRate_Hz)}, plan)};
-  reduction.loss = lraLoss(plan, press.onsets, release.onsets);
+  // Of what is held; what is cut off is told by itself.
+  const auto worst_ms = [&plan](const DaPart& part, Stretch half) {
+    if (part.cut) half.to = std::min(half.to, part.end);
+    return worstTimingError_ms(plan, half, part.onsets);
+  };
+  reduction.loss =
+      lraLoss(plan, std::fmax(worst_ms(press, pressOf(plan)), worst_ms(release, releaseOf(plan))));
+  reduction.loss.cut = press.cut || release.cut;
   for (const DaPart* part : {&press, &release})
     if (part->cut)
       reduction.loss.dropped.push_back(std::string("the ") + (part == &press ? "press" : "release") +
@@ -492,33 +501,42 @@ Reduction drv2605Of(const ExportSource& source) {
   Reduction reduction;
   reduction.played = {playedBy({waveOf(press, plan.sampleRate_Hz)}, plan),
                       playedBy({waveOf(release, plan.sampleRate_Hz)}, plan)};
-  reduction.loss = lraLoss(plan, press.onsets, release.onsets);
+  reduction.loss = lraLoss(plan, std::fmax(worstTimingError_ms(plan, pressOf(plan), press.onsets),
+                                           worstTimingError_ms(plan, releaseOf(plan), release.onsets)));
   reduction.write = [source, press, release](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", drv2605Text(source, press, release, loss)}};
   };
   return reduction;
 }
 
-Reduction pcmOf(const ExportSource& source, unsigned bits) {
+Reduction pcmOf(const ExportSource& source, unsigned bits, double asked_Hz) {
   const PressPlan& plan = source.plan;
+  const double sampleRate_Hz = std::round(asked_Hz);  // what the file states
   const int full = bits == 8 ? 127 : 32767;
   std::vector<int> samples;
-  for (const float sample : plan.samples)
+  std::vector<float> heard;
+  for (const float sample : resampled(plan.samples, plan.sampleRate_Hz, sampleRate_Hz)) {
     samples.push_back(
         static_cast<int>(std::lround(std::clamp(static_cast<double>(sample), -1.0, 1.0) * full)));
+    heard.push_back(static_cast<float>(samples.back()) / static_cast<float>(full));
+  }
+  heard = resampled(heard, sampleRate_Hz, plan.sampleRate_Hz);
+  heard.resize(plan.samples.size());
   Reduction reduction;
-  reduction.played.emplace_back();
-  for (const int sample : samples) reduction.played.back().push_back(static_cast<double>(sample) / full);
+  reduction.played.emplace_back(heard.begin(), heard.end());
   reduction.loss.dropped = {oneRecordedPress};
-  reduction.write = [source, samples, bits, full](const ExportLoss& loss) {
+  if (sampleRate_Hz < plan.sampleRate_Hz)
+    reduction.loss.dropped.push_back("frequencies above " +
+                                     std::to_string(std::lround(keptBand * sampleRate_Hz)) + " Hz");
+  reduction.write = [source, samples, bits, full, sampleRate_Hz](const ExportLoss& loss) {
     std::vector<std::string> head = headLines(source, loss);
     head.push_back("Samples of " + std::to_string(bits) + " bits, full scale " + std::to_string(full));
     const std::string type = bits == 8 ? "int8_t" : "int16_t";
     return std::vector<ExportedFile>{
         {"", "",
          cComment(head) + "#include <stdint.h>\n\nstatic const unsigned detent_sample_rate_Hz = " +
-             std::to_string(std::lround(source.plan.sampleRate_Hz)) + "u;\nstatic const " + type +
-             " detent_samples[" + std::to_string(samples.size()) + "] = {" +
+             std::to_string(std::lround(sampleRate_Hz)) + "u;\nstatic const " + type + " detent_samples[" +
+             std::to_string(samples.size()) + "] = {" +
              rows(samples, [](int sample) { return std::to_string(sample); }) + "};\n"}};
   };
   return reduction;

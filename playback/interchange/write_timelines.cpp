@@ -179,13 +179,26 @@ std::string hapticText(const ExportSource& source, const OneVoice& voice, const 
 
 constexpr double openxrLowest_Hz = 1, openxrHighest_Hz = 1000;
 constexpr std::size_t openxrPoints = 500;
-constexpr double openxrStep_s = 0.0025;
+constexpr double openxrStep_s = 0.0025, openxrCoarsest_s = 0.010;
 
 double openxrValue(double frequency_Hz) {
   return std::clamp((frequency_Hz - openxrLowest_Hz) / (openxrHighest_Hz - openxrLowest_Hz), 0.0, 1.0);
 }
 
 std::int64_t nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
+
+/// What lies between two points of its level and frequency says nothing: silence costs no points.
+std::vector<WavePoint> withoutMiddles(const std::vector<WavePoint>& points) {
+  const auto same = [](const WavePoint& a, const WavePoint& b) {
+    return a.amplitude == b.amplitude && a.frequency_Hz == b.frequency_Hz;
+  };
+  std::vector<WavePoint> kept;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (kept.empty() || i + 1 == points.size() || !same(kept.back(), points[i]) ||
+        !same(points[i], points[i + 1]))
+      kept.push_back(points[i]);
+  return kept;
+}
 
 /// Frequencies change at steps only: where they do not, a point would say nothing.
 std::vector<WavePoint> turningPoints(const std::vector<WavePoint>& points) {
@@ -262,9 +275,9 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
   PlayedWave wave{voice.points, 0};
   for (WavePoint& point : wave.points) point.frequency_Hz = heard_Hz(point.frequency_Hz);
   reduction.played = {playedBy({wave}, plan)};
-  const Stretch whole{0, static_cast<std::int64_t>(plan.samples.size())};
-  reduction.loss.worstTimingError_ms = worstTimingError_ms(plan, whole, onsetsOf(steps));
-  reduction.loss.grainsMerged = grainsWithin(plan, whole);
+  const Stretch held{0, steps.empty() ? 0 : steps.back().to};
+  reduction.loss.worstTimingError_ms = worstTimingError_ms(plan, held, onsetsOf(steps));
+  reduction.loss.grainsMerged = grainsWithin(plan, {0, static_cast<std::int64_t>(plan.samples.size())});
   for (const PlannedBurst& planned : plan.bursts)
     reduction.loss.frequencyMoved_Hz =
         std::fmax(reduction.loss.frequencyMoved_Hz,
@@ -454,14 +467,28 @@ Reduction openxrOf(const ExportSource& source) {
   const Stretch whole{0, static_cast<std::int64_t>(plan.samples.size())};
   std::vector<EnvelopeStep> steps;
   OneVoice voice;
-  for (double step_s = openxrStep_s, apart_s = 0.001;
-       voice.points.empty() || voice.points.size() > openxrPoints; step_s *= 1.25, apart_s *= 1.25) {
-    steps = stepsOf(plan, whole, step_s, apart_s);
+  const auto take = [&] {
     voice = voiceOf(steps, plan, 1e-9, 1e-6);
+    voice.points = withoutMiddles(voice.points);
+  };
+  for (double step_s = openxrStep_s; step_s <= openxrCoarsest_s; step_s *= 1.25) {
+    steps = stepsOf(plan, whole, step_s, 0.001);
+    take();
+    if (voice.points.size() <= openxrPoints) break;
+  }
+  // What is longer is held up to where the points are used up, at most three of them for a step; never with its jumps moved.
+  while (voice.points.size() > openxrPoints) {
+    steps.resize(steps.size() - (voice.points.size() - openxrPoints + 2) / 3);
+    take();
   }
   Reduction reduction = oneVoice(plan, steps, voice, [](double frequency_Hz) {
     return std::clamp(frequency_Hz, openxrLowest_Hz, openxrHighest_Hz);
   });
+  reduction.loss.cut = steps.back().to < whole.to;
+  if (reduction.loss.cut)
+    reduction.loss.dropped.push_back("the press from " +
+                                     std::to_string(std::lround(1000 * plan.time_s(steps.back().to))) +
+                                     " ms on (" + std::to_string(openxrPoints) + " points are used up)");
   reduction.write = [source, voice](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", openxrJson(source, voice, loss)},
                                      {"", ".h", openxrInitializer(source, voice, loss)}};

@@ -610,6 +610,15 @@ class WindowTest : public QObject {
     for (const char* file : {"b.press.ahap", "b.release.ahap"}) QVERIFY2(QFile::exists(at(file)), file);
     rig.action("exportDevice")->trigger();  // cancelled: nothing is asked, written or said
     QVERIFY(rig.notices().isEmpty());
+    // Where a format has no room for the press, it is told before anything is written.
+    rig.window->files().open({sample("buttons/latch.button.json")});
+    DeviceExportDialog latch(rig.document().button());
+    auto* chips = latch.findChild<QComboBox*>("deviceFormat");
+    chips->setCurrentIndex(chips->findText("Motor driver DA", Qt::MatchStartsWith));
+    const auto cut = [&] { return latch.findChild<QLabel*>("deviceLoss")->text().contains("cut off"); };
+    QVERIFY(!cut());
+    latch.findChild<QSpinBox*>("deviceWayDown")->setValue(10'000);
+    QVERIFY(cut());
   }
 
   // A machine that is switched off ends no session.
