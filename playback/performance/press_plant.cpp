@@ -2,6 +2,7 @@
 #include "playback/performance/press_plant.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -52,6 +53,11 @@ class Muscle {
     return 0.5 * (before_N + force_N_);
   }
 
+  /// Whether it only pulls away from now on.
+  bool pullsAway(double time_s) const {
+    return time_s >= end_s_ && time_s >= extensorStart_s_ && force_N_ <= 0;
+  }
+
  private:
   double amplitude_N_, extensor_N_;
   SineCosine turn_, phase_;
@@ -59,19 +65,150 @@ class Muscle {
   double force_N_ = 0;
 };
 
-struct Moving {
-  double finger_m = -startHeight_m, finger_m_per_s = 0;
-  double cap_m = 0, cap_m_per_s = 0;
-  double play = -1;                                   // -1 release branch, 1 press branch
-  double pulp_m() const { return finger_m - cap_m; }  // compression where > 0
+template <class Real>
+struct MovingOf {
+  Real finger_m{}, finger_m_per_s{};
+  Real cap_m{}, cap_m_per_s{};
+  Real play{};                                      // -1 release branch, 1 press branch
+  Real pulp_m() const { return finger_m - cap_m; }  // compression where > 0
 };
+using Moving = MovingOf<double>;
 
 /// Forces that, held over one step, do exactly the work of what they stand for.
-struct StepForces {
-  double spring_N = 0, pulpDamper_N = 0, button_N = 0, play_N = 0, capDamper_N = 0, posture_N = 0,
-         joint_N = 0;
-  double capDamping_Ns_per_m = 0;  // behind capDamper_N
-  double pulp_N() const { return spring_N + pulpDamper_N; }
+template <class Real>
+struct ForcesOf {
+  Real spring_N{}, pulpDamper_N{}, button_N{}, play_N{}, posture_N{}, joint_N{};
+  Real capDamping_Ns_per_m{};  // the cap's damper goes by its factor
+  Real pulp_N() const { return spring_N + pulpDamper_N; }
+};
+using StepForces = ForcesOf<double>;
+
+/// The bodies of a press in touch, over one step. `Real`: of one press, or of two by the same finger on the same key.
+template <class Real>
+class StepOf {
+ public:
+  using Moving = MovingOf<Real>;
+  using Forces = ForcesOf<Real>;
+
+  StepOf(const KeyTables& key, const Finger& finger, const Moving& now)
+      : key_(key),
+        finger_(finger),
+        fingerStep_s_per_kg_(plantStep_s / finger.mass_kg),
+        now_(now),
+        from_(key.startAt(now.cap_m)) {}
+
+  /// Where it leads. `forces`: of the step before; become those of this one.
+  Moving end(Forces& forces, const Real& muscle_N) const {
+    Moving guess = movedBy(forces, muscle_N);
+    auto settled = guess.cap_m != guess.cap_m;  // none yet
+    for (int round = 0; round < mostRounds; ++round) {
+      const Forces latest = forcesTowards(guess);
+      const Moving better = withPulpFollowing(movedBy(latest, muscle_N), guess, latest);
+      const Real change_m_per_s =
+          size(better.finger_m_per_s - guess.finger_m_per_s) + size(better.cap_m_per_s - guess.cap_m_per_s);
+      if (any(settled)) {  // of two presses the one that has settled keeps what it has
+        keepSettled(settled, latest, forces);
+        keepSettled(settled, better, guess);
+      } else {
+        forces = latest;
+        guess = better;
+      }
+      settled = either(settled, change_m_per_s < settled_m_per_s);
+      if (all(settled)) break;
+    }
+    guess.play = playAt(guess.cap_m);
+    return guess;
+  }
+
+  Forces forcesTowards(const Moving& to) const {
+    Forces f;
+    f.spring_N = pulpSpring_N(to);
+    const Real closing_m_per_s = (to.pulp_m() - now_.pulp_m()) * steps_per_s;
+    f.pulpDamper_N =
+        select(f.spring_N > 0,
+               finger_.pulpDamping_Ns_per_m * select(closing_m_per_s > 0, closing_m_per_s, Real{}), Real{});
+    const auto middle = key_.placeOf(0.5 * (now_.cap_m + to.cap_m));
+    f.button_N = key_.meanBetween_N(from_, key_.placeOf(to.cap_m));
+    f.play_N = key_.halfWidth_N(middle) * 0.5 * (now_.play + playAt(to.cap_m));
+    f.capDamping_Ns_per_m = key_.damping_Ns_per_m(middle);
+    f.posture_N = posture_N_per_m * (0.5 * (now_.finger_m + to.finger_m) + startHeight_m);
+    f.joint_N = joint_Ns_per_m * 0.5 * (now_.finger_m_per_s + to.finger_m_per_s);
+    return f;
+  }
+
+ private:
+  template <class True>
+  static void keepSettled(const True& settled, const Forces& latest, Forces& forces) {
+    for (Real Forces::*force : {&Forces::spring_N, &Forces::pulpDamper_N, &Forces::button_N, &Forces::play_N,
+                                &Forces::posture_N, &Forces::joint_N, &Forces::capDamping_Ns_per_m})
+      forces.*force = select(settled, forces.*force, latest.*force);
+  }
+  template <class True>
+  static void keepSettled(const True& settled, const Moving& better, Moving& guess) {
+    for (Real Moving::*place :
+         {&Moving::finger_m, &Moving::finger_m_per_s, &Moving::cap_m, &Moving::cap_m_per_s})
+      guess.*place = select(settled, guess.*place, better.*place);
+  }
+
+  Real pulpEnergy_J(const Real& pulp_m) const {
+    return select(pulp_m > 0, 0.5 * finger_.pulp_N_per_m * pulp_m * pulp_m, Real{});
+  }
+
+  Real pulpSpring_N(const Moving& to) const {
+    const Real a_m = now_.pulp_m(), b_m = to.pulp_m();
+    const Real both_N = 0.5 * finger_.pulp_N_per_m * (a_m + b_m);
+    const auto touching = both(a_m >= 0, b_m >= 0), apart = both(a_m <= 0, b_m <= 0);
+    if (all(touching)) return both_N;
+    const Real way_m = select(either(touching, apart), Real{} + 1, b_m - a_m);
+    return select(touching, both_N, select(apart, Real{}, (pulpEnergy_J(b_m) - pulpEnergy_J(a_m)) / way_m));
+  }
+
+  Real playAt(const Real& depth_m) const {
+    return clamped(now_.play + 2 * (depth_m - now_.cap_m) / play_m, -1, 1);
+  }
+
+  /// The end of the step under these forces; positions by the mean speed, so that force times way is energy, exactly.
+  Moving movedBy(const Forces& f, const Real& muscle_N) const {
+    Moving to = now_;
+    to.finger_m_per_s += fingerStep_s_per_kg_ * (muscle_N - f.pulp_N() - f.posture_N - f.joint_N);
+    // The cap's damper by its factor, not by rounds: a strongly damped button would not settle.
+    const Real factor = 0.5 * capStep_s_per_kg * f.capDamping_Ns_per_m;
+    to.cap_m_per_s =
+        (now_.cap_m_per_s * (1 - factor) + capStep_s_per_kg * (f.pulp_N() - f.button_N - f.play_N)) /
+        (1 + factor);
+    to.finger_m += 0.5 * plantStep_s * (now_.finger_m_per_s + to.finger_m_per_s);
+    to.cap_m += 0.5 * plantStep_s * (now_.cap_m_per_s + to.cap_m_per_s);
+    return to;
+  }
+
+  /// How the pulp's force over the step answers to the speed of closing at its end, around the guess.
+  Real pulpAnswer_Ns_per_m(const Moving& guess, const Forces& f) const {
+    const Real answer = select(both(now_.pulp_m() > 0, guess.pulp_m() > 0),
+                               Real{} + 0.25 * plantStep_s * finger_.pulp_N_per_m, Real{});
+    return answer + select(f.pulpDamper_N > 0, Real{} + 0.5 * finger_.pulpDamping_Ns_per_m, Real{});
+  }
+
+  /// What `wanted` would be had the pulp been taken at the end it leads to instead of at the guess: Newton's step for the
+  /// stiffest of the forces, which couples both bodies. Where rounds end is the same, they get there in fewer.
+  Moving withPulpFollowing(Moving wanted, const Moving& guess, const Forces& f) const {
+    const Real answer = pulpAnswer_Ns_per_m(guess, f);
+    const Real finger = answer * fingerStep_s_per_kg_, cap = answer * capStep_s_per_kg;
+    const Real closing_m_per_s =
+        ((wanted.finger_m_per_s - guess.finger_m_per_s) - (wanted.cap_m_per_s - guess.cap_m_per_s)) /
+        (1 + finger + cap);
+    const Real finger_m_per_s = -finger * closing_m_per_s, cap_m_per_s = cap * closing_m_per_s;
+    wanted.finger_m_per_s += finger_m_per_s;
+    wanted.cap_m_per_s += cap_m_per_s;
+    wanted.finger_m += 0.5 * plantStep_s * finger_m_per_s;
+    wanted.cap_m += 0.5 * plantStep_s * cap_m_per_s;
+    return wanted;
+  }
+
+  const KeyTables& key_;
+  const Finger& finger_;
+  double fingerStep_s_per_kg_;
+  Moving now_;
+  KeyTables::Start<Real> from_;
 };
 
 /// Switches of the two ways to read a contact: points of the button, and rapid trigger.
@@ -90,6 +227,7 @@ class Contacts {
     followRapid(depth_m, time_s, outcome);
   }
   bool closed() const { return closed_; }
+  double close_m() const { return points_.close_m; }
 
  private:
   void followRapid(double depth_m, double time_s, PressOutcome& outcome) {
@@ -115,31 +253,68 @@ class Press {
   Press(const KeyTables& key, const ContactPoints& contact, const Finger& finger, const PressCommand& command,
         PressEnergy* energy)
       : key_(key), finger_(finger), muscle_(finger, command), contacts_(contact), energy_(energy) {
+    now_.finger_m = -startHeight_m;
     now_.cap_m = restOfCap_m();
+    now_.play = -1;
     start_J_ = storedIn(now_);
   }
 
   /// Where the cap stood after each step, if it is kept.
   void keepDepths(std::vector<double>& depths_m) { depths_m_ = &depths_m; }
 
-  /// `toContact`: no farther than the first activation, or to where none comes any more.
-  PressOutcome run(bool toContact = false) {
-    const auto goesOn = [&] { return !outcome_.ended && !(toContact && outcome_.activation_s); };
-    for (int step = 0; step * plantStep_s < longestPress_s && goesOn(); ++step) {
-      const double time_s = step * plantStep_s;
-      const double muscle_N = muscle_.next_N(time_s);
-      if (touched_)
-        advance(muscle_N);
-      else
-        advanceInAir(muscle_N);
-      observe(time_s + plantStep_s);
-      if (depths_m_) depths_m_->push_back(now_.cap_m);
+  /// No farther than the first activation, or to where none comes any more.
+  void onlyToContact() { toContact_ = true; }
+
+  PressOutcome run() {
+    while (goesOn()) {
+      const double muscle_N = muscle_.next_N(time_s());
+      advanceAlone(muscle_N);
+      observe();
     }
     if (energy_) energy_->stored_J = storedIn(now_) - start_J_;
     return outcome_;
   }
 
+  /// Two of the same finger on the same key: side by side as long as both touch it.
+  static std::array<PressOutcome, 2> runBoth(Press& first, Press& second) {
+    while (first.goesOn() && second.goesOn()) {
+      const double first_N = first.muscle_.next_N(first.time_s()),
+                   second_N = second.muscle_.next_N(second.time_s());
+      if (first.touched_ && second.touched_) {
+        advanceBoth(first, second, first_N, second_N);
+      } else {
+        first.advanceAlone(first_N);
+        second.advanceAlone(second_N);
+      }
+      first.observe();
+      second.observe();
+    }
+    return {first.run(), second.run()};
+  }
+
  private:
+  double time_s() const { return step_ * plantStep_s; }
+
+  bool goesOn() const {
+    if (!(time_s() < longestPress_s) || outcome_.ended) return false;
+    return !toContact_ || !(outcome_.activation_s || retreats(time_s()));
+  }
+
+  void advanceAlone(double muscle_N) {
+    if (touched_)
+      advance(muscle_N);
+    else
+      advanceInAir(muscle_N);
+  }
+
+  /// Whether no contact comes any more: nothing that acts on the finger pushes it down again, the cap is above it while they touch, and where they
+  /// part the press has ended. The cap does not fly farther in one step than `flight_m`: that were 2 m/s.
+  bool retreats(double time_s) const {
+    constexpr double flight_m = 1e-4;
+    return touched_ && muscle_.pullsAway(time_s) && now_.finger_m_per_s < 0 &&
+           now_.finger_m < contacts_.close_m() - flight_m;
+  }
+
   /// Where the stop carries the force of the start.
   double restOfCap_m() const {
     double low_m = -0.001 - key_.mean_N(0) / 20000, high_m = 0;
@@ -161,82 +336,38 @@ class Press {
            0.5 * posture_N_per_m * posture_m * posture_m + key_.stored_J(at.cap_m);
   }
 
-  double pulpSpring_N(const Moving& to) const {
-    const double a_m = now_.pulp_m(), b_m = to.pulp_m();
-    if (a_m >= 0 && b_m >= 0) return 0.5 * finger_.pulp_N_per_m * (a_m + b_m);
-    if (a_m <= 0 && b_m <= 0) return 0;
-    return (pulpEnergy_J(b_m) - pulpEnergy_J(a_m)) / (b_m - a_m);
-  }
-
-  double playAt(double depth_m) const {
-    return std::clamp(now_.play + 2 * (depth_m - now_.cap_m) / play_m, -1.0, 1.0);
-  }
-
-  StepForces forcesTowards(const Moving& to) const {
-    StepForces f;
-    f.spring_N = pulpSpring_N(to);
-    const double closing_m_per_s = (to.pulp_m() - now_.pulp_m()) * steps_per_s;
-    if (f.spring_N > 0) f.pulpDamper_N = finger_.pulpDamping_Ns_per_m * std::max(0.0, closing_m_per_s);
-    const double middle_m = 0.5 * (now_.cap_m + to.cap_m);
-    f.button_N = key_.meanBetween_N(now_.cap_m, to.cap_m);
-    f.play_N = key_.halfWidth_N(middle_m) * 0.5 * (now_.play + playAt(to.cap_m));
-    f.capDamping_Ns_per_m = key_.damping_Ns_per_m(middle_m);
-    f.capDamper_N = f.capDamping_Ns_per_m * 0.5 * (now_.cap_m_per_s + to.cap_m_per_s);
-    f.posture_N = posture_N_per_m * (0.5 * (now_.finger_m + to.finger_m) + startHeight_m);
-    f.joint_N = joint_Ns_per_m * 0.5 * (now_.finger_m_per_s + to.finger_m_per_s);
-    return f;
-  }
-
-  /// The end of the step under these forces; positions by the mean speed, so that force times way is energy, exactly.
-  Moving movedBy(const StepForces& f, double muscle_N) const {
-    Moving to = now_;
-    to.finger_m_per_s += fingerStep_s_per_kg_ * (muscle_N - f.pulp_N() - f.posture_N - f.joint_N);
-    // The cap's damper by its factor, not by rounds: a strongly damped button would not settle.
-    const double factor = 0.5 * capStep_s_per_kg * f.capDamping_Ns_per_m;
-    to.cap_m_per_s =
-        (now_.cap_m_per_s * (1 - factor) + capStep_s_per_kg * (f.pulp_N() - f.button_N - f.play_N)) /
-        (1 + factor);
-    to.finger_m += 0.5 * plantStep_s * (now_.finger_m_per_s + to.finger_m_per_s);
-    to.cap_m += 0.5 * plantStep_s * (now_.cap_m_per_s + to.cap_m_per_s);
-    return to;
-  }
-
-  /// How the pulp's force over the step answers to the speed of closing at its end, around the guess.
-  double pulpAnswer_Ns_per_m() const {
-    double answer = 0;
-    if (now_.pulp_m() > 0 && guess_.pulp_m() > 0) answer += 0.25 * plantStep_s * finger_.pulp_N_per_m;
-    if (last_.pulpDamper_N > 0) answer += 0.5 * finger_.pulpDamping_Ns_per_m;
-    return answer;
-  }
-
-  /// What `wanted` would be had the pulp been taken at the end it leads to instead of at the guess: Newton's step for the
-  /// stiffest of the forces, which couples both bodies. Where rounds end is the same, they get there in fewer.
-  Moving withPulpFollowing(Moving wanted) const {
-    const double answer = pulpAnswer_Ns_per_m();
-    const double finger = answer * fingerStep_s_per_kg_, cap = answer * capStep_s_per_kg;
-    const double closing_m_per_s =
-        ((wanted.finger_m_per_s - guess_.finger_m_per_s) - (wanted.cap_m_per_s - guess_.cap_m_per_s)) /
-        (1 + finger + cap);
-    const double finger_m_per_s = -finger * closing_m_per_s, cap_m_per_s = cap * closing_m_per_s;
-    wanted.finger_m_per_s += finger_m_per_s;
-    wanted.cap_m_per_s += cap_m_per_s;
-    wanted.finger_m += 0.5 * plantStep_s * finger_m_per_s;
-    wanted.cap_m += 0.5 * plantStep_s * cap_m_per_s;
-    return wanted;
-  }
-
   void advance(double muscle_N) {
-    guess_ = movedBy(last_, muscle_N);
-    for (int round = 0; round < mostRounds; ++round) {
-      last_ = forcesTowards(guess_);
-      const Moving better = withPulpFollowing(movedBy(last_, muscle_N));
-      const double change_m_per_s = std::abs(better.finger_m_per_s - guess_.finger_m_per_s) +
-                                    std::abs(better.cap_m_per_s - guess_.cap_m_per_s);
-      guess_ = better;
-      if (change_m_per_s < settled_m_per_s) break;
+    const StepOf<double> step(key_, finger_, now_);
+    accept(step.end(last_, muscle_N), muscle_N);
+  }
+
+  static void advanceBoth(Press& first, Press& second, double firstMuscle_N, double secondMuscle_N) {
+    const StepOf<Two> step(first.key_, first.finger_, sideBySide(first.now_, second.now_));
+    ForcesOf<Two> forces = sideBySide(first.last_, second.last_);
+    const MovingOf<Two> end = step.end(forces, Two{firstMuscle_N, secondMuscle_N});
+    for (const int of : {0, 1}) {
+      Press& press = of == 0 ? first : second;
+      press.last_ = {
+          forces.spring_N[of],  forces.pulpDamper_N[of], forces.button_N[of],           forces.play_N[of],
+          forces.posture_N[of], forces.joint_N[of],      forces.capDamping_Ns_per_m[of]};
+      press.accept(
+          {end.finger_m[of], end.finger_m_per_s[of], end.cap_m[of], end.cap_m_per_s[of], end.play[of]},
+          of == 0 ? firstMuscle_N : secondMuscle_N);
     }
-    guess_.play = playAt(guess_.cap_m);
-    accept(muscle_N);
+  }
+
+  static MovingOf<Two> sideBySide(const Moving& a, const Moving& b) {
+    return {Two{a.finger_m, b.finger_m}, Two{a.finger_m_per_s, b.finger_m_per_s}, Two{a.cap_m, b.cap_m},
+            Two{a.cap_m_per_s, b.cap_m_per_s}, Two{a.play, b.play}};
+  }
+  static ForcesOf<Two> sideBySide(const StepForces& a, const StepForces& b) {
+    return {Two{a.spring_N, b.spring_N},
+            Two{a.pulpDamper_N, b.pulpDamper_N},
+            Two{a.button_N, b.button_N},
+            Two{a.play_N, b.play_N},
+            Two{a.posture_N, b.posture_N},
+            Two{a.joint_N, b.joint_N},
+            Two{a.capDamping_Ns_per_m, b.capDamping_Ns_per_m}};
   }
 
   /// Before the touch: the cap rests, the finger is moved by linear forces.
@@ -247,38 +378,45 @@ class Press {
                            0.5 * posture_N_per_m * plantStep_s * now_.finger_m_per_s;
     const double change_m_per_s =
         force_N / (mass_per_s + 0.5 * joint_Ns_per_m + 0.25 * posture_N_per_m * plantStep_s);
-    guess_ = now_;
-    guess_.finger_m_per_s += change_m_per_s;
-    guess_.finger_m += 0.5 * plantStep_s * (now_.finger_m_per_s + guess_.finger_m_per_s);
-    if (guess_.pulp_m() > 0) {  // the first step in touch is a step of both
+    Moving to = now_;
+    to.finger_m_per_s += change_m_per_s;
+    to.finger_m += 0.5 * plantStep_s * (now_.finger_m_per_s + to.finger_m_per_s);
+    if (to.pulp_m() > 0) {  // the first step in touch is a step of both
       touched_ = true;
-      last_ = forcesTowards(now_);
+      last_ = StepOf<double>(key_, finger_, now_).forcesTowards(now_);
       advance(muscle_N);
       return;
     }
     last_ = {};
-    last_.posture_N = posture_N_per_m * (0.5 * (now_.finger_m + guess_.finger_m) + startHeight_m);
-    last_.joint_N = joint_Ns_per_m * 0.5 * (now_.finger_m_per_s + guess_.finger_m_per_s);
-    accept(muscle_N);
+    last_.posture_N = posture_N_per_m * (0.5 * (now_.finger_m + to.finger_m) + startHeight_m);
+    last_.joint_N = joint_Ns_per_m * 0.5 * (now_.finger_m_per_s + to.finger_m_per_s);
+    accept(to, muscle_N);
   }
 
-  void accept(double muscle_N) {
-    if (energy_) account(muscle_N);
-    now_ = guess_;
+  void accept(const Moving& to, double muscle_N) {
+    if (energy_) account(to, muscle_N);
+    now_ = to;
   }
 
-  void account(double muscle_N) {
-    const double finger_m = guess_.finger_m - now_.finger_m, cap_m = guess_.cap_m - now_.cap_m;
+  void account(const Moving& to, double muscle_N) {
+    const double finger_m = to.finger_m - now_.finger_m, cap_m = to.cap_m - now_.cap_m;
     const double play_J = last_.play_N * cap_m;
+    const double capDamper_N = last_.capDamping_Ns_per_m * 0.5 * (now_.cap_m_per_s + to.cap_m_per_s);
     energy_->muscle_J += muscle_N * finger_m;
     energy_->playTaken_J += play_J;
-    energy_->taken_J += play_J + last_.capDamper_N * cap_m + last_.joint_N * finger_m +
-                        last_.pulpDamper_N * (finger_m - cap_m);
+    energy_->taken_J +=
+        play_J + capDamper_N * cap_m + last_.joint_N * finger_m + last_.pulpDamper_N * (finger_m - cap_m);
     energy_->moved_J += std::abs(muscle_N * finger_m);
   }
 
+  void observe() {
+    if (depths_m_) depths_m_->push_back(now_.cap_m);
+    const double end_s = time_s() + plantStep_s;
+    ++step_;
+    if (touched_) observe(end_s);
+  }
+
   void observe(double time_s) {
-    if (!touched_) return;
     if (!outcome_.touch_s) outcome_.touch_s = time_s;
     const double tip_N = last_.pulp_N();
     if (tip_N > outcome_.peak_N) {
@@ -299,13 +437,13 @@ class Press {
   Muscle muscle_;
   Contacts contacts_;
   PressEnergy* energy_;
-  Moving now_, guess_;
+  Moving now_;
   StepForces last_;
   PressOutcome outcome_;
   std::vector<double>* depths_m_ = nullptr;
-  double fingerStep_s_per_kg_ = plantStep_s / finger_.mass_kg;
   double start_J_ = 0;
-  bool touched_ = false;
+  int step_ = 0;
+  bool touched_ = false, toContact_ = false;
 };
 
 }  // namespace
@@ -313,6 +451,13 @@ class Press {
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                            const PressCommand& command, PressEnergy* energy) {
   return Press(key, contact, finger, command, energy).run();
+}
+
+std::array<PressOutcome, 2> simulatePresses(const KeyTables& key, const ContactPoints& contact,
+                                            const Finger& finger,
+                                            const std::array<PressCommand, 2>& commands) {
+  Press first(key, contact, finger, commands[0], nullptr), second(key, contact, finger, commands[1], nullptr);
+  return Press::runBoth(first, second);
 }
 
 std::vector<double> depthsOfPress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
@@ -326,7 +471,9 @@ std::vector<double> depthsOfPress(const KeyTables& key, const ContactPoints& con
 
 bool closesContact(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                    const PressCommand& command) {
-  return Press(key, contact, finger, command, nullptr).run(true).activation_s.has_value();
+  Press press(key, contact, finger, command, nullptr);
+  press.onlyToContact();
+  return press.run().activation_s.has_value();
 }
 
 }  // namespace detent::playback

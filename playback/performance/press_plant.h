@@ -2,6 +2,7 @@
 #pragma once
 // One press of one finger on one button, in steps of 50 µs (docs/press-forecast.md, "Plant"). Lengths in m, downwards.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,10 @@ bool closesContact(const KeyTables& key, const ContactPoints& contact, const Fin
                    const PressCommand& command);  ///< the same press, only as far as its contact
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                            const PressCommand& command, PressEnergy* energy = nullptr);
+/// Two presses of one finger in the time of little more than one (lanes.h); the same as one after the other.
+std::array<PressOutcome, 2> simulatePresses(const KeyTables& key, const ContactPoints& contact,
+                                            const Finger& finger,
+                                            const std::array<PressCommand, 2>& commands);
 /// Depth of the cap after each step of the same press, m.
 std::vector<double> depthsOfPress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                                   const PressCommand& command);

@@ -60,9 +60,10 @@ class Moments {
 PressStatistics statisticsOf(const PressResponse& response, const Finger& finger, double amplitude_N) {
   const double spread_N = amplitudeSpread_N(finger, amplitude_N);
   Moments peak, impulse, activation, fromCommand, impact, cycle, held, rapidHeld, doubled, rapidDoubled;
+  std::size_t place = 0;
   for (const double score : noise()) {
     const double a_N = amplitude_N + score * spread_N;
-    const ResponsePoint at = response.at(a_N);
+    const ResponsePoint at = response.at(a_N, place);
     peak.add(at.peak_N);
     impulse.add(at.impulse_Ns);
     cycle.add(at.cycle_s);

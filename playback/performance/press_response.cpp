@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/performance/press_response.h"
 
-#include <algorithm>
 #include <array>
 
 namespace detent::playback {
@@ -13,8 +12,9 @@ constexpr int halvings = 10;  // of a bracket of a factor 2: to 0.1 %
 
 // Where presses are simulated, as shares of the least amplitude that activates: close together where the time of
 // activation changes fast.
-constexpr std::array below = {0.5, 0.8, 0.95};
-constexpr std::array above = {1.0, 1.01, 1.03, 1.07, 1.15, 1.3, 1.5, 1.8, 2.2, 2.8, 3.6, 4.8, 6.5};
+constexpr std::array shares = {0.5, 0.8, 0.95, 1.0, 1.01, 1.03, 1.07, 1.15,
+                               1.3, 1.5, 1.8,  2.2, 2.8,  3.6,  4.8,  6.5};
+static_assert(shares.size() % 2 == 0);  // they go in pairs
 
 ResponsePoint pointOf(const PressOutcome& o, double amplitude_N) {
   ResponsePoint p;
@@ -37,14 +37,20 @@ ResponsePoint pointOf(const PressOutcome& o, double amplitude_N) {
 
 ResponsePoint between(const ResponsePoint& a, const ResponsePoint& b, double amplitude_N) {
   const double share = (amplitude_N - a.amplitude_N) / (b.amplitude_N - a.amplitude_N);
+  const auto at = [share](double first, double second) { return first + share * (second - first); };
   ResponsePoint p;
   p.amplitude_N = amplitude_N;
-  for (double ResponsePoint::*value :
-       {&ResponsePoint::peak_N, &ResponsePoint::impulse_Ns, &ResponsePoint::deepest_m,
-        &ResponsePoint::touch_s, &ResponsePoint::activation_s, &ResponsePoint::peak_s,
-        &ResponsePoint::cycle_s, &ResponsePoint::held_s, &ResponsePoint::rapidHeld_s, &ResponsePoint::doubled,
-        &ResponsePoint::rapidDoubled})
-    p.*value = a.*value + share * (b.*value - a.*value);
+  p.peak_N = at(a.peak_N, b.peak_N);
+  p.impulse_Ns = at(a.impulse_Ns, b.impulse_Ns);
+  p.deepest_m = at(a.deepest_m, b.deepest_m);
+  p.touch_s = at(a.touch_s, b.touch_s);
+  p.activation_s = at(a.activation_s, b.activation_s);
+  p.peak_s = at(a.peak_s, b.peak_s);
+  p.cycle_s = at(a.cycle_s, b.cycle_s);
+  p.held_s = at(a.held_s, b.held_s);
+  p.rapidHeld_s = at(a.rapidHeld_s, b.rapidHeld_s);
+  p.doubled = at(a.doubled, b.doubled);
+  p.rapidDoubled = at(a.rapidDoubled, b.rapidDoubled);
   return p;
 }
 
@@ -52,9 +58,6 @@ ResponsePoint between(const ResponsePoint& a, const ResponsePoint& b, double amp
 
 std::optional<PressResponse> PressResponse::measure(const KeyTables& key, const ContactPoints& contact,
                                                     const Finger& finger, double duration_s, double lift_s) {
-  const auto press = [&](double amplitude_N) {
-    return simulatePress(key, contact, finger, {amplitude_N, duration_s, lift_s});
-  };
   const auto activates = [&](double amplitude_N) {
     return closesContact(key, contact, finger, {amplitude_N, duration_s, lift_s});
   };
@@ -76,8 +79,13 @@ std::optional<PressResponse> PressResponse::measure(const KeyTables& key, const 
   if (high_N > mostAmplitude_N) return {};
   PressResponse response;
   response.least_N_ = high_N;
-  for (const double share : below) response.points_.push_back(pointOf(press(share * high_N), share * high_N));
-  for (const double share : above) response.points_.push_back(pointOf(press(share * high_N), share * high_N));
+  for (std::size_t i = 0; i < shares.size(); i += 2) {
+    const double first_N = shares[i] * high_N, second_N = shares[i + 1] * high_N;
+    const auto [first, second] = simulatePresses(
+        key, contact, finger, {{{first_N, duration_s, lift_s}, {second_N, duration_s, lift_s}}});
+    response.points_.push_back(pointOf(first, first_N));
+    response.points_.push_back(pointOf(second, second_N));
+  }
   return response;
 }
 
@@ -93,19 +101,18 @@ double PressResponse::leastReaching_N(double depth_m) const {
   return points_.back().amplitude_N;
 }
 
-ResponsePoint PressResponse::at(double amplitude_N) const {
+ResponsePoint PressResponse::at(double amplitude_N, std::size_t& place) const {
   if (amplitude_N <= 0) {
     ResponsePoint rest;
     rest.cycle_s = points_.front().cycle_s;
     return rest;
   }
-  const auto next =
-      std::lower_bound(points_.begin(), points_.end(), amplitude_N,
-                       [](const ResponsePoint& p, double wanted_N) { return p.amplitude_N < wanted_N; });
-  if (next == points_.begin()) return points_.front();
-  if (next == points_.end()) return points_.back();
-  if (amplitude_N < least_N_ && next->amplitude_N >= least_N_) return *(next - 1);
-  return between(*(next - 1), *next, amplitude_N);
+  while (place < points_.size() && points_[place].amplitude_N < amplitude_N) ++place;
+  if (place == 0) return points_.front();
+  if (place == points_.size()) return points_.back();
+  const ResponsePoint &before = points_[place - 1], &next = points_[place];
+  if (amplitude_N < least_N_ && next.amplitude_N >= least_N_) return before;
+  return between(before, next, amplitude_N);
 }
 
 }  // namespace detent::playback

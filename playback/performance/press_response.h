@@ -2,6 +2,7 @@
 #pragma once
 // What a finger's presses of one duration and lift come to, over their amplitude: a few simulated presses, straight in between.
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -28,8 +29,9 @@ class PressResponse {
   double least_N() const { return least_N_; }
   /// The least amplitude that gets so deep; the largest simulated one where none does.
   double leastReaching_N(double depth_m) const;
-  /// Between simulated presses; never between one that activates and one that does not. Beyond them the nearest.
-  ResponsePoint at(double amplitude_N) const;
+  /// Between simulated presses; never between one that activates and one that does not. Beyond them the nearest. `place`: 0 at first; of
+  /// amplitudes that rise from call to call it keeps where the last one lay.
+  ResponsePoint at(double amplitude_N, std::size_t& place) const;
 
  private:
   std::vector<ResponsePoint> points_;  // by increasing amplitude, > 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The forecast of a press: its plant keeps the books of energy, its closed forms agree with chance, and what cannot be
 // forecast is said.
+#include <array>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -62,6 +63,44 @@ TEST_CASE(
       CHECK(energy.taken_J >= 0);
     }
   }
+}
+
+TEST_CASE("press plant: two presses at once are each to the last bit what it is alone") {
+  for (const Button& button : {made(clickyButton()), scaled(1), scaled(20)}) {
+    const KeyTables key(button.states().front());
+    const ContactPoints contact{0.0019, 0.0011};
+    for (const Finger& finger : allFingers()) {
+      for (const double amplitude_N : {0.3, 1.5, 7.0}) {
+        const std::array<PressCommand, 2> commands = {
+            {{amplitude_N, 0.08, 0}, {1.7 * amplitude_N, 0.065, -0.02}}};
+        const std::array<PressOutcome, 2> both = simulatePresses(key, contact, finger, commands);
+        for (const std::size_t i : {0U, 1U}) {
+          const PressOutcome alone = simulatePress(key, contact, finger, commands[i]);
+          CHECK(both[i].touch_s == alone.touch_s);
+          CHECK(both[i].activation_s == alone.activation_s);
+          CHECK(both[i].opening_s == alone.opening_s);
+          CHECK(both[i].rapidOpening_s == alone.rapidOpening_s);
+          CHECK(both[i].closings == alone.closings);
+          CHECK(both[i].peak_N == alone.peak_N);
+          CHECK(both[i].impulse_Ns == alone.impulse_Ns);
+          CHECK(both[i].deepest_m == alone.deepest_m);
+          CHECK(both[i].end_s == alone.end_s);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("press plant: what stops at the contact says what the whole press does") {
+  const Button button = made(clickyButton());
+  const KeyTables key(button.states().front());
+  for (const Finger& finger : allFingers())
+    for (double amplitude_N = 0.2; amplitude_N < 8; amplitude_N *= 1.15)
+      for (const double lift_s : {-0.02, 0.02}) {
+        const PressCommand command{amplitude_N, 0.08, lift_s};
+        CHECK(closesContact(key, {0.0019, 0.0011}, finger, command) ==
+              simulatePress(key, {0.0019, 0.0011}, finger, command).activation_s.has_value());
+      }
 }
 
 TEST_CASE("press forecast: a timed press in closed form is that of 20,000 chances") {
