@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -16,6 +17,8 @@ namespace detent::playback {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longestLine = 80;
 
 bool isNumber(const FigureCell& cell) { return std::holds_alternative<double>(cell); }
 
@@ -34,6 +37,45 @@ bool ofWords(const FigureTable& table, std::size_t column) {
   });
 }
 
+/// The headings, then every row as people read it.
+std::vector<std::vector<std::string>> linesOf(const FigureTable& table) {
+  std::vector<std::vector<std::string>> lines(table.rows.size() + 1);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    lines[0].push_back(table.columns[c].heading);
+    for (std::size_t r = 0; r < table.rows.size(); ++r)
+      lines[r + 1].push_back(shown(table.rows[r][c], table.columns[c], "-"));
+  }
+  return lines;
+}
+
+std::size_t widthOfColumn(const std::vector<std::vector<std::string>>& lines, std::size_t column) {
+  std::size_t width = 0;
+  for (const std::vector<std::string>& line : lines) width = std::max(width, widthOf(line[column]));
+  return width;
+}
+
+std::size_t wholeWidth(const std::vector<std::vector<std::string>>& lines,
+                       const std::vector<std::size_t>& columns) {
+  std::size_t width = 1;
+  for (const std::size_t c : columns) width += 1 + widthOfColumn(lines, c);
+  return width;
+}
+
+/// Of the columns of words the one that says something new least often: it can stand above the rows it is the same for. None where each of them
+/// does in every row.
+std::optional<std::size_t> rarestChange(const FigureTable& table, const std::vector<std::size_t>& columns) {
+  std::optional<std::size_t> rarest;
+  std::size_t least = table.rows.size();
+  for (const std::size_t c : columns) {
+    if (!ofWords(table, c)) continue;
+    std::size_t changes = 1;
+    for (std::size_t r = 1; r < table.rows.size(); ++r)
+      changes += table.rows[r][c] != table.rows[r - 1][c] ? 1 : 0;
+    if (changes < least) rarest = c, least = changes;
+  }
+  return rarest;
+}
+
 }  // namespace
 
 std::size_t widthOf(const std::string& text) {
@@ -42,13 +84,12 @@ std::size_t widthOf(const std::string& text) {
 }
 
 std::string wrapped(const std::string& words, const std::string& begin) {
-  constexpr std::size_t longest = 80;
   const std::string indent(widthOf(begin), ' ');
   std::string text, line = begin;
   bool empty = true;
   std::istringstream in(words);
   for (std::string word; in >> word; empty = false) {
-    if (!empty && widthOf(line) + 1 + widthOf(word) > longest) {
+    if (!empty && widthOf(line) + 1 + widthOf(word) > longestLine) {
       text += line + "\n";
       line = indent;
       empty = true;
@@ -66,22 +107,24 @@ std::string csvField(const std::string& text) {
 }
 
 std::string tableText(const FigureTable& table) {
-  std::vector<std::vector<std::string>> lines(table.rows.size() + 1);
-  std::vector<std::size_t> widths;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    lines[0].push_back(table.columns[c].heading);
-    for (std::size_t r = 0; r < table.rows.size(); ++r)
-      lines[r + 1].push_back(shown(table.rows[r][c], table.columns[c], "-"));
-    std::size_t width = 0;
-    for (const std::vector<std::string>& line : lines) width = std::max(width, widthOf(line[c]));
-    widths.push_back(width);
+  const std::vector<std::vector<std::string>> lines = linesOf(table);
+  std::vector<std::size_t> beside, above;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) beside.push_back(c);
+  while (wholeWidth(lines, beside) > longestLine) {
+    const std::optional<std::size_t> moved = rarestChange(table, beside);
+    if (!moved) break;
+    above.push_back(*moved);
+    std::erase(beside, *moved);
   }
-  std::string text = table.title + "\n";
-  for (const std::vector<std::string>& line : lines) {
+  std::string text = table.title + "\n", group;
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    std::string now;
+    for (const std::size_t c : above) now += (now.empty() ? "" : ", ") + lines[r][c];
+    if (r > 0 && now != group) text += "  " + (group = now) + ":\n";
     std::string row = " ";
-    for (std::size_t c = 0; c < line.size(); ++c) {
-      const std::string space(widths[c] - widthOf(line[c]), ' ');
-      row += " " + (ofWords(table, c) ? line[c] + space : space + line[c]);
+    for (const std::size_t c : beside) {
+      const std::string space(widthOfColumn(lines, c) - widthOf(lines[r][c]), ' ');
+      row += " " + (ofWords(table, c) ? lines[r][c] + space : space + lines[r][c]);
     }
     row.erase(row.find_last_not_of(' ') + 1);
     text += row + "\n";

@@ -27,7 +27,7 @@ struct FigureTable {
   std::vector<std::vector<FigureCell>> rows;  ///< each as long as `columns`
 };
 
-/// Aligned columns under the title.
+/// Aligned columns under the title, 80 letters wide where that can be: what is the same for many rows then stands above them.
 std::string tableText(const FigureTable& table);
 /// A section of a page.
 std::string tableMarkup(const FigureTable& table);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "model/file/text_file.h"
 #include "playback/study/trials/study_output.h"
@@ -217,6 +218,42 @@ TEST_CASE("simulated people come back, in every format") {
     for (const char* key : {"spread_percent", "spread_low_percent"})
       CHECK(number(again->at(0), 0, key) == Approx(number(laboratory, 0, key)).epsilon(1e-9));
   }
+}
+
+TEST_CASE("timing tables keep to 80 letters, with several conditions too") {
+  for (const auto& [word, task] : timingTasks.all) {
+    INFO(word);
+    StudyDesign design = timing(task, task == TimingTask::tapping ? 1 : 18);
+    design.modes = {FeedbackMode::full, FeedbackMode::clickOnly, FeedbackMode::slopeOnly};
+    const StudyFolder folder(design, {"A", "B"});
+    for (const char* id : {"participant-01", "participant-02"})
+      answer(*folder.study, id, "timing=0.16,0.07", 1000);
+    const StudyResults results = resultsOf(*folder.study, recordsOf(*folder.study));
+    std::istringstream text(resultsText(results));
+    std::size_t groups = 0;
+    for (std::string line; std::getline(text, line);) {
+      INFO(line);
+      CHECK(widthOf(line) <= 80);
+      if (line == "  quiet/click-only/simulated:") ++groups;
+    }
+    CHECK(groups >= 1);
+  }
+}
+
+TEST_CASE("a table that is too wide says above its rows what many of them share") {
+  FigureTable table{"t", "Title", "", {}, {}};
+  table.columns = {{"who", "who", 0, ""}, {"where", "where", 0, ""}, {"n", "n", 0, ""}};
+  const std::string far(40, 'f'), near(30, 'n'), name(20, 'w');
+  for (const std::string& where : {near, far})
+    for (const char last : {'1', '2'}) table.rows.push_back({name + last, where, 7.0});
+  CHECK_THAT(tableText(table), Catch::Contains("  " + name + "1 " + near + std::string(11, ' ') + "7\n"));
+  table.columns.back().heading = std::string(30, 'n');
+  const std::string right(29, ' ');
+  CHECK(tableText(table) == "Title\n  who                   " + std::string(30, 'n') + "\n  " + near +
+                                ":\n  " + name + "1 " + right + "7\n  " + name + "2 " + right + "7\n  " +
+                                far + ":\n  " + name + "1 " + right + "7\n  " + name + "2 " + right + "7\n");
+  table.columns[0].heading = std::string(90, 'n');  // it cannot be: nothing is lost
+  CHECK_THAT(tableText(table), Catch::Contains(name + "2"));
 }
 
 TEST_CASE("timing studies: designs that mean nothing are refused") {
