@@ -108,9 +108,10 @@ class Player : public LivePlayer {
     sendGain();
   }
 
-  void pushForce(double force_N) override { pushOwn(CommandKind::force, ownForce_, force_N); }
-  void pushDisplacement(double displacement_mm) override {
-    pushOwn(CommandKind::displacement, ownDisplacement_, displacement_mm);
+  void pushForce(double force_N) override { pushOwn(CommandKind::force, ownForce_, force_N, now_s()); }
+  void pushDisplacement(double displacement_mm) override { pushDisplacementAt(displacement_mm, now_s()); }
+  void pushDisplacementAt(double displacement_mm, double time_s) override {
+    pushOwn(CommandKind::displacement, ownDisplacement_, displacement_mm, time_s);
   }
 
   void fingerDown(double peak_N) override {
@@ -231,6 +232,7 @@ class Player : public LivePlayer {
       s.device = output_->deviceName();
       s.deviceLost = output_->state() == StreamState::lost;
       s.deviceLosses = output_->losses();
+      s.outputLatency_s = output_->latency_s();
     }
     if (rain_) {
       s.deviceLost = s.deviceLost || rain_->state() == StreamState::lost;
@@ -281,6 +283,8 @@ class Player : public LivePlayer {
     kept.clear();
     return events;
   }
+
+  double clock_s() const override { return now_s(); }
 
   PressCount takePresses() override {
     const std::lock_guard lock(readingMutex_);
@@ -422,8 +426,7 @@ class Player : public LivePlayer {
     strongest_ = {lastStatus_.felt_dB, lastStatus_.frame};
   }
 
-  void pushOwn(CommandKind kind, ForceConditioner& conditioner, double value) {
-    const double time_s = now_s();
+  void pushOwn(CommandKind kind, ForceConditioner& conditioner, double value, double time_s) {
     const std::lock_guard lock(readingMutex_);
     const ConditionerVerdict verdict = conditioner.judge(time_s, value);
     if (verdict == ConditionerVerdict::reject) return;

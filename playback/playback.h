@@ -86,6 +86,8 @@ struct PlayerStatus {
   std::string device;
   double sampleRate_Hz = 0;
   std::uint32_t blockFrames = 0;
+  double outputLatency_s =
+      0;                    ///< from a block to the device's output, as the sound system says; 0: it does not
   bool deviceLost = false;  ///< gone just now; playing goes on when it is back
   std::uint64_t deviceLosses = 0;
   /// Where the last reading led; a recorded trace's as the callback plays it, up to 20 ms late.
@@ -132,6 +134,8 @@ class LivePlayer {
   /// A reading taken now. Not finite and impossible values are counted and left out.
   virtual void pushForce(double force_N) = 0;
   virtual void pushDisplacement(double displacement_mm) = 0;
+  /// Likewise, taken at `time_s` on clock_s(); not before the last one.
+  virtual void pushDisplacementAt(double displacement_mm, double time_s) = 0;
 
   /// The finger of a key or mouse button: presses with a human-like force profile up to `peak_N`.
   virtual void fingerDown(double peak_N) = 0;
@@ -166,6 +170,8 @@ class LivePlayer {
   virtual bool samplesPlaying() = 0;
 
   virtual PlayerStatus status() = 0;
+  /// Now, on the clock of takeClosings(). Any thread.
+  virtual double clock_s() const = 0;
   /// Everything felt since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;
   /// What the finger did since the last call, whoever it belongs to.

@@ -45,6 +45,18 @@ playback::PlayerSettings outputOf(const FeelSettings& settings) {
   return output;
 }
 
+Result<std::optional<playback::ForceDeviceChoice>> forceDeviceOf(const ForceChoices& choices) {
+  if (choices.device.isEmpty()) return std::optional<playback::ForceDeviceChoice>();
+  Result<playback::ForceDeviceChoice> chosen = playback::forceDeviceFrom(choices.device.toStdString());
+  if (!chosen) return chosen.failure();
+  chosen->mmPerTurn = choices.mmPerTurn;
+  chosen->uploadTable = choices.upload;
+  chosen->firmwareFile = choices.firmwareFile.toStdString();
+  if (choices.step_mm > 0) chosen->profile.step_mm = choices.step_mm;
+  if (choices.largest_N > 0) chosen->profile.limits.force_N = choices.largest_N;
+  return std::optional(*std::move(chosen));
+}
+
 QVariantMap toMap(const FeelSettings& s) {
   return {{"drive", QLatin1String(drives.word(s.drive))},
           {"full_N", s.full_N},

@@ -2,6 +2,7 @@
 #pragma once
 // What a person chooses in the feel panel; no part of any button.
 
+#include <optional>
 #include <QString>
 #include <QVariantMap>
 
@@ -55,6 +56,8 @@ inline constexpr double strongestDevice_N = 100, coarsestStep_mm = 1, longestTur
 double gainOf(double dB);  ///< factor
 /// The sound device they choose.
 playback::PlayerSettings outputOf(const FeelSettings& settings);
+/// The force device they choose; empty: none. Failure wrongUsage: there is no such kind.
+Result<std::optional<playback::ForceDeviceChoice>> forceDeviceOf(const ForceChoices& choices);
 
 QVariantMap toMap(const FeelSettings& settings);
 /// Unknown keys are left out, missing and impossible values become defaults.

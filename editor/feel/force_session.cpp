@@ -78,17 +78,9 @@ void ForceSession::setChoices(const ForceChoices& choices) {
 }
 
 QString ForceSession::takeDevice() {
-  device_.reset();
-  if (choices_.device.isEmpty()) return {};
-  Result<playback::ForceDeviceChoice> chosen = playback::forceDeviceFrom(choices_.device.toStdString());
-  if (!chosen) return sentenceOf(chosen.failure());
-  device_ = *std::move(chosen);
-  device_->mmPerTurn = choices_.mmPerTurn;
-  device_->uploadTable = choices_.upload;
-  device_->firmwareFile = choices_.firmwareFile.toStdString();
-  if (choices_.step_mm > 0) device_->profile.step_mm = choices_.step_mm;
-  if (choices_.largest_N > 0) device_->profile.limits.force_N = choices_.largest_N;
-  return {};
+  Result<std::optional<playback::ForceDeviceChoice>> chosen = forceDeviceOf(choices_);
+  device_ = chosen ? *std::move(chosen) : std::nullopt;
+  return chosen ? QString() : sentenceOf(chosen.failure());
 }
 
 double ForceSession::rate_Hz() const { return device_ ? device_->profile.rate_Hz : 0; }

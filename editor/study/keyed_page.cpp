@@ -84,15 +84,20 @@ QPushButton* KeyedPage::addButton(const PageButton& button, const std::function<
   return widget;
 }
 
-QPushButton* KeyedPage::makeFeelButton(const PageButton& button, const std::function<void()>& act) {
+QPushButton* KeyedPage::makePad(const PageButton& button, const std::function<void()>& act) {
   QPushButton* widget = made(button);
+  connect(widget, &QPushButton::pressed, this, act);
+  if (button.key.key != 0) keys_.push_back({button.key.key, act});
+  return widget;
+}
+
+QPushButton* KeyedPage::makeFeelButton(const PageButton& button, const std::function<void()>& act) {
+  QPushButton* widget = makePad(button, act);
   widget->setCheckable(true);
   widget->setStyleSheet(
       "QPushButton:checked { border: 5px solid palette(highlight); border-radius: 4px; background: "
       "palette(button); }");
-  connect(widget, &QPushButton::pressed, this, act);
   connect(widget, &QPushButton::clicked, widget, [widget] { widget->setChecked(true); });
-  if (button.key.key != 0) keys_.push_back({button.key.key, act});
   return widget;
 }
 

@@ -155,6 +155,8 @@ QLayout* StudyDesk::nextForm() {
   sensor_->setEditable(true);
   sensor_->addItem(QString());
   sensor_->addItems(serialPorts());
+  force_ = described(new QCheckBox(tr("force device of Feel it")), "studyForce",
+                     tr("The button is felt on it and pressed there; chosen under Setup of Feel it"));
   language_ = comboBox("studyLanguage", tr("Of everything the participant reads"));
   for (const QString& code : ParticipantLanguage::carried())
     addChoice(language_, code == "en" ? QStringLiteral("English") : QLocale(code).nativeLanguageName(), code);
@@ -174,6 +176,7 @@ QLayout* StudyDesk::nextForm() {
   form->addRow(tr("&Listening:"), listening_);
   form->addRow(tr("&Headphones:"), headphones_);
   form->addRow(tr("Force &sensor:"), sensor_);
+  form->addRow(QString(), force_);
   const auto showHeadphones = [this, form] { form->setRowVisible(headphones_, masked()); };
   connect(listening_, &QComboBox::currentIndexChanged, this, showHeadphones);
   showHeadphones();
@@ -285,7 +288,16 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   settings.rehearse = answers() == Answers::rehearsal;
   settings.sensorPort = sensor_->currentText().trimmed().toStdString();
   if (work.study->profile) settings.calibration = work.study->profile->sensor;
-  work.sensor = !settings.sensorPort.empty();
+  if (force_->isChecked()) {
+    Result<std::optional<playback::ForceDeviceChoice>> force = places_.force();
+    if (!force) return force.failure();
+    if (!*force)
+      return Failure{FailureCode::wrongUsage, "force device", "", "none is chosen",
+                     "Choose one under Setup of Feel it"};
+    settings.force = *std::move(force);
+  }
+  work.sensor = !settings.sensorPort.empty() || settings.force;
+  work.force = settings.force.has_value();
   Result<std::unique_ptr<playback::StudyPlayer>> player = places_.open(*work.study, settings);
   if (!player) {
     tell(tr("%1 Or choose a rehearsal.").arg(sentenceOf(player.failure())));
@@ -298,6 +310,7 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   work.start.device = work.player->device();
   work.start.utc_s = playback::wallClock_s();
   work.start.route = work.player->route();
+  if (work.start.route.timing && !work.sensor) work.start.route.timing->press = TimedTrials::pressRoute();
   const Result<playback::ParticipantRecord> record =
       playback::ParticipantSession::toOpen(*work.study, work.participant, work.start);
   if (!record) return record.failure();
@@ -387,6 +400,7 @@ Result<Done> StudyDesk::simulate(const playback::Study& study) {
   const Result<playback::Simulation> simulation =
       playback::simulationNamed(answers() == Answers::guess ? "guess" : "perfect");
   if (!simulation) return simulation.failure();
+  if (Result<Done> ok = playback::checkSimulation(study, *simulation); !ok) return ok;
   const std::string id = participant_->text().trimmed().toStdString();
   Result<playback::ParticipantSession> session = playback::ParticipantSession::open(
       study, id,

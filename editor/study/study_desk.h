@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -28,6 +30,10 @@ struct StudyPlaces {
   std::function<QString()> profileFile = [] { return QString(); };
   /// Sound device, rate and buffer, as chosen for the feel panel.
   std::function<playback::PlayerSettings()> sound = [] { return playback::PlayerSettings{}; };
+  /// Force device, as chosen for the feel panel; empty: none.
+  std::function<Result<std::optional<playback::ForceDeviceChoice>>()> force = [] {
+    return Result<std::optional<playback::ForceDeviceChoice>>(std::nullopt);
+  };
   std::function<Result<std::unique_ptr<playback::StudyPlayer>>(const playback::Study&,
                                                                const playback::StudyPlayerSettings&)>
       open = playback::StudyPlayer::start;
@@ -90,6 +96,7 @@ class StudyDesk : public QDialog {
   QLineEdit *participant_ = nullptr, *headphones_ = nullptr;
   QComboBox *answers_ = nullptr, *listening_ = nullptr, *sensor_ = nullptr, *language_ = nullptr,
             *screen_ = nullptr;
+  QCheckBox* force_ = nullptr;
   QLabel* progress_ = nullptr;
   QString atWork_;  ///< id of the participant in window_
   HiddenWindows hidden_;

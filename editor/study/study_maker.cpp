@@ -21,6 +21,8 @@ namespace {
 
 constexpr int mostTrials = 1000, mostPractice = 100, usualTrials = 10, usualPractice = 4;  // K&L: 10 a pair
 constexpr double question_s = 12;  // a rough guess, so that nobody plans three hours by mistake
+constexpr double timed_s = 3;      // likewise, with a cue or a window
+constexpr double shortestRun_s = 3, longestRun_s = 120, usualRun_s = 10, restOfRun_s = 5;
 
 /// A name of a file that no other button has.
 QString labelOf(const QString& title, QSet<QString>& taken) {
@@ -45,6 +47,23 @@ QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
                         StudyMaker::tr("Every pair is tried in each of these, mixed and unnamed"));
   box->setChecked(checked);
   return box;
+}
+
+/// "0.6; 0.8; 1": what cannot be read comes out as 0, which no design takes.
+std::vector<double> numbersIn(const QString& text) {
+  std::vector<double> numbers;
+  for (const QString& part : text.split(';', Qt::SkipEmptyParts))
+    if (!part.trimmed().isEmpty())
+      numbers.push_back(readQuantity(part, Quantity::number, {}).value.value_or(0));
+  return numbers;
+}
+
+QLineEdit* numbersField(const char* name, const std::vector<double>& numbers, const QString& tip) {
+  QStringList texts;
+  for (const double number : numbers) texts << quantityText(number, Quantity::number, {});
+  auto* field = described(new QLineEdit(texts.join("; ")), name, tip);
+  field->setPlaceholderText(texts.join("; "));
+  return field;
 }
 
 }  // namespace
@@ -87,6 +106,7 @@ QLayout* StudyMaker::designForm() {
   addChoice(kind_, tr("Which of two has more? A threshold"),
             static_cast<int>(playback::StudyKind::threshold));
   addChoice(kind_, tr("How is it? A rating"), static_cast<int>(playback::StudyKind::rating));
+  addChoice(kind_, tr("When is it pressed? Timing"), static_cast<int>(playback::StudyKind::timing));
   quantity_ = comboBox("makerQuantity", tr("What there is more of; how much more follows from the answers"));
   for (const auto& [text, quantity] :
        {std::pair{tr("force"), playback::LevelQuantity::peakForce},
@@ -103,12 +123,16 @@ QLayout* StudyMaker::designForm() {
                        tr("Questions for each pair or button, and kind of feedback"));
   practice_ = countField("makerPractice", 0, mostPractice, usualPractice,
                          tr("Questions before the first that counts"));
+  makeTimingFields();
   full_ = modeBox("makerFull", tr("everything"), true);
   clicks_ = modeBox("makerClicks", tr("clicks only"), false);
   slopes_ = modeBox("makerSlopes", tr("slopes only"), false);
   connect(kind_, &QComboBox::currentIndexChanged, this, &StudyMaker::kindChosen);
   connect(scale_, &QComboBox::currentIndexChanged, this, &StudyMaker::showLength);
-  for (QuantityField* field : {trials_, practice_}) {
+  connect(task_, &QComboBox::currentIndexChanged, this, &StudyMaker::kindChosen);
+  for (QLineEdit* field : {intervals_, windows_})
+    connect(field, &QLineEdit::textChanged, this, &StudyMaker::showLength);
+  for (QuantityField* field : {trials_, practice_, run_s_}) {
     connect(field, &QuantityField::valueChanged, this, &StudyMaker::showLength);
     connect(field, &QuantityField::refusalChanged, this, &StudyMaker::showLength);
   }
@@ -119,6 +143,10 @@ QLayout* StudyMaker::designForm() {
   form->addRow(tr("&Task:"), kind_);
   form->addRow(tr("Mo&re of:"), quantity_);
   form->addRow(tr("&Scale:"), scale_);
+  form->addRow(tr("Press:"), task_);
+  form->addRow(tr("Inter&vals, s:"), intervals_);
+  form->addRow(tr("&Windows, s:"), windows_);
+  form->addRow(tr("Seconds a r&un:"), run_s_);
   form->addRow(tr("&Questions each:"), trials_);
   form->addRow(tr("&Practice:"), practice_);
   form->addRow(tr("Feedback:"), rowOf({full_, clicks_, slopes_}));
@@ -126,9 +154,27 @@ QLayout* StudyMaker::designForm() {
                new QLabel(profileFile_.isEmpty() ? tr("none (chosen under Setup of Feel it)")
                                                  : QFileInfo(profileFile_).fileName()));
   form->addRow(tr("C&onsent texts:"), consentRow());
-  form->setRowVisible(quantity_, false);
-  form->setRowVisible(scale_, false);
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{quantity_, scale_, task_, intervals_, windows_, run_s_})
+    form->setRowVisible(field, false);
   return form;
+}
+
+void StudyMaker::makeTimingFields() {
+  const playback::StudyDesign usual;
+  task_ = comboBox("makerTask", tr("What it is pressed with, or how fast"));
+  addChoice(task_, tr("with the last of four beats"), static_cast<int>(playback::TimingTask::cue));
+  addChoice(task_, tr("while a ball is in its window"), static_cast<int>(playback::TimingTask::window));
+  addChoice(task_, tr("as fast as can be kept up"), static_cast<int>(playback::TimingTask::tapping));
+  intervals_ = numbersField("makerIntervals", usual.intervals_s,
+                            tr("Between beats, or from the ball's start to its window; several parted by "
+                               "semicolons, 0.2 to 5 s"));
+  windows_ = numbersField("makerWindows", usual.windows_s,
+                          tr("How long the window is open; several parted by semicolons, 0.01 to 1 s"));
+  run_s_ =
+      described(new QuantityField(Quantity::number, {}), "makerRun", tr("From the first press on, 3 to 120"));
+  run_s_->setRange({shortestRun_s, longestRun_s});
+  run_s_->setValue(usualRun_s);
 }
 
 QWidget* StudyMaker::consentRow() {
@@ -151,7 +197,13 @@ QWidget* StudyMaker::consentRow() {
 void StudyMaker::kindChosen() {
   form_->setRowVisible(quantity_, kind() == playback::StudyKind::threshold);
   form_->setRowVisible(scale_, kind() == playback::StudyKind::rating);
-  trials_->setValue(static_cast<double>(playback::usualTrials(kind())));
+  const bool timed = kind() == playback::StudyKind::timing;
+  const bool tapping = timed && task() == playback::TimingTask::tapping;
+  form_->setRowVisible(task_, timed);
+  form_->setRowVisible(intervals_, timed && !tapping);
+  form_->setRowVisible(windows_, timed && task() == playback::TimingTask::window);
+  form_->setRowVisible(run_s_, tapping);
+  trials_->setValue(static_cast<double>(playback::usualTrials(kind(), task())));
   showLength();
 }
 
@@ -192,6 +244,10 @@ playback::StudyDesign StudyMaker::design() const {
   design.kind = kind();
   design.quantity = static_cast<playback::LevelQuantity>(quantity_->currentData().toInt());
   design.scale = static_cast<playback::RatingScale>(scale_->currentData().toInt());
+  design.task = task();
+  design.intervals_s = numbersIn(intervals_->text());
+  design.windows_s = numbersIn(windows_->text());
+  design.run_s = run_s_->value();
   design.trials = static_cast<std::size_t>(trials_->value());
   design.practice = static_cast<std::size_t>(practice_->value());
   design.modes.clear();
@@ -214,14 +270,17 @@ void StudyMaker::showLength() {
   const playback::StudyDesign asked = design();
   const std::size_t buttons = chosen().size();
   const Result<Done> possible = playback::checkDesign(asked, buttons);
-  const bool readable = trials_->acceptable() && practice_->acceptable();
+  const bool readable = trials_->acceptable() && practice_->acceptable() && run_s_->acceptable();
   make_->setEnabled(possible.ok() && readable && !folder_->text().trimmed().isEmpty());
   if (!possible) return length_->setText(sentenceOf(possible.failure()));
   const std::size_t cells = playback::asksForPairs(asked) ? playback::pairsOf(buttons).size() : buttons;
   const std::size_t questions = cells * asked.trials * asked.modes.size() + asked.practice;
+  double each_s = question_s;
+  if (asked.kind == playback::StudyKind::timing)
+    each_s = asked.task == playback::TimingTask::tapping ? asked.run_s + restOfRun_s : timed_s;
   length_->setText(tr("Questions for each participant: %1, about %2 minutes.")
                        .arg(questions)
-                       .arg(std::ceil(static_cast<double>(questions) * question_s / 60)));
+                       .arg(std::ceil(static_cast<double>(questions) * each_s / 60)));
 }
 
 Result<std::vector<playback::ConsentText>> StudyMaker::consents() const {

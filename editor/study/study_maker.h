@@ -36,8 +36,12 @@ class StudyMaker : public QDialog {
   QLayout* designForm();
   QLayout* folderRow();
   QWidget* consentRow();
+  void makeTimingFields();
   QLayout* actionRow();
   void kindChosen();
+  playback::TimingTask task() const {
+    return static_cast<playback::TimingTask>(task_->currentData().toInt());
+  }
   playback::StudyKind kind() const { return static_cast<playback::StudyKind>(kind_->currentData().toInt()); }
   playback::StudyDesign design() const;
   Result<std::vector<playback::ConsentText>> consents() const;
@@ -51,9 +55,9 @@ class StudyMaker : public QDialog {
   QString profileFile_;
   QListWidget* list_ = nullptr;
   QFormLayout* form_ = nullptr;
-  QComboBox *kind_ = nullptr, *quantity_ = nullptr, *scale_ = nullptr;
-  QLineEdit* consent_ = nullptr;
-  QuantityField *trials_ = nullptr, *practice_ = nullptr;
+  QComboBox *kind_ = nullptr, *quantity_ = nullptr, *scale_ = nullptr, *task_ = nullptr;
+  QLineEdit *intervals_ = nullptr, *windows_ = nullptr, *consent_ = nullptr;
+  QuantityField *trials_ = nullptr, *practice_ = nullptr, *run_s_ = nullptr;
   QCheckBox *full_ = nullptr, *clicks_ = nullptr, *slopes_ = nullptr;
   QLineEdit* folder_ = nullptr;
   QLabel *length_ = nullptr, *trouble_ = nullptr;

@@ -42,11 +42,14 @@ StudyWindow::StudyWindow(StudyWork work, QWidget* parent)
   layout->addWidget(pages_, 1);
   consent_ = consentPage();
   said_ = wordsPage();
-  trial_ = trialPage();
+  if (isTimed())
+    question_ = timing_ = timingPage();
+  else
+    question_ = trial_ = trialPage();
   paused_ = pausePage();
   stop_ = stopPage();
   end_ = endPage();
-  for (KeyedPage* page : {consent_, said_, static_cast<KeyedPage*>(trial_), paused_, stop_, end_})
+  for (KeyedPage* page : {consent_, said_, static_cast<KeyedPage*>(question_), paused_, stop_, end_})
     pages_->addWidget(page);
   clock_.start();
   watch_.setInterval(watch_ms);
@@ -81,17 +84,47 @@ KeyedPage* StudyWindow::wordsPage() {
 
 TrialPage* StudyWindow::trialPage() {
   auto* page = new TrialPage(*work_.study, trialWords());
-  page->addBelow(page->makeButton(
-      {"studyPause", words("Pause"), {Qt::Key_P, "P"}, plainText_pt, smallHeight_px}, [this] { pause(); }));
-  page->addBelow(
-      page->makeButton({"studyStop", words("Stop for good"), {Qt::Key_Q, "Q"}, plainText_pt, smallHeight_px},
-                       [this] { show(stop_, At::question); }));
+  addWaysOut(page);
   connect(page, &TrialPage::felt, this, &StudyWindow::feel);
   connect(page, &TrialPage::answered, this, [this](std::size_t choice) { answer(choice, {}); });
   connect(page, &TrialPage::rated, this, [this](double number) { answer(0, number); });
   connect(page, &TrialPage::unreadableNumber, this,
           [this] { tell(words("Type a number above 0, then Enter.")); });
   return page;
+}
+
+TimingPage* StudyWindow::timingPage() {
+  auto* page = new TimingPage({words("Press here"), words("space bar"), words("%1 s left")}, !work_.sensor);
+  addWaysOut(page);
+  timed_ = new TimedTrials(*work_.study, *work_.player, page,
+                           {words("Hit"), words("Missed"), words("Stop."),
+                            words("No press came at a time that counts. Once more."),
+                            words("The presses came too close: let the key go each time. Once more."),
+                            words("The button was not pressed far enough. Once more."),
+                            words("It is not kept yet. %1 Once more.")},
+                           this);
+  connect(timed_, &TimedTrials::kept, this, [this] {
+    if (work_.session->trial() == nullptr) {
+      if (const Result<Done> ended = work_.session->end("complete"); !ended)
+        return showEnd(sentenceOf(ended.failure()));
+    }
+    showNext();
+  });
+  connect(timed_, &TimedTrials::away, this, &StudyWindow::tellAway);
+  connect(timed_, &TimedTrials::back, this, [this] {
+    showTrial();
+    tell(words("It is back. This question begins anew."));
+  });
+  connect(timed_, &TimedTrials::failed, this, &StudyWindow::showEnd);
+  return page;
+}
+
+void StudyWindow::addWaysOut(QuestionPage* page) {
+  page->addBelow(page->makeButton(
+      {"studyPause", words("Pause"), {Qt::Key_P, "P"}, plainText_pt, smallHeight_px}, [this] { pause(); }));
+  page->addBelow(
+      page->makeButton({"studyStop", words("Stop for good"), {Qt::Key_Q, "Q"}, plainText_pt, smallHeight_px},
+                       [this] { askToStop(); }));
 }
 
 KeyedPage* StudyWindow::pausePage() {
@@ -110,7 +143,7 @@ KeyedPage* StudyWindow::stopPage() {
   auto* page = new KeyedPage;
   page->addText("studyStopWords", words("Stop for good? What you have answered is kept."), largeText_pt,
                 Qt::AlignCenter, 1);
-  page->addButton({"studyGoOn", words("No, go on"), enterKey()}, [this] { show(trial_, At::question); });
+  page->addButton({"studyGoOn", words("No, go on"), enterKey()}, [this] { goOn(); });
   page->addButton({"studyStopNow", words("Yes, stop"), {Qt::Key_S, "S"}, plainText_pt, smallHeight_px},
                   [this] { stopForGood(); });
   return page;
@@ -171,6 +204,20 @@ QString StudyWindow::taskWords() const {
     return words("X is one of those below. Feel X and the others, then say which one it is.");
   if (design.kind == playback::StudyKind::threshold)
     return words("Feel both, then say which one has more. If you are not sure, guess.");
+  if (isTimed()) {
+    switch (design.task) {
+      case playback::TimingTask::cue:
+        return words("Four beats come, evenly. Press with the fourth.");
+      case playback::TimingTask::window:
+        return words("A ball runs to the right. Press while its middle is between the two bars.");
+      case playback::TimingTask::tapping:
+        break;
+    }
+    return words(
+               "Press again and again, as fast as you can keep up, until it says stop: %1 seconds from your "
+               "first press.")
+        .arg(design.run_s);
+  }
   if (design.scale == playback::RatingScale::pairwise)
     return words("Feel both, then say which one is better. There is no right or wrong.");
   if (design.scale == playback::RatingScale::preference)
@@ -181,6 +228,13 @@ QString StudyWindow::taskWords() const {
 }
 
 QString StudyWindow::howWords() const {
+  if (work_.force)
+    return (isTimed() ? words("Press the button under your finger.")
+                      : words("Choose one, then press the button under your finger.")) +
+           " " + words("Escape takes the force away at once.");
+  if (isTimed())
+    return work_.sensor ? words("Press the button under your finger.")
+                        : words("The space bar presses, or the large field on the screen.");
   return work_.sensor ? words("Choose one, then press the pad with your finger.")
                       : words("Its key or a click makes you feel it under your finger.");
 }
@@ -268,8 +322,13 @@ void StudyWindow::showNext() {
             At::rest);
 }
 
-void StudyWindow::showWords(const QString& text, At at) {
+void StudyWindow::leaveQuestion() {
   desk_.reset();
+  if (timed_ != nullptr) timed_->leave();
+}
+
+void StudyWindow::showWords(const QString& text, At at) {
+  leaveQuestion();
   saidText_->setText(text);
   show(said_, at);
 }
@@ -277,15 +336,20 @@ void StudyWindow::showWords(const QString& text, At at) {
 void StudyWindow::showTrial() {
   const playback::Trial* trial = work_.session->trial();
   if (trial == nullptr) return showNext();
+  question_->showCount((trial->practice ? words("Practice: question %1 of %2") : words("Question %1 of %2"))
+                           .arg(trial->number)
+                           .arg(work_.session->record().plan.size()));
+  question_->showTrouble({});
+  if (isTimed()) {
+    question_->showQuestion(QStringLiteral("<p><b>%1</b></p>").arg(taskWords()));
+    show(question_, At::question);
+    return timed_->show(*work_.session);
+  }
   desk_.emplace(*work_.study, *trial, 0, now_s());
   work_.player->beginTrial();
   work_.player->troubleSinceAsked();
   trial_->mark({});
   trial_->clearNumber();
-  trial_->showTrouble({});
-  trial_->showCount((trial->practice ? words("Practice: question %1 of %2") : words("Question %1 of %2"))
-                        .arg(trial->number)
-                        .arg(work_.session->record().plan.size()));
   if (desk_->physicalTarget())
     trial_->showRealX(words("X is the real switch number %1").arg(desk_->physicalNumber()));
   show(trial_, At::question);
@@ -328,16 +392,30 @@ void StudyWindow::answer(std::size_t choice, std::optional<double> rating) {
   showNext();
 }
 
-void StudyWindow::tell(const QString& trouble) { trial_->showTrouble(trouble); }
+void StudyWindow::tell(const QString& trouble) { question_->showTrouble(trouble); }
+
+/// What was felt so far stays; what was to be timed is over.
+void StudyWindow::askToStop() {
+  if (timed_ != nullptr) timed_->leave();
+  show(stop_, At::question);
+}
+
+/// They think better of stopping.
+void StudyWindow::goOn() {
+  if (!isTimed()) return show(question_, At::question);
+  if (const Result<Done> noted = work_.session->interrupted("stop not confirmed"); !noted)
+    return showEnd(sentenceOf(noted.failure()));
+  showTrial();
+}
 
 void StudyWindow::pause() {
-  desk_.reset();
+  leaveQuestion();
   show(paused_, At::pause);
 }
 
 void StudyWindow::stopForGood() {
   if (const Result<Done> ended = work_.session->end("stopped by the participant"); !ended) {
-    show(trial_, At::question);
+    show(question_, At::question);
     return tell(sentenceOf(ended.failure()));
   }
   showEnd(words("Thank you. What you have answered is kept."));
@@ -345,7 +423,7 @@ void StudyWindow::stopForGood() {
 
 void StudyWindow::showEnd(const QString& text) {
   watch_.stop();
-  desk_.reset();
+  leaveQuestion();
   endText_->setText(text);
   show(end_, At::end);
 }
@@ -363,17 +441,35 @@ void StudyWindow::watchDevice() {
     return tell(words("It is back. This question begins anew."));
   }
   const Result<Done> noted = work_.session->interrupted(nameOf(trouble));
-  const QString said = trouble == playback::StudyTrouble::soundLost
-                           ? words("The sound device went away. Please call the experimenter.")
-                           : words("The force sensor went away. Please call the experimenter.");
   trial_->allowAnswers(false);
-  show(trial_, At::trouble);
-  tell(noted ? said : sentenceOf(noted.failure()));
+  tellAway(trouble);
+  if (!noted) tell(sentenceOf(noted.failure()));
+}
+
+void StudyWindow::tellAway(playback::StudyTrouble trouble) {
+  show(question_, At::trouble);
+  switch (trouble) {
+    case playback::StudyTrouble::soundLost:
+      return tell(words("The sound device went away. Please call the experimenter."));
+    case playback::StudyTrouble::forceLost:
+      return tell(words("The force device went away. Please call the experimenter."));
+    case playback::StudyTrouble::forceStopped:
+      return tell(words("There is no force. Please call the experimenter: F9 brings it back."));
+    case playback::StudyTrouble::none:
+    case playback::StudyTrouble::sensorUnplugged:
+    case playback::StudyTrouble::sensorSilent:
+    case playback::StudyTrouble::sensorStuck:
+      break;
+  }
+  tell(words("The force sensor went away. Please call the experimenter."));
 }
 
 void StudyWindow::keyPressEvent(QKeyEvent* event) {
   if (event->isAutoRepeat()) return;
   const int key = event->key() == Qt::Key_Pause ? static_cast<int>(Qt::Key_P) : event->key();
+  if (event->key() == Qt::Key_Escape) work_.player->stopForce();
+  if (event->key() == Qt::Key_F9) work_.player->rearm();
+  if (timed_ != nullptr) timed_->note(*event);
   const auto* page = static_cast<const KeyedPage*>(pages_->currentWidget());
   if (!page->press(key)) QWidget::keyPressEvent(event);
 }
@@ -385,7 +481,7 @@ void StudyWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   watch_.stop();
-  desk_.reset();
+  leaveQuestion();
   emit finished();
   QWidget::closeEvent(event);
 }

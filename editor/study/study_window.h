@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include "editor/study/participant_language.h"
+#include "editor/study/timed_trials.h"
 #include "editor/study/trial_page.h"
 #include "playback/study.h"
 
@@ -24,7 +25,9 @@ struct StudyWork {
   /// What they are asked to agree to first; none: they have agreed before.
   std::optional<playback::ConsentText> consent;
   std::unique_ptr<playback::StudyPlayer> player;
-  bool sensor = false;  ///< a force sensor presses; else keys and the large buttons do
+  bool sensor = false;  ///< a force sensor or a force device presses; else keys and the large buttons do
+  bool force =
+      false;  ///< a force device does: Escape takes its force away, the experimenter's F9 brings it back
   QString language = QStringLiteral("en");
   std::unique_ptr<playback::ParticipantSession> session{};  ///< open already where no consent is asked for
 };
@@ -58,6 +61,8 @@ class StudyWindow : public QWidget {
   KeyedPage* consentPage();
   KeyedPage* wordsPage();
   TrialPage* trialPage();
+  TimingPage* timingPage();
+  void addWaysOut(QuestionPage* page);
   KeyedPage* pausePage();
   KeyedPage* stopPage();
   KeyedPage* endPage();
@@ -75,6 +80,8 @@ class StudyWindow : public QWidget {
   void showNext();
   void showWords(const QString& text, At at);
   void showTrial();
+  void goOn();
+  void askToStop();
   void feel(std::size_t slot);
   void answer(std::size_t choice, std::optional<double> rating);
   QString unfeltWords() const;
@@ -82,9 +89,12 @@ class StudyWindow : public QWidget {
   void pause();
   void showEnd(const QString& text);
   void watchDevice();
+  void tellAway(playback::StudyTrouble trouble);
   void tell(const QString& trouble);
   void refresh();
   void show(KeyedPage* page, At at);
+  bool isTimed() const { return work_.study->design.kind == playback::StudyKind::timing; }
+  void leaveQuestion();
   bool rehearsal() const { return !work_.player->sounding(); }
   double now_s() const;
   QString words(const char* text) const { return language_.words(text); }
@@ -94,7 +104,10 @@ class StudyWindow : public QWidget {
   std::optional<playback::TrialDesk> desk_;
   QStackedWidget* pages_ = nullptr;
   KeyedPage *consent_ = nullptr, *said_ = nullptr, *paused_ = nullptr, *stop_ = nullptr, *end_ = nullptr;
-  TrialPage* trial_ = nullptr;
+  QuestionPage* question_ = nullptr;  ///< trial_ or timing_
+  TrialPage* trial_ = nullptr;        ///< null: of a timing study
+  TimingPage* timing_ = nullptr;      ///< null: of any other
+  TimedTrials* timed_ = nullptr;      ///< with timing_
   QLabel *saidText_ = nullptr, *endText_ = nullptr, *consentTrouble_ = nullptr;
   std::size_t restedBefore_ = 0;  ///< number of the trial a rest or words were shown before
   At at_ = At::consent;

@@ -30,22 +30,14 @@ bool onScale(const playback::Study& study) {
 }  // namespace
 
 TrialPage::TrialPage(const playback::Study& study, const TrialWords& words, QWidget* parent)
-    : KeyedPage(parent) {
-  question_ = addText("studyHint", {}, plainText_pt);
-  trouble_ = addText("studyTrouble", {}, plainText_pt);
-  trouble_->setStyleSheet("color: #b3261e;");
-  trouble_->hide();
+    : QuestionPage(parent) {
   if (!onScale(study))
     addChoices(study, words);
   else if (study.design.scale == playback::RatingScale::preference)
     addScale(words);
   else
     addNumber(words);
-  count_ = addText("studyCount", {}, plainText_pt, Qt::AlignLeft | Qt::AlignVCenter);
-  column()->removeWidget(count_);
-  bottom_ = new QHBoxLayout;
-  bottom_->addWidget(count_, 1);
-  column()->addLayout(bottom_);
+  addBottom();
 }
 
 void TrialPage::addChoices(const playback::Study& study, const TrialWords& words) {
@@ -148,11 +140,6 @@ void TrialPage::takeNumber() {
   const double number = typed_.toDouble(&readable);
   if (!readable) return emit unreadableNumber();
   emit rated(number);
-}
-
-void TrialPage::showTrouble(const QString& text) {
-  trouble_->setText(text);
-  trouble_->setVisible(!text.isEmpty());
 }
 
 void TrialPage::allowAnswers(bool allowed) {

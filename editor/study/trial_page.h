@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "editor/study/keyed_page.h"
 #include "editor/study/participant_language.h"
+#include "editor/study/question_page.h"
 #include "playback/study.h"
 
 namespace detent::editor {
@@ -19,24 +19,18 @@ struct TrialWords {
 };
 
 /// GUI thread.
-class TrialPage : public KeyedPage {
+class TrialPage : public QuestionPage {
   Q_OBJECT
 
  public:
   TrialPage(const playback::Study& study, const TrialWords& words, QWidget* parent = nullptr);
 
-  void showQuestion(const QString& text) { question_->setText(text); }
-  void showCount(const QString& text) { count_->setText(text); }
   /// X is a real switch that is handed over.
   void showRealX(const QString& text) { x_->setText(text); }
-  /// Empty: nothing is wrong.
-  void showTrouble(const QString& text);
   void allowAnswers(bool allowed);
   bool answersAllowed() const;
   /// Which one is under the finger; nothing: none.
   void mark(std::optional<std::size_t> slot);
-  /// Buttons beside the count, below the question.
-  void addBelow(QWidget* widget) { bottom_->addWidget(widget); }
   /// A number that was begun is gone.
   void clearNumber();
 
@@ -53,8 +47,7 @@ class TrialPage : public KeyedPage {
   void type(QChar digit);
   void takeNumber();
 
-  QLabel *question_ = nullptr, *trouble_ = nullptr, *count_ = nullptr, *number_ = nullptr;
-  QHBoxLayout* bottom_ = nullptr;
+  QLabel* number_ = nullptr;
   QPushButton* x_ = nullptr;
   std::vector<QPushButton*> choices_, answers_;
   QString typed_;

@@ -7438,6 +7438,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>%1: %2 of %3 answered; %4</source>
         <translation>%1: %2 von %3 beantwortet; %4</translation>
     </message>
+    <message>
+        <source>force device of Feel it</source>
+        <translation>Kraftgerät von Fühlen</translation>
+    </message>
+    <message>
+        <source>The button is felt on it and pressed there; chosen under Setup of Feel it</source>
+        <translation>Der Taster wird darauf gefühlt und gedrückt; gewählt unter Einrichtung bei Fühlen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::StudyMaker</name>
@@ -7628,6 +7636,54 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Texts (*.txt)</source>
         <translation>Texte (*.txt)</translation>
+    </message>
+    <message>
+        <source>When is it pressed? Timing</source>
+        <translation>Wann wird gedrückt? Zeit</translation>
+    </message>
+    <message>
+        <source>Press:</source>
+        <translation>Drücken:</translation>
+    </message>
+    <message>
+        <source>Inter&amp;vals, s:</source>
+        <translation>Inter&amp;valle, s:</translation>
+    </message>
+    <message>
+        <source>&amp;Windows, s:</source>
+        <translation>&amp;Zeitfenster, s:</translation>
+    </message>
+    <message>
+        <source>Seconds a r&amp;un:</source>
+        <translation>Sek&amp;unden je Lauf:</translation>
+    </message>
+    <message>
+        <source>What it is pressed with, or how fast</source>
+        <translation>Womit gedrückt wird, oder wie schnell</translation>
+    </message>
+    <message>
+        <source>with the last of four beats</source>
+        <translation>mit dem letzten von vier Schlägen</translation>
+    </message>
+    <message>
+        <source>while a ball is in its window</source>
+        <translation>während ein Ball in seinem Fenster ist</translation>
+    </message>
+    <message>
+        <source>as fast as can be kept up</source>
+        <translation>so schnell es durchzuhalten ist</translation>
+    </message>
+    <message>
+        <source>Between beats, or from the ball&apos;s start to its window; several parted by semicolons, 0.2 to 5 s</source>
+        <translation>Zwischen den Schlägen, oder vom Start des Balls bis zu seinem Fenster; mehrere durch Semikolon getrennt, 0,2 bis 5 s</translation>
+    </message>
+    <message>
+        <source>How long the window is open; several parted by semicolons, 0.01 to 1 s</source>
+        <translation>Wie lange das Fenster offen ist; mehrere durch Semikolon getrennt, 0,01 bis 1 s</translation>
+    </message>
+    <message>
+        <source>From the first press on, 3 to 120</source>
+        <translation>Vom ersten Druck an, 3 bis 120</translation>
     </message>
 </context>
 <context>
@@ -7867,6 +7923,78 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Thank you. What you have answered is kept.</source>
         <translation>Vielen Dank. Was Sie beantwortet haben, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Press here</source>
+        <translation>Hier drücken</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>noch %1 s</translation>
+    </message>
+    <message>
+        <source>Hit</source>
+        <translation>Getroffen</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Daneben</translation>
+    </message>
+    <message>
+        <source>Stop.</source>
+        <translation>Halt.</translation>
+    </message>
+    <message>
+        <source>No press came at a time that counts. Once more.</source>
+        <translation>Zu der Zeit, die zählt, kam kein Druck. Noch einmal.</translation>
+    </message>
+    <message>
+        <source>The presses came too close: let the key go each time. Once more.</source>
+        <translation>Die Drücke kamen zu dicht: Lassen Sie die Taste jedes Mal los. Noch einmal.</translation>
+    </message>
+    <message>
+        <source>The button was not pressed far enough. Once more.</source>
+        <translation>Der Taster wurde nicht weit genug gedrückt. Noch einmal.</translation>
+    </message>
+    <message>
+        <source>It is not kept yet. %1 Once more.</source>
+        <translation>Es ist noch nicht aufgehoben. %1 Noch einmal.</translation>
+    </message>
+    <message>
+        <source>Four beats come, evenly. Press with the fourth.</source>
+        <translation>Es kommen vier gleichmäßige Schläge. Drücken Sie mit dem vierten.</translation>
+    </message>
+    <message>
+        <source>A ball runs to the right. Press while its middle is between the two bars.</source>
+        <translation>Ein Ball läuft nach rechts. Drücken Sie, während seine Mitte zwischen den beiden Strichen ist.</translation>
+    </message>
+    <message>
+        <source>Press again and again, as fast as you can keep up, until it says stop: %1 seconds from your first press.</source>
+        <translation>Drücken Sie immer wieder, so schnell Sie es durchhalten, bis Halt kommt: %1 Sekunden ab Ihrem ersten Druck.</translation>
+    </message>
+    <message>
+        <source>Press the button under your finger.</source>
+        <translation>Drücken Sie den Taster unter Ihrem Finger.</translation>
+    </message>
+    <message>
+        <source>The space bar presses, or the large field on the screen.</source>
+        <translation>Die Leertaste drückt, oder das große Feld auf dem Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Choose one, then press the button under your finger.</source>
+        <translation>Wählen Sie einen, dann drücken Sie den Taster unter Ihrem Finger.</translation>
+    </message>
+    <message>
+        <source>Escape takes the force away at once.</source>
+        <translation>Escape nimmt die Kraft sofort weg.</translation>
+    </message>
+    <message>
+        <source>The force device went away. Please call the experimenter.</source>
+        <translation>Das Kraftgerät ist weg. Bitte rufen Sie die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>There is no force. Please call the experimenter: F9 brings it back.</source>
+        <translation>Es ist keine Kraft da. Bitte rufen Sie die Versuchsleitung: F9 bringt sie zurück.</translation>
     </message>
 </context>
 <context>

@@ -568,6 +568,7 @@ void MainWindow::showStudy() {
     places.documents = [this] { return tabs_->documents(); };
     places.profileFile = [feel] { return feel().profileFile; };
     places.sound = [feel] { return outputOf(feel()); };
+    places.force = [feel] { return forceDeviceOf(feel().force); };
     study_ = new StudyDesk(places, this);
   }
   bringUp(*study_);

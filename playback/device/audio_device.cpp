@@ -192,6 +192,7 @@ class AudioOutput::Stream {
     const std::lock_guard lock(watchMutex_);
     return name_;
   }
+  double latency_s() const { return latency_s_; }
 
  private:
   std::optional<Failure> openStream() {
@@ -229,6 +230,7 @@ class AudioOutput::Stream {
         JackStream::open(target, channels, settings_.sampleRate_Hz, renderer_);
     if (!stream) return stream.failure();
     jack_ = std::move(*stream);
+    latency_s_ = jack_->latency_s();
     jackTarget_ = target;
     const std::lock_guard lock(watchMutex_);
     name_ = "JACK: " + target;
@@ -256,6 +258,8 @@ class AudioOutput::Stream {
     renderer_.touch(now_s());
     error = Pa_StartStream(stream_);
     if (error != paNoError) return troubleOf(info.fullName(), "cannot be started", error);
+    const PaStreamInfo* const started = Pa_GetStreamInfo(stream_);
+    latency_s_ = started != nullptr ? started->outputLatency : 0;
     const std::lock_guard lock(watchMutex_);
     name_ = info.fullName();
     return {};
@@ -332,6 +336,7 @@ class AudioOutput::Stream {
   OutputChannels channels_;
   std::atomic<bool> lost_{false};
   std::atomic<std::uint64_t> losses_{0};
+  std::atomic<double> latency_s_{0};
   mutable std::mutex watchMutex_;
   std::condition_variable wake_;
   bool stopping_ = false;
@@ -344,6 +349,7 @@ AudioOutput::~AudioOutput() = default;
 StreamState AudioOutput::state() const { return stream_->state(); }
 std::uint64_t AudioOutput::losses() const { return stream_->losses(); }
 std::string AudioOutput::deviceName() const { return stream_->deviceName(); }
+double AudioOutput::latency_s() const { return stream_->latency_s(); }
 
 Result<std::unique_ptr<AudioOutput>> AudioOutput::open(const AudioSettings& settings, LiveSession& session,
                                                        CallbackHooks hooks) {

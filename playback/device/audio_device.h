@@ -58,6 +58,8 @@ class AudioOutput {
   StreamState state() const;
   std::uint64_t losses() const;  ///< how often the device went away
   std::string deviceName() const;
+  double latency_s()
+      const;  ///< from a buffer to the device's output, as the sound system says; 0: it does not
 
  private:
   class Stream;

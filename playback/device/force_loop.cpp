@@ -106,7 +106,8 @@ void ForceLoop::publish(bool finished) {
   published_.finished = finished;
 }
 
-void ForceLoop::keep(const ForceStep& step, bool wait) {
+void ForceLoop::keep(ForceStep step, bool wait) {
+  if (settings_.paced) step.time_s = exchanged_s_;
   while (!rows_.try_enqueue(step)) {
     if (!wait || abandoned_) {
       ++dropped_;

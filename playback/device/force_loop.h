@@ -75,7 +75,7 @@ class ForceLoop {
  private:
   void run();
   void waitFor(double due_s);
-  void keep(const ForceStep& step, bool wait);
+  void keep(ForceStep step, bool wait);
   void publish(bool finished);
   void takeProgram();
   void awaitProgram();

@@ -107,6 +107,13 @@ int JackStream::inputCount(const std::string& target) {
 
 bool JackStream::alive() const { return !client_->down; }
 
+double JackStream::latency_s() const {
+  if (client_->down) return 0;
+  jack_latency_range_t range{};
+  jack_port_get_latency_range(client_->ports[0], JackPlaybackLatency, &range);
+  return static_cast<double>(range.max) / jack_get_sample_rate(client_->jack);
+}
+
 Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels channels,
                                                      double wanted_Hz, StreamRenderer& renderer) {
   const auto trouble = [&](const char* problem, const char* remedy) {
@@ -142,6 +149,7 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
     return trouble("has no inputs", "Choose another output; `detent-play devices` lists them");
   for (std::size_t c = 0; c < std::min(client->channels, inputs.size()); ++c)
     jack_connect(client->jack, jack_port_name(client->ports[c]), inputs[c].c_str());
+  jack_recompute_total_latencies(client->jack);  // known as soon as it is open
   return std::unique_ptr<JackStream>(new JackStream(std::move(client)));
 }
 

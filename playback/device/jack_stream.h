@@ -26,6 +26,8 @@ class JackStream {
   ~JackStream();
   /// The server is still there.
   bool alive() const;
+  /// From the end of a buffer's computation to where the server says it sounds; 0: it does not say.
+  double latency_s() const;
 
  private:
   struct Client;

@@ -11,6 +11,7 @@ JackStream::~JackStream() = default;
 int JackStream::inputCount(const std::string&) { return 0; }
 bool JackStream::available() { return false; }
 bool JackStream::alive() const { return false; }
+double JackStream::latency_s() const { return 0; }
 Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels, double,
                                                      StreamRenderer&) {
   return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", "is not part of this build",

@@ -14,20 +14,24 @@ void RealDeviceOptions::applyTo(ForceDeviceChoice& device) const {
   if (largest_N != 0) device.profile.limits.force_N = largest_N;
 }
 
-void addRealDeviceOptions(CLI::App& app, RealDeviceOptions& o, const char* largestForce) {
+void addForceDeviceOptions(CLI::App& app, RealDeviceOptions& o, const char* largestForce) {
   app.add_option("--step-mm", o.step_mm, "Encoder step at the finger in mm; 0: the preset's")
       ->capture_default_str()
       ->group(realDeviceGroup);
   app.add_option("--max-N", o.largest_N, largestForce)->capture_default_str()->group(realDeviceGroup);
-  app.add_option("--baud", o.baud, "Of a serial port; 0: 230400, an ODrive's 115200")
-      ->capture_default_str()
-      ->group(realDeviceGroup);
   app.add_option("--firmware", o.firmwareFile,
                  "Of a Falcon that was just switched on: the file its maker ships; Detent may not")
       ->group(realDeviceGroup);
   app.add_option("--axis", o.axis, "Of an ODrive, 0 or 1")->capture_default_str()->group(realDeviceGroup);
   app.add_option("--mm-per-turn", o.mmPerTurn,
                  "Of an ODrive's capstan; negative where the motor is mounted the other way")
+      ->capture_default_str()
+      ->group(realDeviceGroup);
+}
+
+void addRealDeviceOptions(CLI::App& app, RealDeviceOptions& o, const char* largestForce) {
+  addForceDeviceOptions(app, o, largestForce);
+  app.add_option("--baud", o.baud, "Of a serial port; 0: 230400, an ODrive's 115200")
       ->capture_default_str()
       ->group(realDeviceGroup);
 }

@@ -21,6 +21,8 @@ struct RealDeviceOptions {
   void applyTo(ForceDeviceChoice& device) const;
 };
 
+/// All but the serial port's speed.
+void addForceDeviceOptions(CLI::App& app, RealDeviceOptions& options, const char* largestForce);
 void addRealDeviceOptions(CLI::App& app, RealDeviceOptions& options, const char* largestForce);
 inline constexpr const char* realDeviceGroup = "Real devices (docs/force-feedback.md)";
 

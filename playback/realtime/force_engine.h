@@ -42,7 +42,9 @@ struct ForceCommand {
 struct ForceStep {
   std::int64_t index = 0;  ///< steps since the start; time is index * period
   double periods = 1;      ///< since the step before, by the clock of a loop that keeps time
-  bool good = true;        ///< the reading was believed; else the position is the last that was
+  double time_s =
+      0;  ///< of the reading, on that clock (playback/device/steady_clock.h); 0: the loop keeps none
+  bool good = true;  ///< the reading was believed; else the position is the last that was
   double position_mm = 0, velocity_mm_per_s = 0, force_N = 0;
   double energy_mJ = 0;  ///< net work of the finger on the button since the start
   double balance_mJ =

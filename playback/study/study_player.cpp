@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/study_player.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include <utility>
 
 #include "playback/measurement/exact_number.h"
-#include "playback/study.h"
 
 namespace detent::playback {
 
@@ -87,20 +88,71 @@ std::string wordsOf(const SensorCalibration& c) {
   return text + "; residual " + exact(c.residual_N) + " N; " + std::to_string(c.weights) + " weights";
 }
 
+/// What a force device cannot do, or not with this study. Every button is one it can render.
+Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings) {
+  const auto wrong = [](const char* problem, const char* remedy) {
+    return Failure{FailureCode::wrongUsage, "force device", "", problem, remedy};
+  };
+  if (!settings.sensorPort.empty())
+    return wrong("presses by itself: a sensor would be a second finger", "Leave one of both out");
+  const bool modes = std::any_of(study.stimuli.begin(), study.stimuli.end(),
+                                 [](const StudyStimulus& s) { return s.mode != FeedbackMode::full; });
+  const LevelQuantity quantity = study.design.quantity;
+  const bool vibration = study.design.kind == StudyKind::threshold &&
+                         (quantity == LevelQuantity::eventSize || quantity == LevelQuantity::grainStrength);
+  if (modes || vibration)
+    return wrong("renders forces; this study compares what only a vibration has",
+                 "Leave it out, or make a study of the mode full");
+  for (const StudyStimulus& stimulus : study.stimuli) {
+    const Result<PreparedForce> prepared =
+        prepareForce(study.buttons[stimulus.button].button, settings.force->profile);
+    if (!prepared) return prepared.failure();
+  }
+  return Done{};
+}
+
+/// The device under the finger, with the first button. Its pace is the clock's, also of a simulated one.
+Result<std::unique_ptr<ForcePlayer>> forceUnder(const Study& study, const StudyPlayerSettings& settings) {
+  if (Result<Done> ok = checkForce(study, settings); !ok) return ok.failure();
+  ForcePlayerSettings force;
+  force.device = *settings.force;
+  force.stopSignals = true;
+  return ForcePlayer::start(study.buttons[study.stimuli.front().button].button, force);
+}
+
 class Player final : public StudyPlayer {
  public:
-  Player(std::vector<PreparedStimulus> stimuli, std::unique_ptr<LivePlayer> player,
-         const StudyPlayerSettings& settings, std::optional<TimingTask> timed)
-      : stimuli_(std::move(stimuli)), player_(std::move(player)), settings_(settings), timed_(timed) {}
+  /// `force`: null, none is there. `heard`: the player plays on a sound device.
+  Player(const Study& study, std::vector<PreparedStimulus> stimuli, std::unique_ptr<LivePlayer> player,
+         bool heard, std::unique_ptr<ForcePlayer> force, const StudyPlayerSettings& settings)
+      : stimuli_(std::move(stimuli)),
+        player_(std::move(player)),
+        heard_(heard),
+        force_(std::move(force)),
+        settings_(settings) {
+    if (study.design.kind == StudyKind::timing) timed_ = study.design.task;
+    if (force_)
+      for (const StudyButton& button : study.buttons) buttons_.push_back(button.button);
+  }
 
-  bool sounding() const override { return !settings_.rehearse; }
-  std::string device() const override { return sounding() ? player_->status().device : std::string(); }
+  bool sounding() const override {
+    return !settings_.rehearse && (!force_ || settings_.force->kind != ForceDeviceKind::simulated);
+  }
+  std::string device() const override {
+    if (!sounding()) return {};
+    return force_ ? settings_.force->profile.name : player_->status().device;
+  }
 
   StudyRoute route() const override {
     StudyRoute route{settings_.sensorPort, "", ""};
     if (sensor()) route.sensorCalibration = wordsOf(settings_.calibration);
     if (timed_) route.timing = timing();
-    if (!sounding()) return route;
+    if (force_)
+      route.force = force_->device().name +
+                    (settings_.force->port.empty() ? "" : " at " + settings_.force->port) + ", " +
+                    exact(force_->device().rate_Hz) + " Hz, at most " +
+                    exact(force_->device().limits.force_N) + " N";
+    if (!heard_) return route;
     const PlayerStatus status = player_->status();
     route.sound = status.device + ", " + exact(status.sampleRate_Hz) + " Hz, " +
                   std::to_string(status.blockFrames) + " frames";
@@ -121,15 +173,19 @@ class Player final : public StudyPlayer {
     const PreparedStimulus* const stimulus = stimulusOf(button, mode);
     if (stimulus == nullptr) return;
     bring(slot, *stimulus);
-    if (!sensor())
+    if (!sensed())
       player_->fingerTap(std::max(overPress * strongestForce_N(stimulus->program), 0.1), tapHold_s);
   }
 
-  bool sensed() const override { return sensor(); }
-  std::vector<ContactClosing> takeClosings() override { return player_->takeClosings(); }
+  bool sensed() const override { return sensor() || force_ != nullptr; }
+  std::vector<ContactClosing> takeClosings() override {
+    follow();
+    return player_->takeClosings();
+  }
+  double clock_s() const override { return player_->clock_s(); }
 
   void soundBeats(const std::vector<double>& delays_s) override {
-    if (!sounding() || delays_s.empty()) return;
+    if (!heard_ || delays_s.empty()) return;
     const double rate_Hz = player_->status().sampleRate_Hz;
     std::vector<float> samples(static_cast<std::size_t>((delays_s.back() + tone_s) * rate_Hz) + 1, 0.0F);
     for (const double delay_s : delays_s) {
@@ -144,6 +200,7 @@ class Player final : public StudyPlayer {
   }
 
   Felt takeFelt() override {
+    follow();
     const PressCount count = player_->takePresses();
     const std::uint64_t inputs = player_->status().counts.inputs;
     const bool played = inputs > playedInputs_;  // the callback has taken readings: it runs
@@ -157,23 +214,55 @@ class Player final : public StudyPlayer {
     const bool lost = status.deviceLosses > losses_ || status.deviceLost;
     losses_ = status.deviceLosses;
     if (lost) return StudyTrouble::soundLost;
+    if (const StudyTrouble trouble = forceTrouble(); trouble != StudyTrouble::none) return trouble;
     const bool reconnected = status.sensorReconnects > reconnects_;
     reconnects_ = status.sensorReconnects;
     const StudyTrouble trouble = sensor() ? troubleOf(status.sensor) : StudyTrouble::none;
     return trouble == StudyTrouble::none && reconnected ? StudyTrouble::sensorUnplugged : trouble;
   }
 
-  /// Whether readings come; waits for the first of them.
-  bool sensorRuns() {
+  void stopForce() override {
+    if (force_) force_->emergencyStop();
+  }
+  void rearm() override {
+    if (force_) force_->rearm();
+  }
+
+  /// Whether readings come, and blocks, where they are to; waits for the first of them.
+  bool runs() {
+    const auto running = [this] {
+      const PlayerStatus status = player_->status();
+      return (!heard_ || status.blockFrames > 0) && (!sensor() || status.sensor == SensorCondition::running);
+    };
     for (double waited_s = 0; waited_s < firstReading_s; waited_s += look_s) {
-      if (player_->status().sensor == SensorCondition::running) return true;
+      if (running()) return true;
       std::this_thread::sleep_for(std::chrono::duration<double>(look_s));
     }
-    return false;
+    return !sensor();  // a sound device that is slow to begin is watched all the time
   }
 
  private:
   bool sensor() const { return !settings_.sensorPort.empty(); }
+
+  /// Where the force device is, the player's finger is, at the very times.
+  void follow() {
+    if (!force_) return;
+    steps_.clear();
+    force_->takeSteps(steps_);
+    for (const ForceStep& step : steps_)
+      if (step.good) player_->pushDisplacementAt(step.position_mm, step.time_s);
+  }
+
+  StudyTrouble forceTrouble() {
+    if (!force_) return StudyTrouble::none;
+    const ForceStatus status = force_->status();
+    const bool lost = !status.connected || status.finished || status.reconnects > forceReconnects_;
+    forceReconnects_ = status.reconnects;
+    if (lost) return StudyTrouble::forceLost;
+    const bool stopped =
+        status.homing || status.halt != ForceHalt::none || !status.fault.empty() || unrendered_;
+    return stopped ? StudyTrouble::forceStopped : StudyTrouble::none;
+  }
 
   const PreparedStimulus* stimulusOf(std::size_t button, FeedbackMode mode) const {
     const auto at = std::find_if(stimuli_.begin(), stimuli_.end(), [&](const PreparedStimulus& s) {
@@ -194,11 +283,19 @@ class Player final : public StudyPlayer {
         sensor() ? "sensor: the operating point was passed, between two readings, each at its own stamp or, "
                    "without one, when it arrived"
                  : "key: when this program got it; keyboard, system and screen before it are not known";
+    if (force_) route.press = "force device: the operating point was passed, between two steps of its loop";
     route.cue = "picture: when it was drawn; the screen's delay is not known";
-    if (!sounding() || *timed_ != TimingTask::cue) return route;
+    if (!heard_ || *timed_ != TimingTask::cue) return route;
     const PlayerStatus status = player_->status();
-    route.cue += ". Sound: within " + exact(1000 * status.blockFrames / status.sampleRate_Hz) +
-                 " ms (a buffer), then the device's delay, which is not known";
+    const double block_s = status.blockFrames / status.sampleRate_Hz;
+    route.cue += ". Sound: within " + exact(1000 * block_s) + " ms (a buffer), then ";
+    if (status.outputLatency_s <= 0) {
+      route.cue += "the device's delay, which is not known";
+      return route;
+    }
+    route.cue += exact(1000 * status.outputLatency_s) +
+                 " ms, as the sound system says; what the converter and the transducer add is not known";
+    route.cueLatency_s = block_s / 2 + status.outputLatency_s;
     return route;
   }
 
@@ -206,38 +303,53 @@ class Player final : public StudyPlayer {
     if (underFinger_ && player_->status().state == 1)
       slots_[*underFinger_].locked = !slots_[*underFinger_].locked;
     if (slots_.size() <= slot) slots_.resize(slot + 1);
-    player_->setProgram(slots_[slot].locked ? beginningLocked(next.program) : next.program);
+    follow();  // what was done with the one before
+    // A force device begins every one unlocked.
+    player_->setProgram(slots_[slot].locked && !force_ ? beginningLocked(next.program) : next.program);
+    if (force_) unrendered_ = !force_->setButton(buttons_[next.button]);
     underFinger_ = slot;
   }
 
   std::vector<PreparedStimulus> stimuli_;
   std::unique_ptr<LivePlayer> player_;
+  bool heard_;
+  std::unique_ptr<ForcePlayer> force_;
+  std::vector<Button> buttons_;  ///< with force_: of the study
+  std::vector<ForceStep> steps_;
+  bool unrendered_ = false;  ///< the link has become too slow for the button under the finger
   StudyPlayerSettings settings_;
   std::optional<TimingTask> timed_;  ///< of a timing study
   std::vector<Slot> slots_;
   std::optional<std::size_t> underFinger_;
-  std::uint64_t losses_ = 0, reconnects_ = 0, playedInputs_ = 0;
+  std::uint64_t losses_ = 0, reconnects_ = 0, playedInputs_ = 0, forceReconnects_ = 0;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<StudyPlayer>> StudyPlayer::start(const Study& study,
                                                         const StudyPlayerSettings& settings) {
+  const bool unheard = settings.force && settings.player.device.empty() && settings.player.masking.level == 0;
+  const bool heard = !settings.rehearse && !unheard;
   Result<std::vector<PreparedStimulus>> stimuli = prepareAll(study);
   if (!stimuli) return stimuli.failure();
+  std::unique_ptr<ForcePlayer> force;
+  if (settings.force) {
+    Result<std::unique_ptr<ForcePlayer>> started = forceUnder(study, settings);
+    if (!started) return started.failure();
+    force = *std::move(started);
+  }
   const HapticProgram& first = stimuli->front().program;
   Result<std::unique_ptr<LivePlayer>> player =
-      settings.rehearse ? LivePlayer::startSilent(first) : LivePlayer::start(settings.player, first);
+      heard ? LivePlayer::start(settings.player, first) : LivePlayer::startSilent(first);
   if (!player) return player.failure();
   if (!settings.sensorPort.empty()) {
     if (Result<Done> ok = (*player)->attachSensor(settings.sensorPort, settings.baud, settings.calibration);
         !ok)
       return ok.failure();
   }
-  std::optional<TimingTask> timed;
-  if (study.design.kind == StudyKind::timing) timed = study.design.task;
-  auto made = std::make_unique<Player>(*std::move(stimuli), *std::move(player), settings, timed);
-  if (!settings.sensorPort.empty() && !made->sensorRuns())
+  auto made = std::make_unique<Player>(study, *std::move(stimuli), *std::move(player), heard,
+                                       std::move(force), settings);
+  if (!made->runs())
     return Failure{FailureCode::deviceTrouble, settings.sensorPort, "", "sends no readings",
                    "Check the sensor, its cable and the port's speed"};
   return std::unique_ptr<StudyPlayer>(std::move(made));
@@ -254,9 +366,13 @@ const char* nameOf(StudyTrouble trouble) {
     case StudyTrouble::sensorSilent:
       return "sensor silent";
     case StudyTrouble::sensorStuck:
+      return "sensor stuck";
+    case StudyTrouble::forceLost:
+      return "force device lost";
+    case StudyTrouble::forceStopped:
       break;
   }
-  return "sensor stuck";
+  return "force stopped";
 }
 
 }  // namespace detent::playback

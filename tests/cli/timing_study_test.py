@@ -9,8 +9,10 @@ timed as well as the journal says.
    by trial with the times of the study's own lists. `study presses FOLDER` then has to hold the laboratory's two figures in its 95 % intervals.
    --laboratories 100 --table prints docs/coverage.md's rows.
 2. At a pty the space bar is hit at known times, in a rehearsal: what the journal says lies between is compared with what did.
-3. Likewise a serial sensor's presses, with jackd's dummy driver where it can run.
-4. Cue, window and German words at the terminal; a key that repeats and a trial without a press begin anew; a dead sensor completes nothing."""
+3. Likewise a serial sensor's presses, with jackd's dummy driver where it can run; there the journal tells of the tones' delay what jackd says.
+4. Cue, window and German words at the terminal; a key that repeats and a trial without a press begin anew; a dead sensor completes nothing.
+5. A simulated force device presses, as its own log says; Esc takes its force away.
+6. `study presses FOLDER --task` of another task than the study's is refused."""
 
 import argparse
 import csv
@@ -34,6 +36,7 @@ from presses_test import PLACE, PLACE_SD, SPREAD, SPREAD_SD, wilson
 from study_sensor_test import Sensor, sound_server
 
 PEOPLE, RUN_S = 10, 10
+BUFFER_FRAMES = 1024  # of sound_server
 NEW = {"cue": ["--trials", "60"], "window": ["--trials", "60"], "tapping": ["--trials", "2", "--run-seconds", str(RUN_S)]}
 
 
@@ -254,6 +257,73 @@ def sensor_is_timed(program, samples, folder):
     return wrong
 
 
+def tones_are_late_as_jack_says(program, samples, folder):
+    """Half a buffer, and the latency of the device's own port, which jack_lsp reads."""
+    study = folder / "tones"
+    run(program, "new", study, samples / "B.button.json", "--kind", "timing", "--intervals", "0.3", "--trials", "1", "--seed", "1")
+    begin(program, folder, study, "--device", "JACK").end()
+    told = events(study)[0]["route"]["timing"]["cue_latency_s"]
+    listed = subprocess.run(["jack_lsp", "-s", os.environ["JACK_DEFAULT_SERVER"], "-l", "system:playback_1"], capture_output=True, text=True, check=True)
+    frames = int(re.search(r"port playback latency = \[ (\d+) ", listed.stdout)[1])
+    wanted = (frames + BUFFER_FRAMES / 2) / 48000
+    print(f"tones: {told} s late as the journal says, {wanted} s by jack_lsp")
+    return [] if told is not None and frames > 0 and abs(told - wanted) < 1e-9 else [f"tones: {told} s, not {wanted}"]
+
+
+def another_task_is_refused(program, samples, folder):
+    study = folder / "task"
+    run(program, "new", study, samples / "B.button.json", "--kind", "timing", "--task", "tapping", "--trials", "2", "--seed", "1")
+    run(program, "run", study, "--participant", "P1", "--simulate", "timing=0.2,0.1")
+    wrong, ran = [], run(program, "presses", study, "--task", "cue", check=False)
+    if ran.returncode != 2 or ran.stdout or "--task" not in ran.stderr or "tapping" not in ran.stderr:
+        wrong.append(f"another task: exit {ran.returncode}, {ran.stderr!r}")
+    if run(program, "presses", study, "--task", "tapping").stdout != run(program, "presses", study).stdout:
+        wrong.append("its own task: another table")
+    return wrong
+
+
+def force_device_presses(program, samples, folder):
+    """The simulated device's finger presses by itself; what the force loop's own log says of it is what the journal has to say."""
+    study, log = folder / "force", folder / "force.csv"
+    run(program, "new", study, samples / "B.button.json", "--kind", "timing", "--task", "tapping", "--trials", "1", "--run-seconds", "4", "--seed", "1")
+    terminal = begin(program, folder, study, "--force-device", "sim")
+    if "Esc takes the force away" not in terminal.screen:
+        return ["force: nobody is told how to stop it"]
+    terminal.type("x")
+    terminal.look(1.5)
+    terminal.type("\x1b")
+    if not terminal.shows("force stopped", 3) or not terminal.shows("a brings it back", 3):
+        return ["force: Esc did not stop it: " + terminal.screen[-300:]]
+    terminal.look(0.5)
+    terminal.type("a")
+    if not terminal.shows("That was the last one", 20):
+        return ["force: no end: " + terminal.screen[-300:]]
+    terminal.end()
+    [answer] = answers(study)
+    told = numpy.diff(answer["presses_s"])
+    subprocess.run([program, "force", samples / "B.button.json", "--device", "sim", "--fast", "--seconds", "12", "--log", log], check=True, capture_output=True)
+    rows = list(csv.DictReader(open(log, encoding="utf-8")))
+    time_s, place = (numpy.array([float(r[k]) for r in rows]) for k in ("time_s", "position_mm"))
+    state = json.loads((samples / "B.button.json").read_text())["states"][0]
+    travel = max(k["displacement_mm"] for k in state["press"])
+    acts, resets = state.get("operatingPoint_mm", travel / 2), state.get("resetPoint_mm", travel / 2)
+    closings, closed = [], True
+    for k in range(1, len(place)):
+        if not closed and place[k] >= acts:
+            share = (acts - place[k - 1]) / (place[k] - place[k - 1])
+            closings.append(time_s[k - 1] + share * (time_s[k] - time_s[k - 1]))
+        closed = place[k] >= acts if not closed else place[k] > resets
+    true = float(numpy.median(numpy.diff(closings)))
+    header, reasons = events(study)[0], [e["reason"] for e in events(study) if e.get("event") == "interruption"]
+    print(f"force device: {len(told)} times between presses, {1000 * numpy.median(told):.2f} ms in the median, {1000 * true:.2f} ms by the loop's own log; "
+          f"the journal says within {1000 * answer['press_within_s']:.2f} ms")
+    wrong = [] if abs(numpy.median(told) - true) < 0.002 and len(told) > 1 else [f"force: {told} s between presses, not {true}"]
+    if reasons != ["force stopped"] or not header["route"]["timing"]["press"].startswith("force device") or "Hz" not in header["route"]["force"]:
+        wrong.append(f"force: {reasons}, {header['route']}")
+    kinds = {e["kind"] for e in events(study) if e.get("event") == "session"}
+    return wrong + ([] if kinds == {"rehearsal"} else [f"force: simulated, and {kinds}"])
+
+
 def dead_sensor(program, samples, folder):
     study = folder / "dead"
     run(program, "new", study, samples / "B.button.json", "--kind", "timing", "--intervals", "0.3", "--trials", "2", "--seed", "1")
@@ -351,11 +421,13 @@ def main():
         wrong = coverage(program, samples, options.laboratories, options.table, folder)
         if not options.table:
             wrong += keys_are_timed(program, samples, folder) + tasks_at_a_terminal(program, samples, folder)
+            wrong += another_task_is_refused(program, samples, folder) + force_device_presses(program, samples, folder)
             server = sound_server()
             if server is None:
                 print("SKIPPED presses under a sensor: jackd with its dummy driver does not start here")
             else:
                 wrong += sensor_is_timed(program, samples, folder) + dead_sensor(program, samples, folder)
+                wrong += tones_are_late_as_jack_says(program, samples, folder)
                 server.terminate()
                 server.wait()
     print("\n".join(wrong) or "all within their bars")

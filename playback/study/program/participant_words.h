@@ -18,6 +18,7 @@ struct ParticipantWords {
   const char *pressThem, *pressIt, *notYet;                             ///< answered too early
   const char *rest, *stop, *paused, *last;
   const char *interrupted, *notKept;  ///< %1: why, as the journal says it
+  const char *stopForce, *rearm;      ///< of a force device
   const char *rain, *behindTheSignal;
   // timing
   const char *cueTask, *windowTask, *tappingTask, *begin, *hit, *missed, *enough;

@@ -16,6 +16,7 @@
 #include "playback/device/steady_clock.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
+#include "playback/program/real_device_options.h"
 #include "playback/program/shared_options.h"
 #include "playback/study.h"
 #include "playback/study/program/study_terminal.h"
@@ -153,6 +154,8 @@ struct RunArguments {
   std::optional<Listening> condition;  ///< empty: as in the journal
   Listening listening = Listening::quiet;
   StudyDevices devices;
+  std::string forceDevice;  ///< as forceDeviceFrom() reads it
+  RealDeviceOptions force;
   std::string language;  ///< as AskedParticipant::language
   bool json = false;
 };
@@ -202,6 +205,12 @@ int runRun(RunArguments a, const Cancelled& cancelled) {
   if (a.listening == Listening::quiet) a.devices.player.masking = {};
   if (Result<Done> ok = checkStimuli(*study); !ok) return fail(ok.failure());
   if (!a.simulation.empty()) return simulate(a, *study, cancelled);
+  if (!a.forceDevice.empty()) {
+    Result<ForceDeviceChoice> choice = forceDeviceFrom(a.forceDevice);
+    if (!choice) return fail(choice.failure());
+    a.force.applyTo(*choice);
+    a.devices.force = *std::move(choice);
+  }
   const Result<ParticipantRecord> record =
       askParticipant(*study, {a.participant, a.language, a.listening}, a.devices, cancelled);
   if (!record) return fail(record.failure());
@@ -236,6 +245,11 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_option("--profile", a->devices.sensorProfileFile, "Calibration of the sensor");
   addDeviceOptions(*app, a->devices.player);
   addSensorOptions(*app, a->devices.sensor);
+  app->add_option(
+         "--force-device", a->forceDevice,
+         std::string("The button is felt on a force-feedback device and pressed there: ") + forceDeviceWords)
+      ->group(realDeviceGroup);
+  addForceDeviceOptions(*app, a->force, "Its largest force in N; 0: the preset's");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   a->devices.player.masking.level = usualNoiseLevel;
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
@@ -453,11 +467,12 @@ struct PressesArguments {
   bool json = false;
 };
 
-/// Of a study's folder or a CSV file; sets the task to the study's.
-Result<std::vector<FigureTable>> pressesIn(const std::string& file, TimingTask& task) {
+/// Of a study's folder or a CSV file; sets the task to the study's, or to what a file usually holds.
+Result<std::vector<FigureTable>> pressesIn(const std::string& file, std::optional<TimingTask>& task) {
   std::error_code error;
   if (!std::filesystem::is_directory(file, error)) {
-    const Result<TimedPeople> presses = readTimedPresses(file, task);
+    if (!task) task = TimingTask::window;
+    const Result<TimedPeople> presses = readTimedPresses(file, *task);
     if (!presses) return presses.failure();
     return timingTables(*presses, file);
   }
@@ -468,6 +483,11 @@ Result<std::vector<FigureTable>> pressesIn(const std::string& file, TimingTask& 
         FailureCode::unreadableInput, file, "",
         std::string("is a study of kind ") + nameOf(study->design.kind) + ": nobody's presses were timed",
         "Name a study of kind timing, or a CSV file"};
+  if (task && *task != study->design.task)
+    return Failure{
+        FailureCode::wrongUsage, Subject::option("--task"), "",
+        std::string(nameOf(*task)) + ": " + file + " is a study of the task " + nameOf(study->design.task),
+        "Leave --task out: a study knows its own"};
   task = study->design.task;
   Result<StudyResults> results = resultsIn(*study);
   if (!results) return results.failure();
@@ -477,9 +497,8 @@ Result<std::vector<FigureTable>> pressesIn(const std::string& file, TimingTask& 
   return std::move(results->tables);
 }
 
-int runPresses(const PressesArguments& a) {
-  TimingTask task = a.task.value_or(TimingTask::window);
-  const Result<std::vector<FigureTable>> fitted = pressesIn(a.file, task);
+int runPresses(PressesArguments a) {
+  const Result<std::vector<FigureTable>> fitted = pressesIn(a.file, a.task);
   if (!fitted) return fail(fitted.failure());
   std::string text;
   Json tables = Json::array();
@@ -488,7 +507,7 @@ int runPresses(const PressesArguments& a) {
     tables.push_back(Json::parse(tableJson(table)));
   }
   std::fputs(text.c_str(), a.json ? stderr : stdout);
-  if (a.json) print({{"status", "ok"}, {"task", nameOf(task)}, {"tables", tables}});
+  if (a.json) print({{"status", "ok"}, {"task", nameOf(*a.task)}, {"tables", tables}});
   return 0;
 }
 
@@ -501,7 +520,8 @@ void addPresses(CLI::App& parent, Action& chosen) {
                   "participant,interval_s,window_s,press_s; no press_s, no press")
       ->required();
   addChoice(*app, "--task", a->task, timingTasks,
-            "Of a CSV file: press with a cue; within a window; as fast as can be kept up (tapping)",
+            "Of a CSV file: press with a cue; within a window; as fast as can be kept up (tapping). A study "
+            "knows its own",
             "window");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runPresses(*a); }; });

@@ -44,6 +44,7 @@ Result<std::unique_ptr<StudyPlayer>> playerFor(const Study& study, const StudyDe
   settings.rehearse = devices.rehearse;
   settings.sensorPort = devices.sensor.port;
   settings.baud = devices.sensor.baud;
+  settings.force = devices.force;
   if (study.profile) settings.calibration = study.profile->sensor;
   if (!devices.sensorProfileFile.empty()) {
     Result<DeviceProfile> profile = loadDeviceProfile(devices.sensorProfileFile);
@@ -53,7 +54,8 @@ Result<std::unique_ptr<StudyPlayer>> playerFor(const Study& study, const StudyDe
   Result<std::unique_ptr<StudyPlayer>> player = StudyPlayer::start(study, settings);
   const bool noDevice = !player && player.failure().code == FailureCode::deviceTrouble;
   // Only where nothing was named and nothing was felt so far; a named device that is missing is an error.
-  if (!noDevice || wasReal || !devices.player.device.empty() || !devices.sensor.port.empty()) return player;
+  if (!noDevice || wasReal || !devices.player.device.empty() || !devices.sensor.port.empty() || devices.force)
+    return player;
   std::fprintf(stderr, "warning: %s\nThis is a REHEARSAL: nothing is felt, and every row will say so.\n",
                player.failure().sentence().c_str());
   settings.rehearse = true;
@@ -70,7 +72,8 @@ class Desk {
         player_(player),
         words_(words),
         cancelled_(cancelled),
-        began_s_(now_s()) {}
+        began_s_(now_s()),
+        withForce_(!player.route().force.empty()) {}
 
   Result<Done> work() {
     RawTerminal terminal;
@@ -102,13 +105,13 @@ class Desk {
       if (const StudyTrouble trouble = player_.troubleSinceAsked(); trouble != StudyTrouble::none) {
         if (Result<Done> ok = session_.interrupted(nameOf(trouble)); !ok) return ok.failure();
         say("\n" + filled(words_.interrupted, {nameOf(trouble)}) + "\n");
-        while (player_.troubleSinceAsked() != StudyTrouble::none && !cancelled_())
-          sleepUntil(now_s() + look_s);
+        awaitDevice(player_, terminal, words_, trouble, cancelled_);
         return ask(terminal);
       }
       const std::optional<char> typed = terminal.key(look_s);
       desk.felt(player_.takeFelt());
       if (!typed) continue;
+      if (*typed == escapeKey) player_.stopForce();
       const std::optional<char> key = lowerCase(*typed);     // Caps Lock
       if (*key == 'p' || *key == 4) return Outcome::paused;  // Ctrl-D
       if (*key == 'q' && confirmed(terminal)) return Outcome::stopped;
@@ -133,8 +136,10 @@ class Desk {
       showScale();
     else
       showChoices(desk);
-    say(std::string("  ") + words_.keys + "\n");
+    say(std::string("  ") + keys() + "\n");
   }
+
+  std::string keys() const { return words_.keys + (withForce_ ? std::string(", ") + words_.stopForce : ""); }
 
   void sayNumber(const Trial& trial) const {
     say("\n" + filled(trial.practice ? words_.practice : words_.trial,
@@ -184,7 +189,7 @@ class Desk {
     const std::string said = filled(task(), {std::to_string(std::lround(study_.design.run_s))});
     std::string keys = "\n  " + said + "\n";
     if (!player_.sensed()) keys += std::string("  ") + words_.press + " " + words_.spaceBar + "\n";
-    say(keys + "  " + words_.keys + "\n\n" + words_.begin + " ");
+    say(keys + "  " + this->keys() + "\n\n" + words_.begin + " ");
     return anyKey(terminal);
   }
 
@@ -288,6 +293,7 @@ class Desk {
   const ParticipantWords& words_;
   const Cancelled& cancelled_;
   const double began_s_;
+  const bool withForce_;
   std::size_t restedBefore_ = 0;  ///< timing: the trial
   std::string typed_;             ///< of a number
 };

@@ -2,6 +2,7 @@
 #pragma once
 // One participant at a terminal: single keys, no labels, nothing to be skipped.
 
+#include <optional>
 #include <string>
 
 #include "playback/program/shared_options.h"
@@ -15,6 +16,7 @@ struct StudyDevices {
   SensorOptions sensor;
   std::string sensorProfileFile;  ///< calibration; the study's own profile where empty
   bool rehearse = false;          ///< no sound device on purpose
+  std::optional<ForceDeviceChoice> force;
 };
 
 /// Who is asked, in which language and what they listen to.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One timed trial at a terminal: beats or a moving target, presses by the space bar or the sensor.
+// One timed trial at a terminal: beats or a moving target, presses by the space bar, the sensor or the force device.
 
 #include "playback/device/terminal.h"
 #include "playback/program/command.h"
@@ -27,6 +27,12 @@ struct TimedDesk {
   const Cancelled& cancelled;
   double began_s = 0;  ///< of this stretch of work
 };
+
+inline constexpr char escapeKey = 27;
+
+/// Waits until nothing is wrong any more; the key a arms a force device that was stopped.
+void awaitDevice(StudyPlayer& player, RawTerminal& terminal, const ParticipantWords& words,
+                 StudyTrouble trouble, const Cancelled& cancelled);
 
 /// Shows the trial that comes next and keeps what was pressed. Failure: of the journal.
 Result<TrialEnd> askTimed(const TimedDesk& desk);

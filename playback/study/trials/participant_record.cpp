@@ -65,6 +65,7 @@ Felt feltFrom(const Json& json) {
 Json jsonOf(const StudyRoute& route) {
   Json json{
       {"sensor", route.sensorPort}, {"sensor_calibration", route.sensorCalibration}, {"sound", route.sound}};
+  if (!route.force.empty()) json["force"] = route.force;
   if (route.timing)
     json["timing"] = {
         {"press", route.timing->press},
@@ -77,6 +78,7 @@ StudyRoute routeFrom(const Json& line) {
   if (!line.contains("route")) return {};  // journals of version 1 before it was kept
   const Json& json = line.at("route");
   StudyRoute route{json.at("sensor"), json.at("sensor_calibration"), json.at("sound")};
+  if (json.contains("force")) route.force = json.at("force");
   if (!json.contains("timing")) return route;
   const Json& timing = json.at("timing");
   route.timing = TimingRoute{timing.at("press"), timing.at("cue"), {}};

@@ -35,7 +35,8 @@ inline const char* nameOf(Listening listening) { return listenings.word(listenin
 struct TimingRoute {
   std::string press;  ///< source of the presses' times, and what a time means: "key: read from the terminal"
   std::string cue;    ///< what shows the time: "picture", "picture and sound"
-  /// From the time a trial gives its cue to where it leaves this computer; none: not known.
+  /// From the time a trial gives its tone to where it leaves this computer: half a buffer and what the sound system says; none: not known, or
+  /// no tone.
   std::optional<double> cueLatency_s{};
 };
 
@@ -44,6 +45,7 @@ struct StudyRoute {
   std::string sensorPort;         ///< empty: keys and large buttons press
   std::string sensorCalibration;  ///< "100 g = 0.98 N ..." in one line; empty without a sensor
   std::string sound;              ///< "DEVICE, 48000 Hz, 256 frames"; empty in rehearsal and simulation
+  std::string force{};            ///< "serial:PORT, 1000 Hz, at most 6 N"; empty: no force device
   std::optional<TimingRoute> timing{};
 };
 

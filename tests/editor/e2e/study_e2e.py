@@ -6,9 +6,10 @@
 
 The experimenter makes a study of the open buttons; one participant says "no, thank you"; the next agrees, reads, practises, answers, pauses,
 thinks better of stopping for good, rests, and comes to the end. While somebody is at work no other window of the program is there. Then one question of
-each other kind. With --pictures every screen is kept as a picture in the folder of --keep."""
+each other kind, and each timing task: there the keys go down at known times, by which the journal's are judged. With --pictures every screen is kept as a picture in the folder of --keep."""
 
 import argparse
+import ctypes
 import json
 import shutil
 import subprocess
@@ -23,6 +24,8 @@ DESK, MAKER, STATION = "studyDesk", "studyMaker", "studyWindow"
 MOST_TABS = 60
 WORDS = {"en": {"agree": "y", "count": "Question", "thanks": "Thank you", "consent": "virtual buttons"},
          "de": {"agree": "j", "count": "Frage", "thanks": "Vielen Dank", "consent": "virtuelle Tasten"}}
+TASK_WORDS = {"en": {"cue": "Four beats", "window": "A ball", "tapping": "again and again"},
+              "de": {"cue": "vier gleichmäßige Schläge", "window": "Ein Ball", "tapping": "immer wieder"}}
 OTHER_KINDS = {  # what `study new` is told, and the keys of one question
     "matching": (["--kind", "matching"], ["1", "2", "x"], ["b"]),
     "threshold": (["--kind", "threshold", "--quantity", "travel"], ["1", "2"], ["a"]),
@@ -30,6 +33,35 @@ OTHER_KINDS = {  # what `study new` is told, and the keys of one question
     "magnitude": (["--kind", "rating", "--scale", "magnitude"], ["space"], ["1", "2", "comma", "5", "Return"]),
     "pairwise": (["--kind", "rating", "--scale", "pairwise"], ["1", "2"], ["b"]),
 }
+
+TIMING = {  # the task, what `study new` is told
+    "cue": ["--intervals", "0.5", "--trials", "2"],
+    "window": ["--intervals", "0.8", "--windows", "0.3", "--trials", "2"],
+    "tapping": ["--run-seconds", "4", "--trials", "1"],
+}
+LATEST_S = 0.012  # that a time may be wrong beside other work; the journal's own step is 1 ms
+
+
+class Keys:
+    """The space bar at known times: by XTest from this process, without a program to start for each press."""
+
+    SPACE = 0x20
+
+    def __init__(self, display):
+        self.x11, self.tests = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
+        self.x11.XOpenDisplay.restype = ctypes.c_void_p
+        self.display = ctypes.c_void_p(self.x11.XOpenDisplay(display.encode()))
+        self.code = self.x11.XKeysymToKeycode(self.display, ctypes.c_ulong(self.SPACE))
+
+    def press(self, hold_s=0.03):
+        """When it went down."""
+        for down in (1, 0):
+            self.tests.XTestFakeKeyEvent(self.display, self.code, down, 0)
+            self.x11.XSync(self.display, 0)
+            if down:
+                at_s = time.monotonic()
+                time.sleep(hold_s)
+        return at_s
 
 
 class Walk:
@@ -49,6 +81,8 @@ class Walk:
                 self.check_journal()
                 for kind in OTHER_KINDS:
                     self.one_question_of(kind)
+                for task in TIMING:
+                    self.timed(task)
             except BaseException:
                 self.desktop.screenshot(self.folder / "failure.png")
                 raise
@@ -206,10 +240,9 @@ class Walk:
         hashed = subprocess.run(["sha256sum", shown], capture_output=True, text=True, check=True).stdout.split()[0]
         check("the consent's SHA-256", participant["consent"]["sha256"], hashed)
 
-    def one_question_of(self, kind):
-        arguments, feel, answer = OTHER_KINDS[kind]
-        study = self.folder / kind
-        subprocess.run([self.programs / "detent-play", "study", "new", study, *self.buttons, *arguments, "--trials", "2", "--seed", "1"],
+    def open_study(self, study, arguments):
+        """Made by the other program, opened in the desk and begun."""
+        subprocess.run([self.programs / "detent-play", "study", "new", study, *self.buttons, *arguments, "--seed", "1"],
                        check=True, capture_output=True, timeout=300)
         self.tab_to("studyOpen", DESK)
         self.desktop.key("space")
@@ -221,6 +254,55 @@ class Walk:
         self.begin()
         self.desktop.key(self.words["agree"])
         self.editor.widget("studyContinue", STATION)
+
+    def timed(self, task):
+        study, keys = self.folder / task, Keys(self.desktop.display)
+        self.open_study(study, ["--kind", "timing", "--task", task, *TIMING[task]])
+        self.picture(f"30-{task}-words")
+        told = self.editor.widget("studyWords", STATION)["text"]
+        check(f"the {task} task in their language", TASK_WORDS[self.language][task] in told, True)
+        self.desktop.key("Return")
+        self.counted(1)
+        pressed = []
+        if task == "tapping":
+            time.sleep(0.6)
+            for wait_s in (0.2, 0.13, 0.31, 0.17, 0.26, 0.4, 0.15, 0.22, 0.35, 0.18):
+                pressed.append(keys.press())
+                time.sleep(wait_s)
+            self.picture(f"31-{task}")
+        else:  # until every trial has its press: whoever comes too early or too late is asked anew
+            step_s = 0.5 if task == "cue" else 0.8
+            while not self.editor.find("studyEnd", STATION):
+                pressed.append(keys.press())
+                if len(pressed) == 3:
+                    self.picture(f"31-{task}")
+                time.sleep(step_s)
+        self.editor.widget("studyEnd", STATION)
+        self.leave()
+        lines = [json.loads(line) for line in (study / "participants/P01.jsonl").read_text().splitlines()]
+        check(f"how presses were timed ({task})", lines[0]["route"]["timing"]["press"].startswith("key or pad"), True)
+        answers = [line for line in lines if line.get("event") == "answer"]
+        check(f"answers ({task})", len(answers), self.status(study)["participants"][0]["answered"])
+        self.judge(task, [a["presses_s"] for a in answers], pressed, max(a["press_within_s"] for a in answers))
+
+    def judge(self, task, told, pressed, within_s):
+        """Times between presses of a trial against what this process did; where it lies among all presses is found by them."""
+        errors = []
+        for trial in told:
+            gaps = [b - a for a, b in zip(trial, trial[1:])]
+            true = [b - a for a, b in zip(pressed, pressed[1:])]
+            if gaps:
+                fits = [[abs(a - b) for a, b in zip(gaps, true[k:])] for k in range(len(true) - len(gaps) + 1)]
+                errors += min(fits, key=max)
+        if errors:
+            print(f"{self.language}, {task}: {len(errors)} times between presses, error median {1000 * sorted(errors)[len(errors) // 2]:.2f} ms, "
+                  f"worst {1000 * max(errors):.2f} ms; the journal says within {1000 * within_s:.2f} ms", flush=True)
+            check(f"presses are timed ({task})", max(errors) < LATEST_S, True)
+
+    def one_question_of(self, kind):
+        arguments, feel, answer = OTHER_KINDS[kind]
+        study = self.folder / kind
+        self.open_study(study, [*arguments, "--trials", "2"])
         self.picture(f"20-{kind}-words")
         self.desktop.key("Return")
         self.counted(1)

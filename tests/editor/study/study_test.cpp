@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies in the window: made, worked through by a participant with keys and large buttons, followed by the experimenter.
 
+#include <chrono>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -30,6 +32,17 @@ struct Finger {
   bool sounding = true, lost = false;
   bool lets_go_early = false;
   std::vector<std::size_t> pressed, places;
+  // timing
+  bool sensed = false;
+  bool stopped = false;  ///< of a force device
+  double ahead_s = 0;    ///< of the real clock
+  std::vector<playback::ContactClosing> closings;
+  std::vector<double> beats_s;
+
+  double clock_s() const {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count() + ahead_s;
+  }
 };
 
 class FakePlayer : public playback::StudyPlayer {
@@ -37,12 +50,22 @@ class FakePlayer : public playback::StudyPlayer {
   explicit FakePlayer(std::shared_ptr<Finger> finger) : finger_(std::move(finger)) {}
   bool sounding() const override { return finger_->sounding; }
   std::string device() const override { return finger_->sounding ? "test device" : ""; }
-  playback::StudyRoute route() const override { return {"", "", "test device, 48000 Hz, 64 frames"}; }
+  playback::StudyRoute route() const override {
+    playback::StudyRoute route{"", "", "test device, 48000 Hz, 64 frames"};
+    route.timing = playback::TimingRoute{"sensor: a test", "picture: a test", {}};
+    return route;
+  }
   void beginTrial() override { done_ = {}; }
   void place(std::size_t, std::size_t, playback::FeedbackMode) override {}
-  bool sensed() const override { return false; }
-  std::vector<playback::ContactClosing> takeClosings() override { return {}; }
-  void soundBeats(const std::vector<double>&) override {}
+  bool sensed() const override { return finger_->sensed; }
+  double clock_s() const override { return finger_->clock_s(); }
+  std::vector<playback::ContactClosing> takeClosings() override {
+    if (!finger_->closings.empty()) done_ = {1, 1, 1.5, 3};
+    return std::exchange(finger_->closings, {});
+  }
+  void stopForce() override { finger_->stopped = true; }
+  void rearm() override { finger_->stopped = false; }
+  void soundBeats(const std::vector<double>& delays_s) override { finger_->beats_s = delays_s; }
   void press(std::size_t slot, std::size_t button, playback::FeedbackMode) override {
     finger_->pressed.push_back(button);
     finger_->places.push_back(slot);
@@ -50,6 +73,7 @@ class FakePlayer : public playback::StudyPlayer {
   }
   playback::Felt takeFelt() override { return std::exchange(done_, {}); }
   playback::StudyTrouble troubleSinceAsked() override {
+    if (finger_->stopped) return playback::StudyTrouble::forceStopped;
     return finger_->lost ? playback::StudyTrouble::soundLost : playback::StudyTrouble::none;
   }
 
@@ -63,6 +87,7 @@ struct Rig {
   QTemporaryDir folder;
   std::shared_ptr<Finger> finger = std::make_shared<Finger>();
   playback::StudyPlayerSettings asked;
+  std::optional<playback::ForceDeviceChoice> force;  ///< of Feel it
   ButtonDocument a{tactileButton()}, b{linearButton()};
   std::unique_ptr<StudyDesk> desk;
   QString study;
@@ -70,6 +95,7 @@ struct Rig {
   Rig() {
     study = folder.filePath("clicks");
     StudyPlaces places;
+    places.force = [this] { return Result<std::optional<playback::ForceDeviceChoice>>(force); };
     places.documents = [this] { return std::vector<ButtonDocument*>{&a, &b}; };
     places.open = [this](const playback::Study&, const playback::StudyPlayerSettings& settings) {
       asked = settings;
@@ -87,6 +113,20 @@ struct Rig {
     QSignalSpy made(&maker, &StudyMaker::made);
     maker.findChild<QPushButton*>("makerMake")->click();
     QVERIFY2(made.count() == 1, qPrintable(maker.findChild<QLabel*>("makerTrouble")->text()));
+    desk->showStudy(study);
+  }
+  /// One interval of 0.4 s, a window of 0.12 s, runs of 3 s.
+  void makeTimed(playback::TimingTask task, int trials) {
+    StudyMaker maker({&a}, {});
+    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(4);
+    maker.findChild<QComboBox*>("makerTask")->setCurrentIndex(static_cast<int>(task));
+    maker.findChild<QLineEdit*>("makerIntervals")->setText("0.4");
+    maker.findChild<QLineEdit*>("makerWindows")->setText("0.12");
+    maker.findChild<QuantityField*>("makerRun")->setValue(3);
+    maker.findChild<QuantityField*>("makerTrials")->setValue(trials);
+    maker.findChild<QuantityField*>("makerPractice")->setValue(0);
+    maker.setFolder(study);
+    maker.findChild<QPushButton*>("makerMake")->click();
     desk->showStudy(study);
   }
   void answersBy(int choice) { desk->findChild<QComboBox*>("studyAnswers")->setCurrentIndex(choice); }
@@ -576,6 +616,211 @@ class StudyTest : public QObject {
       if (scale == 1) QCOMPARE(record.answers[1].answer.rating.value(), 2.5);
       window->close();
     }
+  }
+
+  // ---- timing
+
+  void aPressWithTheCueIsKept() {
+    Rig rig;
+    rig.makeTimed(playback::TimingTask::cue, 2);
+    StudyWindow* window = rig.begin();
+    QTest::keyClick(window, Qt::Key_Y);
+    QVERIFY(window->findChild<QLabel*>("studyWords")->text().contains("fourth"));
+    QTest::keyClick(window, Qt::Key_Return);
+    QVERIFY(window->findChild<QLabel*>("studyCount")->text().contains("1"));
+    QCOMPARE(rig.finger->beats_s.size(), std::size_t{4});
+    QVERIFY(std::abs(rig.finger->beats_s[3] - rig.finger->beats_s[0] - 3 * 0.4) < 1e-9);
+    const double cue_s = rig.finger->beats_s.back();
+    rig.finger->ahead_s += cue_s + 0.03;  // a little behind it
+    QTest::keyClick(window, Qt::Key_Space);
+    rig.finger->ahead_s += 1;
+    QTRY_COMPARE(rig.record().answers.size(), std::size_t{1});
+    const playback::Answer answer = rig.record().answers[0].answer;
+    QCOMPARE(answer.presses_s.size(), std::size_t{1});
+    QVERIFY2(answer.presses_s[0] > 0.02 && answer.presses_s[0] < 0.2,
+             qPrintable(QString::number(answer.presses_s[0])));
+    QVERIFY(answer.pressWithin_s >= 0 && answer.pressWithin_s < 0.2);
+    QCOMPARE(answer.felt[0].whole, std::size_t{1});
+    QTRY_VERIFY(window->findChild<QLabel*>("studyCount")->text().contains("2 of 2"));
+    // The pad presses too, at once and not when it comes up.
+    rig.finger->ahead_s += rig.finger->beats_s.back();
+    const QPoint middle = buttonIn(window, "studyPad")->rect().center();
+    QTest::mousePress(buttonIn(window, "studyPad"), Qt::LeftButton, {}, middle);
+    QCOMPARE(rig.finger->pressed.size(), std::size_t{2});
+    QTest::mouseRelease(buttonIn(window, "studyPad"), Qt::LeftButton, {}, middle);
+    rig.finger->ahead_s += 1;
+    QTRY_VERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());
+    QVERIFY(rig.record().complete());
+    QCOMPARE(rig.finger->pressed.size(), std::size_t{2});
+    const auto timing = rig.record().sessions[0].route.timing;
+    QVERIFY(timing && QString::fromStdString(timing->press).startsWith("key or pad"));
+    window->close();
+  }
+
+  void theWindowIsHitOrMissed() {
+    Rig rig;
+    rig.makeTimed(playback::TimingTask::window, 2);
+    StudyWindow* window = rig.begin();
+    agree(window);
+    const auto result = [&] { return window->findChild<QLabel*>("studyResult")->text(); };
+    const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
+    for (const double late_s : {0.02, 0.2}) {  // the window is open for 0.12 s
+      QTRY_VERIFY(picture->view().way < 0);
+      rig.finger->ahead_s += 0.5 + 0.4 + late_s;
+      QTest::keyClick(window, Qt::Key_Space);
+      QTRY_VERIFY(picture->view().way > 1);
+      QVERIFY(std::abs(picture->view().windowShare - 0.3) < 1e-9);
+      rig.finger->ahead_s += 1;
+      QTRY_COMPARE(result(), late_s < 0.12 ? QString("Hit") : QString("Missed"));
+    }
+    QVERIFY(rig.record().complete());
+    window->close();
+  }
+
+  void tappingEndsBehindItsFirstPress() {
+    Rig rig;
+    rig.makeTimed(playback::TimingTask::tapping, 1);
+    StudyWindow* window = rig.begin();
+    agree(window);
+    const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
+    rig.finger->ahead_s += 30;  // nobody is hurried
+    QTest::qWait(50);
+    QVERIFY(rig.record().answers.empty() && picture->view().left_s == 3);
+    for (int i = 0; i < 12; ++i) {
+      QTest::keyClick(window, Qt::Key_Space);
+      QKeyEvent held(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, " ",
+                     true);  // one that repeats is no press
+      QApplication::sendEvent(window, &held);
+      rig.finger->ahead_s += 0.2;
+    }
+    QTRY_VERIFY(picture->view().left_s < 1);
+    rig.finger->ahead_s += 3;
+    QTRY_VERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());
+    QCOMPARE(rig.record().answers[0].answer.presses_s.size(), std::size_t{12});
+    window->close();
+  }
+
+  void whatCannotCountBeginsAnewAndIsInTheJournal() {
+    Rig rig;
+    rig.makeTimed(playback::TimingTask::cue, 1);
+    StudyWindow* window = rig.begin();
+    agree(window);
+    const auto trouble = [&] { return window->findChild<QLabel*>("studyTrouble")->text(); };
+    const auto next = [&] { rig.finger->beats_s.clear(); };
+    next();
+    rig.finger->ahead_s += 5;  // nobody presses
+    QTRY_VERIFY(trouble().contains("No press"));
+    QTRY_VERIFY(!rig.finger->beats_s.empty());
+    next();
+    rig.finger->ahead_s += 0.5 + 3 * 0.4;
+    for (int i = 0; i < 5; ++i) QTest::keyClick(window, Qt::Key_Space);
+    rig.finger->ahead_s += 1;
+    QTRY_VERIFY(trouble().contains("too close"));
+    QTRY_VERIFY(!rig.finger->beats_s.empty());
+    QCOMPARE(rig.record().interruptions, std::size_t{2});
+    QTest::keyClick(window, Qt::Key_Q);
+    QTest::keyClick(window, Qt::Key_Space);  // no question is shown
+    const std::size_t pressed = rig.finger->pressed.size();
+    QTest::keyClick(window, Qt::Key_Return);
+    QCOMPARE(rig.finger->pressed.size(), pressed);
+    QCOMPARE(rig.record().interruptions, std::size_t{3});  // "stop not confirmed"
+    QTest::keyClick(window, Qt::Key_P);
+    QVERIFY(buttonIn(window, "studyPauseOver")->isVisible());
+    rig.finger->ahead_s += 10;
+    QTest::qWait(50);
+    QCOMPARE(rig.record().interruptions, std::size_t{3});  // who pauses misses nothing
+    QTest::keyClick(window, Qt::Key_Return);
+    rig.finger->lost = true;
+    QTRY_VERIFY(trouble().contains("away"));
+    QTest::qWait(100);
+    QCOMPARE(rig.record().interruptions, std::size_t{4});  // once, however long it is away
+    rig.finger->lost = false;
+    QTRY_VERIFY(trouble().contains("back"));
+    QTest::keyClick(window, Qt::Key_Q);
+    QTest::keyClick(window, Qt::Key_S);
+    QVERIFY(rig.record().endedEarly && rig.record().answers.empty());
+    window->close();
+  }
+
+  void aSensorPressesInPlaceOfKeys() {
+    Rig rig;
+    rig.makeTimed(playback::TimingTask::tapping, 1);
+    rig.finger->sensed = true;
+    rig.desk->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
+    StudyWindow* window = rig.begin();
+    agree(window);
+    QVERIFY(buttonIn(window, "studyPad") == nullptr);
+    QTest::keyClick(window, Qt::Key_Space);
+    QVERIFY(rig.finger->pressed.empty());
+    const double from_s = rig.finger->clock_s();
+    for (const double at_s : {-1.0, 0.1, 0.3, 0.5}) rig.finger->closings.push_back({from_s + at_s, 0.002});
+    rig.finger->ahead_s += 4;
+    QTRY_VERIFY(rig.record().complete());
+    const playback::Answer answer = rig.record().answers[0].answer;
+    QCOMPARE(answer.presses_s.size(), std::size_t{3});  // what came before the trial is none of it
+    QVERIFY(std::abs(answer.presses_s[2] - 0.4) < 1e-6);
+    QCOMPARE(answer.pressWithin_s, 0.002);
+    QVERIFY(QString::fromStdString(rig.record().sessions[0].route.timing->press).startsWith("sensor"));
+    window->close();
+  }
+
+  /// Any key that a frightened participant finds first, in every kind of study.
+  void escapeTakesTheForceAway() {
+    for (const bool timed : {true, false}) {
+      Rig rig;
+      if (timed)
+        rig.makeTimed(playback::TimingTask::tapping, 1);
+      else
+        rig.makeStudy();
+      rig.desk->findChild<QCheckBox*>("studyForce")->setChecked(true);
+      QVERIFY(rig.begin() == nullptr);  // none is chosen
+      QVERIFY(!rig.trouble().isEmpty());
+      rig.force = *playback::forceDeviceFrom("sim:rig");
+      rig.finger->sensed = true;
+      StudyWindow* window = rig.begin();
+      QVERIFY(rig.asked.force && rig.asked.force->profile.name == rig.force->profile.name);
+      agree(window);
+      QVERIFY(buttonIn(window, "studyPad") == nullptr);
+      QTest::keyClick(window, Qt::Key_Escape);
+      QVERIFY(rig.finger->stopped);
+      const auto trouble = [&] { return window->findChild<QLabel*>("studyTrouble")->text(); };
+      QTRY_VERIFY2(trouble().contains("F9"), qPrintable(trouble()));
+      QCOMPARE(rig.record().interruptions, std::size_t{1});
+      QTest::keyClick(window, Qt::Key_F9);
+      QTRY_VERIFY(trouble().contains("back"));
+      QVERIFY(!rig.finger->stopped);
+      window->close();
+    }
+  }
+
+  void aTimingStudyIsMadeInTheWindow() {
+    Rig rig;
+    StudyMaker maker({&rig.a}, {});
+    maker.show();
+    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(4);
+    maker.setFolder(rig.study);
+    auto* make = maker.findChild<QPushButton*>("makerMake");
+    QVERIFY(make->isEnabled());
+    QVERIFY(maker.findChild<QLineEdit*>("makerIntervals")->isVisible());
+    QVERIFY(!maker.findChild<QLineEdit*>("makerWindows")->isVisible());
+    maker.findChild<QComboBox*>("makerTask")->setCurrentIndex(1);
+    for (const char* wrong : {"", "0.1; 0.2; x", "7"}) {
+      maker.findChild<QLineEdit*>("makerWindows")->setText(wrong);
+      QVERIFY2(!make->isEnabled(), wrong);
+    }
+    maker.findChild<QLineEdit*>("makerWindows")->setText("0,1; 0.2");
+    maker.findChild<QLineEdit*>("makerIntervals")->setText("0.7");
+    QVERIFY(make->isEnabled());
+    make->click();
+    const auto study = playback::openStudy(rig.study.toStdString());
+    QVERIFY(study && study->design.task == playback::TimingTask::window);
+    QCOMPARE(study->design.windows_s, (std::vector<double>{0.1, 0.2}));
+    QCOMPARE(study->design.intervals_s, std::vector<double>{0.7});
+    QCOMPARE(study->design.trials, std::size_t{60});
+    rig.desk->showStudy(rig.study);
+    rig.answersBy(3);  // without an error: no such thing in timing
+    QVERIFY(rig.begin() == nullptr);
+    QVERIFY(!rig.trouble().isEmpty() && rig.records().empty());
   }
 
   void theSensorReachesTheFinger() {

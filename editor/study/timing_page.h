@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A timed question as a participant sees it: beats, a ball that runs into its window, or the time that is left; and a large pad. It knows no label
+// of any button.
+
+#include "editor/study/question_page.h"
+#include "playback/study.h"
+
+namespace detent::editor {
+
+/// What is written on the page, in the participant's language.
+struct TimingWords {
+  QString pad, space;  ///< "Press here", "space bar"
+  QString left;        ///< "%1 s left"
+};
+
+/// What there is to be seen of a trial just now. Plain value.
+struct TimingView {
+  playback::TimingTask task = playback::TimingTask::cue;
+  std::size_t beats = 0, beatsCome = 0;  ///< cue
+  double way = 0,
+         windowShare = 0;  ///< window: TimingDesk::wayAt, and how long the window is beside the way to it
+  double left_s = 0, run_s = 1;  ///< tapping
+
+  bool operator==(const TimingView&) const = default;
+};
+
+/// The picture above the pad. GUI thread.
+class TimingPicture : public QWidget {
+ public:
+  explicit TimingPicture(const QString& left, QWidget* parent = nullptr);
+  void show(const TimingView& view);
+  const TimingView& view() const { return view_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintBeats(QPainter& painter) const;
+  void paintWay(QPainter& painter) const;
+  void paintLeft(QPainter& painter) const;
+
+  QString left_;
+  TimingView view_;
+};
+
+/// GUI thread.
+class TimingPage : public QuestionPage {
+  Q_OBJECT
+
+ public:
+  /// `padded`: a key or the pad presses; else a sensor does, and there is none.
+  TimingPage(const TimingWords& words, bool padded, QWidget* parent = nullptr);
+
+  TimingPicture* picture() const { return picture_; }
+  /// Null where a sensor presses.
+  QPushButton* pad() const { return pad_; }
+  /// How the trial before ended: "hit".
+  void showResult(const QString& text) { result_->setText(text); }
+
+ signals:
+  void pressed();  ///< the pad, or its key
+
+ private:
+  TimingPicture* picture_;
+  QLabel* result_;
+  QPushButton* pad_ = nullptr;
+};
+
+}  // namespace detent::editor
