@@ -265,9 +265,6 @@ void StudyDesk::start() {
   }
   Result<playback::Study> study = playback::openStudy(folder_.toStdString());
   if (!study) return tell(sentenceOf(study.failure()));
-  if (study->design.kind == playback::StudyKind::timing)
-    return tell(
-        tr("Presses are timed in a terminal: detent-play study run %1 --participant ID.").arg(folder_));
   if (const Result<Done> same = playback::checkStimuli(*study); !same)
     return tell(sentenceOf(same.failure()));
   const bool person = answers() == Answers::person || answers() == Answers::rehearsal;

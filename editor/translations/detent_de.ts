@@ -7355,10 +7355,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Eine Person ist bei der Arbeit: Beenden oder pausieren Sie zuerst dort.</translation>
     </message>
     <message>
-        <source>Presses are timed in a terminal: detent-play study run %1 --participant ID.</source>
-        <translation>Gedrückt wird nach der Zeit in einem Terminal: detent-play study run %1 --participant ID.</translation>
-    </message>
-    <message>
         <source>%1 Or choose a rehearsal.</source>
         <translation>%1 Oder wählen Sie eine Probe.</translation>
     </message>

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -127,7 +128,10 @@ struct Rig {
     maker.findChild<QuantityField*>("makerPractice")->setValue(0);
     maker.setFolder(study);
     maker.findChild<QPushButton*>("makerMake")->click();
+    QVERIFY2(QDir(study).exists(), qPrintable(maker.findChild<QLabel*>("makerTrouble")->text() +
+                                              maker.findChild<QLabel*>("makerLength")->text()));
     desk->showStudy(study);
+    QVERIFY2(trouble().isEmpty(), qPrintable(trouble()));
   }
   void answersBy(int choice) { desk->findChild<QComboBox*>("studyAnswers")->setCurrentIndex(choice); }
   QString trouble() { return desk->findChild<QLabel*>("studyTrouble")->text(); }
@@ -624,6 +628,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeTimed(playback::TimingTask::cue, 2);
     StudyWindow* window = rig.begin();
+    QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     QTest::keyClick(window, Qt::Key_Y);
     QVERIFY(window->findChild<QLabel*>("studyWords")->text().contains("fourth"));
     QTest::keyClick(window, Qt::Key_Return);
@@ -632,6 +637,7 @@ class StudyTest : public QObject {
     QVERIFY(std::abs(rig.finger->beats_s[3] - rig.finger->beats_s[0] - 3 * 0.4) < 1e-9);
     const double cue_s = rig.finger->beats_s.back();
     rig.finger->ahead_s += cue_s + 0.03;  // a little behind it
+    QTest::qWait(20);                     // the window has looked since
     QTest::keyClick(window, Qt::Key_Space);
     rig.finger->ahead_s += 1;
     QTRY_COMPARE(rig.record().answers.size(), std::size_t{1});
@@ -661,6 +667,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeTimed(playback::TimingTask::window, 2);
     StudyWindow* window = rig.begin();
+    QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     agree(window);
     const auto result = [&] { return window->findChild<QLabel*>("studyResult")->text(); };
     const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
@@ -681,6 +688,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeTimed(playback::TimingTask::tapping, 1);
     StudyWindow* window = rig.begin();
+    QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     agree(window);
     const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
     rig.finger->ahead_s += 30;  // nobody is hurried
@@ -704,6 +712,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeTimed(playback::TimingTask::cue, 1);
     StudyWindow* window = rig.begin();
+    QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     agree(window);
     const auto trouble = [&] { return window->findChild<QLabel*>("studyTrouble")->text(); };
     const auto next = [&] { rig.finger->beats_s.clear(); };
@@ -748,6 +757,7 @@ class StudyTest : public QObject {
     rig.finger->sensed = true;
     rig.desk->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
     StudyWindow* window = rig.begin();
+    QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     agree(window);
     QVERIFY(buttonIn(window, "studyPad") == nullptr);
     QTest::keyClick(window, Qt::Key_Space);
@@ -778,6 +788,7 @@ class StudyTest : public QObject {
       rig.force = *playback::forceDeviceFrom("sim:rig");
       rig.finger->sensed = true;
       StudyWindow* window = rig.begin();
+      QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
       QVERIFY(rig.asked.force && rig.asked.force->profile.name == rig.force->profile.name);
       agree(window);
       QVERIFY(buttonIn(window, "studyPad") == nullptr);
@@ -828,6 +839,7 @@ class StudyTest : public QObject {
     rig.makeStudy();
     rig.desk->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
     StudyWindow* window = rig.begin();
+    QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     QCOMPARE(rig.asked.sensorPort, std::string("/dev/ttyACM3"));
     agree(window);
     QVERIFY(window->findChild<QLabel*>("studyHint")->text().contains("pad"));
