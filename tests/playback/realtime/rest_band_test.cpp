@@ -83,12 +83,15 @@ TEST_CASE("rest band: a press or a release out of the swing passes at once, with
 
 TEST_CASE("rest band: a slow press through hum goes one way only and gets there") {
   const Passed passed = pass(5, [](double t) { return 0.012 * sine(t, 50) + (t < 1 ? 0 : 0.1 * (t - 1)); });
-  double furthest_N = 0, back_N = 0;
+  double furthest_N = 0, back_N = 0, reached_N = 0, late_N = 0;
   for (std::size_t i = 1000; i < passed.out_N.size(); ++i) {
+    reached_N = std::max(reached_N, passed.in_N[i]);
+    if (i >= 2000) late_N = std::max(late_N, reached_N - passed.out_N[i]);
     furthest_N = std::max(furthest_N, passed.out_N[i]);
     back_N = std::max(back_N, furthest_N - passed.out_N[i]);
   }
   CHECK(back_N < 0.02);  // the least hysteresis a program has
+  CHECK(late_N < 1e-9);
   CHECK(passed.out_N.back() == Approx(0.4).margin(0.025));
 }
 
