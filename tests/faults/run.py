@@ -90,7 +90,8 @@ def compiled_with(fault, commands):
         return next((command for command in commands if Path(command["file"]) == ROOT / fault.file), None)
     if fault.file.endswith(".h"):
         line = f'#include "{fault.file}"'
-        return next((command for command in commands if Path(command["file"]).is_relative_to(ROOT) and line in Path(command["file"]).read_text()), None)
+        own = [command for command in commands if not Path(command["file"]).is_relative_to(ROOT / "build")]
+        return next((command for command in own if line in Path(command["file"]).read_text()), None)
     return None
 
 
