@@ -214,7 +214,8 @@ bool onlyFalls(const std::vector<Point>& ink) {
   for (std::size_t k = 0; k < parts; ++k)
     if (counts[k] > 0) rows.push_back(sums[k] / counts[k]);
   const auto rises = [&](double a, double b) { return b < a - unevenness_px; };
-  return std::ranges::adjacent_find(rows, rises) == rows.end();
+  return rows.size() > 1 && rows.back() > rows.front() &&
+         std::ranges::adjacent_find(rows, rises) == rows.end();
 }
 
 class Doubts {
@@ -585,15 +586,23 @@ class Doubts {
   /// A leap is its curve's.
   bool isOfAStroke(const Leap& leap) const {
     constexpr double on_px = 1.5;
-    return std::ranges::none_of(findings_.traces, [&](const CurveTrace& trace) {
-      return !isOfAStroke(trace.color) && liesOn(trace.points_px, leap.from_px, on_px) &&
-             liesOn(trace.points_px, leap.to_px, on_px);
-    });
+    bool ofOthers = false;
+    for (const CurveTrace& trace : findings_.traces) {
+      if (!liesOn(trace.points_px, leap.from_px, on_px) || !liesOn(trace.points_px, leap.to_px, on_px))
+        continue;
+      if (isOfAStroke(trace.color)) return true;  // a stroke that strayed onto another curve has its leap too
+      ofOthers = true;
+    }
+    return !ofOthers;
   }
 
   /// Whether a line falls all the way from left to right and shows hardly any stroke's colour: an arrow or a leader. No stroke falls so.
   bool isMark(const Remainder& left) const {
     constexpr double mostOfStrokes = 0.4;  // of its pixels: smoothed rims have any colour
+    const AxisCalibration& axes = findings_.graph.axes.calibration.value;
+    const Point low = axes.toUnits({left.box_px.x0, left.box_px.y1}),
+                high = axes.toUnits({left.box_px.x1, left.box_px.y0});
+    if (!((high.x - low.x) * (high.y - low.y) > 0)) return false;  // an axis falls, and strokes with it
     std::size_t ofStrokes = 0;
     for (const CurveTrace& trace : findings_.traces)
       ofStrokes = std::max(ofStrokes, shownOf(left, trace.color));

@@ -94,7 +94,10 @@ class Player : public LivePlayer {
     const double force_N = follower_.position().force_N;
     auto taken = std::make_unique<LiveProgram>(program);
     follower_.use(&taken->program, &taken->speeds);
-    follower_.placeAtForce(force_N);
+    if (heldByDisplacement_)
+      follower_.placeAtDisplacement(held_mm_);  // of such a finger the force is the former button's
+    else
+      follower_.placeAtForce(force_N);
     presses_.use(&taken->program);
     presses_.take(follower_.position());
     routeProgram_ = std::move(taken);
@@ -462,6 +465,8 @@ class Player : public LivePlayer {
   /// readingMutex_ is held.
   void follow(CommandKind kind, double time_s, double value) {
     ++followedCounts_.inputs;
+    heldByDisplacement_ = kind == CommandKind::displacement;
+    if (heldByDisplacement_) held_mm_ = value;
     if (kind == CommandKind::resync) {
       follower_.placeAtForce(value);
       presses_.use(&routeProgram_->program);  // what was done meanwhile is not known
@@ -630,6 +635,8 @@ class Player : public LivePlayer {
   ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12, 0, 0}};
   std::unique_ptr<LiveProgram> routeProgram_;
   SpeedTracker follower_;                 // of routeProgram_
+  bool heldByDisplacement_ = false;       // readingMutex_: what the follower's finger is known by
+  double held_mm_ = 0;                    // readingMutex_
   PressCounter presses_;                  // readingMutex_
   double followedAt_s_ = 0;               // readingMutex_: of the last reading
   std::vector<ContactClosing> closings_;  // readingMutex_

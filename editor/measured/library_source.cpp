@@ -24,6 +24,7 @@ void LibrarySource::cancel() { cancelled_ = true; }
 void LibrarySource::run(std::function<void()> work) { worker_.start(std::move(work)); }
 
 void LibrarySource::load(const QString& database, LibraryRequest orFrom) {
+  cancelled_ = false;
   run([this, database, orFrom = std::move(orFrom)]() mutable {
     const bool isReadable(importer::LibraryStore::openToRead(QFile::encodeName(database).toStdString()));
     if (isReadable || orFrom.index.folders.empty()) return loadHere(database);

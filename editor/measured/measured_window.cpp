@@ -42,6 +42,7 @@ constexpr int longestList = 4;  // of credits and licences in a line
 /// A header whose sections cannot be dragged has no grips: a click beside a line between two rows chooses the row.
 class NoGrips : public QProxyStyle {
  public:
+  NoGrips() : QProxyStyle(QStringLiteral("Fusion")) {}  // what outlinedStyle() stands on
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
     return metric == PM_HeaderGripMargin ? 0 : QProxyStyle::pixelMetric(metric, option, widget);
   }

@@ -207,7 +207,9 @@ QString quantityText(double value, Quantity quantity, const DisplayUnits& units,
 }
 
 QString quantityWithUnit(double value, Quantity quantity, const DisplayUnits& units, int significant) {
-  if (quantity == Quantity::share) return numberText(100 * value, significant) + QStringLiteral(" %");
+  // "-3 %" typed is a change.
+  if (quantity == Quantity::share && value >= 0)
+    return numberText(100 * value, significant) + QStringLiteral(" %");
   const QString number = quantityText(value, quantity, units, significant);
   const QString symbol = symbolOf(quantity, units);
   return symbol.isEmpty() ? number : number + QLatin1Char(' ') + symbol;

@@ -297,6 +297,8 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   work.force = settings.force.has_value();
   Result<std::unique_ptr<playback::StudyPlayer>> player = places_.open(*work.study, settings);
   if (!player) {
+    // A rehearsal is without sound, not without the force device.
+    if (player.failure().code != FailureCode::deviceTrouble || settings.force) return player.failure();
     tell(tr("%1 Or choose a rehearsal.").arg(sentenceOf(player.failure())));
     return Done{};
   }

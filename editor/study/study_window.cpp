@@ -430,7 +430,10 @@ void StudyWindow::showEnd(const QString& text) {
 
 /// What was half felt is asked anew, once the device is back.
 void StudyWindow::watchDevice() {
-  if (!desk_) return;
+  if (!desk_) {
+    if (!timed_) work_.player->takeFelt();  // nothing piles up while nothing is asked
+    return;
+  }
   desk_->felt(work_.player->takeFelt());
   if (!away_ && desk_->mayAnswer() != trial_->answersAllowed()) refresh();
   const playback::StudyTrouble trouble = work_.player->troubleSinceAsked();

@@ -175,6 +175,8 @@ std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::v
 
 std::string withKnownDigits(const std::string& utf8, const std::vector<LetterShape>& letters,
                             const std::vector<LetterShape>& known) {
+  const auto isPartOfSign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+  if (std::ranges::any_of(utf8, isPartOfSign)) return utf8;  // one letter is several bytes
   if (withoutBlanks(utf8).size() != letters.size()) return utf8;
   std::string text = utf8;
   std::size_t at = 0;

@@ -31,6 +31,8 @@ class KeyTables {
     typename LanesOf<Real>::Index at{};  ///< cell, as what a table is asked by
   };
 
+  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the wall of docs/press-forecast.md
+
   explicit KeyTables(const ButtonState& state);
 
   template <class Real>
@@ -97,7 +99,6 @@ class KeyTables {
 
  private:
   static constexpr int cells = 1024;
-  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the wall of docs/press-forecast.md
   struct Cell {
     double mean_N = 0, halfWidth_N = 0, damping_Ns_per_m = 0, stored_J = 0;
   };

@@ -317,7 +317,7 @@ class Press {
 
   /// Where the stop carries the force of the start.
   double restOfCap_m() const {
-    double low_m = -0.001 - key_.mean_N(0) / 20000, high_m = 0;
+    double low_m = -0.001 - key_.mean_N(0) / KeyTables::stop_N_per_m, high_m = 0;
     for (int i = 0; i < 60; ++i) {
       const double middle_m = 0.5 * (low_m + high_m);
       (key_.mean_N(middle_m) < key_.halfWidth_N(middle_m) ? low_m : high_m) = middle_m;

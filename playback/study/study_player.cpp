@@ -95,6 +95,9 @@ Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings)
   };
   if (!settings.sensorPort.empty())
     return wrong("presses by itself: a sensor would be a second finger", "Leave one of both out");
+  if (settings.force->uploadTable)
+    return wrong("would run the one button that was uploaded; a study exchanges buttons",
+                 "Choose it without uploading a table");
   const bool modes = std::any_of(study.stimuli.begin(), study.stimuli.end(),
                                  [](const StudyStimulus& s) { return s.mode != FeedbackMode::full; });
   const LevelQuantity quantity = study.design.quantity;
@@ -117,7 +120,14 @@ Result<std::unique_ptr<ForcePlayer>> forceUnder(const Study& study, const StudyP
   ForcePlayerSettings force;
   force.device = *settings.force;
   force.stopSignals = true;
-  return ForcePlayer::start(study.buttons[study.stimuli.front().button].button, force);
+  Result<std::unique_ptr<ForcePlayer>> started =
+      ForcePlayer::start(study.buttons[study.stimuli.front().button].button, force);
+  if (!started) return started;
+  for (const StudyStimulus& stimulus : study.stimuli) {  // a slow link allows less than the device
+    Result<Done> ok = (*started)->setButton(study.buttons[stimulus.button].button);
+    if (!ok) return ok.failure();
+  }
+  return started;
 }
 
 class Player final : public StudyPlayer {

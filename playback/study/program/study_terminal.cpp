@@ -272,16 +272,28 @@ class Desk {
     return anyKey(terminal);
   }
 
+  /// Escape only takes a device's force away. What is pressed meanwhile counts nowhere.
   bool anyKey(RawTerminal& terminal) const {
-    while (!cancelled_())
-      if (terminal.key(look_s)) return true;
+    while (!cancelled_()) {
+      player_.takeFelt();
+      const std::optional<char> key = terminal.key(look_s);
+      if (key && !stopsForce(*key)) return true;
+    }
     return false;
+  }
+
+  bool stopsForce(char key) const {
+    if (key != escapeKey || !withForce_) return false;
+    player_.stopForce();
+    return true;
   }
 
   bool confirmed(RawTerminal& terminal) const {
     say(std::string("\n") + words_.stop + " ");
     while (!cancelled_()) {
+      player_.takeFelt();
       const std::optional<char> key = terminal.key(look_s);
+      if (key && stopsForce(*key)) continue;
       if (key) return lowerCase(*key) == 'y' || lowerCase(*key) == words_.yes;
     }
     return false;

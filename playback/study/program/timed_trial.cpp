@@ -148,6 +148,7 @@ void awaitDevice(StudyPlayer& player, RawTerminal& terminal, const ParticipantWo
   while (player.troubleSinceAsked() != StudyTrouble::none && !cancelled()) {
     const std::optional<char> key = terminal.key(look_s);
     if (key == 'a' || key == 'A') player.rearm();
+    if (key == escapeKey) player.stopForce();
   }
 }
 
