@@ -265,11 +265,13 @@ class Walk:
         self.counted(1)
         pressed = []
         if task == "tapping":
-            time.sleep(0.6)
-            for wait_s in (0.2, 0.13, 0.31, 0.17, 0.26, 0.4, 0.15, 0.22, 0.35, 0.18):
-                pressed.append(keys.press())
-                time.sleep(wait_s)
-            self.picture(f"31-{task}")
+            while not self.editor.find("studyEnd", STATION):  # a run for each button
+                time.sleep(0.6)
+                for wait_s in (0.2, 0.13, 0.31, 0.17, 0.26, 0.4, 0.15, 0.22, 0.35, 0.18):
+                    pressed.append(keys.press())
+                    time.sleep(wait_s)
+                self.picture(f"31-{task}")
+                time.sleep(2.5)  # the run is over, and the next one is shown
         else:  # until every trial has its press: whoever comes too early or too late is asked anew
             step_s = 0.5 if task == "cue" else 0.8
             while not self.editor.find("studyEnd", STATION):
