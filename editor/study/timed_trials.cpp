@@ -122,7 +122,10 @@ void TimedTrials::draw() {
     view.windowShare = run_->trial().window_s / run_->trial().interval_s;
   }
   view.run_s = study_.design.run_s;
-  if (view.task == playback::TimingTask::tapping) view.left_s = desk.left_s(now_s);
+  if (view.task == playback::TimingTask::tapping) {
+    view.left_s = desk.left_s(now_s);
+    if (view.left_s < view.run_s) page_->showResult(QStringLiteral(" "));  // "Halt" was the run's before
+  }
   if (view != page_->picture()->view()) page_->picture()->show(view);
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <opencv2/core.hpp>
+
 #include "importer/axes/label_scales.h"
 #include "importer/page/quantile.h"
 

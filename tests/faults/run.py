@@ -84,14 +84,21 @@ def killers(fault, build, jobs):
             or "(SEGFAULT)" in line or "(Subprocess aborted)" in line]
 
 
+def including(header):
+    """The lines that bring a header in: of itself, and of the headers that include it."""
+    own = f'#include "{header}"'
+    others = (path for room in ("model", "importer", "playback", "editor") for path in (ROOT / room).rglob("*.h") if own in path.read_text())
+    return [own, *(f'#include "{path.relative_to(ROOT)}"' for path in others)]
+
+
 def compiled_with(fault, commands):
     """The command that compiles the fault's file; of a header, that of the first file that includes it. None for what no compiler reads."""
     if fault.file.endswith(".cpp"):
         return next((command for command in commands if Path(command["file"]) == ROOT / fault.file), None)
     if fault.file.endswith(".h"):
-        line = f'#include "{fault.file}"'
+        lines = including(fault.file)
         own = [command for command in commands if not Path(command["file"]).is_relative_to(ROOT / "build")]
-        return next((command for command in own if line in Path(command["file"]).read_text()), None)
+        return next((command for command in own if any(line in Path(command["file"]).read_text() for line in lines)), None)
     return None
 
 
