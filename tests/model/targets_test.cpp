@@ -200,7 +200,7 @@ TEST_CASE("how far a search goes is the same on every machine") {
       {KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}, {KeyFigure::totalTravel, 3.5}};
   std::set<std::string> sentences;
   std::set<bool> decided;
-  for (const std::size_t mostKnots : {100, 1'000, 4'000, 16'000, 64'000, 1'000'000}) {
+  for (const std::size_t mostKnots : {100UL, 1'000UL, 4'000UL, 16'000UL, 64'000UL, 1'000'000UL}) {
     const auto slowly = [] {
       std::this_thread::sleep_for(std::chrono::microseconds(300));
       return false;

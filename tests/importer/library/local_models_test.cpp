@@ -142,7 +142,8 @@ TEST_CASE("a stroke's samples tell the meter's noise, its step and what samples 
   // The mean of 800 readings, times the travel: white noise, and with a fifth of it carried on, of which 19 share one error.
   CHECK(std::sqrt(even.areaVariance()) == Approx(4 * 0.002 / std::sqrt(800.0)).epsilon(0.25));
   CHECK(std::sqrt(slow.areaVariance() / even.areaVariance()) > 1.2);
-  for (int i = 0; i < 40; ++i) white.insert(white.begin() + 20 * i, white[20 * i]);
+  for (std::size_t i = 0; i < 800; i += 20)
+    white.insert(white.begin() + static_cast<std::ptrdiff_t>(i), white[i]);
   CHECK_FALSE(SampledStroke(*curve, white).isEven());
   // A place that trembles goes back now and then: a window holds what lies in it all the same.
   std::vector<CurvePoint> trembling = carried;
