@@ -557,11 +557,7 @@ class Doubts {
     const StrokePair& strokes = findings_.strokes.value;
     const auto press = traceColorOf(strokes.press);
     const auto release = strokes.release ? traceColorOf(*strokes.release) : press;
-    constexpr double clear = 70;  // colour levels
-    const auto isOf = [&](Rgb its) {
-      return std::hypot(color.r - its.r, color.g - its.g, color.b - its.b) <= clear;
-    };
-    return !press || !release || isOf(*press) || isOf(*release);
+    return !press || !release || isSameInk(color, *press) || isSameInk(color, *release);
   }
 
   /// How many of a remainder's pixels show a colour.

@@ -167,15 +167,16 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
 }
 
 /// Where equal digits are equal to the pixel, each is read as the same one everywhere.
-void readAlike(const GraphReading& r, AxisLabels& found, std::vector<LabelPlace>& places,
+void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<LabelPlace>& places,
                std::vector<std::string>& texts, Axis axis) {
+  const auto isText = [](const SeenText& word) { return word.confidence >= 1; };  // the document's own
+  if (std::ranges::any_of(found.words, isText)) return;
   std::vector<std::vector<LetterShape>> letters;
   std::vector<double> centers;
   std::vector<Box> boxes;
   for (const SeenText& word : found.words) boxes.push_back(word.box);
   if (!isUnsmoothed(r.darkness, boxes)) return;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
-    if (found.words[i].confidence >= 1) return;  // the document's own text
     letters.push_back(lettersOf(r.ink, found.words[i].box));
     centers.push_back(places[i].center_px);
   }

@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "importer/axes/label_scales.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer {
 namespace {
-
-constexpr std::size_t fewestLabels = 3, mostLabels = 12;
 
 /// Which letters of all words are of one shape: the number of each one's shape.
 std::vector<std::vector<std::size_t>> numbered(const std::vector<std::vector<LetterShape>>& words) {
@@ -69,11 +68,6 @@ bool anyTouch(const std::vector<std::vector<LetterShape>>& words) {
   return std::ranges::any_of(widths, [&](int width) { return width > widest * usual; });
 }
 
-std::string withoutBlanks(std::string text) {
-  std::erase(text, ' ');
-  return text;
-}
-
 }  // namespace
 
 bool LetterShape::looksLike(const LetterShape& other) const {
@@ -88,8 +82,9 @@ std::vector<LetterShape> digitsOf(const cv::Mat& ink, const AxisCalibration& axe
   std::vector<LetterShape> digits;
   for (const AxisReading* axis : {&axes.x, &axes.y})
     for (const TickLabel& tick : axis->ticks) {
+      if (!tick.used) continue;
       std::vector<LetterShape> letters = lettersOf(ink, tick.box);
-      if (!tick.used || letters.size() != tick.text.size()) continue;
+      if (letters.size() != tick.text.size()) continue;
       for (std::size_t k = 0; k < letters.size(); ++k) {
         if (tick.text[k] < '0' || tick.text[k] > '9') continue;
         letters[k].sign = tick.text[k];
@@ -179,7 +174,7 @@ std::string withKnownDigits(const std::string& utf8, const std::vector<LetterSha
                             const std::vector<LetterShape>& known) {
   const auto isPartOfSign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
   if (std::ranges::any_of(utf8, isPartOfSign)) return utf8;  // one letter is several bytes
-  if (withoutBlanks(utf8).size() != letters.size()) return utf8;
+  if (utf8.size() - static_cast<std::size_t>(std::ranges::count(utf8, ' ')) != letters.size()) return utf8;
   std::string text = utf8;
   std::size_t at = 0;
   for (char& sign : text) {

@@ -2,10 +2,13 @@
 #pragma once
 // Scales that a row of labels in even steps may stand on, whatever is read in it.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace detent::importer {
+
+inline constexpr std::size_t fewestLabels = 3, mostLabels = 12;  ///< of a row that is read by its scale
 
 /// A scale the labels may stand on: value of each, and how usual it is.
 struct LabelScale {

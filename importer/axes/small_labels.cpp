@@ -17,8 +17,6 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t fewestLabels = 3, mostLabels = 12;
-
 /// The labels' pixels and boxes.
 struct Row {
   const std::vector<cv::Mat>& patches;

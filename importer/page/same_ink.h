@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether a pixel is of a curve's ink. Any thread.
+// Whether a colour is a curve's ink. Any thread.
 
 #include <cmath>
 
@@ -8,12 +8,17 @@
 
 namespace detent::importer {
 
+/// Whether two colours are about the same.
+inline bool isSameInk(Rgb a, Rgb b) {
+  constexpr double sameInk = 70;  // colour levels
+  return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b) <= sameInk;
+}
+
 /// Whether a pixel, inside the picture or not, has about this colour.
 inline bool isInkOf(const Raster& picture, Rgb color, int x, int y) {
-  constexpr double sameInk = 70;  // colour levels
   if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
   const std::uint8_t* p = picture.at(x, y);
-  return std::hypot(p[0] - color.r, p[1] - color.g, p[2] - color.b) <= sameInk;
+  return isSameInk({p[0], p[1], p[2]}, color);
 }
 
 }  // namespace detent::importer

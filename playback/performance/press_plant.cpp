@@ -83,6 +83,12 @@ struct ForcesOf {
 };
 using StepForces = ForcesOf<double>;
 
+/// What the finger's pulp holds, J.
+template <class Real>
+Real pulpEnergy_J(const Finger& finger, const Real& pulp_m) {
+  return select(pulp_m > 0, 0.5 * finger.pulp_N_per_m * pulp_m * pulp_m, Real{});
+}
+
 /// The bodies of a press in touch, over one step. `Real`: of one press, or of two by the same finger on the same key.
 template <class Real>
 class StepOf {
@@ -150,17 +156,14 @@ class StepOf {
       guess.*place = select(settled, guess.*place, better.*place);
   }
 
-  Real pulpEnergy_J(const Real& pulp_m) const {
-    return select(pulp_m > 0, 0.5 * finger_.pulp_N_per_m * pulp_m * pulp_m, Real{});
-  }
-
   Real pulpSpring_N(const Moving& to) const {
     const Real a_m = now_.pulp_m(), b_m = to.pulp_m();
     const Real both_N = 0.5 * finger_.pulp_N_per_m * (a_m + b_m);
     const auto touching = both(a_m >= 0, b_m >= 0), apart = both(a_m <= 0, b_m <= 0);
     if (all(touching)) return both_N;
     const Real way_m = select(either(touching, apart), Real{} + 1, b_m - a_m);
-    return select(touching, both_N, select(apart, Real{}, (pulpEnergy_J(b_m) - pulpEnergy_J(a_m)) / way_m));
+    return select(touching, both_N,
+                  select(apart, Real{}, (pulpEnergy_J(finger_, b_m) - pulpEnergy_J(finger_, a_m)) / way_m));
   }
 
   Real playAt(const Real& depth_m) const {
@@ -325,14 +328,10 @@ class Press {
     return 0.5 * (low_m + high_m);
   }
 
-  double pulpEnergy_J(double pulp_m) const {
-    return pulp_m > 0 ? 0.5 * finger_.pulp_N_per_m * pulp_m * pulp_m : 0;
-  }
-
   double storedIn(const Moving& at) const {
     const double posture_m = at.finger_m + startHeight_m;
     return 0.5 * finger_.mass_kg * at.finger_m_per_s * at.finger_m_per_s +
-           0.5 * capMass_kg * at.cap_m_per_s * at.cap_m_per_s + pulpEnergy_J(at.pulp_m()) +
+           0.5 * capMass_kg * at.cap_m_per_s * at.cap_m_per_s + pulpEnergy_J(finger_, at.pulp_m()) +
            0.5 * posture_N_per_m * posture_m * posture_m + key_.stored_J(at.cap_m);
   }
 

@@ -48,16 +48,17 @@ std::vector<std::vector<std::string>> linesOf(const FigureTable& table) {
   return lines;
 }
 
-std::size_t widthOfColumn(const std::vector<std::vector<std::string>>& lines, std::size_t column) {
-  std::size_t width = 0;
-  for (const std::vector<std::string>& line : lines) width = std::max(width, widthOf(line[column]));
-  return width;
+/// Of each column of lines.
+std::vector<std::size_t> widthsOf(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines[0].size(), 0);
+  for (const std::vector<std::string>& line : lines)
+    for (std::size_t c = 0; c < widths.size(); ++c) widths[c] = std::max(widths[c], widthOf(line[c]));
+  return widths;
 }
 
-std::size_t wholeWidth(const std::vector<std::vector<std::string>>& lines,
-                       const std::vector<std::size_t>& columns) {
+std::size_t wholeWidth(const std::vector<std::size_t>& widths, const std::vector<std::size_t>& columns) {
   std::size_t width = 1;
-  for (const std::size_t c : columns) width += 1 + widthOfColumn(lines, c);
+  for (const std::size_t c : columns) width += 1 + widths[c];
   return width;
 }
 
@@ -108,9 +109,10 @@ std::string csvField(const std::string& text) {
 
 std::string tableText(const FigureTable& table) {
   const std::vector<std::vector<std::string>> lines = linesOf(table);
+  const std::vector<std::size_t> widths = widthsOf(lines);
   std::vector<std::size_t> beside, above;
   for (std::size_t c = 0; c < table.columns.size(); ++c) beside.push_back(c);
-  while (wholeWidth(lines, beside) > longestLine) {
+  while (wholeWidth(widths, beside) > longestLine) {
     const std::optional<std::size_t> moved = rarestChange(table, beside);
     if (!moved) break;
     above.push_back(*moved);
@@ -123,7 +125,7 @@ std::string tableText(const FigureTable& table) {
     if (r > 0 && now != group) text += "  " + (group = now) + ":\n";
     std::string row = " ";
     for (const std::size_t c : beside) {
-      const std::string space(widthOfColumn(lines, c) - widthOf(lines[r][c]), ' ');
+      const std::string space(widths[c] - widthOf(lines[r][c]), ' ');
       row += " " + (ofWords(table, c) ? lines[r][c] + space : space + lines[r][c]);
     }
     row.erase(row.find_last_not_of(' ') + 1);
