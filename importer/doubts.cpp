@@ -208,7 +208,7 @@ bool onlyFalls(const std::vector<Point>& ink) {
   std::vector<double> sums(parts, 0), counts(parts, 0), rows;
   for (const Point p : ink) {
     const auto part =
-        static_cast<std::size_t>((p.x - left.x) / std::max(1.0, right.x - left.x) * (parts - 1) + 0.5);
+        static_cast<std::size_t>(std::lround((p.x - left.x) / std::max(1.0, right.x - left.x) * (parts - 1)));
     sums[part] += p.y, counts[part] += 1;
   }
   for (std::size_t k = 0; k < parts; ++k)

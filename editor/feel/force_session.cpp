@@ -79,8 +79,12 @@ void ForceSession::setChoices(const ForceChoices& choices) {
 
 QString ForceSession::takeDevice() {
   Result<std::optional<playback::ForceDeviceChoice>> chosen = forceDeviceOf(choices_);
-  device_ = chosen ? *std::move(chosen) : std::nullopt;
-  return chosen ? QString() : sentenceOf(chosen.failure());
+  if (!chosen) {
+    device_.reset();
+    return sentenceOf(chosen.failure());
+  }
+  device_ = *std::move(chosen);
+  return {};
 }
 
 double ForceSession::rate_Hz() const { return device_ ? device_->profile.rate_Hz : 0; }

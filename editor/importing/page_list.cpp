@@ -78,7 +78,8 @@ class ThumbnailDelegate : public QStyledItemDelegate {
   static void drawWords(QPainter& painter, QRect place, Qt::Alignment side, const QString& lines) {
     place.setHeight(painter.fontMetrics().height());
     for (const QString& line : lines.split('\n')) {
-      painter.drawText(place, side.toInt(), painter.fontMetrics().elidedText(line, Qt::ElideRight, place.width()));
+      const QString fitting = painter.fontMetrics().elidedText(line, Qt::ElideRight, place.width());
+      painter.drawText(place, static_cast<int>(side.toInt()), fitting);
       place.translate(0, place.height());
     }
   }
