@@ -48,7 +48,6 @@ std::vector<ScatterPoint> scatterOf(const std::vector<const importer::FeltShape*
 OverlayPlot::OverlayPlot(QWidget* parent) : QCustomPlot(parent) {
   setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   putLegendAbove(*this);
-  legend->setWrap(2);  // names are long
   for (QCPAxis* axis : {xAxis, yAxis}) axis->setTicker(QSharedPointer<UnitTicker>::create());
 }
 
@@ -121,9 +120,27 @@ void OverlayPlot::redraw() {
     yAxis->setRange(std::min(0.0, yAxis->range().lower), yAxis->range().upper * roomAbove);
   }
   const bool anything = graphCount() > 0;
+  layOutLegend();
   legend->setVisible(anything);
   axisRect()->setVisible(anything);  // beside a legend without entries the axes would have next to no room
   replot(rpQueuedReplot);
+}
+
+// Side by side only where every name has its room: a QCPLegend cuts them off without a word.
+void OverlayPlot::layOutLegend() {
+  int widest_px = 0;
+  for (int i = 0; i < legend->itemCount(); ++i)
+    if (const QCPAbstractLegendItem* item = legend->item(i))  // a cell of the last row may be empty
+      widest_px = std::max(widest_px, item->minimumOuterSizeHint().width());
+  const QMargins margins = legend->margins();
+  const int pair_px = margins.left() + 2 * widest_px + legend->columnSpacing() + margins.right();
+  legend->setWrap(pair_px <= plotLayout()->rect().width() ? 2 : 1);
+  legend->setFillOrder(legend->fillOrder(), true);
+}
+
+void OverlayPlot::resizeEvent(QResizeEvent* event) {
+  QCustomPlot::resizeEvent(event);
+  layOutLegend();
 }
 
 void OverlayPlot::changeEvent(QEvent* event) {

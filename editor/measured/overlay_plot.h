@@ -39,9 +39,11 @@ class OverlayPlot : public QCustomPlot {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void redraw();
+  void layOutLegend();
   void drawShape(const importer::FeltShape& shape, const QPen& pen, const QString& name);
   void drawBand(const QColor& color);
 

@@ -175,6 +175,33 @@ class MeasuredTest : public QObject {
     QVERIFY(std::abs(scatter.front().sd_N - 0.2 / std::sqrt(2.0)) < 1e-6);
   }
 
+  void everyNameOfTheLegendHasItsRoom_data() {
+    QTest::addColumn<int>("width_px");
+    QTest::addColumn<int>("columns");
+    QTest::newRow("wide") << 1400 << 2;
+    QTest::newRow("narrow") << 420 << 1;
+  }
+
+  void everyNameOfTheLegendHasItsRoom() {
+    QFETCH(int, width_px);
+    const auto a = switchOf("a", 0.4, 0, 3.0), b = switchOf("b", 0.6, 0, 3.5);
+    OverlayPlot plot;
+    plot.resize(900, 400);
+    plot.setVisible(true);
+    QVERIFY(QTest::qWaitForWindowExposed(&plot));
+    plot.show({{"a switch with a long name", &a.shape}, {"another of the same maker", &b.shape}}, a.shape,
+              {});
+    plot.resize(width_px, 400);
+    plot.replot();
+    QCOMPARE(plot.legend->itemCount(), 4);  // the band, the one asked for, two switches
+    QTEST(plot.legend->columnCount(), "columns");
+    for (int i = 0; i < plot.legend->itemCount(); ++i) {
+      const QCPAbstractLegendItem* item = plot.legend->item(i);
+      QVERIFY2(item->outerRect().width() >= item->minimumOuterSizeHint().width(),
+               qPrintable(QString::number(i)));
+    }
+  }
+
   void theMapIsDrawnOnceForAllThatChangedAndAnswersBefore() {
     MeasuredTable table;
     table.setSwitches(madeUp(60));
