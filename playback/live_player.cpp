@@ -327,15 +327,21 @@ class Player : public LivePlayer {
     return std::nullopt;
   }
 
-  /// controlMutex_ is held.
+  /// controlMutex_ is held. Where the lane is full, `receive` sends it when there is room.
   void sendProgram(const LiveProgram& program) {
     if (!sounding_) return;
-    programs_.push_back(std::make_unique<LiveProgram>(program));
+    owedProgram_ = std::make_unique<LiveProgram>(program);
+    sendOwedProgram();
+  }
+
+  /// controlMutex_ is held.
+  void sendOwedProgram() {
+    if (!owedProgram_) return;
     SessionCommand command;
     command.kind = CommandKind::program;
-    command.program = &programs_.back()->program;
-    command.speeds = &programs_.back()->speeds;
-    if (!session_.send(Lane::control, command)) programs_.pop_back();
+    command.program = &owedProgram_->program;
+    command.speeds = &owedProgram_->speeds;
+    if (session_.send(Lane::control, command)) programs_.push_back(std::move(owedProgram_));
   }
 
   /// Of a trace the speed is known beforehand: it is played on the program of that speed, as it is rendered. True: `endSpeed` is due.
@@ -400,6 +406,8 @@ class Player : public LivePlayer {
 
   void receive() {
     const std::lock_guard lock(controlMutex_);
+    sendOwedProgram();
+    if (owesGain_) sendGain();
     SessionReport report;
     while (session_.receive(report)) {
       switch (report.kind) {
@@ -555,7 +563,7 @@ class Player : public LivePlayer {
     SessionCommand command;
     command.kind = CommandKind::gain;
     command.value = ownGain_ * gainShare_;
-    session_.send(Lane::control, command);
+    owesGain_ = !session_.send(Lane::control, command);
   }
 
   /// controlMutex_ is held.
@@ -623,8 +631,9 @@ class Player : public LivePlayer {
   const double began_s_;
   std::mutex controlMutex_, readingMutex_, networkMutex_;  // control before reading where both are held
   std::mutex traceMutex_;                                  // before all others: one playTrace at a time
-  std::vector<std::unique_ptr<LiveProgram>> programs_;
-  std::vector<std::unique_ptr<OwnedTake>> takes_;  // controlMutex_; in the callback's hands
+  std::vector<std::unique_ptr<LiveProgram>> programs_;     // controlMutex_; in the callback's hands
+  std::unique_ptr<LiveProgram> owedProgram_;               // controlMutex_; the newest, not sent yet
+  std::vector<std::unique_ptr<OwnedTake>> takes_;          // controlMutex_; in the callback's hands
   SessionStatus lastStatus_;
   struct {
     double felt_dB = -std::numeric_limits<double>::infinity();
@@ -645,6 +654,7 @@ class Player : public LivePlayer {
   std::unique_ptr<PdRoute> route_;
   bool missedReadings_ = false;         // readingMutex_
   double ownGain_ = 1, gainShare_ = 1;  // controlMutex_
+  bool owesGain_ = false;               // controlMutex_: the lane was full
   double fingerPeak_N_ = 0;
   std::atomic<bool> tracePlaying_{false}, stopTrace_{false};
   std::thread traceThread_;

@@ -120,6 +120,9 @@ void JackServer::start(int rate_Hz) {
   why_ = "jackd with its dummy driver does not start here";
 }
 
+void JackServer::pause() { ::kill(server_->pid(), SIGSTOP); }
+void JackServer::resume() { ::kill(server_->pid(), SIGCONT); }
+
 struct JackListener::Client {
   jack_client_t* jack = nullptr;
   jack_port_t *input = nullptr, *output = nullptr;

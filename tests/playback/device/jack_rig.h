@@ -38,6 +38,9 @@ class JackServer {
   std::string whyNot() const { return why_; }
   void stop();
   void start(int rate_Hz = 48000);
+  /// It stands still for a while: no callback comes, and no client is told that it has gone.
+  void pause();
+  void resume();
 
  private:
   int period_;

@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "model/speed_family.h"
 #include "playback/device/audio_device.h"
 #include "playback/device/signal_server.h"
 #include "playback/device/steady_clock.h"
@@ -270,6 +271,60 @@ TEST_CASE("live: traces from several threads replace each other, the last one pl
   CHECK(player.tracePlaying());
   CHECK(within(3, [&] { return !player.tracePlaying(); }));
   CHECK(player.status().counts.bottomOuts >= 1);
+}
+
+TEST_CASE(
+    "live: what was said while no word got through is heard: the button of all speeds after a trace, the "
+    "gain") {
+  JackServer server(256);
+  if (skipped(server, "a trace's end while the sound server stands still")) return;
+  const auto peakAt = [](double at_mm) {
+    return buttonOf("peak", {stateOf("", {{0, 0.1}, {at_mm, 0.8}, {2.2, 0.4}, {4, 1.1}}, {})});
+  };
+  const Button family = *familyOf({peakAt(1), peakAt(1.5)}, {10, 150});
+  const Result<PreparedProgram> front = prepareProgram(family, {}, {});
+  Result<std::unique_ptr<LivePlayer>> started =
+      LivePlayer::start(jackSettings(), *prepareLive(*front, family, {}, {}));
+  REQUIRE(started);
+  LivePlayer& player = **started;
+  REQUIRE(within(2, [&] { return player.status().blockFrames > 0; }));
+  std::vector<double> jumps_mm;
+  const auto jumped = [&] {
+    for (const EngineEvent& e : player.takeEvents())
+      if (e.kind == EventKind::pressJump) jumps_mm.push_back(e.displacement_mm);
+    return !jumps_mm.empty();
+  };
+  PressTrace fast{PressTrace::Quantity::displacement_mm, {}};
+  for (int ms = 0; ms <= 100; ++ms) fast.readings.push_back({0.001 * ms, std::min(4.0, 0.15 * ms)});
+  REQUIRE(player.playTrace(fast, 0.1));
+  REQUIRE(within(2, jumped));
+  CHECK(jumps_mm.front() == Approx(1.5).margin(0.03));
+
+  REQUIRE(player.tracePlaying());
+  server.pause();
+  sleepUntil(now_s() + 0.02);                        // the last callback
+  for (int i = 0; i < 6000; ++i) player.setGain(1);  // more than the lane holds
+  CHECK(within(3, [&] { return !player.tracePlaying(); }));
+  player.setGain(0);
+  server.resume();
+  const std::uint64_t before = player.status().counts.inputs;
+  REQUIRE(within(5, [&] {
+    player.pushDisplacement(0);
+    return player.status().counts.inputs > before;
+  }));
+  sleepUntil(now_s() + 0.2);
+  player.takeEvents();
+  jumps_mm.clear();
+  double loudest = 0;
+  for (int i = 0; i <= 300; ++i) {
+    player.pushDisplacement(0.01 * i);
+    loudest = std::max(loudest, player.status().level);
+    sleepUntil(now_s() + 0.002);  // 5 mm/s at most
+  }
+  CHECK(loudest == 0);
+  CHECK(within(2, jumped));
+  REQUIRE(jumps_mm.size() == 1);
+  CHECK(jumps_mm.front() == Approx(1).margin(0.03));
 }
 
 TEST_CASE("live: rain comes from the second output alone, at the level asked for") {

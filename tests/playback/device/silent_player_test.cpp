@@ -104,6 +104,39 @@ TEST_CASE("silent: another button under the finger takes the finger over without
   CHECK(player->status().displacement_mm == Approx(2 + 0.2 / 0.15).margin(0.01));  // 0.6 N on A's line
 }
 
+TEST_CASE(
+    "silent: another button under a finger that is held by its displacement leaves it there, and no press is "
+    "counted") {
+  const auto player = silent(linearButton());
+  auto moveTo = [&, at_mm = 0.0](double to_mm) mutable {
+    for (const double from_mm = at_mm; at_mm != to_mm;) {
+      at_mm = to_mm > from_mm ? std::min(to_mm, at_mm + 0.1) : std::max(to_mm, at_mm - 0.1);
+      player->pushDisplacement(at_mm);
+      sleepUntil(now_s() + 0.0005);
+    }
+  };
+  moveTo(2);
+  player->takeEvents();
+  player->takePresses();
+  // 0.4 N does not move this one: by its force the finger would be up.
+  const auto stiff =
+      std::make_unique<HapticProgram>(programOf(buttonOf("stiff", {stateOf("", {{0, 0.9}, {4, 2}}, {})})));
+  player->setProgram(*stiff);
+  CHECK(player->takeEvents().empty());
+  CHECK(player->status().displacement_mm == Approx(2));
+  CHECK(player->status().force_N == Approx(1.45).margin(0.01));
+  moveTo(4);
+  moveTo(0);
+  const PressCount former = player->takePresses();  // begun on the button before
+  CHECK(former.begun == 0);
+  CHECK(former.whole == 0);
+  moveTo(4);
+  moveTo(0);
+  const PressCount own = player->takePresses();
+  CHECK(own.begun == 1);
+  CHECK(own.whole == 1);
+}
+
 TEST_CASE("silent: a press goes over to its speed") {
   const auto peakAt = [](double at_mm) {
     return buttonOf("peak", {stateOf("", {{0, 0.1}, {at_mm, 0.8}, {2.2, 0.4}, {4, 1.1}},
