@@ -8,6 +8,7 @@
 #include "playback/device/force_loop.h"
 #include "playback/device/force_orders.h"
 #include "playback/device/odrive_force_device.h"
+#include "playback/device/serial_force_device.h"
 #include "playback/force_feedback.h"
 #include "playback/open_force_device.h"
 
@@ -160,6 +161,10 @@ class RunningForce : public ForcePlayer {
     if (pace_.roundTrip_s == 0) {
       Result<PreparedForce> prepared = prepareForce(button, settings_.device.profile, settings_.force);
       if (!prepared) return prepared.failure();
+      if (settings_.device.uploadTable) {
+        std::optional<Failure> refused = refusedAsTable(prepared->program, device_.name);
+        if (refused) return *std::move(refused);
+      }
       summary_ = std::move(prepared->summary);
       loop_.setProgram(prepared->program);
       return Done{};

@@ -45,6 +45,10 @@ class ForceDevice {
   /// Another period, of which an answer may take up `wait_s`. False where the device does not take it. Before the first `exchange`.
   virtual bool setPace(double /*period_s*/, double /*wait_s*/) { return true; }
 
+  /// Another button is under the finger. A device that runs the law itself takes it over some hundred exchanges, without force meanwhile,
+  /// and its force rises from nothing. Not for every step: it may allocate.
+  virtual void setProgram(const ForceProgram& /*program*/) {}
+
   /// A person wants force again after an emergency stop, a fault or a lost place: clears what the device itself holds against it. May
   /// wait a fifth of a second.
   virtual void rearm() {}

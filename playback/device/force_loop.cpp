@@ -51,6 +51,7 @@ void ForceLoop::takeProgram() {
   if (!programs_.try_dequeue(next)) return;
   std::swap(program_, next);
   engine_.setProgram(*program_);
+  device_->setProgram(*program_);
   retired_.try_enqueue(std::move(next));  // freed by the other thread
 }
 

@@ -24,6 +24,8 @@ constexpr double waitOfPeriod = 0.5;
 
 constexpr int protocol = 2;  // with limits of the device's own
 constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
+constexpr double tableSilence =
+    0.8;  // of what the device waits: our answers and its clock are not quite one time
 constexpr int stoppedState = 1, unlimitedState = 2;  // of an answer
 
 /// Fields between commas; more than there is room for are no line of the protocol.
@@ -186,24 +188,29 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
   return lines;
 }
 
-Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
-  Failure refused{FailureCode::deviceTrouble, info_.name, "", "does not take the force table",
-                  "Check the firmware and the cable; without --upload the host runs the law"};
+std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::string& device) {
   if (program.states[0].speedCount > 1) {
-    return Failure{FailureCode::wrongUsage, info_.name, "",
+    return Failure{FailureCode::wrongUsage, device, "",
                    "holds the force of one speed, and this button has graphs at " +
                        std::to_string(program.states[0].speedCount),
-                   "Leave --upload out: the host runs the law; or upload the button of one speed, which "
+                   "Leave the upload out: the host runs the law; or upload the button of one speed, which "
                    "detent-graph convert --speed V writes"};
   }
   if (program.stateCount != 1) {
-    return Failure{FailureCode::wrongUsage, info_.name, "",
+    return Failure{FailureCode::wrongUsage, device, "",
                    "runs one state only, and this button has " + std::to_string(program.stateCount),
-                   "Leave --upload out: the host runs self-locking buttons"};
+                   "Leave the upload out: the host runs self-locking buttons"};
   }
+  return {};
+}
+
+Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
+  Failure refused{FailureCode::deviceTrouble, info_.name, "", "does not take the force table",
+                  "Check the firmware and the cable; without the upload the host runs the law"};
+  if (std::optional<Failure> other = refusedAsTable(program, info_.name)) return *std::move(other);
   if (info_.tableRows < 2) {
     return Failure{FailureCode::wrongUsage, info_.name, "", "holds no force table",
-                   "Leave --upload out: the host runs the law"};
+                   "Leave the upload out: the host runs the law"};
   }
   const double asked_N = program.limits.force_N;
   if (!(asked_N > 0) || asked_N > limits_.force_N * (1 + 1e-9)) {
@@ -212,20 +219,70 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
                        std::to_string(asked_N) + " N, or none",
                    "Prepare the button for the device's limit"};
   }
-  for (const std::string& line : forceTableLines(program, info_.tableRows)) {
+  table_ = forceTableLines(program, info_.tableRows);
+  for (const std::string& line : table_) {
     if (!acknowledged(line)) return refused;
   }
   ownLaw_ = true;
+  toldLines_ = table_.size();
+  // Its clock: from here on it tells a pause that ended the table.
+  heardTime_us_ = -1;
+  ++sequence_;
+  sendOrders(ForceCommand{});
+  ForceReading begun;
+  begun.fresh = false;
+  for (const double deadline_s = now_s() + answer_s; !begun.fresh;) {
+    const std::optional<std::string_view> line = link_.line(deadline_s);
+    if (!line) return refused;
+    take(*line, begun);
+  }
+  zeroLost_ = begun.zero == ForceReading::Zero::lost;
   return Done{};
+}
+
+void SerialForceDevice::setProgram(const ForceProgram& program) {
+  if (!ownLaw_) return;
+  table_ = forceTableLines(program, info_.tableRows);
+  beginTable();
+}
+
+void SerialForceDevice::beginTable() {
+  toldLines_ = 0;
+  lineSince_ = sequence_ + 1;
+}
+
+// No force before the first line of another table: a firmware might go on with what it gave. A line is sent with each question until it
+// is acknowledged; all lines may be heard twice.
+void SerialForceDevice::sendTableLine() {
+  if (toldLines_ == 0) send("X");
+  send(table_[toldLines_]);
+}
+
+// Answers come in the order of what they answer: an acknowledgement belongs to the question whose answer follows it.
+void SerialForceDevice::noteAnswer(std::uint32_t sequence, long long time_us) {
+  const bool ofThisLine = static_cast<std::int32_t>(sequence - lineSince_) >= 0;
+  if (std::exchange(lineTaken_, false) && ofThisLine && toldLines_ < table_.size()) {
+    ++toldLines_;
+    lineSince_ = sequence_ + 1;
+  }
+  const long long before_us = std::exchange(heardTime_us_, time_us);
+  if (before_us < 0 || !ownLaw_ || toldLines_ < table_.size()) return;
+  // A table ends where the device hears nothing for longer than it waits. Its clock may wrap.
+  if (micro * static_cast<std::uint32_t>(time_us - before_us) > silence_s_) beginTable();
+}
+
+void SerialForceDevice::loseLaw() {
+  ownLaw_ = false;
+  zeroLost_ = true;
 }
 
 // A device that was away has no table, no limit and no zero.
 bool SerialForceDevice::isBack() {
   if (!link_.reopen()) return false;
   ++counts_.reconnects;
-  ownLaw_ = limitHeld_ = false;
-  zeroLost_ = true;
-  lastTime_us_ = -1;
+  limitHeld_ = false;
+  loseLaw();
+  lastTime_us_ = heardTime_us_ = -1;
   return true;
 }
 
@@ -242,6 +299,7 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
   std::array<char, 64> body{};
   int length = 0;
   if (ownLaw_) {
+    if (toldLines_ < table_.size()) sendTableLine();
     length = std::snprintf(body.data(), body.size(), "H,%u", sequence_);
   } else {
     const double force_N = command.halted || !limitHeld_ ? 0 : command.force_N;
@@ -252,8 +310,14 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
 
 SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceReading& reading) {
   const std::optional<std::string_view> text = forceLineBody(line);
-  if (!text) return Answer::none;
-  if (*text == "A" || text->starts_with("N,") || text->starts_with("I,")) return Answer::other;
+  if (!text) {
+    lineTaken_ = false;  // it may be the answer that an acknowledgement belonged to
+    return Answer::none;
+  }
+  const bool refused = text->starts_with("N,");
+  if (*text == "A") lineTaken_ = true;
+  if (refused && ownLaw_) loseLaw();
+  if (refused || *text == "A" || text->starts_with("I,")) return Answer::other;
   if (text->starts_with("L,")) {
     const std::size_t silence = limitLine_.rfind(',');
     long long asked_ms = 0, holds_ms = 0;
@@ -261,6 +325,7 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
                  text->substr(0, silence + 1) == limitLine_.substr(0, silence + 1) &&
                  read(std::string_view(limitLine_).substr(silence + 1), asked_ms) &&
                  read(text->substr(silence + 1), holds_ms) && holds_ms > 0 && holds_ms <= asked_ms;
+    silence_s_ = tableSilence * 1e-3 * static_cast<double>(holds_ms);
     return Answer::other;
   }
   const Fields f(*text);
@@ -271,12 +336,13 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
       !read(f[3], position_nm) || !read(f[4], state)) {
     return Answer::none;
   }
+  noteAnswer(sequence, time_us);
   // Of an earlier period, or twice; or a device whose clock stands still measures nothing anew.
   if (sequence != sequence_ || time_us == lastTime_us_) return Answer::old;
   lastTime_us_ = time_us;
   if (state == unlimitedState && limitHeld_) {  // it was reset meanwhile
-    limitHeld_ = ownLaw_ = false;
-    zeroLost_ = true;
+    limitHeld_ = false;
+    loseLaw();
   }
   reading.stopped = state == stoppedState && !toldStop_;
   reading.position_mm = last_mm_ = static_cast<double>(position_nm) / nmPerMm;

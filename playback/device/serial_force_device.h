@@ -4,6 +4,7 @@
 // uploads it as a table.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,13 @@ class SerialForceDevice : public ForceDevice {
   const SerialForceInfo& info() const { return info_; }
 
   /// Sends a law that the device then runs at its own rate; `exchange` only listens from then on, and its force is ignored.
-  /// Failure where the table does not fit (the device says how many rows it takes), has no limit or one above that of `open`, or a
-  /// row is not acknowledged.
+  /// Failure where the table does not fit (`refusedAsTable`; the device says how many rows it takes), has no limit or one above that
+  /// of `open`, or a row is not acknowledged. A device that heard nothing for longer than it waits has ended the table by itself:
+  /// `exchange` then sends it again.
   Result<Done> upload(const ForceProgram& program);
+  /// Where a law has been uploaded: this one takes its place, a line with each exchange. A device that refuses it has lost its place; then
+  /// the host runs the law.
+  void setProgram(const ForceProgram& program) override;
 
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
@@ -51,6 +56,10 @@ class SerialForceDevice : public ForceDevice {
   bool acknowledged(const std::string& line);
   void send(std::string_view body);
   void sendOrders(const ForceCommand& command);
+  void beginTable();
+  void sendTableLine();
+  void noteAnswer(std::uint32_t sequence, long long time_us);
+  void loseLaw();
   enum class Answer : std::uint8_t { reading, old, other, none };
   Answer take(std::string_view line, ForceReading& reading);
   bool isBack();
@@ -62,12 +71,21 @@ class SerialForceDevice : public ForceDevice {
   ForceLinkCounts counts_;
   std::string limitLine_;  ///< without checksum; a device that keeps to it says it back
   bool limitHeld_ = false;
-  bool ownLaw_ = false;
+  double silence_s_ = 0;            ///< after which a table is taken for ended
+  bool ownLaw_ = false;             ///< the device runs the table, or is being given it
+  std::vector<std::string> table_;  ///< its lines, without checksum
+  std::size_t toldLines_ = 0;       ///< of them, those the device has acknowledged
+  std::uint32_t lineSince_ = 0;     ///< the question with which the next one was sent first
+  bool lineTaken_ = false;          ///< an acknowledgement came since the last answer
   bool toldStop_ = false, arming_ = false, zeroLost_ = false;
   std::uint32_t sequence_ = 0;
-  long long lastTime_us_ = -1;  ///< of the device, at its last answer
+  long long lastTime_us_ = -1;   ///< of the device, at its last answer
+  long long heardTime_us_ = -1;  ///< likewise, old answers too
   double last_mm_ = 0;
 };
+
+/// Why a device that runs one table cannot run this button; none where it can.
+std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::string& device);
 
 /// "L,..." without checksum: the limits as a device takes them and says them back.
 std::string forceLimitLine(const ForceLimits& limits, double period_s);

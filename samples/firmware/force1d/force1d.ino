@@ -165,6 +165,7 @@ void takeTable(char* text) {
   int32_t v[6];
   ownLaw = false;
   rowCount = 0;
+  noForce();  // of the table before
   if (!numbersIn(text, v, 6) || v[5] <= 0 || v[5] > limit_uN) return send("N,limit");
   if (v[0] < 2 || v[0] > mostRows || v[2] <= 0 || v[3] <= 0) return send("N,table");
   limit_uN = v[5];

@@ -237,6 +237,121 @@ TEST_CASE("serial force device: the sample firmware takes a table and renders th
   CHECK(firmware::pwm == 0);
 }
 
+namespace {
+
+/// The sample firmware with a table, its handle at 2 mm and its force risen. From then on every `lost`th row does not get through; 0: none.
+class TableBoard {
+ public:
+  explicit TableBoard(std::size_t lost = 0) {
+    firmware::setup();
+    firmware::counts = 200;
+    device_ = opened(fake_);
+    REQUIRE(takesTable(*device_, benchProgram(test::linearButton())));
+    exchanges(40);
+    lost_ = lost;
+  }
+  SerialForceDevice& device() { return *device_; }
+  /// 10 ms of the board's time each; the largest force there was meanwhile.
+  double exchanges(int count) {
+    double most_N = 0;
+    for (int i = 0; i < count; ++i) {
+      answered(*device_);
+      most_N = std::max(most_N, force_N());
+      firmware::run(10000);
+      most_N = std::max(most_N, force_N());
+    }
+    return most_N;
+  }
+  static double force_N() { return std::abs(firmware::force_uN) * 1e-6; }
+  std::size_t rows() const { return rows_; }
+
+ private:
+  std::string heard(const std::string& line) {
+    const bool row = bodyOf(line).starts_with("R,");
+    rows_ += row ? 1 : 0;
+    if (row && lost_ > 0 && rows_ % lost_ == 0) return {};
+    return firmware::exchange(line);
+  }
+
+  std::atomic<std::size_t> lost_{0}, rows_{0};
+  FakeDevice fake_{[this](const std::string& line) { return heard(line); }};
+  std::unique_ptr<SerialForceDevice> device_;
+};
+
+double pressAt2_N(const Button& button) { return button.states().front().graph.press().force_N(2); }
+
+}  // namespace
+
+TEST_CASE("serial force device: another button takes the table's place, without force meanwhile") {
+  for (const std::size_t lost : {std::size_t{0}, std::size_t{5}}) {
+    TableBoard board(lost);
+    CHECK(board.force_N() > 0.3);
+    const Button other = test::tactileButton();
+    board.device().setProgram(benchProgram(other));
+    answered(board.device());
+    CHECK(board.force_N() == 0);
+    const std::size_t before = board.rows();
+    CHECK(board.exchanges(200) == 0);  // of 256 rows
+    CHECK(board.rows() >= before + 190);
+    double rising_N = 0;
+    for (int i = 0; i < 150 && rising_N == 0; ++i) rising_N = board.exchanges(1);
+    CHECK(rising_N > 0);
+    CHECK(rising_N < 5 * 0.011 / 0.2);  // along the ramp
+    board.exchanges(40);
+    // It came to rest at 2 mm from above nothing: between release and press.
+    const StrokeCurve& release = *other.states().front().graph.release();
+    CHECK(board.force_N() > release.force_N(2) - 0.02);
+    CHECK(board.force_N() < pressAt2_N(other) + 0.02);
+    firmware::counts = 0;
+    board.exchanges(10);
+    for (int i = 0; i <= 200; i += 2) firmware::counts = i, board.exchanges(1);
+    board.exchanges(30);
+    CHECK(board.force_N() == Approx(pressAt2_N(other)).margin(0.01));
+  }
+}
+
+TEST_CASE("sample firmware: a table that begins ends the force of the one before") {
+  TableBoard board;
+  CHECK(board.force_N() > 0.3);
+  std::string line = forceLine("T,2,0,1000000,10000,0,1000000");
+  line.pop_back();
+  CHECK(firmware::exchange(line).starts_with("A*"));
+  CHECK(board.force_N() == 0);
+}
+
+TEST_CASE(
+    "serial force device: a table that a pause has ended is sent again, and its force rises from nothing") {
+  TableBoard board;
+  const double before_N = board.force_N();
+  CHECK(before_N > 0.3);
+  firmware::run(60000);  // the board waits 50 ms
+  CHECK(board.force_N() == 0);
+  CHECK(board.exchanges(200) == 0);
+  board.exchanges(120);
+  CHECK(board.force_N() == Approx(before_N).margin(0.02));
+}
+
+TEST_CASE(
+    "serial force device: a board that refuses another table has lost its place; the host runs the law") {
+  std::atomic<bool> refuses{false};
+  std::atomic<int> forces{0};
+  FakeDevice fake([&](const std::string& line) {
+    const std::string body = bodyOf(line);
+    forces += body.starts_with("F,") ? 1 : 0;
+    return refuses && body.starts_with("R,") ? forceLine("N,row") : goodBoard(line, 0);
+  });
+  auto device = opened(fake);
+  REQUIRE(takesTable(*device, benchProgram(test::linearButton())));
+  refuses = true;
+  device->setProgram(benchProgram(test::tactileButton()));
+  bool lost = false;
+  for (int i = 0; i < 10 && !lost; ++i) lost = answered(*device).zero == ForceReading::Zero::lost;
+  CHECK(lost);
+  forces = 0;
+  answered(*device);
+  CHECK(forces == 1);
+}
+
 TEST_CASE("serial force device: a device whose clock stands still measures nothing anew") {
   std::atomic<bool> frozen{false};
   FakeDevice fake([&](const std::string& line) {

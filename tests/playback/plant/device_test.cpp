@@ -2,14 +2,17 @@
 // detent-play force as a program, against a microcontroller and an ODrive at the far end of a pty, with a handle and a finger on
 // them: what reaches the hand, whatever the link and the firmware do. Issue 25, sections 1 and 2; [!shouldfail] as in safety_test.cpp.
 
+#include <chrono>
 #include <cmath>
 #include <future>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "playback/force_feedback.h"
 #include "tests/cli/run_program.h"
 #include "tests/playback/plant/closed_loop.h"
 #include "tests/playback/plant/finger.h"
@@ -203,6 +206,87 @@ TEST_CASE("uploaded, by the host and simulated: the same force under the same li
       REQUIRE(std::abs(host_N - uploaded_N) < 0.03);
     }
   }
+}
+
+namespace {
+
+struct Exchanged {
+  double largest_N = 0, gone_s = -1,
+         risen_s = -1;    ///< of the exchange: when the force went, when it was back
+  double overRamp_N = 0;  ///< above the ramp since it began to rise
+  double worst_N = 1e9;   ///< table against the other button's, either stroke
+  std::string refused;
+};
+
+/// A finger holds 3 mm; the uploaded `from` becomes `to` under it.
+Exchanged exchanged(const std::string& from, const std::string& to, double replyDelay_s) {
+  constexpr double max_N = 3, ramp_s = 0.2;
+  SerialEmulatorSettings settings;
+  settings.pty.plan = holding(3, 0.5);
+  settings.pty.start_mm = 3;
+  settings.pty.replyDelay_s = replyDelay_s;
+  SerialEmulator device(settings);
+  playback::ForcePlayerSettings player;
+  player.device = *playback::forceDeviceFrom("serial:" + device.port());
+  player.device.uploadTable = true;
+  player.device.profile.step_mm = 0.001;
+  player.device.profile.limits.force_N = max_N;
+  Exchanged e;
+  {
+    const auto running = playback::ForcePlayer::start(sampleButton(from), player);
+    REQUIRE(running);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    const Result<Done> taken = (*running)->setButton(sampleButton(to));
+    if (!taken) e.refused = taken.failure().sentence();
+    // A line with each answer, and the ramp.
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200 + static_cast<int>(300e3 * replyDelay_s)));
+  }
+  device.halt();
+  e.largest_N = device.largestMotor_N();
+  bool was = false;
+  for (const PtyMoment& moment : device.moments()) {
+    was = was || moment.motor_N > 0.2;
+    if (was && e.gone_s < 0 && moment.motor_N == 0) e.gone_s = moment.time_s;
+    if (e.gone_s >= 0 && e.risen_s < 0 && moment.motor_N != 0) e.risen_s = moment.time_s;
+    if (e.risen_s >= 0)
+      e.overRamp_N = std::max(
+          e.overRamp_N, std::abs(moment.motor_N) - max_N * (moment.time_s - e.risen_s + 0.003) / ramp_s);
+  }
+  const playback::ForceProgram program = preparedFor(sampleButton(to), player.device.profile);
+  const playback::ForceStateTable& told = program.states[0];
+  e.worst_N = 0;
+  for (std::uint32_t i = 0; i < told.rowCount; ++i) {
+    const double at_mm = told.first_mm + told.spacing_mm * i;
+    e.worst_N = std::max({e.worst_N, std::abs(device.table().force_N(at_mm, true, 0) - told.rows[i].press_N),
+                          std::abs(device.table().force_N(at_mm, false, 0) - told.rows[i].release_N)});
+  }
+  return e;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "an edit reaches a device that runs an uploaded table: without force meanwhile, then along the ramp",
+    "[upload]") {
+  for (const double replyDelay_s : {0.0, 0.004}) {
+    const Exchanged e =
+        undisturbed([&] { return exchanged("A", "B", replyDelay_s); },
+                    [](const Exchanged& r) { return r.risen_s > r.gone_s + 0.05 && r.worst_N < 0.03; });
+    INFO("answers after " << replyDelay_s << " s; gone at " << e.gone_s << " s, back at " << e.risen_s);
+    CHECK(e.refused.empty());
+    CHECK(e.gone_s > 0);
+    CHECK(e.risen_s > e.gone_s + 0.05);
+    CHECK(e.overRamp_N <= 0);
+    CHECK(e.largest_N <= 3.0001);
+    CHECK(e.worst_N < 0.03);
+  }
+}
+
+TEST_CASE("an edit that no uploaded table holds is refused with the reason, and the table goes on",
+          "[upload]") {
+  const Exchanged e = exchanged("A", "latch", 0);
+  CHECK_THAT(e.refused, Catch::Contains("runs one state only, and this button has 2"));
+  CHECK(e.largest_N > 0.2);
 }
 
 namespace {
