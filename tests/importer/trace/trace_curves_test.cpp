@@ -359,7 +359,9 @@ TEST_CASE("A curve with markers as large as they are drawn is a curve, no filled
   REQUIRE(traces->size() == 1);
   CHECK(::apart(traces->front().points_px, down) < 1.5);
   plot.line(plot.at({{0.1, 0.1}, {0.7, 0.1}}), 90, kRed);  // as high as a band
-  for (const CurveTrace& trace : *plot.trace()) CHECK(trace.color.b > trace.color.r);
+  const auto besideABand = plot.trace();
+  REQUIRE(besideABand.ok());
+  for (const CurveTrace& trace : *besideABand) CHECK(trace.color.b > trace.color.r);
 }
 
 TEST_CASE("What runs along the frame's upper line after a leap over bare paper is none of a stroke",
