@@ -13,7 +13,7 @@ using namespace detent::test;
 
 TEST_CASE("Drawn buttons and presses keep every limit of every format, or are refused with a sentence") {
   std::map<ExportFormat, int> written;
-  for (std::uint64_t seed = 1; seed <= 1200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     const FuzzedExport drawn = fuzzedExport(seed);
     const ExportVerdict verdict = judged(drawn);
     INFO("seed " << seed << ", " << exportFormats.word(drawn.settings.format));
@@ -22,7 +22,7 @@ TEST_CASE("Drawn buttons and presses keep every limit of every format, or are re
   }
   for (const auto& format : exportFormats.all) {
     INFO(format.word);
-    CHECK(written[format.value] > 30);  // the rest draws nothing that is felt
+    CHECK(written[format.value] > 12);  // the rest draws nothing that is felt
   }
 }
 
