@@ -525,6 +525,21 @@ TEST_CASE("A wall that stands on a gridline, or on the frame's edge, belongs to 
   }
 }
 
+TEST_CASE("A wall is found whatever level line stands above its foot", "[trace]") {
+  const int rows = GENERATE(range(5, 13));
+  INFO(rows);
+  Plot plot(440, 260);
+  plot.grid(8, rows, kBlack, 1);
+  Loop loop = loopEndingAt(0.75);
+  plot.line(plot.at(loop.press), 3, kBlack);
+  plot.line(plot.at(loop.release), 3, kBlack);
+  plot.line(plot.at({{0.75, loop.release.back().y}, {0.75, 1}}), 3, kBlack);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  for (const CurveTrace& trace : *traces)
+    CHECK(std::ranges::min(trace.points_px, {}, &Point::y).y < plot.at(0.75, 0.97).y);
+}
+
 TEST_CASE("A wall little thicker than the line it stands on is told by every row of it", "[trace]") {
   const double x = GENERATE(0.75, 1.0);
   Plot plot(700, 430);
@@ -631,6 +646,18 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     const auto left = [&] { return explain(thin.view(), thin.frame(), {}, {press}, {}).left; };
     CHECK((left().empty() || left().front().likeness < 0.2));
     thin.line(thin.at({{0.75, loop.press.back().y}, {0.75, 0.95}}), 1, kBlue, false, 0.7);
+    REQUIRE_FALSE(left().empty());
+    CHECK(left().front().likeness > 0.9);
+  }
+  SECTION("a wall over most of a gridline, all in one ink") {
+    Plot black(700, 430);
+    black.grid(8, 6, kBlack, 1);
+    const Curve low{{0, 0}, {0.3, 0.3}, {0.75, 0.35}};
+    black.line(black.at(low), 4, kBlack);
+    press.points_px = black.at(low), press.color = kBlack;
+    const auto left = [&] { return explain(black.view(), black.frame(), {}, {press}, {}).left; };
+    CHECK((left().empty() || left().front().likeness < 0.2));
+    black.line(black.at({low.back(), {0.75, 1}}), 4, kBlack);
     REQUIRE_FALSE(left().empty());
     CHECK(left().front().likeness > 0.9);
   }
