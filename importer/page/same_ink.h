@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether a colour is a curve's ink. Any thread.
+// How far colours lie apart, and whether one is a curve's ink. Any thread.
 
 #include <cmath>
 
@@ -8,10 +8,13 @@
 
 namespace detent::importer {
 
+/// Colour levels.
+inline double colorDistance(Rgb a, Rgb b) { return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b); }
+
 /// Whether two colours are about the same.
 inline bool isSameInk(Rgb a, Rgb b) {
   constexpr double sameInk = 70;  // colour levels
-  return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b) <= sameInk;
+  return colorDistance(a, b) <= sameInk;
 }
 
 /// Whether a pixel, inside the picture or not, has about this colour.

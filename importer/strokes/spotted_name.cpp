@@ -22,8 +22,6 @@ Rgb rgbAt(const Raster& picture, int x, int y) {
   return {p[0], p[1], p[2]};
 }
 
-double apart(Rgb a, Rgb b) { return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b); }
-
 /// The commonest colour, to sixteen levels.
 Rgb paperOf(const Raster& picture) {
   std::vector<int> seen(4096, 0);
@@ -42,7 +40,7 @@ cv::Mat inkOf(const Raster& picture) {
   cv::Mat ink(picture.height_px, picture.width_px, CV_32F);
   for (int y = 0; y < ink.rows; ++y)
     for (int x = 0; x < ink.cols; ++x)
-      ink.at<float>(y, x) = static_cast<float>(apart(rgbAt(picture, x, y), paper));
+      ink.at<float>(y, x) = static_cast<float>(colorDistance(rgbAt(picture, x, y), paper));
   return ink;
 }
 

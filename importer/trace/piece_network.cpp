@@ -36,8 +36,7 @@ constexpr double nearlyTouching =
     0.004;  // of the diagonal; too near for the direction of the gap to mean anything
 constexpr double directionStretch = 0.004;  // of the diagonal
 constexpr double facing_deg = 25;           // ends on both sides of a gap look at each other
-constexpr double leastCover = 0.35;         // of the plot's width, for a stroke
-constexpr double leastOwn = 0.15;           // not shared with earlier ones
+constexpr double mostOwn = 0.15;            // asked for, of the width, not shared with earlier ones
 
 double angleBetween_deg(Point a, Point b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
@@ -334,7 +333,7 @@ FoundStroke PieceNetwork::strokeAlong(const std::vector<Step>& steps, double cos
   return stroke;
 }
 
-std::optional<FoundStroke> PieceNetwork::nextStroke() {
+std::optional<FoundStroke> PieceNetwork::nextStroke(double leastCover) {
   // Dijkstra over (piece, direction); the state's cost includes walking the piece.
   const std::size_t states = links_.size();
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -378,6 +377,7 @@ std::optional<FoundStroke> PieceNetwork::nextStroke() {
   extend(steps, false);
   extend(steps, true);
   FoundStroke stroke = strokeAlong(steps, bestCost);
+  const double leastOwn = std::min(mostOwn, 0.5 * leastCover);
   if (stroke.to - stroke.from < leastCover || stroke.ownLength < leastOwn || stroke.slanted < leastOwn)
     return std::nullopt;
   for (const Step& step : steps) ++used_[step.piece];

@@ -34,11 +34,12 @@ struct UnusedLine {
 /// uncovered travel most.
 class PieceNetwork {
  public:
+  static constexpr double usualCover = 0.35;  ///< of the plot's width
+
   PieceNetwork(std::vector<LinePiece> pieces, const PlotPlane& plane);
 
-  /// The best stroke that does not mainly repeat those found before; nothing if none covers enough of the
-  /// plot.
-  std::optional<FoundStroke> nextStroke();
+  /// The best stroke that does not mainly repeat those found before; nothing if none covers so much of the plot's width.
+  std::optional<FoundStroke> nextStroke(double leastCover = usualCover);
 
   /// What no stroke uses, beside grid, letters and level or plumb lines.
   std::vector<UnusedLine> unusedLines() const;

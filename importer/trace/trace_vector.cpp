@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "importer/page/same_ink.h"
 #include "importer/trace/loop_crossing.h"
 #include "importer/trace/loop_pair.h"
 #include "importer/trace/piece_network.h"
@@ -14,10 +15,6 @@
 
 namespace detent::importer {
 namespace {
-
-double colorDistance(Rgb a, Rgb b) {
-  return std::sqrt(std::pow(a.r - b.r, 2) + std::pow(a.g - b.g, 2) + std::pow(a.b - b.b, 2));
-}
 
 /// Lines that look alike: one ink, one dash pattern.
 struct LineStyle {
@@ -80,9 +77,18 @@ bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& pl
   return trace::linesCross(upper, lower, press.width_px, plane.diagonal());
 }
 
+/// Whether a line that covers less of the plot than strokes do ends where the press does, as the way back of a key that latches. Leaders
+/// are drawn with two or three points.
+bool leadsBackFrom(const FoundStroke& press, const FoundStroke& other) {
+  constexpr double together = 0.02;  // of the plot's width
+  constexpr std::size_t measuredPoints = 8;
+  return std::abs(press.to - other.to) <= together && other.points.size() >= measuredPoints;
+}
+
 struct StrokesOfInk {
   std::vector<StyledStroke> strokes;
-  bool inDoubt = false;  ///< parts of strokes, or strokes of two switches
+  std::optional<FoundStroke> shortOne;  ///< where there is no stroke
+  bool inDoubt = false;                 ///< parts of strokes, or strokes of two switches
 };
 
 StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, const PlotPlane& plane) {
@@ -106,6 +112,8 @@ StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, co
   if (lines.size() == 2)
     found.inDoubt = found.inDoubt || sharedTravel(lines[0], lines[1]) < leastShared ||
                     areUnpaired(lines[0], lines[1], plane);
+  constexpr double shortCover = 0.12;  // of the plot's width, as in pictures
+  if (lines.empty()) found.shortOne = network.nextStroke(shortCover);
   for (FoundStroke& line : lines) {
     const double confidence = std::clamp(1 - 0.3 * line.joinCost, 0.1, 1.0) * (third ? 0.5 : 1);
     found.strokes.push_back({style, std::move(line), confidence});
@@ -211,11 +219,18 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     const LineStyle style{piece.color, piece.dashed};
     if (wanted(style, hints)) styles[style].push_back(std::move(piece));
   }
-  std::vector<StyledStroke> strokes;
+  std::vector<StyledStroke> strokes, shortOnes;
   for (auto& [style, pieces] : styles) {
     StrokesOfInk found = strokesOf(style, std::move(pieces), plane);
     if (found.inDoubt) return {};
     std::ranges::move(found.strokes, std::back_inserter(strokes));
+    if (found.shortOne) shortOnes.push_back({style, std::move(*found.shortOne)});
+  }
+  if (strokes.size() == 1) {
+    std::erase_if(shortOnes, [&](const StyledStroke& each) {
+      return !leadsBackFrom(strokes.front().stroke, each.stroke);
+    });
+    std::ranges::move(shortOnes, std::back_inserter(strokes));
   }
 
   const std::vector<LegendSample> samples = legendSamples(view, plane);

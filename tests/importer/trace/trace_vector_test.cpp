@@ -417,6 +417,25 @@ TEST_CASE("of two colours given, one of which no line has, the other's line is n
   CHECK(drawing.traced(hints).empty());
 }
 
+TEST_CASE(
+    "a short way back in an ink of its own is a stroke where it ends as the press does, a leader is none") {
+  const auto low = [](double u) { return 0.2 + 0.3 * (u - 0.7) + 4 * std::pow(u - 0.7, 2); };
+  const auto traced = [&](const Polyline& line) {
+    Drawing drawing;
+    drawing.stroke(press);
+    drawing.color = {200, 0, 0};
+    drawing.stroke(line);
+    return drawing.traced();
+  };
+  const Polyline back = curve(low, 0.7, 0.95);
+  const auto both = traced(back);
+  REQUIRE(both.size() == 2);
+  CHECK(std::ranges::any_of(both, [&](const CurveTrace& trace) { return trace.points_px == back; }));
+  CHECK(traced(curve(low, 0.6, 0.85)).size() == 1);
+  CHECK(traced({at(0.7, 0.2), at(0.8, 0.3), at(0.95, 0.4)}).size() == 1);
+  CHECK(traced(curve(low, 0.87, 0.95)).size() == 1);
+}
+
 TEST_CASE("hints: colours choose and name, masks cut") {
   Drawing drawing;
   drawing.color = {200, 0, 0};
