@@ -78,8 +78,13 @@ bool LetterShape::looksLike(const LetterShape& other) const {
   return others * pixelsPerOther <= ink.size();
 }
 
-std::vector<LetterShape> digitsOf(const cv::Mat& ink, const AxisCalibration& axes) {
+std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& ink, const AxisCalibration& axes) {
   std::vector<LetterShape> digits;
+  std::vector<Box> labels;
+  for (const AxisReading* axis : {&axes.x, &axes.y})
+    for (const TickLabel& tick : axis->ticks)
+      if (tick.used) labels.push_back(tick.box);
+  if (!isUnsmoothed(darkness, labels)) return {};
   for (const AxisReading* axis : {&axes.x, &axes.y})
     for (const TickLabel& tick : axis->ticks) {
       if (!tick.used) continue;

@@ -37,8 +37,9 @@ std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::v
                                                         const std::vector<double>& centers_px, bool rising,
                                                         const std::vector<std::string>& engine);
 
-/// Digits whose shapes the labels of both axes tell, each once; none where one sign has two shapes. `ink` of the view they were read in.
-std::vector<LetterShape> digitsOf(const cv::Mat& ink, const AxisCalibration& axes);
+/// Digits whose shapes the labels of both axes tell, each once; none where their print is smoothed or one sign has two shapes. `darkness`
+/// and `ink` of the view they were read in.
+std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& ink, const AxisCalibration& axes);
 
 /// What was read of a word with known shapes' digits in place of what the engine made of them.
 std::string withKnownDigits(const std::string& utf8, const std::vector<LetterShape>& letters,

@@ -115,7 +115,7 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   });
   if (lines.size() > maxLines) lines.resize(maxLines);
   TextReader reader(view);
-  const std::vector<LetterShape> digits = digitsOf(ink, axes.calibration.value);
+  const std::vector<LetterShape> digits = digitsOf(d, ink, axes.calibration.value);
   for (const auto& line : lines) {
     if (progress.isCancelled()) return;
     auto seen = reader.readLine(line.box, TextKind::words);

@@ -117,8 +117,10 @@ namespace {
 /// How sure a reading has to be: of three letters and more between two brackets hardly anything but a unit comes out as one.
 double leastSure(const std::string& text) {
   constexpr double sure = 0.7, sureInBrackets = 0.5;  // of the engine's
-  constexpr std::size_t fewest = 5;                   // signs
-  const bool whole = text.size() >= fewest && (text.front() == '(' || text.front() == '[') &&
+  constexpr std::ptrdiff_t fewest = 5;                // signs
+  const auto isNew = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };  // of UTF-8
+  const bool whole = std::ranges::count_if(text, isNew) >= fewest &&
+                     (text.front() == '(' || text.front() == '[') &&
                      (text.back() == ')' || text.back() == ']');
   return whole ? sureInBrackets : sure;
 }

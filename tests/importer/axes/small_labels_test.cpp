@@ -204,6 +204,22 @@ TEST_CASE("digits that touch, or are smoothed, have no shapes of their own") {
   CHECK_FALSE(isUnsmoothed(darkness, {}));
 }
 
+TEST_CASE("the digits of both axes are known where their print is not smoothed") {
+  cv::Mat ink = cv::Mat::zeros(20, 60, CV_8U);
+  AxisCalibration axes;
+  for (const auto& [text, left] : {std::pair{"0.6", 5}, {"60", 35}}) {
+    TickLabel tick;
+    tick.text = text, tick.box = write(ink, text, left, 5), tick.used = true;
+    axes.x.ticks.push_back(tick);
+  }
+  const std::vector<LetterShape> digits = digitsOf(ink, ink, axes);
+  REQUIRE(digits.size() == 2);
+  CHECK((digits[0].sign == '0' && digits[1].sign == '6'));
+  cv::Mat smoothed;
+  cv::GaussianBlur(ink, smoothed, {}, 0.5);
+  CHECK(digitsOf(smoothed, ink, axes).empty());
+}
+
 TEST_CASE("digits known by their shape stand in names, whatever the engine makes of them") {
   cv::Mat ink = cv::Mat::zeros(20, 120, CV_8U);
   const std::vector<LetterShape> name = lettersOf(ink, write(ink, "1.0N", 10, 5));
