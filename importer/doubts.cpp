@@ -8,7 +8,9 @@
 
 #include "importer/axes/button_sizes.h"
 #include "importer/axes/printed_unit.h"
+#include "importer/page/polyline.h"
 #include "importer/page/same_ink.h"
+#include "importer/strokes/legend.h"
 #include "importer/wider_frame.h"
 
 namespace detent::importer {
@@ -57,14 +59,8 @@ Extent forceOf(const StrokePoints& s) {
 }
 
 /// Whether a point lies on a polyline, or this near to it.
-bool liesOn(const std::vector<Point>& line, Point p, double within_px) {
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Point along = line[i + 1] - line[i], to = p - line[i];
-    const double length2 = dot(along, along);
-    const Point off = to - (length2 > 0 ? std::clamp(dot(to, along) / length2, 0.0, 1.0) : 0) * along;
-    if (dot(off, off) <= within_px * within_px) return true;
-  }
-  return false;
+bool liesOn(const Polyline& line, Point p, double within_px) {
+  return !line.empty() && distance(nearestOn(line, p), p) <= within_px;
 }
 
 /// Share of a line that runs on another, judged at a few hundred places.
@@ -104,10 +100,8 @@ bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
 
 /// Share of a stroke's length that its longest straight stretch along one axis takes.
 double shareAlongAnAxis(const std::vector<Point>& line) {
-  std::vector<double> at{0};
-  for (std::size_t i = 1; i < line.size(); ++i)
-    at.push_back(at.back() + std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
-  if (!(at.back() > 0)) return 0;
+  const std::vector<double> at = arcOf(line);
+  if (at.empty() || !(at.back() > 0)) return 0;
   const auto longest = [&](auto across) {
     double best = 0;
     for (std::size_t from = 0, to = 0; from < line.size(); ++from) {
@@ -230,6 +224,7 @@ class Doubts {
     shapes();
     leftOver();
     otherLine();
+    assumed();
     place();
     pageClass();
     for (WeighedDoubt& each : doubts_) each.doubt.remedies = leftToTry(each.doubt.remedies, hints_);
@@ -392,6 +387,17 @@ class Doubts {
       sayAt(0.5 * (leap->from_px + leap->to_px), DoubtCode::curveWithoutInk, unconfirmed);
   }
 
+  /// What a step took for granted that the page does not show.
+  void assumed() {
+    for (const EvidenceItem& item : findings_.strokes.evidence)
+      if (item.code == EvidenceCode::nameNearly)
+        add(DoubtCode::assumed, inPart, {messageOf(item)},
+            {{RemedyKind::advice, Message("Choose it by its number: --curve N")}});
+      else if (item.code == EvidenceCode::footUnderAnother)
+        add(DoubtCode::assumed, inPart, {messageOf(item)},
+            {{RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}});
+  }
+
   void place() {
     const StrokePair& strokes = findings_.strokes.value;
     const Raster& picture = findings_.graph.view.raster;
@@ -413,11 +419,10 @@ class Doubts {
   /// Whether a curve in an ink of its own was set aside that is the second scale's: the legend names it after what that measures, or names
   /// press and release beside it.
   bool otherScaleHasItsCurve() const {
-    const auto& evidence = findings_.strokes.evidence;
-    const bool named =
-        std::ranges::find(evidence, EvidenceCode::namedByLegend, &EvidenceItem::code) != evidence.end();
-    return findings_.strokes.value.release &&
-           std::ranges::any_of(findings_.traces, [&](const CurveTrace& trace) {
+    const StrokePair& strokes = findings_.strokes.value;
+    const bool named = isNamed(strokes.press, Stroke::press) && strokes.release &&
+                       isNamed(*strokes.release, Stroke::release);
+    return strokes.release && std::ranges::any_of(findings_.traces, [&](const CurveTrace& trace) {
              return trace.points_px.size() >= 2 && !isOfAStroke(trace.color) &&
                     (named || !otherQuantityIn(trace.label).empty());
            });
@@ -538,17 +543,25 @@ class Doubts {
     return (backwards ? stroke.points.front() : stroke.points.back()).force_N;
   }
 
-  /// Of the trace that the stroke was taken from; empty where that was cut.
-  std::optional<Rgb> traceColorOf(const StrokePoints& stroke) const {
+  /// The trace that the stroke was taken from; null where that was cut.
+  const CurveTrace* traceOf(const StrokePoints& stroke) const {
     // Its foot may be another curve's, under which its own runs: its upper end says more.
     for (const Point end : {stroke.points_px.back(), stroke.points_px.front()}) {
       const auto has = [&](const CurveTrace& trace) {
         return !trace.points_px.empty() && (trace.points_px.front() == end || trace.points_px.back() == end);
       };
       const auto from = std::find_if(findings_.traces.begin(), findings_.traces.end(), has);
-      if (from != findings_.traces.end()) return from->color;
+      if (from != findings_.traces.end()) return &*from;
     }
-    return {};
+    return nullptr;
+  }
+  std::optional<Rgb> traceColorOf(const StrokePoints& stroke) const {
+    const CurveTrace* const from = traceOf(stroke);
+    return from ? std::optional(from->color) : std::nullopt;
+  }
+  bool isNamed(const StrokePoints& stroke, Stroke as) const {
+    const CurveTrace* const from = traceOf(stroke);
+    return from && strokeNamedBy(from->label) == as;
   }
   Rgb colorOf(const StrokePoints& stroke) const { return traceColorOf(stroke).value_or(Rgb{}); }
 

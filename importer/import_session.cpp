@@ -177,7 +177,7 @@ std::optional<Failure> stillFalling(const LocatedGraph& graph, const AxisHints& 
   const bool x = axes.x.max < axes.x.min && !given.xMin && !given.xMax;
   const bool y = axes.y.max < axes.y.min && !given.yMin && !given.yMax;
   if (!x && !y) return {};
-  return failureOf({DoubtCode::rangeUnreadable,
+  return failureOf({DoubtCode::rangeFalls,
                     {(x ? axes.x : axes.y).ticks.size()},
                     x ? RemedyKind::giveXAxis : RemedyKind::giveYAxis},
                    "plot frame", Message("%1 axis", x ? "x" : "y"));

@@ -8306,6 +8306,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>erweitert bis dorthin, wo seine Zahlen enden</translation>
     </message>
     <message>
+        <source>no name is &quot;%1&quot;, one that was read as &quot;%2&quot; is near to it</source>
+        <translation>kein Name ist „%1“, einer, der als „%2“ gelesen wurde, kommt ihm nahe</translation>
+    </message>
+    <message>
+        <source>a stroke&apos;s foot lies under another curve and is taken from that</source>
+        <translation>der Fuß eines Hubs liegt unter einer anderen Kurve und ist von dieser übernommen</translation>
+    </message>
+    <message>
         <source>the axes are not certain (%1)</source>
         <translation>die Achsen sind nicht sicher (%1)</translation>
     </message>
@@ -8324,6 +8332,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the %1 numbers along it make no even progression</source>
         <translation>die %1 Zahlen daran bilden keine gleichmäßige Folge</translation>
+    </message>
+    <message>
+        <source>the %1 numbers along it fall, and the plot could not be turned round</source>
+        <translation>die %1 Zahlen daran fallen, und das Diagramm ließ sich nicht umkehren</translation>
     </message>
     <message>
         <source>this is more likely a drawing than a force graph (%1)</source>
@@ -8827,6 +8839,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Draw the whole curve by hand: --press-line</source>
         <translation>Die ganze Kurve von Hand ziehen: --press-line</translation>
+    </message>
+    <message>
+        <source>Choose it by its number: --curve N</source>
+        <translation>Ihn nach seiner Nummer wählen: --curve N</translation>
     </message>
 </context>
 <context>

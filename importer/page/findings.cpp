@@ -47,6 +47,10 @@ Wording wordingOf(EvidenceCode code) {
       return {"numbers-alone", words("%1 numbers in a row and %2 in a column, without a rectangle of lines")};
     case EvidenceCode::widenedToNumbers:
       return {"widened-to-numbers", words("widened to where its numbers end")};
+    case EvidenceCode::nameNearly:
+      return {"name-nearly", words("no name is \"%1\", one that was read as \"%2\" is near to it")};
+    case EvidenceCode::footUnderAnother:
+      return {"foot-under-another", words("a stroke's foot lies under another curve and is taken from that")};
   }
   return {"", ""};
 }
@@ -63,6 +67,8 @@ Wording wordingOf(DoubtCode code) {
       return {"value-contradicts", words("the graph %1")};
     case DoubtCode::rangeUnreadable:
       return {"range-unreadable", words("the %1 numbers along it make no even progression")};
+    case DoubtCode::rangeFalls:
+      return {"range-falls", words("the %1 numbers along it fall, and the plot could not be turned round")};
     case DoubtCode::ratherADrawing:
       return {"rather-a-drawing", words("this is more likely a drawing than a force graph (%1)")};
     case DoubtCode::doesNotLookLikeOne:
@@ -118,6 +124,8 @@ Wording wordingOf(DoubtCode code) {
               words("the numbers of the %1 axis may be thousands or have three decimals")};
     case DoubtCode::strokeInPart:
       return {"stroke-in-part", words("press and release share only %1 of their travel")};
+    case DoubtCode::assumed:
+      return {"assumed", words("%1")};
     case DoubtCode::pageIsScan:
       return {"page-is-scan",
               words("the page looks scanned, and scans are read wrong more often than drawings")};

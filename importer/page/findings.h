@@ -34,8 +34,10 @@ enum class EvidenceCode {
   pressAloneThoughNamedRelease,
   releaseNamedNotSeen,
   exchangedByHand,
-  numbersAlone,     ///< numbers in a row, numbers in a column; no rectangle of lines
-  widenedToNumbers  ///< the labels count on beyond the rectangle of lines
+  numbersAlone,      ///< numbers in a row, numbers in a column; no rectangle of lines
+  widenedToNumbers,  ///< the labels count on beyond the rectangle of lines
+  nameNearly,        ///< asked for, read
+  footUnderAnother   ///< a stroke's foot lies under another curve and runs down with that
 };
 
 struct EvidenceItem {
@@ -82,7 +84,9 @@ enum class DoubtCode {
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover
   pageIsScan,
-  pageIsPhoto
+  pageIsPhoto,
+  rangeFalls,  ///< numbers that fall along the axis, on a plot that cannot be mirrored
+  assumed      ///< message of the evidence
 };
 
 struct Doubt {

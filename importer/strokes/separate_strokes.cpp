@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "importer/strokes/legend.h"
@@ -371,9 +372,10 @@ void orient(CurveTrace& trace) {
 }
 
 /// A stroke begins at rest, at the foot: where it is not seen there because it lies under another curve, it runs down with that one.
-void leadDownUnder(CurveTrace& own, CurveTrace other) {
+/// Whether it does.
+bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   constexpr double touching_px = 3, least = 0.05, most = 0.05;  // the last two of its height, of its width
-  if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return;
+  if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return false;
   orient(own), orient(other);
   const auto [top, foot] = std::ranges::minmax(own.points_px, {}, &Point::y);
   const Point left = own.points_px.front();
@@ -382,12 +384,13 @@ void leadDownUnder(CurveTrace& own, CurveTrace other) {
   const bool rising = std::all_of(other.points_px.begin(), near, [&](Point p) {
     return p.x >= from_px && p.x <= left.x + touching_px && p.y >= left.y - touching_px;
   });
-  if (!rising || distance(*near, left) > touching_px) return;
-  if (other.points_px.front().y - left.y <= least * (foot.y - top.y)) return;
+  if (!rising || distance(*near, left) > touching_px) return false;
+  if (other.points_px.front().y - left.y <= least * (foot.y - top.y)) return false;
   own.points_px.insert(own.points_px.begin(), other.points_px.begin(), near);
   if (!own.width_px.empty())
     own.width_px.insert(own.width_px.begin(), static_cast<std::size_t>(near - other.points_px.begin()),
                         own.width_px.front());
+  return true;
 }
 
 /// Whether `other` runs on from one end of `own` to where `own` is not seen any more: the rest of it lies under the other.
@@ -434,22 +437,26 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   const std::vector<std::size_t>& its = switches[*chosen].traces;
   std::vector<CurveTrace> strokes;
   for (const std::size_t t : its) strokes.push_back(traces[t]);
+  std::vector<EvidenceItem> assumed;
+  if (!hints.curve.empty() && !isNamed(switches, *chosen, traces, hints.curve))
+    assumed.push_back({EvidenceCode::nameNearly, {hints.curve, switches[*chosen].name}});
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       for (CurveTrace& stroke : strokes)
-        if (&other != &switches[*chosen]) leadDownUnder(stroke, traces[t]);
+        if (&other != &switches[*chosen] && leadDownUnder(stroke, traces[t]))
+          assumed.push_back({EvidenceCode::footUnderAnother});
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();
-  if (its.size() == 1) {
-    auto alone = pressAlone(strokes.front(), axes);
-    // One of several that no legend tells apart: whether it has a release under another one, nothing says.
-    constexpr double ofOneOfSeveral = 0.6;
-    if (alone && switches.size() > 1 && traces[its.front()].label.empty())
-      alone->confidence = std::min(alone->confidence, ofOneOfSeveral);
-    return alone;
-  }
-  return pairOf(strokes[0], strokes[1], axes, hints.swap);
+  auto found =
+      its.size() == 1 ? pressAlone(strokes.front(), axes) : pairOf(strokes[0], strokes[1], axes, hints.swap);
+  if (!found) return found;
+  // One of several that no legend tells apart: whether it has a release under another one, nothing says.
+  constexpr double ofOneOfSeveral = 0.6;
+  if (its.size() == 1 && switches.size() > 1 && traces[its.front()].label.empty())
+    found->confidence = std::min(found->confidence, ofOneOfSeveral);
+  std::ranges::move(assumed, std::back_inserter(found->evidence));
+  return found;
 }
 
 }  // namespace detent::importer

@@ -293,4 +293,9 @@ Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
   return notThere;
 }
 
+bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t its, const std::vector<CurveTrace>& traces,
+             const std::string& asked) {
+  return numbered(asked, switches.size()) == its || !named({switches[its]}, traces, asked, blurred).empty();
+}
+
 }  // namespace detent::importer

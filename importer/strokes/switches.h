@@ -34,4 +34,8 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces);
 Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
                                  const std::vector<CurveTrace>& traces, const std::string& asked);
 
+/// Whether `asked` is this switch's number or name, but for what readers of pixels confuse: more than near to it.
+bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t its, const std::vector<CurveTrace>& traces,
+             const std::string& asked);
+
 }  // namespace detent::importer

@@ -30,10 +30,10 @@ void everyCodeHasItsOwnNameAndWords(Code last, const auto& messageOfCode) {
 
 TEST_CASE("every finding has a name for scripts and words for people") {
   const std::vector<MessageValue> values{"a", "b", "c", "d"};
-  everyCodeHasItsOwnNameAndWords(EvidenceCode::widenedToNumbers, [&](EvidenceCode c) {
+  everyCodeHasItsOwnNameAndWords(EvidenceCode::footUnderAnother, [&](EvidenceCode c) {
     return messageOf(EvidenceItem{c, values});
   });
-  everyCodeHasItsOwnNameAndWords(DoubtCode::pageIsPhoto, [&](DoubtCode c) {
+  everyCodeHasItsOwnNameAndWords(DoubtCode::assumed, [&](DoubtCode c) {
     return messageOf(Doubt{c, values, {}});
   });
   everyCodeHasItsOwnNameAndWords(RemarkCode::printedValueDiffers, [&](RemarkCode c) {

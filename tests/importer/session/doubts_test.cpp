@@ -37,6 +37,7 @@ struct Import {
   PageClass pageClass = PageClass::picture;
   Explanation explanation;
   bool fromVector = false, namedByLegend = false;
+  std::vector<EvidenceItem> assumed;
 
   Import() {
     graph.view.raster.width_px = 700, graph.view.raster.height_px = 600;
@@ -65,7 +66,8 @@ struct Import {
     if (pair.release) pair.release->fromVector = fromVector;
     found.value = pair;
     found.confidence = 1;
-    if (namedByLegend) found.evidence = {{EvidenceCode::namedByLegend}};
+    found.evidence = assumed;
+    if (namedByLegend) found.evidence.push_back({EvidenceCode::namedByLegend});
     return {graph, traces, found, strokes, rms_px, rms_px, {}, {}, pageClass, explanation};
   }
   /// What an import with this doubt is worth; empty without it.
@@ -80,9 +82,9 @@ struct Import {
       const bool goesOn = explanation.patches.share > 0 ||
                           (!explanation.left.empty() &&
                            (explanation.left.front().atAnEnd || explanation.left.front().dashed));
-      const bool isPartOnly = each.doubt.code == DoubtCode::belowTheAxis ||
-                              each.doubt.code == DoubtCode::leavesThePlot ||
-                              (each.doubt.code == DoubtCode::inkLeftOver && !goesOn);
+      const bool isPartOnly =
+          each.doubt.code == DoubtCode::belowTheAxis || each.doubt.code == DoubtCode::leavesThePlot ||
+          each.doubt.code == DoubtCode::assumed || (each.doubt.code == DoubtCode::inkLeftOver && !goesOn);
       CHECK(each.confidence < 0.9);
       CHECK((each.confidence < confidenceBar) == !isPartOnly);
       CHECK_FALSE(english(messageOf(each.doubt)).empty());
@@ -218,6 +220,14 @@ TEST_CASE("a line of neither stroke is another state's, however straight") {
   chosen.hints.strokes.curve = "1";
   for (const Import* each : {&guide, &leader, &patch, &chosen, &legend, &rim})
     CHECK_FALSE(each->weighed(DoubtCode::inkLeftOver));
+}
+
+TEST_CASE("what a step took for granted is said") {
+  Import import;
+  import.assumed = {{ EvidenceCode::pressAboveRelease, { "0.9" } }};
+  CHECK(import.doubts().empty());
+  import.assumed = {{EvidenceCode::nameNearly, { "Tactile", "Tactlle" }}, { EvidenceCode::footUnderAnother }};
+  CHECK(import.doubts() == std::vector{DoubtCode::assumed, DoubtCode::assumed});
 }
 
 TEST_CASE("travel and force below zero") {
@@ -433,6 +443,9 @@ TEST_CASE("a second scale whose curve is known does not touch the strokes") {
   CHECK_FALSE(scales.weighed(DoubtCode::otherScale));
   scales.traces.back().label.clear();
   scales.namedByLegend = true;
+  scales.traces[0].label = "Press";  // one name: the other scale's curve may have been taken for the release
+  CHECK(scales.weighed(DoubtCode::otherScale));
+  scales.traces[1].label = "Release";
   CHECK_FALSE(scales.weighed(DoubtCode::otherScale));
   scales.traces.pop_back();  // the right scale may be a stroke's
   CHECK(scales.weighed(DoubtCode::otherScale));

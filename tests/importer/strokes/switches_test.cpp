@@ -241,6 +241,22 @@ TEST_CASE("One letter within a long word may be misread; what tells switches apa
   CHECK_FALSE(chosen({"Rod", "Blue"}, "Red"));
 }
 
+TEST_CASE("A name that was read near to the one asked for is said", "[switches]") {
+  AxesFound axes;
+  axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
+  const std::vector<CurveTrace> traces{trace("Linear 45", 40, 1, 0), trace("Tachile 4S", 20, 2, 1)};
+  const auto near = [&](const std::string& asked) {
+    StrokeHints hints;
+    hints.curve = asked;
+    const auto found = separateStrokes(traces, axes, hints);
+    REQUIRE(found.ok());
+    return std::ranges::count(found->evidence, EvidenceCode::nameNearly, &EvidenceItem::code) == 1;
+  };
+  CHECK(near("Tactile 4S"));
+  CHECK(near("Holy Tachile 4S"));  // found by its end
+  for (const char* asked : {"tachile-45", "2", "Linear 45"}) CHECK_FALSE(near(asked));
+}
+
 TEST_CASE("Presses in inks of their own that no switch could have both are offered by number", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
@@ -354,6 +370,11 @@ TEST_CASE("A stroke whose foot lies under another switch's runs down with that o
   const auto& points = found->value.press.points_px;
   CHECK(points.front() == Point{0, 300});
   CHECK(std::ranges::is_sorted(points, {}, &Point::x));
+  CHECK(found->evidence.back().code == EvidenceCode::footUnderAnother);
+  hints.curve = "Switch A";
+  CHECK(separateStrokes({steep, covered}, axes, hints)->evidence.back().code !=
+        EvidenceCode::footUnderAnother);
+  hints.curve = "Switch B";
   // One that comes from afar is passed, not run down along.
   CurveTrace passing = steep;
   for (Point& p : passing.points_px)
