@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -28,26 +29,53 @@ double shareWithin(const FeltBand& band, double frequency_Hz, double width_Hz) {
 
 using BandEnergies = std::array<double, feltBands.size()>;
 
+/// Bins 1..highest and -1..-highest of a transform.
+struct LowBins {
+  std::vector<std::complex<double>> above, below;
+};
+
+/// Of two signals, one as the real, one as the imaginary part, padded with silence to `length` samples. Every L-th sample is transformed
+/// by itself, since of the whole only the lowest bins are wanted: exact, and a third of the time.
+template <class First>
+LowBins lowBins(const std::vector<First>& first, const std::vector<double>& second, const Fourier& fourier,
+                std::size_t length, std::size_t highest) {
+  const std::size_t every = length / fourier.length();
+  LowBins bins{std::vector<std::complex<double>>(highest + 1),
+               std::vector<std::complex<double>>(highest + 1)};
+  std::vector<std::complex<double>> part;
+  for (std::size_t r = 0; r < every; ++r) {
+    part.assign(fourier.length(), 0);
+    for (std::size_t i = r, j = 0; i < first.size(); i += every)
+      part[j++].real(static_cast<double>(first[i]));
+    for (std::size_t i = r, j = 0; i < second.size(); i += every) part[j++].imag(second[i]);
+    fourier.transform(part, Transform::forward);
+    const double turn = -2 * std::numbers::pi * static_cast<double>(r) / static_cast<double>(length);
+    for (std::size_t k = 1; k <= highest; ++k) {
+      const std::complex<double> late = std::polar(1.0, turn * static_cast<double>(k));
+      bins.above[k] += late * part[k];
+      bins.below[k] += std::conj(late) * part[fourier.length() - k];
+    }
+  }
+  return bins;
+}
+
 /// Energies within each band of two signals, by one transform: of real numbers, the spectrum's halves are conjugates.
 template <class First>
 std::pair<BandEnergies, BandEnergies> energies(const std::vector<First>& first,
-                                               const std::vector<double>& second, const Fourier& fourier,
+                                               const std::vector<double>& second, std::size_t length,
                                                double sampleRate_Hz) {
-  const std::size_t length = fourier.length();
-  std::vector<std::complex<double>> spectrum(length);
-  for (std::size_t i = 0; i < first.size(); ++i) spectrum[i].real(static_cast<double>(first[i]));
-  for (std::size_t i = 0; i < second.size(); ++i) spectrum[i].imag(second[i]);
-  fourier.transform(spectrum, Transform::forward);
-  std::pair<BandEnergies, BandEnergies> sums{};
   const double width_Hz = sampleRate_Hz / static_cast<double>(length);
-  for (std::size_t i = 1; i < length / 2; ++i) {
-    const double frequency_Hz = static_cast<double>(i) * width_Hz;
-    if (frequency_Hz > feltBands.back().high_Hz + width_Hz) break;
-    const std::complex<double> mirrored = std::conj(spectrum[length - i]);
-    const double ofFirst = std::norm(spectrum[i] + mirrored) / 4;
-    const double ofSecond = std::norm(spectrum[i] - mirrored) / 4;
+  const auto highest =
+      std::min(length / 2 - 1, static_cast<std::size_t>(std::ceil(feltBands.back().high_Hz / width_Hz)) + 1);
+  const Fourier fourier(std::min(length, powerOfTwo(2 * (highest + 1))));
+  const LowBins bins = lowBins(first, second, fourier, length, highest);
+  std::pair<BandEnergies, BandEnergies> sums{};
+  for (std::size_t i = 1; i <= highest; ++i) {
+    const std::complex<double> mirrored = std::conj(bins.below[i]);
+    const double ofFirst = std::norm(bins.above[i] + mirrored) / 4;
+    const double ofSecond = std::norm(bins.above[i] - mirrored) / 4;
     for (std::size_t band = 0; band < feltBands.size(); ++band) {
-      const double share = shareWithin(feltBands[band], frequency_Hz, width_Hz);
+      const double share = shareWithin(feltBands[band], static_cast<double>(i) * width_Hz, width_Hz);
       sums.first[band] += share * ofFirst;
       sums.second[band] += share * ofSecond;
     }
@@ -69,12 +97,12 @@ std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector
                                                                double sampleRate_Hz) {
   std::size_t longest = std::max<std::size_t>(original.size(), 2);
   for (const std::vector<double>& part : parts) longest = std::max(longest, part.size());
-  const Fourier fourier(powerOfTwo(finer * longest));
+  const std::size_t length = powerOfTwo(finer * longest);
   static const std::vector<double> none;
-  auto [before, after] = energies(original, parts.empty() ? none : parts.front(), fourier, sampleRate_Hz);
+  auto [before, after] = energies(original, parts.empty() ? none : parts.front(), length, sampleRate_Hz);
   for (std::size_t i = 1; i < parts.size(); i += 2) {
     const std::vector<double>& beside = i + 1 < parts.size() ? parts[i + 1] : none;
-    const auto [one, other] = energies(parts[i], beside, fourier, sampleRate_Hz);
+    const auto [one, other] = energies(parts[i], beside, length, sampleRate_Hz);
     for (std::size_t band = 0; band < feltBands.size(); ++band) after[band] += one[band] + other[band];
   }
   double whole = 0;
