@@ -15,6 +15,7 @@
 #include "playback/interchange/export_loss_json.h"
 #include "playback/interchange/player_conventions.h"
 #include "playback/interchange/reduction.h"
+#include "playback/interchange/snippets.h"
 #include "playback/offline/resample.h"
 
 namespace detent::playback {
@@ -168,154 +169,72 @@ std::string bos1921Text(const ExportSource& source, const std::vector<Slice>& sl
 
 // ---- DA728x: two sequences of straight lines in 100 bytes
 
-constexpr std::size_t daBytes = 100;
-constexpr std::size_t daPartBytes = 46;  // what two headers, four end pointers and two frames leave each
-constexpr double daTimebase_s = 0.00136;
-// 1.36 and 5.44 ms; its longer units would move what begins by 11 and 22 ms.
-constexpr std::array<int, 2> daMultiples{1, 4};
-constexpr int daLevels = 15, daLongest = 8;
-
-struct DaPoint {
-  bool ramp = false;
-  int units = 1, level = 0;
-};
-
 struct DaPart {
   std::int64_t zero = 0;
-  int timebase = 0;
-  std::vector<DaPoint> points;
+  LevelCourse course;
+  SnippetRow row;
   std::vector<std::int64_t> onsets;
-  std::int64_t end = 0;  ///< sample at which it ends
-  bool cut = false;      ///< the memory was full before the end
+  std::int64_t end = 0;  ///< sample up to which the course is held
 };
 
-double daUnit_s(const DaPart& part) {
-  return daTimebase_s * daMultiples[static_cast<std::size_t>(part.timebase)];
-}
-
-int unitsOf(const DaPart& part) {
-  int units = 0;
-  for (const DaPoint& point : part.points) units += point.units;
-  return units;
-}
-
-/// Whether a straight line to `levels[to]` passes all levels between within `tolerance`.
-bool straight(const std::vector<int>& levels, std::size_t from, std::size_t to, int start, int tolerance) {
-  const double span = static_cast<double>(to - from + 1);
-  for (std::size_t i = from; i <= to; ++i) {
-    const double line = start + (levels[to] - start) * static_cast<double>(i - from + 1) / span;
-    if (std::fabs(line - levels[i]) > tolerance) return false;
-  }
-  return true;
-}
-
-bool level(const std::vector<int>& levels, std::size_t from, std::size_t to, int tolerance) {
-  for (std::size_t i = from; i <= to; ++i)
-    if (std::abs(levels[i] - levels[from]) > tolerance) return false;
-  return true;
-}
-
-/// The fewest pieces a greedy walk finds.
-std::vector<DaPoint> pieces(const std::vector<int>& levels, int tolerance) {
-  std::vector<DaPoint> points;
-  int before = 0;
-  for (std::size_t from = 0; from < levels.size();) {
-    std::size_t flat = from, sloped = from;
-    for (std::size_t to = from; to < levels.size() && to < from + daLongest; ++to) {
-      if (level(levels, from, to, tolerance)) flat = to;
-      if (straight(levels, from, to, before, tolerance)) sloped = to;
-    }
-    const bool ramp = sloped > flat;
-    const std::size_t to = ramp ? sloped : flat;
-    points.push_back({ramp, static_cast<int>(to - from + 1), ramp ? levels[to] : levels[from]});
-    before = points.back().level;
-    from = to + 1;
-  }
-  return points;
-}
-
-std::vector<int> levelsOf(const PressPlan& plan, const Stretch& stretch, double unit_s) {
-  std::vector<int> levels;
-  const double unit = unit_s * plan.sampleRate_Hz;
-  const PlayedWave course = smoothed(stepsOf(plan, stretch, 0.005, 0.001), plan.sampleRate_Hz, 0);
+/// Levels in the middles of the cells, and the cells of jumps and bottom-outs.
+DaPart daPart(const PressPlan& plan, const Stretch& all) {
+  const double cell = snippetCell_s * plan.sampleRate_Hz;
+  DaPart part;
+  part.zero = firstOnsetOnGrid(plan, all, snippetCell_s);
+  if (part.zero >= all.to) return part;
+  const PlayedWave wave = smoothed(stepsOf(plan, {part.zero, all.to}, 0.005, 0.001), plan.sampleRate_Hz, 0);
+  std::vector<double>& levels = part.course.levels;
   std::size_t at = 0;
-  for (double frame = static_cast<double>(stretch.from); frame < static_cast<double>(stretch.to);
-       frame += unit) {
-    const double time_s = (frame + unit / 2) / plan.sampleRate_Hz;
-    while (at + 2 < course.points.size() && course.points[at + 1].time_s <= time_s) ++at;
-    const WavePoint& a = course.points[at];
-    const WavePoint& b = course.points[at + 1];
+  for (double frame = static_cast<double>(part.zero); frame < static_cast<double>(all.to); frame += cell) {
+    const double time_s = (frame + cell / 2) / plan.sampleRate_Hz;
+    while (at + 2 < wave.points.size() && wave.points[at + 1].time_s <= time_s) ++at;
+    const WavePoint& a = wave.points[at];
+    const WavePoint& b = wave.points[at + 1];
     const double share =
         b.time_s > a.time_s ? std::clamp((time_s - a.time_s) / (b.time_s - a.time_s), 0.0, 1.0) : 1;
-    levels.push_back(
-        static_cast<int>(std::lround(daLevels * (a.amplitude + share * (b.amplitude - a.amplitude)))));
+    levels.push_back(snippetLevels * (a.amplitude + share * (b.amplitude - a.amplitude)));
   }
-  while (!levels.empty() && levels.back() == 0) levels.pop_back();
-  if (!levels.empty()) levels.push_back(0);
-  return levels;
+  for (const PlannedBurst& planned : plan.bursts)
+    if (planned.kind != EventKind::grain && planned.frame >= part.zero && planned.frame < all.to)
+      part.course.onsets.push_back(
+          static_cast<std::size_t>(std::lround(static_cast<double>(planned.frame - part.zero) / cell)));
+  const std::size_t kept = part.course.onsets.empty() ? 0 : part.course.onsets.back() + 1;
+  while (levels.size() > kept && levels.back() < 0.5) levels.pop_back();
+  levels.resize(std::max(levels.size(), kept), 0);
+  return part;
 }
 
-/// The finest units and the smallest tolerance that fit the memory.
-DaPart daPart(const PressPlan& plan, const Stretch& all) {
-  const std::int64_t first = firstOnsetOnGrid(plan, all, daTimebase_s);
-  DaPart part{first, 0, {{false, 1, 0}}, {}};
-  if (first >= all.to) return part;
-  const auto fits = [&](int tolerance) {
-    part.points = pieces(levelsOf(plan, {first, all.to}, daUnit_s(part)), tolerance);
-    return part.points.size() <= daPartBytes;
+void hold(DaPart& part, SnippetRow row, double sampleRate_Hz) {
+  const auto frameOf = [&](std::size_t cells) {
+    return part.zero + std::llround(static_cast<double>(cells) * snippetCell_s * sampleRate_Hz);
   };
-  // Time before level: a coarser unit only where no tolerance helps.
-  bool done = false;
-  for (int unit = 0; !done && unit < static_cast<int>(daMultiples.size()); ++unit) {
-    part.timebase = unit;
-    for (int tolerance = 0; !done && tolerance <= 2; ++tolerance) done = fits(tolerance);
-  }
-  if (part.points.size() > daPartBytes) {
-    part.points.resize(daPartBytes - 1);
-    part.points.push_back({false, 1, 0});
-    part.cut = true;
-  }
-  if (part.points.empty()) part.points.push_back({false, 1, 0});
-  const double unit = daUnit_s(part) * plan.sampleRate_Hz;
-  const double end = static_cast<double>(first) + unit * unitsOf(part);
-  part.end = std::llround(end);
-  for (const PlannedBurst& planned : plan.bursts) {
-    if (planned.kind == EventKind::grain || planned.frame < first || planned.frame >= all.to ||
-        static_cast<double>(planned.frame) >= end)
-      continue;
-    part.onsets.push_back(first +
-                          std::llround(std::round(static_cast<double>(planned.frame - first) / unit) * unit));
-  }
-  return part;
+  part.row = std::move(row);
+  part.end = frameOf(part.row.held);
+  for (const std::size_t onset : part.course.onsets)
+    if (onset < part.row.held) part.onsets.push_back(frameOf(onset));
+}
+
+std::array<DaPart, 2> daParts(const PressPlan& plan) {
+  std::array<DaPart, 2> parts{daPart(plan, pressOf(plan)), daPart(plan, releaseOf(plan))};
+  std::array<SnippetRow, 2> rows = snippetsOf({parts[0].course, parts[1].course});
+  for (std::size_t i = 0; i < parts.size(); ++i) hold(parts[i], std::move(rows[i]), plan.sampleRate_Hz);
+  return parts;
 }
 
 PlayedWave waveOf(const DaPart& part, double sampleRate_Hz) {
   PlayedWave wave;
   double time_s = static_cast<double>(part.zero) / sampleRate_Hz, before = 0;
-  for (const DaPoint& point : part.points) {
-    const double amplitude = static_cast<double>(point.level) / daLevels;
-    wave.points.push_back({time_s, point.ramp ? before : amplitude, assumedResonance_Hz});
-    time_s += point.units * daUnit_s(part);
-    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
-    before = amplitude;
+  for (const Snippet& snippet : part.row.snippets) {
+    for (const SnippetPoint& point : snippet.points) {
+      const double amplitude = static_cast<double>(point.level) / snippetLevels;
+      wave.points.push_back({time_s, point.ramp ? before : amplitude, assumedResonance_Hz});
+      time_s += point.units * snippetUnits[snippet.timebase] * snippetCell_s;
+      wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
+      before = amplitude;
+    }
   }
   return wave;
-}
-
-std::array<int, daBytes> memoryOf(const DaPart& press, const DaPart& release) {
-  std::array<int, daBytes> memory{};
-  std::size_t at = 0;
-  memory[at++] = 2;  // snippets
-  memory[at++] = 2;  // sequences
-  const std::size_t pressEnd = 5 + press.points.size(), releaseEnd = pressEnd + release.points.size();
-  for (const std::size_t end : {pressEnd, releaseEnd, releaseEnd + 1, releaseEnd + 2})
-    memory[at++] = static_cast<int>(end);
-  for (const DaPart* part : {&press, &release})
-    for (const DaPoint& point : part->points)
-      memory[at++] = (point.ramp ? 0x80 : 0) | (point.units - 1) << 4 | point.level;
-  memory[at++] = press.timebase << 3 | 1;    // full gain, snippet 1
-  memory[at++] = release.timebase << 3 | 2;  // snippet 2
-  return memory;
 }
 
 std::string byteText(int value) {
@@ -323,7 +242,7 @@ std::string byteText(int value) {
   return std::string("0x") + digits[value >> 4 & 15] + digits[value & 15];
 }
 
-std::string da728xText(const ExportSource& source, const DaPart& press, const DaPart& release,
+std::string da728xText(const ExportSource& source, const std::array<int, snippetMemoryBytes>& memory,
                        const ExportLoss& loss) {
   std::vector<std::string> head = headLines(source, loss);
   head.emplace_back(
@@ -335,7 +254,6 @@ std::string da728xText(const ExportSource& source, const DaPart& press, const Da
   head.emplace_back(
       "resonance, for the loss taken as 205 Hz. Verify the full scale: what a driver gives may differ from "
       "its data sheet.");
-  const auto memory = memoryOf(press, release);
   return cComment(head) + "#include <stdint.h>\n\nstatic const uint8_t detent_da728x_memory[100] = {" +
          rows(memory, byteText) + "};\n";
 }
@@ -468,26 +386,31 @@ Reduction bos1921Of(const ExportSource& source) {
 
 Reduction da728xOf(const ExportSource& source) {
   const PressPlan& plan = source.plan;
-  const DaPart press = daPart(plan, pressOf(plan)), release = daPart(plan, releaseOf(plan));
+  const std::array<DaPart, 2> parts = daParts(plan);
+  const std::array<Stretch, 2> halves{pressOf(plan), releaseOf(plan)};
   Reduction reduction;
-  reduction.played = {playedBy({waveOf(press, plan.sampleRate_Hz)}, plan),
-                      playedBy({waveOf(release, plan.sampleRate_Hz)}, plan)};
-  // Of what is held; what is cut off is told by itself.
-  const auto worst_ms = [&plan](const DaPart& part, Stretch half) {
-    if (part.cut) half.to = std::min(half.to, part.end);
-    return worstTimingError_ms(plan, half, part.onsets);
-  };
-  reduction.loss =
-      lraLoss(plan, std::fmax(worst_ms(press, pressOf(plan)), worst_ms(release, releaseOf(plan))));
-  reduction.loss.cut = press.cut || release.cut;
-  for (const DaPart* part : {&press, &release})
-    if (part->cut)
-      reduction.loss.dropped.push_back(std::string("the ") + (part == &press ? "press" : "release") +
-                                       " from " +
-                                       std::to_string(std::lround(1000 * unitsOf(*part) * daUnit_s(*part))) +
-                                       " ms after its first burst on (the memory is full)");
-  reduction.write = [source, press, release](const ExportLoss& loss) {
-    return std::vector<ExportedFile>{{"", "", da728xText(source, press, release, loss)}};
+  double worst_ms = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const DaPart& part = parts[i];
+    reduction.played.push_back(playedBy({waveOf(part, plan.sampleRate_Hz)}, plan));
+    // Of what is held; what is cut off is told by itself. A burst half a cell before the end would begin there.
+    Stretch held = halves[i];
+    if (part.row.cut)
+      held.to =
+          std::min<std::int64_t>(held.to, part.end - std::llround(snippetCell_s / 2 * plan.sampleRate_Hz));
+    worst_ms = std::fmax(worst_ms, worstTimingError_ms(plan, held, part.onsets));
+  }
+  reduction.loss = lraLoss(plan, worst_ms);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].row.cut) continue;
+    reduction.loss.cut = true;
+    reduction.loss.dropped.push_back(
+        std::string("the ") + (i == 0 ? "press" : "release") + " from " +
+        std::to_string(std::lround(1000 * static_cast<double>(parts[i].row.held) * snippetCell_s)) +
+        " ms after its first burst on (the memory is full)");
+  }
+  reduction.write = [source, memory = memoryOf({parts[0].row, parts[1].row})](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", da728xText(source, memory, loss)}};
   };
   return reduction;
 }
