@@ -6,12 +6,13 @@
 
 A board that knows nothing but a header's own words (play_header.c) is given the force of a press, sample by sample. What it meets is held
 against the events of the engine under the same press, what it plays against the loss told: jumps and bottom-outs within 1 ms of their
-constant delay, energies within 2 %. samples/firmware/triggered/triggered.c, which anyone may start from, must play the same under the same
-forces: whole presses, halves, second thoughts, both states of a self-locking button. Needs Debian's python3-numpy and a C compiler: without them, SKIPPED.
+constant delay, energies within 2 %. The boards' programs of samples/firmware/triggered, which anyone may start from, must play the same under
+the same forces, triggered_minimal.c all but the grains: whole presses, halves, second thoughts, both states of a self-locking button. Needs Debian's python3-numpy and a C compiler: without them, SKIPPED.
 """
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -30,7 +31,7 @@ import readers
 PLAY = sys.argv.pop(1)
 HERE = Path(__file__).resolve().parent
 SAMPLES = HERE.parents[2] / "samples/buttons"
-FIRMWARE = HERE.parents[2] / "samples/firmware/triggered/triggered.c"
+FIRMWARE = HERE.parents[2] / "samples/firmware/triggered"
 RATE = 48000
 PEAK_N = {"push": 4.0, "latch": 6.0}
 HID_PRESS, HID_RELEASE = 0x1006, 0x1007  # HID usage tables 1.21, haptics page: WAVEFORM_PRESS, WAVEFORM_RELEASE
@@ -125,8 +126,8 @@ class FollowForce(unittest.TestCase):
             met.setdefault(kind, []).append(int(sample) / RATE)
         return met, numpy.array(samples.split(), float)
 
-    def example(self, header, forces):
-        """What triggered.c plays, as C99 and as C++; both the same."""
+    def example(self, source, header, forces):
+        """What a program of the samples plays, as C99 and as C++; both the same."""
         for compiler, language in (("cc", ["-std=c99", "-x", "c"]), ("c++", ["-std=c++11", "-x", "c++"])):
             if not shutil.which(compiler):
                 continue
@@ -134,24 +135,30 @@ class FollowForce(unittest.TestCase):
                 file.write(EXAMPLE_BOARD)
             os.replace(header, self.at("button.h"))
             program = self.at("example")
-            subprocess.run([compiler, *language, *STRICT, "-O2", "-I", self.folder, FIRMWARE, self.at("board.c"), "-lm", "-o", program],
+            subprocess.run([compiler, *language, *STRICT, "-O2", "-I", self.folder, FIRMWARE / source, self.at("board.c"), "-lm", "-o", program],
                            check=True)
             os.replace(self.at("button.h"), header)
             yield numpy.array(subprocess.run([program], input="\n".join(map(repr, map(float, forces))), capture_output=True, text=True,
                                              check=True).stdout.split(), float)
 
     @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
-    def test_the_example_plays_all_that_a_board_may(self):
+    def test_the_examples_play_all_that_a_board_may(self):
+        """triggered_minimal.c watches forces alone: it plays all of a button without grains."""
         for button in [*(path.name.split(".")[0] for path in sorted(SAMPLES.glob("*.button.json"))), "dome"]:
             peak_N = PEAK_N.get(button, 3.0)
-            header, _ = self.export(button, "c", "h")
-            for name, (times, forces) in (("three presses", pressed(peak_N, 0.12, presses=3)), ("turning", turning(peak_N))):
-                given = numpy.interp(numpy.arange(int(times[-1] * RATE)) / RATE, times, forces)
-                _, read = self.board(header, given)
-                for played in self.example(header, given):
-                    with self.subTest(button=button, forces=name):
-                        self.assertGreater(numpy.abs(played).max(), 0.05)
-                        self.assertLess(numpy.abs(played - numpy.clip(read, -1, 1)).max(), 1e-3)
+            for source, mode in (("triggered.c", "full"), ("triggered_minimal.c", "click-only")):
+                header, _ = self.export(button, "c", "h", "--mode", mode)
+                for name, (times, forces) in (("three presses", pressed(peak_N, 0.12, presses=3)), ("turning", turning(peak_N))):
+                    given = numpy.interp(numpy.arange(int(times[-1] * RATE)) / RATE, times, forces)
+                    _, read = self.board(header, given)
+                    for played in self.example(source, header, given):
+                        with self.subTest(button=button, source=source, forces=name):
+                            self.assertGreater(numpy.abs(played).max(), 0.05)
+                            self.assertLess(numpy.abs(played - numpy.clip(read, -1, 1)).max(), 1e-3)
+
+    def test_the_small_example_is_small(self):
+        text = re.sub(r"/\*.*?\*/", "", (FIRMWARE / "triggered_minimal.c").read_text(encoding="utf-8"), flags=re.DOTALL)
+        self.assertLessEqual(sum(1 for line in text.splitlines() if line.strip()), 60)
 
     @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
     def test_a_board_meets_and_plays_what_the_engine_does(self):
