@@ -81,7 +81,8 @@ std::string shortestText(double value) {
 std::string quotedBegin(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string quoted(1, '"');
-  quoted += text.substr(0, longest);
+  for (const char c : text.substr(0, longest))
+    quoted += static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c;
   return quoted += '"';
 }
 

@@ -266,7 +266,14 @@ Result<std::vector<RecordedSwitch>> recordedSwitches(const std::string& path) {
   if (endingOf(path) == ".tar") {
     const auto project = projectInArchive(*bytes, subject);
     if (!project) return project.failure();
-    return switchesOfJson(*project, subject);
+    const nlohmann::json json = nlohmann::json::parse(*project, nullptr, false);
+    if (isDigitizerProject(json)) return switchesOfProject(json, subject);
+    return Failure{
+        FailureCode::unreadableInput,
+        subject,
+        {},
+        json.is_discarded() ? "its wpd.json is no JSON" : "its wpd.json is no project of WebPlotDigitizer",
+        "Save the project once more in WebPlotDigitizer"};
   }
   if (endingOf(path) == ".json") return switchesOfJson(*bytes, subject);
   auto xml = zipMember(*bytes, "content.xml", largestSheet_bytes, subject);

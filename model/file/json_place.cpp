@@ -14,8 +14,12 @@ Message placeOfByte(std::string_view text, std::size_t byte) {
 }
 
 std::string plainReason(const std::string& what) {
+  // "[json.exception.out_of_range.406] number overflow", "[json.exception.parse_error.101] parse error at line 1: syntax error"
+  const auto named = what.starts_with('[') ? what.find("] ") : std::string::npos;
   const auto colon = what.find(": ");
-  std::string reason = colon == std::string::npos ? what : what.substr(colon + 2);
+  std::string reason = colon != std::string::npos   ? what.substr(colon + 2)
+                       : named != std::string::npos ? what.substr(named + 2)
+                                                    : what;
   if (reason.size() > 160) reason = reason.substr(0, 160) + "...";
   for (char& c : reason)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';

@@ -20,7 +20,8 @@ constexpr std::string_view humanPress = "human:";
 
 Failure wrongPress(const std::string& name) {
   return {
-      FailureCode::wrongUsage, Subject::option("--press"), "", Message("%1 is no press", name),
+      FailureCode::wrongUsage, Subject::option("--press"), "",
+      name.empty() ? Message("no press is named") : Message("%1 is no press", name),
       "Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or time_s,displacement_mm"};
 }
 
@@ -127,9 +128,12 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
     return Failure{FailureCode::wrongUsage, Subject::option("--bits"), "",
                    Message("%1 bits are no format of samples here", static_cast<std::size_t>(settings.bits)),
                    "Give 8 or 16"};
-  RenderSettings asked;
-  if (settings.format == ExportFormat::pcm) asked.sampleRate_Hz = settings.sampleRate_Hz;
-  if (Result<Done> ok = checkRendering(trace, asked); !ok) return ok.failure();
+  if (settings.format == ExportFormat::pcm && !(settings.sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
+                                                settings.sampleRate_Hz <= HapticEngine::highestSampleRate_Hz))
+    return Failure{FailureCode::wrongUsage, Subject::option("--rate"), "",
+                   Message("%1 samples a second are no rate of samples here", settings.sampleRate_Hz),
+                   "Give 8000 to 192000"};
+  if (Result<Done> ok = checkRendering(trace, {}); !ok) return ok.failure();
   Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, {});
   if (!plan) return plan.failure();
   plan->feel = settings.feel;
@@ -166,7 +170,9 @@ std::string pressInWords(const std::string& press) {
   return "recorded press " + std::filesystem::path(press).filename().string();
 }
 
-bool namesPress(const std::string& name) { return name == "standard" || name.starts_with(humanPress); }
+bool namesPress(const std::string& name) {
+  return name.empty() || name == "standard" || name.starts_with(humanPress);
+}
 
 Result<PressTrace> namedPress(const std::string& name, const HapticProgram& program) {
   if (name == "standard") return standardPress(program);

@@ -66,6 +66,20 @@ Result<std::vector<float>> unlimited(const HapticProgram& program, const PressTr
   return std::move(rendered->samples);
 }
 
+Failure nothingFelt(const ConditionerCounts& readings) {
+  if (readings.rejected() > 0)
+    return {FailureCode::wrongUsage, Subject::option("--press"), "",
+            Message("nothing of the button is felt under this press: %1 of its %2 readings are no numbers, "
+                    "out of range or not "
+                    "in the order of their times",
+                    static_cast<std::size_t>(readings.rejected()),
+                    static_cast<std::size_t>(readings.rejected() + readings.accepted)),
+            "Correct these readings"};
+  return {FailureCode::wrongUsage, Subject::option("--press"), "",
+          "nothing of the button is felt under this press",
+          "Press harder or deeper, or choose a mode that plays something"};
+}
+
 }  // namespace
 
 Result<PressPlan> planPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
@@ -91,10 +105,7 @@ Result<PressPlan> planPress(const Button& button, const HapticProgram& program, 
     if (!whole) return whole.failure();
     if (*whole != plan.samples) plan.unlimited = *std::move(whole);
   }
-  if (plan.bursts.empty())
-    return Failure{FailureCode::wrongUsage, Subject::option("--press"), "",
-                   "nothing of the button is felt under this press",
-                   "Press harder or deeper, or choose a mode that plays something"};
+  if (plan.bursts.empty()) return nothingFelt(rendered->summary.sensor);
   return plan;
 }
 

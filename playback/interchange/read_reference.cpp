@@ -187,7 +187,8 @@ Result<ReferenceSignal> readReference(const std::filesystem::path& file) {
   Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
   const std::size_t first = text->find_first_not_of(" \t\r\n");
-  if (std::string_view(head.data(), 4) == "MIHS" || first == std::string::npos || (*text)[first] != '{')
+  if (first == std::string::npos) return unreadable(file.string(), {}, "is empty", anyOfThem());
+  if (std::string_view(head.data(), 4) == "MIHS" || (*text)[first] != '{')
     return unreadable(file.string(), {}, "is neither JSON nor a sound file that can be read", anyOfThem());
   return referenceFromText(*text, file.string());
 }

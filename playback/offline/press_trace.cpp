@@ -19,7 +19,7 @@ Failure badTrace(const std::string& name, std::string place, std::string problem
 
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name) {
   NumberTable table(text);
-  if (!table.next()) return badTrace(name, table.place(), "the file is empty");
+  if (!table.next()) return badTrace(name, "", "is empty");
   PressTrace trace;
   const std::vector<std::string_view>& fields = table.fields();
   const bool inForce = table.line().ends_with("force_N");

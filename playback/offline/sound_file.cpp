@@ -140,14 +140,26 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
   });
 }
 
+namespace {
+
+/// What the library says of a file that it does not open; of its own names and full stops nothing.
+Message whyNotRead() {
+  std::string why = sf_strerror(nullptr);
+  if (why.find("nternal error") != std::string::npos)
+    return "is no sound file that can be read: its header is damaged";
+  while (why.ends_with('.')) why.pop_back();
+  return Message("is no sound file that can be read: %1", why);
+}
+
+}  // namespace
+
 Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s) {
   const auto refuse = [&](Message problem, const Message& remedy) {
     return Failure{FailureCode::unreadableInput, Subject(file.string()), {}, std::move(problem), remedy};
   };
   SF_INFO info{};
   SoundFile in(sf_open(file.c_str(), SFM_READ, &info));
-  if (!in)
-    return refuse(Message("is no sound file that can be read: %1", sf_strerror(nullptr)), "Give a WAV");
+  if (!in) return refuse(whyNotRead(), "Give a WAV");
   if (info.samplerate < 8000 || info.samplerate > 192000)
     return refuse(Message("has %1 samples a second", info.samplerate), "Give 8000 to 192000");
   if (info.channels < 1 || info.channels > mostChannels)
