@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <QCoreApplication>
 #include <QFontMetricsF>
 
@@ -656,27 +657,36 @@ std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const Graph
 void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   constexpr double flag_px = 46, half_px = 8;  // above a tactile point's force
   constexpr double beside_px = 26;             // half the flag and the margins of the words' plate
-  constexpr int longest = 32;
+  constexpr int longest = 32, outside = 1000;
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);
     if (!at) continue;
-    const double up = at->y() - flag_px - half_px > map.clip_px.top() ? -1 : 1;
-    const QPointF flag = *at + QPointF(0, up * flag_px);
+    const QFontMetricsF metrics(painter.font());
+    const QString text = shortened(QString::fromStdString(scene.notes[i].text).simplified(), longest);
+    const double left_px = at->x() - map.clip_px.left(), right_px = map.clip_px.right() - at->x();
+    const QString words = metrics.elidedText(text, Qt::ElideRight, std::max(left_px, right_px) - beside_px);
+    const double wide = metrics.horizontalAdvance(words) / 2 + half_px + 8;
+    // Above and to the right, unless that leaves the plot or lies over more of the strokes.
+    QPointF flag, middle;
+    int least = std::numeric_limits<int>::max();
+    for (const double up : {-1.0, 1.0})
+      for (const double side : {1.0, -1.0}) {
+        const QPointF there = *at + QPointF(0, up * flag_px), text_px = there + QPointF(side * wide, 0);
+        const QRectF box(text_px - QPointF(wide, metrics.height() / 2), QSizeF(2 * wide, metrics.height()));
+        const bool inside = map.clip_px.contains(box.adjusted(half_px, 0, -half_px, 0));
+        const int ink = inkIn(box, map, scene) + (inside ? 0 : outside);
+        if (ink >= least) continue;
+        least = ink;
+        flag = there;
+        middle = text_px;
+      }
     painter.setPen(QPen(scene.colors.text, 1));
     painter.drawLine(*at, flag);
     painter.setBrush(scene.colors.background);
     painter.drawEllipse(flag, half_px, half_px);
     const QRectF inside(flag - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px));
     painter.drawText(inside, Qt::AlignCenter, QString::number(i + 1));
-    const double left_px = flag.x() - map.clip_px.left(), right_px = map.clip_px.right() - flag.x();
-    const QFontMetricsF metrics(painter.font());
-    const QString text = shortened(QString::fromStdString(scene.notes[i].text).simplified(), longest);
-    const bool fits = metrics.horizontalAdvance(text) + beside_px < right_px;
-    const double side = fits || right_px >= left_px ? 1 : -1;
-    const QString words = metrics.elidedText(text, Qt::ElideRight, std::max(left_px, right_px) - beside_px);
-    const double wide = metrics.horizontalAdvance(words) / 2 + half_px + 8;
-    paintTag(painter, flag + QPointF(side * wide, 0), words, scene.colors.text, scene.colors.background,
-             map.clip_px);
+    paintTag(painter, middle, words, scene.colors.text, scene.colors.background, map.clip_px);
   }
 }
 

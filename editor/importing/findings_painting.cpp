@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <vector>
@@ -24,6 +25,11 @@ QString shortNumber(double value) { return numberText(value, 4); }
 
 QPointF toWidget(const FindingsPicture& picture, importer::Point p) {
   return picture.pageToWidget.map(QPointF(p.x, p.y));
+}
+
+/// Where a text drawn with its left end at `at` has its plate.
+QRectF plateAt(QPointF at, QSizeF text) {
+  return {at.x() - 3, at.y() - 0.5 * text.height() - 1, text.width() + 6, text.height() + 2};
 }
 
 /// White below, colour above: seen on ink and on paper.
@@ -85,7 +91,7 @@ QPointF outwards(GraphAxis axis, const FrameCorners& c, const QTransform& pageTo
 }
 
 void paintTick(QPainter& painter, GraphAxis axis, const FindingsPicture& picture, QPointF at,
-               const QString& text, const QColor& color, bool given) {
+               const QString& text, const QColor& color, bool given, std::vector<QRectF>& taken) {
   const QPointF out = outwards(axis, *picture.corners, picture.pageToWidget);
   painter.setPen(QPen(QColor(255, 255, 255, 190), given ? 5 : 3.5));
   painter.drawLine(at - 6 * out, at + 6 * out);
@@ -93,10 +99,13 @@ void paintTick(QPainter& painter, GraphAxis axis, const FindingsPicture& picture
   painter.drawLine(at - 6 * out, at + 6 * out);
   const QSizeF size = QFontMetricsF(painter.font()).size(0, text);
   const QPointF middle = tickPlate(axis, *picture.corners, picture.pageToWidget, at);
-  paintPlate(painter, middle - QPointF(0.5 * size.width(), 0), text, color);
+  const QPointF left = middle - QPointF(0.5 * size.width(), 0);
+  paintPlate(painter, left, text, color);
+  taken.push_back(plateAt(left, size));
 }
 
-void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& picture) {
+void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& picture,
+                std::vector<QRectF>& taken) {
   const auto& found = axis == GraphAxis::x ? picture.drawn.xTicks : picture.drawn.yTicks;
   const auto& given = picture.given.axis(axis).ticks;
   const QColor used("#8a3a86"), unused("#8d949d");
@@ -108,11 +117,11 @@ void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& pictur
     if (isGiven) continue;
     paintTick(painter, axis, picture, toWidget(picture, tick.at),
               tick.used ? shortNumber(tick.value) : QStringLiteral("(%1)").arg(shortNumber(tick.value)),
-              tick.used ? used : unused, false);
+              tick.used ? used : unused, false, taken);
   }
   for (const AxisTick& tick : given)
     paintTick(painter, axis, picture, toWidget(picture, tick.at), shortNumber(tick.value), ink().release,
-              true);
+              true, taken);
 }
 
 void paintStroke(QPainter& painter, const FindingsPicture& picture, const DrawnStroke& stroke,
@@ -156,28 +165,6 @@ QPointF wayInto(const QRectF& shown, const QRectF& plate) {
           way(shown.top(), shown.bottom(), plate.top(), plate.bottom())};
 }
 
-/// The first place beside a mark where its plate is seen whole and hides no other plate.
-QPointF freePlace(QPointF mark, QSizeF size, bool above, const QRectF& shown, std::vector<QRectF>& taken) {
-  const double up = above ? -14 : 16, right = 12, left = -12 - size.width();
-  const QPointF places[] = {{right, up},       {right, -up},       {left, up},      {left, -up},
-                            {right, 2.2 * up}, {right, -2.2 * up}, {left, 2.2 * up}};
-  const auto plateAt = [&](QPointF offset) {
-    const QPointF at = mark + offset;
-    return QRectF(at.x() - 3, at.y() - 0.5 * size.height() - 1, size.width() + 6, size.height() + 2);
-  };
-  QPointF chosen = places[0] + wayInto(shown, plateAt(places[0]));
-  for (const QPointF& offset : places) {
-    const QRectF plate = plateAt(offset);
-    if (!shown.contains(plate) ||
-        std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
-      continue;
-    chosen = offset;
-    break;
-  }
-  taken.push_back(plateAt(chosen));
-  return mark + chosen;
-}
-
 void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMark& mark,
                std::vector<QRectF>& taken) {
   const QPointF at = picture.pageToWidget.map(mark.at);
@@ -200,7 +187,29 @@ void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMar
              color);
 }
 
+double area(const QRectF& box) { return box.width() * box.height(); }
+
 }  // namespace
+
+QPointF freePlace(QPointF mark, QSizeF size, bool above, const QRectF& shown, std::vector<QRectF>& taken) {
+  constexpr double rows[] = {1, -1, 2.2, -2.2, 3.4, -3.4, 4.6, -4.6};
+  const double up = above ? -14 : 16;
+  QPointF chosen;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double row : rows)
+    for (const double side : {12.0, -12 - size.width(), -0.5 * size.width()}) {
+      QPointF at = mark + QPointF(side, row * up);
+      at += wayInto(shown, plateAt(at, size));
+      const QRectF plate = plateAt(at, size);
+      double hidden = 0;
+      for (const QRectF& other : taken) hidden += area(other & plate);
+      if (hidden >= least) continue;
+      chosen = at;
+      least = hidden;
+    }
+  taken.push_back(plateAt(chosen, size));
+  return chosen;
+}
 
 QPointF tickPlate(GraphAxis axis, const FrameCorners& corners, const QTransform& pageToWidget, QPointF tick) {
   // Inside the frame, where the page's own labels are not.
@@ -210,7 +219,7 @@ QPointF tickPlate(GraphAxis axis, const FrameCorners& corners, const QTransform&
 void paintPlate(QPainter& painter, QPointF at, const QString& text, const QColor& color) {
   const QFontMetricsF metrics(painter.font());
   const QSizeF size = metrics.size(0, text);
-  const QRectF plate(at.x() - 3, at.y() - 0.5 * size.height() - 1, size.width() + 6, size.height() + 2);
+  const QRectF plate = plateAt(at, size);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(255, 255, 255, 225));
   painter.drawRoundedRect(plate, 3, 3);
@@ -224,6 +233,8 @@ void paintFindings(QPainter& painter, const FindingsPicture& picture) {
   QFont font = painter.font();
   font.setPointSizeF(std::max(7.0, 0.85 * font.pointSizeF()));
   painter.setFont(font);
+  std::vector<QRectF> taken;
+  const auto keepClear = [&](QPointF at) { taken.emplace_back(at - QPointF(7, 7), QSizeF(14, 14)); };
   paintMasks(painter, picture);
   painter.setPen(QPen(ink().refused, 1.5));
   for (const QPolygonF& trace : picture.drawn.traces) painter.drawPolyline(picture.pageToWidget.map(trace));
@@ -232,14 +243,11 @@ void paintFindings(QPainter& painter, const FindingsPicture& picture) {
   if (picture.corners) {
     if (picture.given.frame) paintImpliedGrid(painter, picture);
     paintFrame(painter, picture);
-    paintTicks(painter, GraphAxis::x, picture);
-    paintTicks(painter, GraphAxis::y, picture);
+    paintTicks(painter, GraphAxis::x, picture, taken);
+    paintTicks(painter, GraphAxis::y, picture, taken);
+    for (const importer::Point& corner : *picture.corners) keepClear(toWidget(picture, corner));
   }
-  std::vector<QRectF> taken;
-  for (const DrawnMark& mark : picture.drawn.marks) {
-    const QPointF at = picture.pageToWidget.map(mark.at);
-    taken.emplace_back(at - QPointF(7, 7), QSizeF(14, 14));
-  }
+  for (const DrawnMark& mark : picture.drawn.marks) keepClear(picture.pageToWidget.map(mark.at));
   for (const DrawnMark& mark : picture.drawn.marks) paintMark(painter, picture, mark, taken);
   painter.restore();
 }

@@ -12,6 +12,7 @@
 #include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
 #include "editor/document/message_words.h"
+#include "editor/document/names_in_sight.h"
 #include "editor/library/compare_plot.h"
 #include "editor/library/difference_rows.h"
 #include "editor/pressing/press_view.h"
@@ -29,6 +30,8 @@ constexpr int longestHead = 16;  // characters of a column's head
 
 QTableWidget* differencesTable() {
   auto* table = described(new QTableWidget, "compareTable", {}, ComparePanel::tr("Differences"));
+  table->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideRight, table));
+  table->setHorizontalHeader(new ShorteningHeader(Qt::Horizontal, Qt::ElideMiddle, table));
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowMargin_px);
   table->setMinimumHeight((leastTableRows + 1) * (table->fontMetrics().height() + rowMargin_px));
@@ -371,11 +374,11 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   QStringList heads{tr("Figure")}, whole{tr("Figure")};
   for (std::size_t i = 0; i < states.size(); ++i) {
     whole << nameOf(*sides_[i]);
-    heads << shortened(whole.back(), longestHead);
+    heads << whole.back();
   }
   for (std::size_t i = 1; i < states.size(); ++i) {
     whole << tr("%1 less %2").arg(nameOf(*sides_[i]), nameOf(*sides_[0]));
-    heads << QStringLiteral("\u0394 ") + shortened(nameOf(*sides_[i]), longestHead);
+    heads << QStringLiteral("\u0394 ") + nameOf(*sides_[i]);
   }
   heads << tr("Unit");
   whole << heads.back();
@@ -383,8 +386,6 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   table_->setHorizontalHeaderLabels(heads);
   for (int column = 0; column < table_->columnCount(); ++column)
     table_->horizontalHeaderItem(column)->setToolTip(whole[column]);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
   if (states.size() < 2) return table_->setRowCount(0);
 
   const DisplayUnits& units = settings_.units();
@@ -403,18 +404,34 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
       if (column == 0) item->setToolTip(row.name);
       table_->setItem(i, column, item);
     }
+    auto* name = new QTableWidgetItem(row.name);
+    name->setToolTip(row.name);
+    table_->setVerticalHeaderItem(i, name);
   }
   layOutTable();
 }
 
-// Numbers have the room they need, names what is left.
+// Numbers have the room they need; what is left goes to the names above them, then to those of the rows.
 void ComparePanel::layOutTable() {
-  constexpr int leastName_px = 90;
-  int numbers_px = 0;
-  for (int column = 1; column < table_->columnCount(); ++column) numbers_px += table_->columnWidth(column);
-  table_->resizeColumnToContents(0);
-  const int name_px = std::max(leastName_px, table_->columnWidth(0));
-  table_->setColumnWidth(0, std::clamp(table_->viewport()->width() - numbers_px, leastName_px, name_px));
+  const int columns = table_->columnCount();
+  if (columns < 3 || table_->rowCount() == 0) return;
+  const QAbstractItemView& view = *table_;
+  const QHeaderView& heads = *table_->horizontalHeader();
+  const int widestHead_px = longestHead * fontMetrics().averageCharWidth();
+  NamedTable needed{0, view.sizeHintForColumn(0) + rowMargin_px};
+  int spare_px = table_->viewport()->width() - needed.names_px;
+  if (!table_->verticalHeader()->isHidden()) spare_px += table_->verticalHeader()->width();
+  for (int column = 1; column < columns; ++column) spare_px -= view.sizeHintForColumn(column) + 1;
+  for (int column = 1; column < columns; ++column) {
+    const int least_px = view.sizeHintForColumn(column) + 1;
+    const int wished_px = std::min(heads.sectionSizeHint(column), widestHead_px);
+    const int more_px = std::clamp(wished_px - least_px, 0, std::max(0, spare_px));
+    table_->setColumnWidth(column, least_px + more_px);
+    spare_px -= more_px;
+    needed.numbers_px += least_px + more_px;
+    if (column <= 2) needed.beside_px += least_px + more_px;
+  }
+  keepNamesInSight(*table_, needed);
 }
 
 bool ComparePanel::eventFilter(QObject* object, QEvent* event) {

@@ -17,6 +17,9 @@ constexpr int digits = 4;
 constexpr int namesInLine = 3;
 constexpr double differenceHeight = 0.5;  // of the graphs'
 constexpr int differenceSamples = 400;
+constexpr int mostTicks = 5, leastTicks = 2;
+constexpr double linesOfTick = 2.2;  // height that a number of an axis has
+constexpr int leastName_px = 40;     // in the legend
 
 /// Empty beyond the curve's ends, and where a graph has no such stroke.
 std::optional<double> forceAt(const ForceGraph& graph, Stroke stroke, double at_mm) {
@@ -41,6 +44,40 @@ ComparePlot::ComparePlot(QWidget* parent)
   setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   for (QCPAxis* axis : {xAxis, yAxis}) axis->setTicker(QSharedPointer<UnitTicker>::create());
   for (QCPItemStraightLine* line : {cursor_, pinned_}) line->setVisible(false);
+  connect(this, &QCustomPlot::afterLayout, this, &ComparePlot::fitTicks);
+}
+
+// As many numbers as the height of an axis has room for.
+void ComparePlot::fitTicks() {
+  bool changed = false;
+  for (QCPAxisRect* rect : {axisRect(), differences_}) {
+    if (!rect) continue;
+    const double room = rect->height() / (linesOfTick * QFontMetricsF(yAxis->tickLabelFont()).height());
+    const int count = std::clamp(static_cast<int>(room), leastTicks, mostTicks);
+    const auto ticker = rect->axis(QCPAxis::atLeft)->ticker();
+    changed |= ticker->tickCount() != count;
+    ticker->setTickCount(count);
+  }
+  if (changed) replot(rpQueuedReplot);
+}
+
+// Names side by side: what has no room is shortened in its middle.
+void ComparePlot::fitNames(int width_px) {
+  if (graphs_.empty()) return;
+  const int inLine = std::min(namesInLine, static_cast<int>(graphs_.size()));
+  const int beside_px = legend->iconSize().width() + legend->iconTextPadding() + legend->columnSpacing() +
+                        legend->margins().left();
+  const int room_px = std::max(leastName_px, width_px / inLine - beside_px);
+  const QFontMetrics metrics(legend->font());
+  for (int i = 0; i < legend->itemCount(); ++i)
+    if (auto* item = qobject_cast<QCPPlottableLegendItem*>(legend->item(i)))
+      item->plottable()->setName(
+          metrics.elidedText(graphs_[static_cast<std::size_t>(i)].name, Qt::ElideMiddle, room_px));
+}
+
+void ComparePlot::resizeEvent(QResizeEvent* event) {
+  fitNames(event->size().width());
+  QCustomPlot::resizeEvent(event);
 }
 
 void ComparePlot::setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnits& units) {
@@ -48,6 +85,7 @@ void ComparePlot::setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnit
   units_ = units;
   dress();
   drawCurves();
+  fitNames(width());
   place(*cursor_, cursor_mm_);
   place(*pinned_, pinned_mm_);
   replot();
@@ -136,7 +174,7 @@ void ComparePlot::drawDifferences() {
 
 // ---- pictures for others
 
-std::unique_ptr<ComparePlot> ComparePlot::forPicture() const {
+std::unique_ptr<ComparePlot> ComparePlot::forPicture(int width_px) const {
   auto plot = std::make_unique<ComparePlot>();
   plot->setFont(font());
   plot->setPalette(QPalette(Qt::black, Qt::white, Qt::white, Qt::darkGray, Qt::gray, Qt::black, Qt::white));
@@ -144,6 +182,7 @@ std::unique_ptr<ComparePlot> ComparePlot::forPicture() const {
   plot->setGraphs(graphs_, units_);
   plot->xAxis->setRange(xAxis->range());
   plot->yAxis->setRange(yAxis->range());
+  plot->fitNames(width_px);
   return plot;
 }
 
@@ -151,7 +190,7 @@ void ComparePlot::renderTo(QPaintDevice& device, QSize size) const {
   QCPPainter painter(&device);
   painter.setMode(QCPPainter::pmVectorized, true);
   painter.setMode(QCPPainter::pmNoCaching, true);
-  forPicture()->toPainter(&painter, size.width(), size.height());
+  forPicture(size.width())->toPainter(&painter, size.width(), size.height());
 }
 
 QImage ComparePlot::picture(QSize size_px, double devicePixelRatio) const {
@@ -160,7 +199,7 @@ QImage ComparePlot::picture(QSize size_px, double devicePixelRatio) const {
   image.setDevicePixelRatio(devicePixelRatio);
   QCPPainter painter(&image);
   const QSize size = (QSizeF(size_px) / devicePixelRatio).toSize();
-  forPicture()->toPainter(&painter, size.width(), size.height());
+  forPicture(size.width())->toPainter(&painter, size.width(), size.height());
   return image;
 }
 

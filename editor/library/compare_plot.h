@@ -47,12 +47,15 @@ class ComparePlot : public QCustomPlot {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void dress();
   void drawCurves();
   void drawDifferences();
-  std::unique_ptr<ComparePlot> forPicture() const;
+  std::unique_ptr<ComparePlot> forPicture(int width_px) const;
+  void fitTicks();
+  void fitNames(int width_px);
   void moveCursor(std::optional<double> at_mm);
   void pin(std::optional<double> at_mm);
   void place(QCPItemStraightLine& line, std::optional<double> at_mm);

@@ -16,6 +16,8 @@ namespace detent::editor {
 namespace {
 
 constexpr QSize first_px{720, 560}, leastPlot_px{240, 120};
+constexpr int plotShare = 3, restShare = 2;
+constexpr double wide = 1.5;  // width over height from which the plot stands beside the rest
 
 QLabel* wordsOf(const char* name) {
   auto* label = described(new QLabel, QString::fromLatin1(name));
@@ -56,11 +58,16 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
   auto* ends = new QDialogButtonBox(QDialogButtonBox::Cancel);
   create_ = described(ends->addButton(tr("&Create"), QDialogButtonBox::AcceptRole),
                       QStringLiteral("morphCreate"), tr("Opens the button in between in a tab of its own"));
+  sides_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  auto* rest = new QVBoxLayout;
+  rest->addLayout(form);
+  rest->addWidget(forecastFrom_);
+  rest->addWidget(forecastTo_);
+  rest->addStretch();
+  sides_->addWidget(plot_, plotShare);
+  sides_->addLayout(rest, restShare);
   auto* layout = new QVBoxLayout(this);
-  layout->addLayout(form);
-  layout->addWidget(plot_, 1);
-  layout->addWidget(forecastFrom_);
-  layout->addWidget(forecastTo_);
+  layout->addLayout(sides_, 1);
   layout->addWidget(ends);
   connect(ends, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(ends, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -72,8 +79,17 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
   follow();
 }
 
+// In a low window the graphs have its whole height.
+void MorphDialog::resizeEvent(QResizeEvent* event) {
+  QDialog::resizeEvent(event);
+  const bool beside = width() > wide * height();
+  sides_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  sides_->setStretch(1, beside ? restShare : 0);
+}
+
 QComboBox* MorphDialog::buttonChoice(const char* name, const QString& tip, std::size_t chosen) {
   auto* box = described(new QComboBox, QString::fromLatin1(name), tip, tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   for (const Button& button : buttons_) box->addItem(QString::fromStdString(button.name()));
   box->setCurrentIndex(static_cast<int>(chosen));
   return box;

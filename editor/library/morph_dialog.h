@@ -3,6 +3,7 @@
 // A button on the way from one to another, with what people will take it for.
 
 #include <optional>
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -30,6 +31,9 @@ class MorphDialog : public QDialog {
   /// The button the slider stands at; empty while there is none between the two chosen.
   const std::optional<Button>& between() const { return between_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QComboBox* buttonChoice(const char* name, const QString& tip, std::size_t chosen);
   const Button& chosen(const QComboBox& box) const;
@@ -41,6 +45,7 @@ class MorphDialog : public QDialog {
   QComboBox *from_ = nullptr, *to_ = nullptr;
   QSlider* share_ = nullptr;
   ComparePlot* plot_ = nullptr;
+  QBoxLayout* sides_ = nullptr;  // the plot, and the rest below or beside it
   QLabel *percent_ = nullptr, *forecastFrom_ = nullptr, *forecastTo_ = nullptr;
   QPushButton* create_ = nullptr;
   std::optional<Button> between_;

@@ -2,10 +2,12 @@
 #include "editor/panels/annotations_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QDateTime>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QScrollArea>
 #include <QTimer>
@@ -19,7 +21,9 @@
 namespace detent::editor {
 namespace {
 
-constexpr double firstOffset_N = 0.05;
+constexpr double firstOffset_N = 0.05;  // where there is no release yet
+constexpr int offsetSamples = 64;
+constexpr int margin_px = 3;  // in German every pixel counts on a small screen
 constexpr QuantityRange offsets_N{0, ForceGraph::maxForce_N};
 constexpr int listRows = 3;
 
@@ -33,6 +37,26 @@ QTreeWidget* listOf(const char* name, const QString& accessible, const QStringLi
   list->setTabKeyNavigation(false);
   list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   return list;
+}
+
+/// How far the release lies below the press in the mean.
+double offsetOf_N(const ForceGraph& graph) {
+  if (!graph.release()) return firstOffset_N;
+  const double from = std::max(graph.press().start_mm(), graph.release()->start_mm()),
+               to = std::min(graph.press().end_mm(), graph.release()->end_mm());
+  double sum = 0;
+  for (int i = 0; i < offsetSamples; ++i) {
+    const double at_mm = from + (i + 0.5) / offsetSamples * (to - from);
+    sum += graph.press().force_N(at_mm) - graph.release()->force_N(at_mm);
+  }
+  return std::max(0.0, sum / offsetSamples);
+}
+
+/// With two digits, so that a person finds a number of theirs there.
+double rounded(double value) {
+  if (!(value > 0)) return 0;
+  const double step = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::round(value / step) * step;
 }
 
 std::string utcNow() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
@@ -63,6 +87,7 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
   setObjectName("annotationsPanel");
   auto* inside = new QWidget;
   auto* column = new QVBoxLayout(inside);
+  column->setContentsMargins(margin_px, margin_px, margin_px, margin_px);
   column->addWidget(notesBox(), 1);
   column->addWidget(versionsBox(), 1);
   column->addWidget(linksBox());
@@ -76,9 +101,21 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll);
   setFocusProxy(noteText_);
+  for (QLineEdit* field : {noteText_, versionName_}) field->installEventFilter(this);
   connect(&document_, &ButtonDocument::annotationsChanged, this, &AnnotationsPanel::follow);
   connect(&settings_, &ViewSettings::changed, this, &AnnotationsPanel::follow);
   follow();
+}
+
+// An empty field has nothing to take back: the button's last step is meant.
+bool AnnotationsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const auto* field = qobject_cast<QLineEdit*>(watched);
+  if (!field || event->type() != QEvent::ShortcutOverride) return QWidget::eventFilter(watched, event);
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  const bool passes = (key.matches(QKeySequence::Undo) && !field->isUndoAvailable()) ||
+                      (key.matches(QKeySequence::Redo) && !field->isRedoAvailable());
+  if (passes) event->ignore();
+  return passes;
 }
 
 QPushButton* AnnotationsPanel::addButton(QLayout& row, const char* name, const QString& text,
@@ -156,7 +193,6 @@ QWidget* AnnotationsPanel::linksBox() {
   unpin_ = addButton(*pinRow, "linkUnpin", tr("Take all pins out"), tr("All points can be moved again"));
   column->addLayout(pinRow);
   offset_->setRange(offsets_N);
-  offset_->setValue(firstOffset_N);
   offset_->setKeyboardTracking(false);
   const auto changed = [this] {
     if (filling_) return;
@@ -207,7 +243,7 @@ void AnnotationsPanel::addNote() {
   if (text.isEmpty() || document_.history().dragging()) return;
   Annotations next = document_.annotations();
   next.notes.push_back({document_.activeState(), selected->stroke, at->displacement_mm, text.toStdString()});
-  noteText_->clear();
+  noteText_->setText({});  // with no step of its own to take back
   document_.annotate(std::move(next), tr("Note: %1").arg(text));
 }
 
@@ -219,7 +255,7 @@ void AnnotationsPanel::keepVersion() {
   if (std::any_of(next.versions.begin(), next.versions.end(), same))
     return emit said(tr("There is a version called “%1” already. Give this one another name.").arg(name));
   next.versions.push_back({name.toStdString(), utcNow(), document_.history().committed().states()});
-  versionName_->clear();
+  versionName_->setText({});
   document_.annotate(std::move(next), tr("Keep version: %1").arg(name));
 }
 
@@ -303,8 +339,10 @@ void AnnotationsPanel::followLinks() {
   const EditLinks& links = document_.annotations().links;
   oneEnd_->setChecked(links.oneTravelEnd);
   releaseFollows_->setChecked(links.releaseBelowPress_N.has_value());
-  offset_->setUnits(settings_.units());
-  if (links.releaseBelowPress_N) offset_->setValue(*links.releaseBelowPress_N);
+  const DisplayUnits& units = settings_.units();
+  offset_->setUnits(units);
+  const double now_N = offsetOf_N(document_.button().states()[document_.activeState()].graph);
+  offset_->setValue(links.releaseBelowPress_N.value_or(rounded(units.forceFrom(now_N)) / units.forceFrom(1)));
   pins_->setText(links.pinned.empty() ? tr("No point is pinned. P pins the selected one.")
                                       : tr("Pinned points: %1").arg(links.pinned.size()));
   pins_->setWordWrap(true);

@@ -30,6 +30,9 @@ class AnnotationsPanel : public QWidget {
   /// A version is to be looked at beside the button, as one of its own.
   void versionOpened(const detent::Button& version);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   QWidget* notesBox();
   QWidget* versionsBox();

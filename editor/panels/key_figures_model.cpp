@@ -258,7 +258,10 @@ QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant KeyFiguresModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
+  if (orientation == Qt::Vertical) {
+    const bool told = role == Qt::DisplayRole || role == Qt::ToolTipRole;
+    return told ? data(index(section, figure), role) : QVariant();
+  }
   if (role == Qt::ToolTipRole) {
     if (section == now) return tr("What is typed here is done at once; what is kept stays");
     if (section == wanted)

@@ -18,7 +18,7 @@
 
 namespace detent::editor {
 
-/// One row per figure, in the order of model/key_figures.h. What is typed under `now` is one undo step at once: the
+/// One row per figure, in the order of model/key_figures.h; its vertical header names them too. What is typed under `now` is one undo step at once: the
 /// smallest change of the curve that gives it and leaves the kept figures as they are. What is typed under `wanted` is
 /// gathered; `preview` is the state that has all of it, until it is taken or given up. Both are solved beside the window:
 /// what is typed is done when its solve has ended, in the order typed, on the button as it is then. GUI thread.

@@ -12,6 +12,7 @@
 
 #include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
+#include "editor/document/names_in_sight.h"
 #include "editor/panels/figure_drawing.h"
 #include "editor/panels/key_figures_model.h"
 #include "editor/panels/value_delegate.h"
@@ -22,7 +23,6 @@ namespace {
 constexpr QSize pictureSize(132, 84);
 constexpr int widestNumber = 9;  // characters that a column of numbers has room for
 constexpr int roomBesideText_px = 12;
-constexpr int leastName_px = 90;
 constexpr int leastWithMeaning_px = 340;
 constexpr int patience_ms = 200;  // a solve that is over by then is not spoken of
 
@@ -47,6 +47,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       [this](const QModelIndex& cell, const QString& text) { return model_->doubtOf(cell, text); }, table_);
   table_->setItemDelegate(delegate);
   table_->setIconSize({34, 22});
+  table_->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideRight, table_));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(std::max(24, fontMetrics().height() + 8));
   table_->horizontalHeader()->setHighlightSections(false);
@@ -120,12 +121,9 @@ void KeyFiguresPanel::layOut() {
     name_px = std::max(name_px, fontMetrics().horizontalAdvance(
                                     model_->index(row, KeyFiguresModel::figure).data().toString()));
   name_px += table_->iconSize().width() + 2 * roomBesideText_px;
-  // Where not all of it has room, the numbers of now come first; the rest scrolls.
-  const int room_px = table_->viewport()->width();
-  const int besideNow_px = std::max(leastName_px, room_px - table_->columnWidth(KeyFiguresModel::now));
-  const bool narrow = name_px + others > room_px;
-  table_->setColumnWidth(KeyFiguresModel::figure,
-                         narrow ? std::min(name_px, besideNow_px) : room_px - others);
+  const int beside_px =
+      table_->columnWidth(KeyFiguresModel::wanted) + table_->columnWidth(KeyFiguresModel::keep);
+  keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others, beside_px});
 }
 
 // Where the screen is small, the figures come first: what explains them gives way.

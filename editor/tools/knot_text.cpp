@@ -107,8 +107,9 @@ Result<Button> pasteStretch(const Button& button, std::size_t state, const Graph
     }
     if (!stretch.release.empty()) {
       if (!release)
-        return Failure{FailureCode::wrongUsage, "force graph", "", "has no release curve to paste into",
-                       "Mirror the press to a release first"};
+        return Failure{FailureCode::wrongUsage, "force graph", "",
+                       Message("has no release curve to paste into"),
+                       Message("Mirror the press to a release first")};
       auto put = putStretch(*release, stretch.release);
       if (!put) return put.failure();
       release = *std::move(put);

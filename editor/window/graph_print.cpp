@@ -11,6 +11,7 @@
 #include "editor/document/view_settings.h"
 #include "editor/files/graph_export.h"
 #include "editor/panels/key_figures_model.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -72,10 +73,15 @@ QStringList figureLines(const KeyFiguresModel& figures, const DisplayUnits& unit
 }
 
 // The rest of the page below the figures, as far as it goes.
-void printNotes(QPainter& painter, const QRectF& room, const Annotations& annotations) {
+void printNotes(QPainter& painter, const QRectF& room, const Annotations& annotations,
+                const DisplayUnits& units) {
   QStringList lines;
-  for (std::size_t i = 0; i < annotations.notes.size(); ++i)
-    lines << QStringLiteral("%1. %2").arg(i + 1).arg(QString::fromStdString(annotations.notes[i].text));
+  for (const Note& note : annotations.notes) {
+    const QString at = quantityWithUnit(note.displacement_mm, Quantity::length, units, 4);
+    const QString place = note.stroke == Stroke::press ? PageWords::tr("Press at %1: ").arg(at)
+                                                       : PageWords::tr("Release at %1: ").arg(at);
+    lines << place + QString::fromStdString(note.text);
+  }
   painter.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, lines.join('\n'));
 }
 
@@ -106,7 +112,7 @@ bool printGraph(QPrinter& printer, ButtonDocument& document, ViewSettings& setti
   }
   const double below = top + (static_cast<double>(rows) + 0.5) * line;
   printNotes(painter, QRectF(0, below, page.width(), page.height() - 1.5 * line - below),
-             document.annotations());
+             document.annotations(), settings.units());
   const QRectF foot(0, page.height() - line, page.width(), line);
   painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, sourceLine(button));
   painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,

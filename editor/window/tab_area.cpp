@@ -1,13 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/tab_area.h"
 
+#include <algorithm>
 #include <QDir>
 #include <QTabBar>
 
 namespace detent::editor {
+namespace {
+
+constexpr int leastName = 9;  // characters; where tabs have no room for that, they scroll
+
+class NamedTabBar : public QTabBar {
+ protected:
+  QSize minimumTabSizeHint(int index) const override {
+    const QSize whole = tabSizeHint(index);
+    const int besideName_px = whole.width() - fontMetrics().horizontalAdvance(tabText(index));
+    const int least_px = besideName_px + leastName * fontMetrics().averageCharWidth();
+    return {std::min(whole.width(), std::max(least_px, QTabBar::minimumTabSizeHint(index).width())),
+            whole.height()};
+  }
+};
+
+class NamedTabs : public QTabWidget {
+ public:
+  NamedTabs() { setTabBar(new NamedTabBar); }
+};
+
+}  // namespace
 
 TabArea::TabArea(WelcomePage* welcome, ViewSettings& settings, QWidget* parent)
-    : QStackedWidget(parent), settings_(settings), tabs_(new QTabWidget) {
+    : QStackedWidget(parent), settings_(settings), tabs_(new NamedTabs) {
   tabs_->setObjectName("tabs");
   tabs_->tabBar()->setObjectName("tabBar");
   tabs_->tabBar()->setAccessibleName(tr("Open buttons"));

@@ -21,6 +21,7 @@ constexpr double designedFor_px = 12;  // the size of text that all other length
 constexpr double glyphWidth_px = 6.6;  // of a sans-serif digit of that size, generous
 constexpr double secondScale_px = 58;  // room for it at the right side
 constexpr double dimensionRow_px = 24, leaderGap_px = 7;
+constexpr double leaderUnderName = 2000;  // as bad as a hundred places of curve under the words
 
 std::string fixed(double value, int decimals) {
   char buffer[400];
@@ -406,14 +407,14 @@ class Plot {
                           at.y + std::sin(angle) * (sized(20) * ring + 0.5 * height)};
         const Box box{centre.x - 0.5 * width, centre.y - 0.5 * height, centre.x + 0.5 * width,
                       centre.y + 0.5 * height};
-        const double cost = costOf(box) + 10.0 * ring + (preferredSide * std::sin(angle) < 0 ? 15 : 0);
+        const double cost = costOf(box) + 10.0 * ring + (preferredSide * std::sin(angle) < 0 ? 15 : 0) +
+                            (underAnother(at, nearestOf(box, at)) ? leaderUnderName : 0);
         if (cost < bestCost) {
           bestCost = cost;
           best = box;
         }
       }
-    taken_.push_back(best);
-    const Spot edge{std::clamp(at.x, best.x0, best.x1), std::clamp(at.y, best.y0, best.y1)};
+    const Spot edge = nearestOf(best, at);
     line(out, awayFrom(at, edge), edge, "stroke=\"#444\" stroke-width=\"0.9\"");
     dots_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"3.2\" fill=\"#222\"/>\n";
     plates_ += "<rect x=\"" + px(best.x0) + "\" y=\"" + px(best.y0) + "\" width=\"" + px(width) +
@@ -421,6 +422,23 @@ class Plot {
     const double middle = 0.5 * (best.x0 + best.x1);
     text(plates_, {middle, best.y0 + sized(13)}, "middle", name, smallText());
     text(plates_, {middle, best.y0 + sized(27)}, "middle", value, smallText());
+    taken_.push_back(best);
+  }
+
+  static Spot nearestOf(const Box& box, Spot to) {
+    return {std::clamp(to.x, box.x0, box.x1), std::clamp(to.y, box.y0, box.y1)};
+  }
+
+  // Whether a leader would run under what is written elsewhere: its words would be taken for the other's.
+  bool underAnother(Spot at, Spot edge) const {
+    constexpr int places = 16;
+    for (int i = 0; i <= places; ++i) {
+      const double share = static_cast<double>(i) / places;
+      const Spot there{at.x + share * (edge.x - at.x), at.y + share * (edge.y - at.y)};
+      if (std::ranges::any_of(taken_, [there](const Box& other) { return other.contains(there); }))
+        return true;
+    }
+    return false;
   }
 
   // A leader keeps off the curve.

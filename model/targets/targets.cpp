@@ -265,23 +265,23 @@ Failure refusal(Message problem, Remedies remedies) {
 Message lossOf(ShapeRule rule) {
   switch (rule) {
     case ShapeRule::width:
-      return "a stretch of the curve would have no width left";
+      return Message("a stretch of the curve would have no width left");
     case ShapeRule::direction:
-      return "a rise of the force would become a fall, or a fall a rise";
+      return Message("a rise of the force would become a fall, or a fall a rise");
     case ShapeRule::noPull:
-      return "the button would pull";
+      return Message("the button would pull");
     case ShapeRule::mainEvent:
-      return "another tactile point would become the main one";
+      return Message("another tactile point would become the main one");
     case ShapeRule::onStroke:
-      return "the operating or the reset point would leave its stroke";
+      return Message("the operating or the reset point would leave its stroke");
     case ShapeRule::inOrder:
-      return "the reset point would lie deeper than the operating point";
+      return Message("the reset point would lie deeper than the operating point");
     case ShapeRule::releaseBelow:
-      return "the release would lie above the press";
+      return Message("the release would lie above the press");
     case ShapeRule::tactile:
-      return "a tactile point would be too weak to be one";
+      return Message("a tactile point would be too weak to be one");
     case ShapeRule::wall:
-      return "the wall at the end would begin elsewhere";
+      return Message("the wall at the end would begin elsewhere");
   }
   return {};
 }
@@ -295,17 +295,17 @@ Message lossOf(Rule broken) {
     case Rule::resetBeyondOperating:
       return lossOf(ShapeRule::inOrder);
     case Rule::strokesDoNotMeet:
-      return "the release would not begin where the press ends";
+      return Message("the release would not begin where the press ends");
     case Rule::statesDoNotMeet:
-      return "the release would not end where the next state starts";
+      return Message("the release would not end where the next state starts");
     case Rule::hiddenTactilePoint:
-      return "a tactile point would lie inside a jump, and never be felt";
+      return Message("a tactile point would lie inside a jump, and never be felt");
     case Rule::fallsAtStart:
-      return "the press would begin with a falling force";
+      return Message("the press would begin with a falling force");
     case Rule::dampingOutsideTravel:
-      return "damping would lie outside the travel";
+      return Message("damping would lie outside the travel");
     case Rule::speedsGiveEnergy:
-      return "a release would lie above the press of another speed";
+      return Message("a release would lie above the press of another speed");
     case Rule::noRelease:
     case Rule::manyKnots:
     case Rule::lowConfidence:
@@ -333,8 +333,8 @@ TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
                         ? Message("%1 and %2 contradict each other", terms[0], terms[1])
                         : Message("%1 and %2 contradict each other as long as this is kept as well: %3",
                                   terms[0], terms[1], rest);
-  const Message remedy = rest.empty() ? "Leave one of the two free, or give it another value"
-                                      : "Leave one of them free, or give it another value";
+  const Message remedy = rest.empty() ? Message("Leave one of the two free, or give it another value")
+                                      : Message("Leave one of them free, or give it another value");
   return {figuresOf(targets), {}, refusal(std::move(problem), remedy)};
 }
 
@@ -344,7 +344,7 @@ TargetConflict undecided(const std::vector<FigureTarget>& targets) {
           {},
           refusal(Message("no curve was found that has all of this, nor which of it contradicts: %1",
                           termsOf(targets)),
-                  "Leave some of it free, or give values nearer to the present ones"),
+                  Message("Leave some of it free, or give values nearer to the present ones")),
           true};
 }
 
@@ -355,9 +355,9 @@ Message valueWithUnit(double value, FigureUnit unit) {
     case FigureUnit::N:
       return {"%1", newtons(value)};
     case FigureUnit::N_per_mm:
-      return {"%1 N/mm", value};
+      return Message("%1 N/mm", value);
     case FigureUnit::mJ:
-      return {"%1 mJ", value};
+      return Message("%1 mJ", value);
     case FigureUnit::share:
       return {"%1", MessageValue(value, Measure::share)};
   }
@@ -409,10 +409,11 @@ class Bending {
     const Message term = Message::of(termOf(target.figure), {});
     const FigureUnit unit = unitOf(target.figure);
     const double beyond = reachable + 2 * leastOfWay * (target.value - now);
-    Message problem("%1 cannot be %2: beyond %3 %4", term, valueWithUnit(target.value, unit),
-                    valueWithUnit(reachable, unit), lossAt({target.figure, beyond}));
-    return {
-        {target.figure}, reachable, refusal(std::move(problem), "Give a value nearer to the present one")};
+    Message problem = Message("%1 cannot be %2: beyond %3 %4", term, valueWithUnit(target.value, unit),
+                              valueWithUnit(reachable, unit), lossAt({target.figure, beyond}));
+    return {{target.figure},
+            reachable,
+            refusal(std::move(problem), Message("Give a value nearer to the present one"))};
   }
 
  private:
@@ -462,7 +463,7 @@ class Bending {
         });
     if (broken) return lossOf(*broken);
     if (obstacle) return lossOf(*obstacle);
-    return "more than one property of its shape would be lost";
+    return Message("more than one property of its shape would be lost");
   }
 
   const Button& button_;

@@ -65,6 +65,7 @@ class CanvasTest : public QObject {
   void fingerIsDrawnInBothViews();
   void theLegendKeepsOffTheStrokes();
   void wordsOfANoteLeaveItsNumberFree();
+  void wordsOfANoteLeaveTheStrokesFree();
   void unitsScatterAsABandBehindTheirMean();
   void jumpIsAVerticalLine();
   void cursorIsReported();
@@ -303,6 +304,29 @@ void CanvasTest::wordsOfANoteLeaveItsNumberFree() {
       dark += darkest < 140;
     }
     QVERIFY2(dark >= 10, qPrintable(QString("%1 of 12 at a width of %2").arg(dark).arg(width)));
+  }
+}
+
+// In the valley the words would lie over the rise behind it: they stand where the strokes are not.
+void CanvasTest::wordsOfANoteLeaveTheStrokesFree() {
+  WorkspaceRig rig(require(tactileButton()));
+  const StrokeCurve press = rig.document.graph().press();
+  GraphCanvas canvas(rig.document, rig.settings);
+  canvas.setHandlesShown(false);
+  canvas.resize(420, 260);
+  for (const double at_mm : {0.3, 0.9, 1.7, 2.0, 2.6}) {
+    rig.document.annotate({}, "none");
+    const QImage before = canvas.grab().toImage();
+    Annotations noted;
+    noted.notes = {{0, Stroke::press, at_mm, "sample A: too hard?"}};
+    rig.document.annotate(noted, "note");
+    const QImage with = canvas.grab().toImage();
+    int hidden = 0;
+    for (double there_mm = 0.02; there_mm < press.end_mm(); there_mm += 0.02) {
+      const QPoint at = canvas.mapping().toPixel(there_mm, press.force_N(there_mm)).toPoint();
+      hidden += std::abs(there_mm - at_mm) > 0.1 && with.pixel(at) != before.pixel(at);
+    }
+    QVERIFY2(hidden <= 6, qPrintable(QString("%1 places of the press at %2 mm").arg(hidden).arg(at_mm)));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "editor/importing/finding_words.h"
+#include "editor/importing/findings_painting.h"
 #include "editor/importing/quality_figures.h"
 
 using namespace detent;
@@ -182,4 +183,25 @@ TEST_CASE("Every quality level says its work and its error") {
     CHECK(describedQuality(quality).contains("work"));
     CHECK(describedQuality(quality).contains(" %"));
   }
+}
+
+TEST_CASE(
+    "Words beside marks hide neither marks nor each other while there is room, and least where there is "
+    "none") {
+  const QRectF page(0, 0, 200, 216);  // the page on a small screen
+  const QSizeF words(130, 12);
+  const std::vector<QPointF> marks{{50, 100}, {100, 118}, {101, 128}, {150, 110}};
+  std::vector<QRectF> taken;
+  for (const QPointF& mark : marks) taken.emplace_back(mark - QPointF(7, 7), QSizeF(14, 14));
+  for (const double y : {20.0, 40.0, 60.0, 80.0}) taken.emplace_back(20, y, 20, 14);  // numbers of an axis
+  const std::size_t others = taken.size();
+  for (const QPointF& mark : marks) freePlace(mark, words, true, page, taken);
+  REQUIRE(taken.size() == others + marks.size());
+  for (std::size_t i = others; i < taken.size(); ++i) {
+    CHECK(page.contains(taken[i]));
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(taken[i].intersects(taken[j]));
+  }
+  std::vector<QRectF> full{{0, 0, 200, 150}};  // no room but at the lower edge
+  freePlace({100, 140}, words, true, page, full);
+  CHECK(full.back().top() >= 150);
 }

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
@@ -21,6 +22,7 @@
 #include "editor/library/difference_rows.h"
 #include "editor/library/graph_picture.h"
 #include "editor/library/library_panel.h"
+#include "editor/library/morph_dialog.h"
 #include "editor/library/template_dialog.h"
 #include "editor/quantity/quantity.h"
 #include "model/edits.h"
@@ -239,6 +241,61 @@ class LibraryTest : public QObject {
     auto* scroll = dialog.findChild<QScrollArea*>("compareScroll");
     QVERIFY(scroll->verticalScrollBar()->maximum() > 0);
     QVERIFY(dialog.findChild<QWidget*>("comparePlot")->height() >= 100);
+  }
+
+  /// Where there is little room: long names are shortened, the first two buttons stand side by side, numbers of axes apart.
+  void aSmallScreenShowsBothSidesByTheirNames() {
+    ViewSettings settings;
+    const auto named = [](const Button& button, const char* name) {
+      return *Button::fromStates(name, button.states());
+    };
+    ButtonDocument a(named(*tactileButton(), "CPG151101D283_Polia_Switch_with_a_long_name")),
+        b(named(*scaleForce(*tactileButton(), 2), "CPG142501D03_another_long_name_of_a_switch"));
+    ComparePanel dialog(settings);
+    dialog.setDocuments({&a, &b});
+    dialog.compare(&a, &b);
+    dialog.resize(675, 345);
+    dialog.show();
+    auto* table = dialog.findChild<QTableWidget*>("compareTable");
+    QTRY_VERIFY(table->verticalHeader()->isVisible());
+    QVERIFY(table->columnViewportPosition(2) + table->columnWidth(2) <= table->viewport()->width());
+    QCOMPARE(table->verticalHeaderItem(0)->text(), table->item(0, 0)->text());
+    QVERIFY(table->horizontalHeaderItem(1)->toolTip().startsWith("CPG151101D283_Polia_Switch_with"));
+
+    auto* plot = dialog.findChild<ComparePlot*>();
+    dialog.findChild<QToolButton*>("compareDifference")->click();
+    const QFontMetrics metrics(plot->legend->font());
+    for (int i = 0; i < plot->legend->itemCount(); ++i) {
+      auto* item = qobject_cast<QCPPlottableLegendItem*>(plot->legend->item(i));
+      QVERIFY(item && item->plottable()->name().contains(QChar(0x2026)));
+      const int needed_px = plot->legend->iconSize().width() + plot->legend->iconTextPadding() +
+                            metrics.horizontalAdvance(item->plottable()->name());
+      QTRY_VERIFY(item->rect().width() >= needed_px);
+    }
+    const double line_px = QFontMetricsF(plot->yAxis->tickLabelFont()).height();
+    for (const QCPAxisRect* rect : plot->axisRects()) {
+      QCPAxis* axis = rect->axis(QCPAxis::atLeft);
+      const auto apart = [&] {
+        const QVector<double> ticks = axis->tickVector();
+        return ticks.size() > 1 ? std::abs(axis->coordToPixel(ticks[1]) - axis->coordToPixel(ticks[0])) : 1e9;
+      };
+      QTRY_VERIFY2(apart() >= line_px, qPrintable(QString::number(apart())));
+    }
+    dialog.resize(1600, 900);  // with room, whole names
+    QTRY_VERIFY(plot->plottable(0)->name() == "CPG151101D283_Polia_Switch_with_a_long_name");
+  }
+
+  /// 1366 x 768 at scale 2: the graphs have the height of the window.
+  void theWayBetweenTwoIsSeenOnASmallScreen() {
+    MorphDialog dialog({*tactileButton(), *linearButton()}, 0, {});
+    dialog.show();
+    const auto* plot = dialog.findChild<QWidget*>("morphPlot");
+    dialog.resize(675, 344);
+    QTRY_VERIFY2(plot->height() > 250, qPrintable(QString::number(plot->height())));
+    QVERIFY(plot->width() > 300);
+    dialog.resize(720, 700);
+    QTRY_VERIFY(plot->width() > 650);
+    QVERIFY(plot->height() > 300);
   }
 
   void severalComeAtOnceAndTheirDifferencesAreDrawn() {

@@ -2,8 +2,10 @@
 // The key figures, typed, kept and wanted, judged by the button.
 #include "editor/panels/key_figures_panel.h"
 
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <set>
@@ -72,7 +74,33 @@ class KeyFiguresPanelTest : public QObject {
   void everyFigureHasItsOwnPicture();
   void undoAndHandsKeepTheTableTrue();
   void inALowPanelTheFiguresComeFirst();
+  void namesStayBesideWhatIsKept();
 };
+
+// A narrow panel: who ticks what is kept sees what it is.
+void KeyFiguresPanelTest::namesStayBesideWhatIsKept() {
+  WorkspaceRig rig(tactile());
+  KeyFiguresPanel panel(rig.document, rig.settings);
+  panel.show();
+  auto* table = panel.findChild<QTableView*>();
+  const QHeaderView& names = *table->verticalHeader();
+  panel.resize(283, 400);
+  QTRY_VERIFY(names.isVisible() && table->isColumnHidden(KeyFiguresModel::figure));
+  QVERIFY(table->horizontalScrollBar()->maximum() > 0);
+  table->horizontalScrollBar()->setValue(table->horizontalScrollBar()->maximum());
+  const int row = static_cast<int>(KeyFigure::valleyForce);
+  QCOMPARE(panel.model().headerData(row, Qt::Vertical, Qt::DisplayRole).toString(),
+           termOf(KeyFigure::valleyForce));
+  QVERIFY(names.width() >= 90);
+  for (const int column : {KeyFiguresModel::wanted, KeyFiguresModel::keep}) {
+    const int left = table->columnViewportPosition(column);
+    QVERIFY2(left >= 0 && left + table->columnWidth(column) <= table->viewport()->width() + 1,
+             qPrintable(QString::number(left)));
+  }
+  panel.resize(700, 400);
+  QTRY_VERIFY(names.isHidden() && !table->isColumnHidden(KeyFiguresModel::figure));
+  QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
+}
 
 void KeyFiguresPanelTest::inALowPanelTheFiguresComeFirst() {
   WorkspaceRig rig(tactile());

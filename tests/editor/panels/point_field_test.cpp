@@ -47,6 +47,8 @@ class PointFieldTest : public QObject {
   void aPinnedPointIsMovedByNothing();
   void notesStandOnTheCurveAndVersionsComeBack();
   void linksHoldFromTheMomentTheyAreMade();
+  void theOffsetOfferedIsThatOfTheStrokes();
+  void undoInAnEmptyFieldIsTheButtons();
 };
 
 void PointFieldTest::enterOpensItAndEnterMakesOneStep() {
@@ -154,6 +156,7 @@ void PointFieldTest::notesStandOnTheCurveAndVersionsComeBack() {
 void PointFieldTest::linksHoldFromTheMomentTheyAreMade() {
   WorkspaceRig rig(require(tactileButton()));
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
+  panel.findChild<QuantityField*>("linkOffset")->setValue(0.05);
   panel.findChild<QCheckBox*>("linkRelease")->click();
   QCOMPARE(rig.steps(), 1);
   const auto below_N = [&](double at_mm) {
@@ -167,6 +170,46 @@ void PointFieldTest::linksHoldFromTheMomentTheyAreMade() {
   rig.document.history().stack().undo();
   QVERIFY(rig.document.annotations().empty());
   QVERIFY(!panel.findChild<QCheckBox*>("linkRelease")->isChecked());
+}
+
+// Offered is how far the release lies below the press as it is, in the person's unit with two digits.
+void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.settings.setUnits({LengthUnit::millimetre, ForceUnit::gramForce});
+  const AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
+  const double offered_N = panel.findChild<QuantityField*>("linkOffset")->value();
+  const StrokeCurve& release = *rig.document.graph().release();
+  double sum_N = 0;
+  constexpr int samples = 1000;
+  for (int i = 0; i < samples; ++i) {
+    const double at_mm = rig.press().end_mm() * (i + 0.5) / samples;
+    sum_N += rig.press().force_N(at_mm) - release.force_N(at_mm);
+  }
+  QVERIFY2(std::abs(offered_N / (sum_N / samples) - 1) < 0.1, qPrintable(QString::number(offered_N)));
+  const double offered_gf = offered_N / 0.00980665, step = offered_gf < 10 ? 0.1 : 1;
+  QVERIFY(std::abs(offered_gf / step - std::round(offered_gf / step)) < 1e-6);
+}
+
+// Undo in a field that holds nothing to take back is meant for the button.
+void PointFieldTest::undoInAnEmptyFieldIsTheButtons() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().setSelected(tactile);  // where the note stands
+  AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
+  const auto takes = [](QLineEdit& field, Qt::Key key) {
+    QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::ControlModifier);
+    asked.ignore();
+    QCoreApplication::sendEvent(&field, &asked);
+    return asked.isAccepted();
+  };
+  for (const char* name : {"noteText", "versionName"}) {
+    auto& field = *panel.findChild<QLineEdit*>(name);
+    QVERIFY(!takes(field, Qt::Key_Z));
+    QTest::keyClicks(&field, "ab");
+    QVERIFY(takes(field, Qt::Key_Z));
+    QTest::keyClick(&field, Qt::Key_Return);
+    QVERIFY(!takes(field, Qt::Key_Z));
+    QVERIFY(takes(field, Qt::Key_A));
+  }
 }
 
 QTEST_MAIN(PointFieldTest)

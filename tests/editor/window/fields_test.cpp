@@ -27,6 +27,9 @@
 #include "editor/study/study_maker.h"
 #include "editor/window/main_window.h"
 #include "editor/window/stored_view.h"
+#include "editor/window/tab_area.h"
+#include "editor/window/welcome_page.h"
+#include "model/templates.h"
 #include "tests/editor/window/scripted_prompts.h"
 
 using namespace detent;
@@ -287,6 +290,25 @@ class FieldsTest : public QObject {
       QVERIFY(tabs->usesScrollButtons());
     }
     QVERIFY(seen > 0);
+  }
+
+  // Of many buttons the tabs scroll; none is left without a name.
+  void namesOfButtonsAreReadInTheirTabs() {
+    ViewSettings settings;
+    TabArea area(new WelcomePage({}), settings);
+    const Button button = *tactileButton();
+    for (int i = 0; i < 7; ++i)
+      area.add(std::make_unique<ButtonDocument>(
+          *Button::fromStates("CPG151101D283 Polia Switch " + std::to_string(i), button.states())));
+    area.resize(390, 250);
+    area.QStackedWidget::show();
+    const auto& tabs = *area.findChild<QTabBar*>("tabBar");
+    const int icon_px = tabs.tabButton(0, QTabBar::RightSide)->width();
+    for (int i = 0; i < tabs.count(); ++i)
+      QTRY_VERIFY2(tabs.tabRect(i).width() - icon_px >= 9 * tabs.fontMetrics().averageCharWidth(),
+                   qPrintable(QString::number(tabs.tabRect(i).width())));
+    area.resize(2400, 250);  // with room, whole names
+    QTRY_VERIFY(tabs.tabRect(3).width() >= tabs.fontMetrics().horizontalAdvance(tabs.tabText(3)));
   }
 
   void wheelOverAHeadScrollsItsTable() {

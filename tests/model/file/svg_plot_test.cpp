@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/file/svg_plot.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
 #include "model/edits.h"
+#include "model/links.h"
+#include "model/sections.h"
 #include "model/templates.h"
 
 using namespace detent;
@@ -101,6 +105,45 @@ TEST_CASE("a band of tolerance is as wide as asked for, and named") {
 TEST_CASE("no leader crosses a name") {
   const std::string svg = svgFrom(*tactileButton());
   CHECK(svg.rfind("stroke=\"#444\"") < svg.find("fill-opacity=\"0.85\""));
+}
+
+TEST_CASE("no leader runs under the name of another point, where points are close together") {
+  EditLinks links;
+  links.releaseBelowPress_N = 0.05;
+  const auto follows = linkedTo(*tactileButton(), 0, links);
+  REQUIRE(follows);
+  const double valley_mm =
+      tactilePoints(*follows->states()[0].graph.release(), Stroke::release).front().displacement_mm;
+  for (const double behind_mm : {0.05, 0.1, 0.16, 0.2, 0.3}) {
+    const auto closes = setOperatingPoint(*follows, 0, valley_mm + behind_mm + 0.08);
+    REQUIRE(closes);
+    const auto button = setResetPoint(*closes, 0, valley_mm + behind_mm);
+    REQUIRE(button);
+    std::istringstream lines(svgFrom(*button));
+    std::vector<std::array<double, 4>> leaders, plates;
+    for (std::string line; std::getline(lines, line);) {
+      std::array<double, 4> at{};
+      if (line.find("stroke=\"#444\"") != std::string::npos &&
+          std::sscanf(line.c_str(), "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf\"", &at[0], &at[1],
+                      &at[2], &at[3]) == 4)
+        leaders.push_back(at);
+      if (line.find("fill-opacity=\"0.85\"") != std::string::npos &&
+          std::sscanf(line.c_str(), "<rect x=\"%lf\" y=\"%lf\" width=\"%lf\" height=\"%lf\"", &at[0], &at[1],
+                      &at[2], &at[3]) == 4)
+        plates.push_back(at);
+    }
+    REQUIRE(leaders.size() >= 4);
+    REQUIRE(leaders.size() == plates.size());
+    for (std::size_t i = 0; i < leaders.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)  // what is written before
+        for (int k = 0; k <= 50; ++k) {
+          const auto [x0, y0, x1, y1] = leaders[i];
+          const double x = x0 + (x1 - x0) * k / 50, y = y0 + (y1 - y0) * k / 50;
+          const auto [left, top, width, height] = plates[j];
+          INFO("leader " << i << ", name " << j << ", " << behind_mm << " mm behind the valley");
+          CHECK_FALSE((x > left + 0.1 && x < left + width - 0.1 && y > top + 0.1 && y < top + height - 0.1));
+        }
+  }
 }
 
 TEST_CASE("curves end at the ends that are given, and have room behind the last tick") {

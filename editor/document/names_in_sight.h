@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a row is called stays in sight.
+
+#include <algorithm>
+#include <QHeaderView>
+#include <QStyle>
+#include <QStyleOptionHeader>
+#include <QTableView>
+
+namespace detent::editor {
+
+/// A head that shortens what it has no room for: Qt's cuts it off. GUI thread.
+class ShorteningHeader : public QHeaderView {
+ public:
+  ShorteningHeader(Qt::Orientation orientation, Qt::TextElideMode side, QTableView* table)
+      : QHeaderView(orientation, table), side_(side) {
+    setSectionsClickable(true);
+  }
+
+ protected:
+  void initStyleOptionForIndex(QStyleOptionHeader* option, int index) const override {
+    QHeaderView::initStyleOptionForIndex(option, index);
+    const int room_px = orientation() == Qt::Vertical ? width() : sectionSize(index);
+    const int margins_px = 2 * style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, this);
+    if (!option->text.contains('\n'))
+      option->text = option->fontMetrics.elidedText(option->text, side_, room_px - margins_px);
+  }
+
+ private:
+  Qt::TextElideMode side_;
+};
+
+/// What a table needs, in pixels.
+struct NamedTable {
+  int nameColumn = 0;
+  int names_px = 0;    ///< the widest name
+  int numbers_px = 0;  ///< the other columns together
+  int beside_px = 0;   ///< of the other columns, what should be seen beside a name at once
+};
+
+/// The names of the rows stand in their column where all of the table has room; else in the vertical header, which the model has to
+/// fill too (best a ShorteningHeader) and which stays where it is while the numbers scroll. GUI thread.
+inline void keepNamesInSight(QTableView& table, const NamedTable& needed) {
+  constexpr int leastName_px = 90;
+  QHeaderView& names = *table.verticalHeader();
+  const int room_px = table.viewport()->width() + (names.isHidden() ? 0 : names.width());
+  const bool narrow = needed.names_px + needed.numbers_px > room_px;
+  table.setColumnHidden(needed.nameColumn, narrow);
+  names.setVisible(narrow);
+  if (!narrow) return table.setColumnWidth(needed.nameColumn, room_px - needed.numbers_px);
+  names.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  names.setHighlightSections(false);
+  names.setSectionResizeMode(QHeaderView::Fixed);
+  const int beside_px = room_px - needed.numbers_px < leastName_px ? needed.beside_px : needed.numbers_px;
+  names.setFixedWidth(std::min(needed.names_px, std::max(leastName_px, room_px - beside_px)));
+}
+
+}  // namespace detent::editor
