@@ -405,7 +405,7 @@ class Doubts {
                      (strokes.release && touchesPictureEdge(strokes.release->points_px, picture));
     if (cut && hints_.frame.empty())
       add(DoubtCode::cutAtPictureEdge, unconfirmed, {},
-          {{RemedyKind::advice, "Use the whole picture"},
+          {{RemedyKind::advice, Message("Use the whole picture")},
            {RemedyKind::giveFrame, "if the curve ends there"}});
     edges(strokes.press);
     if (strokes.release) edges(*strokes.release);

@@ -289,7 +289,7 @@ struct ImportSession::Impl {
       return &kept->second.page;
     }
     if (number < 1 || number > document->pageCount()) {
-      return failure(FailureCode::wrongUsage, placeOf(number), "there is no such page",
+      return failure(FailureCode::wrongUsage, placeOf(number), Message("there is no such page"),
                      {{RemedyKind::choosePage, Message("1 to %1", document->pageCount())}});
     }
     auto read = document->page(number, progress);
@@ -528,8 +528,8 @@ struct ImportSession::Impl {
   Failure nothingFound(const ImportRequest& request, int graphCount,
                        const std::optional<Failure>& rejection) const {
     if (request.graph && graphCount > 0) {
-      return failure(FailureCode::wrongUsage, Message("graph %1", *request.graph), "there is no such graph",
-                     RemedyKind::chooseGraph);
+      return failure(FailureCode::wrongUsage, Message("graph %1", *request.graph),
+                     Message("there is no such graph"), RemedyKind::chooseGraph);
     }
     if (rejection) return *rejection;
     const std::vector<Remark> unread = allRemarks();
@@ -1002,8 +1002,8 @@ bool ImportSession::isForceLog() const { return !impl_->document; }
 
 Result<const Page*> ImportSession::page(int number, const Progress& progress) {
   if (isForceLog()) {
-    return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages",
-                          "Import it without a page number");
+    return impl_->failure(FailureCode::wrongUsage, "", Message("a force log has no pages"),
+                          Message("Import it without a page number"));
   }
   return impl_->page(number, progress);
 }
@@ -1011,8 +1011,8 @@ Result<const Page*> ImportSession::page(int number, const Progress& progress) {
 Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, const ImportHints& hints,
                                       const Progress& progress) {
   if (isForceLog()) {
-    return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages to list",
-                          "Import it without listing");
+    return impl_->failure(FailureCode::wrongUsage, "", Message("a force log has no pages to list"),
+                          Message("Import it without listing"));
   }
   const LocateKey key{viewOptionsFor(settingsFor(quality), hints, 1), hints.axes, hints.frame};
   GraphList listed;
@@ -1043,7 +1043,8 @@ Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, 
 
 Result<std::vector<PlotSwitch>> ImportSession::switches(const ListedGraph& graph, Quality quality,
                                                         const ImportHints& hints, const Progress& progress) {
-  if (isForceLog()) return impl_->failure(FailureCode::wrongUsage, "", "a force log shows no switches", {});
+  if (isForceLog())
+    return impl_->failure(FailureCode::wrongUsage, "", Message("a force log shows no switches"), {});
   ImportRequest request;
   request.page = graph.page, request.graph = graph.graph;
   request.quality = quality;

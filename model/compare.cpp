@@ -195,8 +195,8 @@ Result<GraphDistance> compare(const GraphPolylines& first, const GraphPolylines&
   result.press = strokeDistance(first.press, second.press);
   result.release = strokeDistance(first.release, second.release);
   if (!result.press && !result.release)
-    return Failure{FailureCode::wrongUsage, "compare", "", "the two graphs have no stroke in common",
-                   "Compare graphs that both have a press or a release curve"};
+    return Failure{FailureCode::wrongUsage, "compare", "", Message("the two graphs have no stroke in common"),
+                   Message("Compare graphs that both have a press or a release curve")};
   int strokes = 0;
   for (const auto& stroke : {result.press, result.release}) {
     if (!stroke) continue;

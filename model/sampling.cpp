@@ -152,12 +152,12 @@ CleanPoints cleaned(const std::vector<CurvePoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint p = points[i];
     if (!std::isfinite(p.displacement_mm) || !std::isfinite(p.force_N))
-      return pointFault(i, "is not a finite number", "Remove it");
+      return pointFault(i, Message("is not a finite number"), Message("Remove it"));
     if (!clean.empty() && p.displacement_mm < clean.back().displacement_mm)
       return pointFault(i,
                         Message("at %1 goes back behind %2", millimetres(p.displacement_mm),
                                 millimetres(clean.back().displacement_mm)),
-                        "Give one stroke in the order travelled, or fit it with detent-import");
+                        Message("Give one stroke in the order travelled, or fit it with detent-import"));
     if (!clean.empty() && clean.back() == p) continue;
     const std::size_t n = clean.size();
     const bool third = n >= 2 && clean[n - 1].displacement_mm == p.displacement_mm &&
@@ -165,8 +165,9 @@ CleanPoints cleaned(const std::vector<CurvePoint>& points) {
     if (third) {
       const bool goesOn = (clean[n - 1].force_N > clean[n - 2].force_N) == (p.force_N > clean[n - 1].force_N);
       if (!goesOn)
-        return pointFault(i, Message("turns back inside a wall at %1", millimetres(p.displacement_mm)),
-                          "Give one force at each displacement, or fit the points with detent-import");
+        return pointFault(
+            i, Message("turns back inside a wall at %1", millimetres(p.displacement_mm)),
+            Message("Give one force at each displacement, or fit the points with detent-import"));
       clean.pop_back();
     }
     clean.push_back(p);

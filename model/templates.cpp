@@ -121,9 +121,9 @@ Result<Button> twoLevelButton() { return tactileButton(twoLevelValues()); }
 
 Result<Button> selfLockingButton(const SelfLockingTemplate& values) {
   if (!(values.lock_mm > values.press.valley.displacement_mm && values.lock_mm < values.travel_mm))
-    return Failure{FailureCode::wrongUsage, "self-locking button", "lock position",
-                   "lies outside the stretch between the valley and the end of the travel",
-                   "Put it between them"};
+    return Failure{FailureCode::wrongUsage, "self-locking button", Message("lock position"),
+                   Message("lies outside the stretch between the valley and the end of the travel"),
+                   Message("Put it between them")};
   StrokeSketch unlockedPress{{{0, values.startForce_N},
                               values.press.tactile,
                               values.press.valley,

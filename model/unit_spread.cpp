@@ -152,16 +152,17 @@ Result<Button> thinned(const Button& button) {
 }  // namespace
 
 Result<UnitSpread> spreadOf(const std::vector<Button>& units, const SectionSettings& settings) {
-  const auto refuse = [](Message problem, const char* advice) {
+  const auto refuse = [](Message problem, const Message& advice) {
     return Failure{FailureCode::wrongUsage, "units", "", std::move(problem), advice};
   };
-  if (units.size() < 2) return refuse("fewer than two", "Pass every unit that was measured");
+  if (units.size() < 2)
+    return refuse(Message("fewer than two"), Message("Pass every unit that was measured"));
   auto blended = blend(units, std::vector<double>(units.size(), 1.0), settings);
   if (!blended) return blended.failure();
   const Curves presses = curvesOf(units, 0, Stroke::press);
   const Range_mm range = commonRange(presses);
   if (!(range.from < range.to))
-    return refuse("no displacement is in the travel of all", "Pass units of one button");
+    return refuse(Message("no displacement is in the travel of all"), Message("Pass units of one button"));
   auto mean = thinned(*blended);
   if (!mean) return mean.failure();
   UnitSpread spread{std::move(*mean), {}, distancesOf(presses, settings), {}};

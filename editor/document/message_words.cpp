@@ -11,6 +11,37 @@ namespace {
 
 constexpr int digits = 6;  // as a quantity field shows
 
+// What a failure can be about (model/result.h), marked for translation: rooms name it where nothing marks it.
+[[maybe_unused]] constexpr const char* partNames[] = {
+    QT_TRANSLATE_NOOP("detent", "stroke curve"),
+    QT_TRANSLATE_NOOP("detent", "force graph"),
+    QT_TRANSLATE_NOOP("detent", "stroke sketch"),
+    QT_TRANSLATE_NOOP("detent", "self-locking button"),
+    QT_TRANSLATE_NOOP("detent", "links"),
+    QT_TRANSLATE_NOOP("detent", "units"),
+    QT_TRANSLATE_NOOP("detent", "points"),
+    QT_TRANSLATE_NOOP("detent", "share"),
+    QT_TRANSLATE_NOOP("detent", "compare"),
+    QT_TRANSLATE_NOOP("detent", "button"),
+    QT_TRANSLATE_NOOP("detent", "buttons"),
+    QT_TRANSLATE_NOOP("detent", "weights"),
+    QT_TRANSLATE_NOOP("detent", "key figures"),
+    QT_TRANSLATE_NOOP("detent", "plot frame"),
+    QT_TRANSLATE_NOOP("detent", "plot"),
+    QT_TRANSLATE_NOOP("detent", "given plot frame"),
+    QT_TRANSLATE_NOOP("detent", "selection"),
+    QT_TRANSLATE_NOOP("detent", "force device"),
+    QT_TRANSLATE_NOOP("detent", "press trace"),
+    QT_TRANSLATE_NOOP("detent", "standard press"),
+    QT_TRANSLATE_NOOP("detent", "device profile"),
+    QT_TRANSLATE_NOOP("detent", "default device"),
+    QT_TRANSLATE_NOOP("detent", "sample rate"),
+    QT_TRANSLATE_NOOP("detent", "page"),
+    QT_TRANSLATE_NOOP("detent", "text of the clipboard"),
+    QT_TRANSLATE_NOOP("detent", "fit options"),
+    QT_TRANSLATE_NOOP("detent", "point spacing"),
+};
+
 QString inWords(const MessageValue& value, const DisplayUnits& units) {
   switch (value.measure) {
     case Measure::text:

@@ -32,8 +32,8 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
   const auto kind = inputKindOf(path);
   if (!kind) return kind.failure();
   if (*kind == InputKind::page)
-    return Failure{FailureCode::wrongUsage, path.toStdString(), "", "is a page to import, no button",
-                   "Open it with Import"};
+    return Failure{FailureCode::wrongUsage, path.toStdString(), "", Message("is a page to import, no button"),
+                   Message("Open it with Import")};
   if (*kind == InputKind::curveCsv) {
     auto button = buttonFromCsv(path);
     if (!button) return button.failure();

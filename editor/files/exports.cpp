@@ -47,8 +47,8 @@ Result<Done> exportPng(const QImage& picture, const QString& path) {
   QByteArray png;
   QBuffer buffer(&png);
   if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
-    return Failure{FailureCode::internalFault, path.toStdString(), "", "is no picture that a PNG can hold",
-                   "Export it smaller"};
+    return Failure{FailureCode::internalFault, path.toStdString(), "",
+                   Message("is no picture that a PNG can hold"), Message("Export it smaller")};
   return writeTextFileAtomically(bytesOf(path), png.toStdString());
 }
 
@@ -60,7 +60,8 @@ Result<Done> exportDrawing(QSize size, const QString& path,
   QByteArray bytes;
   QBuffer buffer(&bytes);
   if (!buffer.open(QIODevice::WriteOnly))
-    return Failure{FailureCode::internalFault, path.toStdString(), "", "cannot be drawn", "Export a PNG"};
+    return Failure{FailureCode::internalFault, path.toStdString(), "", Message("cannot be drawn"),
+                   Message("Export a PNG")};
   if (svg) {
     QSvgGenerator drawing;
     drawing.setOutputDevice(&buffer);

@@ -24,7 +24,8 @@ constexpr double colourDotsPerMm = 300 / 25.4, lineArtDotsPerMm = 600 / 25.4;  /
 constexpr double mostDots = 16'000;
 
 Failure notDrawn(const QString& path) {
-  return {FailureCode::internalFault, path.toStdString(), "", "could not be drawn", "Export it as SVG"};
+  return {FailureCode::internalFault, path.toStdString(), "", Message("could not be drawn"),
+          Message("Export it as SVG")};
 }
 
 Result<QByteArray> pdfOf(const Button& button, const SvgPlotStyle& style, const QString& path) {

@@ -9,9 +9,9 @@ namespace {
 
 constexpr int recoveryVersion = 1;
 
-Failure broken(const QString& subject, const std::string& problem) {
+Failure broken(const QString& subject, const Message& problem) {
   return {FailureCode::unreadableInput, subject.toStdString(), "", problem,
-          "It was left by an editor that ended too early; it can be deleted"};
+          Message("It was left by an editor that ended too early; it can be deleted")};
 }
 
 }  // namespace
@@ -32,12 +32,12 @@ Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& 
   QJsonParseError error;
   const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text), &error);
   if (error.error != QJsonParseError::NoError)
-    return broken(subject, "is not a recovery file: " + error.errorString().toStdString());
+    return broken(subject, Message("is not a recovery file: %1", error.errorString().toStdString()));
   const QJsonObject object = document.object();
   if (object["format"].toString() != "detent-recovery")
-    return broken(subject, "is not a recovery file: its format is not detent-recovery");
+    return broken(subject, Message("is not a recovery file: its format is not detent-recovery"));
   if (object["version"].toInt() != recoveryVersion)
-    return broken(subject, "has version " + std::to_string(object["version"].toInt()) + ", not 1");
+    return broken(subject, Message("has version %1, not 1", object["version"].toInt()));
   auto file = buttonFileFromJson(object["button"].toString().toStdString(), subject.toStdString());
   if (!file) return file.failure();
   return RecoveryRecord{std::move(file->button),

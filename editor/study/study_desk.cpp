@@ -289,8 +289,8 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
     Result<std::optional<playback::ForceDeviceChoice>> force = places_.force();
     if (!force) return force.failure();
     if (!*force)
-      return Failure{FailureCode::wrongUsage, "force device", "", "none is chosen",
-                     "Choose one under Setup of Feel it"};
+      return Failure{FailureCode::wrongUsage, "force device", "", Message("none is chosen"),
+                     Message("Choose one under Setup of Feel it")};
     settings.force = *std::move(force);
   }
   work.sensor = !settings.sensorPort.empty() || settings.force;

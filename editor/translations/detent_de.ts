@@ -438,6 +438,14 @@ Lizenz: %3</translation>
         <source>Source: %1, page %2, graph %3</source>
         <translation>Quelle: %1, Seite %2, Graph %3</translation>
     </message>
+    <message>
+        <source>Press at %1: </source>
+        <translation>Drücken bei %1: </translation>
+    </message>
+    <message>
+        <source>Release at %1: </source>
+        <translation>Rückweg bei %1: </translation>
+    </message>
 </context>
 <context>
     <name>PlacementDelay</name>
@@ -1156,10 +1164,6 @@ Lizenz: %3</translation>
         <translation>Hysterese</translation>
     </message>
     <message>
-        <source>%1 cannot be %2: beyond %3 %4</source>
-        <translation>%1 kann nicht %2 sein: Jenseits von %3 %4</translation>
-    </message>
-    <message>
         <source>%1 cannot be without bounds</source>
         <translation>%1 kann nicht ohne Grenzen sein</translation>
     </message>
@@ -1232,20 +1236,12 @@ Lizenz: %3</translation>
         <translation>läge Dämpfung außerhalb des Wegs</translation>
     </message>
     <message>
-        <source>more than one property of its shape would be lost</source>
-        <translation>ginge mehr als eine Eigenschaft seiner Form verloren</translation>
-    </message>
-    <message>
         <source>no curve was found that has all of this, nor which of it contradicts: %1</source>
         <translation>es fand sich weder eine Kurve, die all das hat, noch, was davon einander widerspricht: %1</translation>
     </message>
     <message>
         <source>Leave some of it free, or give values nearer to the present ones</source>
         <translation>Einiges davon frei lassen oder Werte näher an den jetzigen angeben</translation>
-    </message>
-    <message>
-        <source>Give a value nearer to the present one</source>
-        <translation>Einen Wert näher am jetzigen angeben</translation>
     </message>
     <message>
         <source>%1 and %2 contradict each other</source>
@@ -1306,6 +1302,317 @@ Lizenz: %3</translation>
     <message>
         <source>Take the pin out, or move something else</source>
         <translation>Lösen Sie die Nadel, oder bewegen Sie etwas anderes</translation>
+    </message>
+    <message>
+        <source>stroke curve</source>
+        <translation>Kraftkurve</translation>
+    </message>
+    <message>
+        <source>force graph</source>
+        <translation>Kraftgraph</translation>
+    </message>
+    <message>
+        <source>stroke sketch</source>
+        <translation>Skizze eines Hubs</translation>
+    </message>
+    <message>
+        <source>self-locking button</source>
+        <translation>einrastender Taster</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Zusammengehaltenes</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>button</source>
+        <translation>Taster</translation>
+    </message>
+    <message>
+        <source>buttons</source>
+        <translation>Taster</translation>
+    </message>
+    <message>
+        <source>weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>key figures</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>plot frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <translation>Graph</translation>
+    </message>
+    <message>
+        <source>given plot frame</source>
+        <translation>angegebener Rahmen</translation>
+    </message>
+    <message>
+        <source>selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>force device</source>
+        <translation>Kraftgerät</translation>
+    </message>
+    <message>
+        <source>press trace</source>
+        <translation>Verlauf eines Drucks</translation>
+    </message>
+    <message>
+        <source>standard press</source>
+        <translation>Normdruck</translation>
+    </message>
+    <message>
+        <source>device profile</source>
+        <translation>Geräteprofil</translation>
+    </message>
+    <message>
+        <source>default device</source>
+        <translation>Standardgerät</translation>
+    </message>
+    <message>
+        <source>sample rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>text of the clipboard</source>
+        <translation>Text der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>fit options</source>
+        <translation>Einstellungen der Anpassung</translation>
+    </message>
+    <message>
+        <source>point spacing</source>
+        <translation>Punktabstand</translation>
+    </message>
+    <message>
+        <source>there is none</source>
+        <translation>es gibt keinen</translation>
+    </message>
+    <message>
+        <source>Pass one or more</source>
+        <translation>Einen oder mehrere angeben</translation>
+    </message>
+    <message>
+        <source>they do not fit the buttons</source>
+        <translation>sie passen nicht zu den Tastern</translation>
+    </message>
+    <message>
+        <source>Pass one per button, 0 or more, not all 0</source>
+        <translation>Für jeden Taster eines angeben, 0 oder mehr, nicht alle 0</translation>
+    </message>
+    <message>
+        <source>some are momentary and some self-locking</source>
+        <translation>manche tasten nur, andere rasten ein</translation>
+    </message>
+    <message>
+        <source>Pass buttons of one kind</source>
+        <translation>Taster einer Art wählen</translation>
+    </message>
+    <message>
+        <source>Pass 0 to 1</source>
+        <translation>0 bis 1 angeben</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>has graphs at other speeds, but does not state its own</source>
+        <translation>hat Graphen bei anderen Geschwindigkeiten, nennt aber die eigene nicht</translation>
+    </message>
+    <message>
+        <source>State the speed of its own graph in mm/s</source>
+        <translation>Die Geschwindigkeit des eigenen Graphen in mm/s nennen</translation>
+    </message>
+    <message>
+        <source>states %1, but has no graph at another speed</source>
+        <translation>nennt %1, hat aber keinen Graphen bei einer anderen Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Give a graph at another speed, or state none</source>
+        <translation>Einen Graphen bei einer anderen Geschwindigkeit angeben, oder keine nennen</translation>
+    </message>
+    <message>
+        <source>has graphs at %1 speeds</source>
+        <translation>hat Graphen bei %1 Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Keep two to four of them</source>
+        <translation>Zwei bis vier davon behalten</translation>
+    </message>
+    <message>
+        <source>speed %1 is not a usable speed</source>
+        <translation>%1 ist keine brauchbare Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Give speeds above 0, up to %1</source>
+        <translation>Geschwindigkeiten über 0 bis %1 angeben</translation>
+    </message>
+    <message>
+        <source>states %1 twice</source>
+        <translation>nennt %1 zweimal</translation>
+    </message>
+    <message>
+        <source>Give each graph a speed of its own</source>
+        <translation>Jedem Graphen eine eigene Geschwindigkeit geben</translation>
+    </message>
+    <message>
+        <source>speed %1 does not rise above %2</source>
+        <translation>Geschwindigkeit %1 ist nicht höher als %2</translation>
+    </message>
+    <message>
+        <source>Order the other graphs by rising speed, each stated once</source>
+        <translation>Die anderen Graphen nach steigender Geschwindigkeit ordnen, jede einmal genannt</translation>
+    </message>
+    <message>
+        <source>has a release, which that at %1 lacks</source>
+        <translation>hat einen Rückweg, der bei %1 nicht</translation>
+    </message>
+    <message>
+        <source>lacks a release, which that at %1 has</source>
+        <translation>hat keinen Rückweg, der bei %1 schon</translation>
+    </message>
+    <message>
+        <source>Give all speeds a release, or none</source>
+        <translation>Allen Geschwindigkeiten einen Rückweg geben, oder keiner</translation>
+    </message>
+    <message>
+        <source>the %1 has an end at %2, that at %3 at %4: more than %5 apart</source>
+        <translation>ein Ende (%1) liegt bei %2, das bei %3 bei %4: mehr als %5 auseinander</translation>
+    </message>
+    <message>
+        <source>Give graphs of one button, with the same travel</source>
+        <translation>Graphen eines Tasters mit demselben Weg angeben</translation>
+    </message>
+    <message>
+        <source>stands at %1, %2 at %3</source>
+        <translation>steht bei %1, %2 bei %3</translation>
+    </message>
+    <message>
+        <source>Let the own graph of every state be the one of the same speed</source>
+        <translation>Den eigenen Graphen jedes Zustands bei derselben Geschwindigkeit wählen</translation>
+    </message>
+    <message>
+        <source>has graphs at other speeds than %1</source>
+        <translation>hat Graphen bei anderen Geschwindigkeiten als %1</translation>
+    </message>
+    <message>
+        <source>Give every state graphs at the same speeds</source>
+        <translation>Jedem Zustand Graphen bei denselben Geschwindigkeiten geben</translation>
+    </message>
+    <message>
+        <source>the two graphs have no stroke in common</source>
+        <translation>die beiden Graphen haben keinen gemeinsamen Hub</translation>
+    </message>
+    <message>
+        <source>Compare graphs that both have a press or a release curve</source>
+        <translation>Graphen vergleichen, die beide eine Kurve des Drückens oder beide eine des Rückwegs haben</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Give one stroke in the order travelled, or fit it with detent-import</source>
+        <translation>Einen Hub in der Reihenfolge des Wegs angeben, oder mit detent-import anpassen</translation>
+    </message>
+    <message>
+        <source>Give one force at each displacement, or fit the points with detent-import</source>
+        <translation>Zu jedem Weg eine Kraft angeben, oder die Punkte mit detent-import anpassen</translation>
+    </message>
+    <message>
+        <source>%1 mm/s is not a finite number above 0</source>
+        <translation>%1 mm/s ist keine endliche Zahl über 0</translation>
+    </message>
+    <message>
+        <source>Give a speed such as 50</source>
+        <translation>Eine Geschwindigkeit wie 50 angeben</translation>
+    </message>
+    <message>
+        <source>%1 speeds for %2 buttons</source>
+        <translation>%1 Geschwindigkeiten für %2 Taster</translation>
+    </message>
+    <message>
+        <source>Give two to four buttons, and a speed for each</source>
+        <translation>Zwei bis vier Taster angeben, und zu jedem eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a release would lie above the press of another speed</source>
+        <translation>läge ein Rückweg über dem Drücken einer anderen Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>lock position</source>
+        <translation>Raststellung</translation>
+    </message>
+    <message>
+        <source>lies outside the stretch between the valley and the end of the travel</source>
+        <translation>liegt nicht zwischen dem Tal und dem Ende des Wegs</translation>
+    </message>
+    <message>
+        <source>Put it between them</source>
+        <translation>Dazwischen legen</translation>
+    </message>
+    <message>
+        <source>fewer than two</source>
+        <translation>weniger als zwei</translation>
+    </message>
+    <message>
+        <source>Pass every unit that was measured</source>
+        <translation>Jedes gemessene Exemplar angeben</translation>
+    </message>
+    <message>
+        <source>no displacement is in the travel of all</source>
+        <translation>kein Weg liegt im Hub aller</translation>
+    </message>
+    <message>
+        <source>Pass units of one button</source>
+        <translation>Exemplare eines Tasters wählen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::Bending</name>
+    <message>
+        <source>%1 cannot be %2: beyond %3 %4</source>
+        <translation>%1 kann nicht %2 sein: Jenseits von %3 %4</translation>
+    </message>
+    <message>
+        <source>Give a value nearer to the present one</source>
+        <translation>Einen Wert näher am jetzigen angeben</translation>
+    </message>
+    <message>
+        <source>more than one property of its shape would be lost</source>
+        <translation>ginge mehr als eine Eigenschaft seiner Form verloren</translation>
     </message>
 </context>
 <context>
@@ -2303,6 +2610,118 @@ Lizenz: %3</translation>
     <message>
         <source>%1 mm/s</source>
         <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>is a page to import, no button</source>
+        <translation>ist eine Seite zum Importieren, kein Taster</translation>
+    </message>
+    <message>
+        <source>Open it with Import</source>
+        <translation>Mit Importieren öffnen</translation>
+    </message>
+    <message>
+        <source>is no picture that a PNG can hold</source>
+        <translation>ist kein Bild, das in eine PNG passt</translation>
+    </message>
+    <message>
+        <source>Export it smaller</source>
+        <translation>Kleiner exportieren</translation>
+    </message>
+    <message>
+        <source>cannot be drawn</source>
+        <translation>lässt sich nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>Export a PNG</source>
+        <translation>Eine PNG exportieren</translation>
+    </message>
+    <message>
+        <source>could not be drawn</source>
+        <translation>ließ sich nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>Export it as SVG</source>
+        <translation>Als SVG exportieren</translation>
+    </message>
+    <message>
+        <source>It was left by an editor that ended too early; it can be deleted</source>
+        <translation>Sie blieb von einem Editor, der zu früh endete; sie kann gelöscht werden</translation>
+    </message>
+    <message>
+        <source>is not a recovery file: %1</source>
+        <translation>ist keine Wiederherstellungsdatei: %1</translation>
+    </message>
+    <message>
+        <source>is not a recovery file: its format is not detent-recovery</source>
+        <translation>ist keine Wiederherstellungsdatei: ihr Format ist nicht detent-recovery</translation>
+    </message>
+    <message>
+        <source>has version %1, not 1</source>
+        <translation>hat Fassung %1, nicht 1</translation>
+    </message>
+    <message>
+        <source>it holds no picture</source>
+        <translation>sie enthält kein Bild</translation>
+    </message>
+    <message>
+        <source>Copy the picture again, or save it to a file and open that</source>
+        <translation>Das Bild noch einmal kopieren, oder es in eine Datei speichern und diese öffnen</translation>
+    </message>
+    <message>
+        <source>has no release curve to paste into</source>
+        <translation>hat keinen Rückweg, in den sich einfügen ließe</translation>
+    </message>
+    <message>
+        <source>Mirror the press to a release first</source>
+        <translation>Zuerst das Drücken zu einem Rückweg spiegeln</translation>
+    </message>
+    <message>
+        <source>slope handle</source>
+        <translation>Steigungsgriff</translation>
+    </message>
+    <message>
+        <source>would point to the other side of its knot</source>
+        <translation>würde zur anderen Seite seines Knotens zeigen</translation>
+    </message>
+    <message>
+        <source>Keep it left of the knot</source>
+        <translation>Links vom Knoten lassen</translation>
+    </message>
+    <message>
+        <source>Keep it right of the knot</source>
+        <translation>Rechts vom Knoten lassen</translation>
+    </message>
+    <message>
+        <source>cannot be removed on its own</source>
+        <translation>lässt sich nicht allein entfernen</translation>
+    </message>
+    <message>
+        <source>Select a knot, a tactile point, or the operating or reset point</source>
+        <translation>Einen Knoten, einen Druckpunkt, den Schaltpunkt oder den Rückschaltpunkt wählen</translation>
+    </message>
+    <message>
+        <source>names a knot that is not there</source>
+        <translation>nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>Select the points again</source>
+        <translation>Die Punkte noch einmal wählen</translation>
+    </message>
+    <message>
+        <source>has fewer than two knots</source>
+        <translation>hat weniger als zwei Knoten</translation>
+    </message>
+    <message>
+        <source>Select two or more; all go to the last one</source>
+        <translation>Zwei oder mehr wählen; alle gehen zum letzten</translation>
+    </message>
+    <message>
+        <source>has fewer than three knots of one stroke</source>
+        <translation>hat weniger als drei Knoten eines Hubs</translation>
+    </message>
+    <message>
+        <source>Select three or more; the outer two stay</source>
+        <translation>Drei oder mehr wählen; die beiden äußeren bleiben</translation>
     </message>
 </context>
 <context>
@@ -7442,6 +7861,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>The button is felt on it and pressed there; chosen under Setup of Feel it</source>
         <translation>Der Taster wird darauf gefühlt und gedrückt; gewählt unter Einrichtung bei Fühlen</translation>
     </message>
+    <message>
+        <source>none is chosen</source>
+        <translation>keines ist gewählt</translation>
+    </message>
+    <message>
+        <source>Choose one under Setup of Feel it</source>
+        <translation>Eines unter Einrichtung in Fühlen wählen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::StudyMaker</name>
@@ -8438,14 +8865,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Grenze von %1 s ist erreicht: übernommen wird das Beste, das bis dahin gelesen war</translation>
     </message>
     <message>
-        <source>nothing was read within the limit of %1 s</source>
-        <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
-    </message>
-    <message>
-        <source>Choose a lower level of quality</source>
-        <translation>Eine niedrigere Qualität wählen</translation>
-    </message>
-    <message>
         <source>%1 and up to %2</source>
         <translation>%1 und bis zu %2</translation>
     </message>
@@ -8833,6 +9252,273 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>&apos;%1&apos; is no button&apos;s name</source>
         <translation>„%1“ ist kein Name eines Tasters</translation>
     </message>
+    <message>
+        <source>no row of numbers stands along it</source>
+        <translation>an ihr steht keine Reihe von Zahlen</translation>
+    </message>
+    <message>
+        <source>its range is empty</source>
+        <translation>ihr Bereich ist leer</translation>
+    </message>
+    <message>
+        <source>Give two different values</source>
+        <translation>Zwei verschiedene Werte angeben</translation>
+    </message>
+    <message>
+        <source>displacement or force is not a finite number</source>
+        <translation>Weg oder Kraft ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>Leave such points out before fitting</source>
+        <translation>Solche Punkte vor dem Anpassen weglassen</translation>
+    </message>
+    <message>
+        <source>it has no point</source>
+        <translation>er hat keinen Punkt</translation>
+    </message>
+    <message>
+        <source>it has one point</source>
+        <translation>er hat einen Punkt</translation>
+    </message>
+    <message>
+        <source>Give at least two points with different displacements</source>
+        <translation>Mindestens zwei Punkte mit verschiedenen Wegen angeben</translation>
+    </message>
+    <message>
+        <source>all points have the same displacement, so there is no travel</source>
+        <translation>alle Punkte haben denselben Weg, also gibt es keinen Hub</translation>
+    </message>
+    <message>
+        <source>Check the displacement axis or column</source>
+        <translation>Die Achse oder Spalte des Wegs prüfen</translation>
+    </message>
+    <message>
+        <source>the points span more than a number can hold</source>
+        <translation>die Punkte spannen mehr auf, als eine Zahl fasst</translation>
+    </message>
+    <message>
+        <source>Check the units of the axes</source>
+        <translation>Die Einheiten der Achsen prüfen</translation>
+    </message>
+    <message>
+        <source>its points run to and fro in displacement</source>
+        <translation>seine Punkte laufen im Weg hin und her</translation>
+    </message>
+    <message>
+        <source>Split press and release before fitting, each in the order travelled</source>
+        <translation>Drücken und Rückweg vor dem Anpassen trennen, jeden in der Reihenfolge des Wegs</translation>
+    </message>
+    <message>
+        <source>Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page</source>
+        <translation>Zwei gegenüberliegende Ecken oder vier (oben links, oben rechts, unten rechts, unten links) auf der Seite angeben</translation>
+    </message>
+    <message>
+        <source>the corners enclose no area in this order</source>
+        <translation>die Ecken umschließen in dieser Reihenfolge keine Fläche</translation>
+    </message>
+    <message>
+        <source>the plot frame is smaller than 16 pixels</source>
+        <translation>der Rahmen ist kleiner als 16 Pixel</translation>
+    </message>
+    <message>
+        <source>Where the overlay shows that it is right, take it as it is: --sure 0</source>
+        <translation>Wo das Bild darüber zeigt, dass es stimmt, so nehmen, wie es ist: --sure 0</translation>
+    </message>
+    <message>
+        <source>it is a WebPlotDigitizer project of a version other than 3 and 4</source>
+        <translation>es ist ein Projekt des WebPlotDigitizers in einer anderen Fassung als 3 und 4</translation>
+    </message>
+    <message>
+        <source>Export the data sets as CSV</source>
+        <translation>Die Datensätze als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>no data set on xy axes holds two points</source>
+        <translation>kein Datensatz auf xy-Achsen hat zwei Punkte</translation>
+    </message>
+    <message>
+        <source>Trace each stroke as a data set, then save the project</source>
+        <translation>Jeden Hub als Datensatz nachzeichnen, dann das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>data set &quot;%1&quot;</source>
+        <translation>Datensatz &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>its points jump between two curves</source>
+        <translation>seine Punkte springen zwischen zwei Kurven</translation>
+    </message>
+    <message>
+        <source>Give press and release a data set each, named so</source>
+        <translation>Drücken und Rückweg je einen Datensatz geben, so benannt (press, release)</translation>
+    </message>
+    <message>
+        <source>its data sets are all named as releases</source>
+        <translation>alle seine Datensätze heißen Rückweg (release)</translation>
+    </message>
+    <message>
+        <source>Name the set of the way down &quot;press&quot;</source>
+        <translation>Den Satz des Hinwegs &quot;press&quot; nennen</translation>
+    </message>
+    <message>
+        <source>Save the project once more in WebPlotDigitizer</source>
+        <translation>Das Projekt im WebPlotDigitizer noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>it is no TAR archive</source>
+        <translation>es ist kein TAR-Archiv</translation>
+    </message>
+    <message>
+        <source>the archive is damaged</source>
+        <translation>das Archiv ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the archive holds no project (wpd.json)</source>
+        <translation>das Archiv enthält kein Projekt (wpd.json)</translation>
+    </message>
+    <message>
+        <source>it is missing or no file</source>
+        <translation>sie fehlt oder ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it is larger than 32 MB</source>
+        <translation>sie ist größer als 32 MB</translation>
+    </message>
+    <message>
+        <source>Export fewer switches into one file</source>
+        <translation>Weniger Schalter in eine Datei exportieren</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>sie ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>no columns are headed as a switch&apos;s downstroke</source>
+        <translation>keine Spalten sind als Hinweg eines Schalters überschrieben (downstroke)</translation>
+    </message>
+    <message>
+        <source>Export the columns of one switch as CSV: &quot;displacement_mm,force_N&quot;</source>
+        <translation>Die Spalten eines Schalters als CSV exportieren: &quot;displacement_mm,force_N&quot;</translation>
+    </message>
+    <message>
+        <source>it is no JSON</source>
+        <translation>es ist kein JSON</translation>
+    </message>
+    <message>
+        <source>Export it again: it may have been cut off</source>
+        <translation>Noch einmal exportieren: vielleicht wurde die Datei abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is the description of a data package</source>
+        <translation>es ist die Beschreibung eines Datenpakets</translation>
+    </message>
+    <message>
+        <source>Import the CSV of its curve, which lies beside it</source>
+        <translation>Die CSV seiner Kurve importieren, die daneben liegt</translation>
+    </message>
+    <message>
+        <source>it holds no strokes</source>
+        <translation>sie enthält keine Hübe</translation>
+    </message>
+    <message>
+        <source>A recording has the lists down_x, down_y and up_y</source>
+        <translation>Eine Aufzeichnung hat die Listen down_x, down_y und up_y</translation>
+    </message>
+    <message>
+        <source>its lists hold no press</source>
+        <translation>ihre Listen enthalten kein Drücken</translation>
+    </message>
+    <message>
+        <source>the sheet holds no table of numbers</source>
+        <translation>das Blatt enthält keine Tabelle mit Zahlen</translation>
+    </message>
+    <message>
+        <source>Give a sheet with a column of displacement and one of force</source>
+        <translation>Ein Blatt mit einer Spalte für den Weg und einer für die Kraft angeben</translation>
+    </message>
+    <message>
+        <source>Save the spreadsheet again</source>
+        <translation>Die Tabelle noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>it is no spreadsheet, or a damaged one</source>
+        <translation>es ist keine Tabelle, oder eine beschädigte</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>sie ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its content is damaged, or too large when unpacked</source>
+        <translation>ihr Inhalt ist beschädigt, oder ausgepackt zu groß</translation>
+    </message>
+    <message>
+        <source>the import %1</source>
+        <translation>der Import %1</translation>
+    </message>
+    <message>
+        <source>its curve has fewer than two points</source>
+        <translation>seine Kurve hat weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>holds no curve</source>
+        <translation>enthält keine Kurve</translation>
+    </message>
+    <message>
+        <source>is empty: nothing but paper and grid lines in it</source>
+        <translation>ist leer: nur Papier und Gitterlinien darin</translation>
+    </message>
+    <message>
+        <source>shows no line in the colours given</source>
+        <translation>zeigt keine Linie in den angegebenen Farben</translation>
+    </message>
+    <message>
+        <source>must lie in (0, 16] px</source>
+        <translation>muss in (0, 16] px liegen</translation>
+    </message>
+    <message>
+        <source>Leave it at 1</source>
+        <translation>Bei 1 lassen</translation>
+    </message>
+    <message>
+        <source>lies outside the picture or has no area</source>
+        <translation>liegt außerhalb des Bilds oder hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>its wpd.json is no JSON</source>
+        <translation>seine wpd.json ist kein JSON</translation>
+    </message>
+    <message>
+        <source>its wpd.json is no project of WebPlotDigitizer</source>
+        <translation>seine wpd.json ist kein Projekt des WebPlotDigitizers</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::Document</name>
+    <message>
+        <source>there is no page %1</source>
+        <translation>Seite %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Pages count from 1 to %1</source>
+        <translation>Seiten zählen von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>the region is not a box</source>
+        <translation>der Bereich ist kein Rechteck</translation>
+    </message>
+    <message>
+        <source>Give left, top, right, bottom</source>
+        <translation>Links, oben, rechts, unten angeben</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Doubts</name>
@@ -8843,6 +9529,33 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Choose it by its number: --curve N</source>
         <translation>Ihn nach seiner Nummer wählen: --curve N</translation>
+    </message>
+    <message>
+        <source>Use the whole picture</source>
+        <translation>Das ganze Bild verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::ImportSession</name>
+    <message>
+        <source>a force log has no pages</source>
+        <translation>ein Kraftprotokoll hat keine Seiten</translation>
+    </message>
+    <message>
+        <source>Import it without a page number</source>
+        <translation>Ohne Seitenzahl importieren</translation>
+    </message>
+    <message>
+        <source>a force log has no pages to list</source>
+        <translation>ein Kraftprotokoll hat keine Seiten, die sich auflisten ließen</translation>
+    </message>
+    <message>
+        <source>Import it without listing</source>
+        <translation>Importieren, ohne aufzulisten</translation>
+    </message>
+    <message>
+        <source>a force log shows no switches</source>
+        <translation>ein Kraftprotokoll zeigt keine Schalter</translation>
     </message>
 </context>
 <context>
@@ -8862,6 +9575,22 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no force graph found (%1)</source>
         <translation>kein Kraftgraph gefunden (%1)</translation>
+    </message>
+    <message>
+        <source>there is no such page</source>
+        <translation>diese Seite gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such graph</source>
+        <translation>diesen Graphen gibt es nicht</translation>
+    </message>
+    <message>
+        <source>nothing was read within the limit of %1 s</source>
+        <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
+    </message>
+    <message>
+        <source>Choose a lower level of quality</source>
+        <translation>Eine niedrigere Qualität wählen</translation>
     </message>
 </context>
 <context>
@@ -8911,6 +9640,66 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>it holds %1 switches: %2</source>
         <translation>es enthält %1 Schalter: %2</translation>
+    </message>
+    <message>
+        <source>Pass --curve NAME|N for one of them</source>
+        <translation>Mit --curve NAME|N einen davon wählen</translation>
+    </message>
+    <message>
+        <source>the line does not end</source>
+        <translation>die Zeile endet nicht</translation>
+    </message>
+    <message>
+        <source>Give a force meter&apos;s CSV file with one sample per line</source>
+        <translation>Die CSV-Datei eines Kraftmessers mit einem Messwert je Zeile angeben</translation>
+    </message>
+    <message>
+        <source>no two columns of numbers were found</source>
+        <translation>zwei Spalten mit Zahlen wurden nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Give a CSV with a displacement and a force column, for example &quot;displacement_mm,force_N&quot;</source>
+        <translation>Eine CSV mit einer Spalte für den Weg und einer für die Kraft angeben, etwa &quot;displacement_mm,force_N&quot;</translation>
+    </message>
+    <message>
+        <source>the file cannot be read further</source>
+        <translation>die Datei ist ab hier nicht lesbar</translation>
+    </message>
+    <message>
+        <source>no row holds a finite displacement and force</source>
+        <translation>keine Zeile hat einen endlichen Weg und eine endliche Kraft</translation>
+    </message>
+    <message>
+        <source>Check the export: each row needs two numbers</source>
+        <translation>Den Export prüfen: jede Zeile braucht zwei Zahlen</translation>
+    </message>
+    <message>
+        <source>it has no sample</source>
+        <translation>er hat keinen Messwert</translation>
+    </message>
+    <message>
+        <source>it has one sample</source>
+        <translation>er hat einen Messwert</translation>
+    </message>
+    <message>
+        <source>A stroke needs at least two samples at different displacements; check the rows and the split</source>
+        <translation>Ein Hub braucht mindestens zwei Messwerte an verschiedenen Wegen; die Zeilen und die Trennung prüfen</translation>
+    </message>
+    <message>
+        <source>its displacement never changes</source>
+        <translation>sein Weg ändert sich nie</translation>
+    </message>
+    <message>
+        <source>Check which column holds the displacement</source>
+        <translation>Prüfen, in welcher Spalte der Weg steht</translation>
+    </message>
+    <message>
+        <source>it holds a release stroke but no press</source>
+        <translation>sie enthält einen Rückweg, aber kein Drücken</translation>
+    </message>
+    <message>
+        <source>Else record the press too</source>
+        <translation>Sonst auch das Drücken aufzeichnen</translation>
     </message>
 </context>
 <context>
@@ -8991,6 +9780,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>it needs more memory than allowed</source>
         <translation>sie braucht mehr Speicher als erlaubt</translation>
     </message>
+    <message>
+        <source>the region lies outside the page</source>
+        <translation>der Bereich liegt außerhalb der Seite</translation>
+    </message>
+    <message>
+        <source>Give a region inside %1 x %2 points</source>
+        <translation>Einen Bereich innerhalb von %1 x %2 Punkten angeben</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::PictureSource</name>
@@ -9009,6 +9806,25 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Save or export the picture again and import the new file</source>
         <translation>Speichern oder exportieren Sie das Bild noch einmal, und importieren Sie die neue Datei</translation>
+    </message>
+    <message>
+        <source>the region lies outside the picture</source>
+        <translation>der Bereich liegt außerhalb des Bilds</translation>
+    </message>
+    <message>
+        <source>Give a region inside %1 x %2 pixels</source>
+        <translation>Einen Bereich innerhalb von %1 x %2 Pixeln angeben</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::trace</name>
+    <message>
+        <source>no curve runs through the plot frame in this ink</source>
+        <translation>keine Kurve dieser Farbe läuft durch den Rahmen</translation>
+    </message>
+    <message>
+        <source>Draw the whole curve by hand: --press-line</source>
+        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
     </message>
 </context>
 <context>

@@ -44,8 +44,8 @@ Failure unread(const std::optional<AxisLabels>& labels, Axis axis) {
   if (labels && labels->numbers() >= 2)
     return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
                      placeOf(axis));
-  return {FailureCode::noForceGraph, "plot frame", placeOf(axis), "no row of numbers stands along it",
-          rangeOf(axis)};
+  return {FailureCode::noForceGraph, "plot frame", placeOf(axis),
+          Message("no row of numbers stands along it"), rangeOf(axis)};
 }
 
 bool hasProgression(const std::optional<AxisLabels>& labels) { return labels && labels->progression; }
@@ -456,7 +456,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   const EndValues y = valuesAtEnds(yLabels, corners[0].y, corners[3].y, yGiven.max, yGiven.min);
   if (x.first == x.last || y.first == y.last)
     return Failure{FailureCode::wrongUsage, "plot frame", placeOf(x.first == x.last ? Axis::x : Axis::y),
-                   "its range is empty", "Give two different values"};
+                   Message("its range is empty"), Message("Give two different values")};
 
   AxesFound found;
   auto& cal = found.calibration.value;

@@ -9,9 +9,9 @@ namespace detent::importer {
 namespace {
 
 Failure refused(const Page& page, Message problem) {
-  return {
-      FailureCode::wrongUsage, page.source, "given plot frame", std::move(problem),
-      "Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page"};
+  return {FailureCode::wrongUsage, page.source, "given plot frame", std::move(problem),
+          Message("Give two opposite corners or four (top left, top right, bottom right, bottom left) inside "
+                  "the page")};
 }
 
 bool convex(const std::vector<Point>& p) {
@@ -44,7 +44,7 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
     corners = {{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};
   }
   if (twiceAreaOf(corners) < 2 || !convex(corners))
-    return refused(page, "the corners enclose no area in this order");
+    return refused(page, Message("the corners enclose no area in this order"));
   Found<FrameCandidate> found;
   found.confidence = 1;
   found.by = DecidedBy::given;

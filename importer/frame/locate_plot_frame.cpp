@@ -200,7 +200,7 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
     return Failure{FailureCode::noForceGraph,
                    page.source,
                    Message("page %1", page.number),
-                   "the plot frame is smaller than 16 pixels",
+                   Message("the plot frame is smaller than 16 pixels"),
                    {{RemedyKind::giveFrame, "of a larger region"}}};
   if (progress.isCancelled()) return Failure::cancelled(page.source);
   const bool given = candidate.givenCorners.size() == 4;

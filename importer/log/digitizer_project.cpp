@@ -290,23 +290,23 @@ Result<std::vector<RecordedSwitch>> switchesOfProject(const Json& document, cons
     return Failure{FailureCode::unreadableInput,
                    subject,
                    {},
-                   "it is a WebPlotDigitizer project of a version other than 3 and 4",
-                   "Export the data sets as CSV"};
+                   Message("it is a WebPlotDigitizer project of a version other than 3 and 4"),
+                   Message("Export the data sets as CSV")};
   const std::vector<TracedSet> sets = setsOf(document);
   if (sets.empty())
-    return noGraph(subject, "no data set on xy axes holds two points",
-                   "Trace each stroke as a data set, then save the project");
+    return noGraph(subject, Message("no data set on xy axes holds two points"),
+                   Message("Trace each stroke as a data set, then save the project"));
   for (const TracedSet& set : sets)
     if (holdsBothStrokes(set.points))
-      return Failure{FailureCode::notCertain, subject, "data set \"" + set.name + "\"",
-                     "its points jump between two curves",
-                     "Give press and release a data set each, named so"};
+      return Failure{FailureCode::notCertain, subject, Message("data set \"%1\"", set.name),
+                     Message("its points jump between two curves"),
+                     Message("Give press and release a data set each, named so")};
   if (sets.size() == 2 && sets[0].axes == sets[1].axes && std::ranges::all_of(sets, saysNoStroke))
     return pairOfUnnamed(sets);
   std::vector<RecordedSwitch> switches = byName(sets);
   if (switches.empty())
-    return noGraph(subject, "its data sets are all named as releases",
-                   "Name the set of the way down \"press\"");
+    return noGraph(subject, Message("its data sets are all named as releases"),
+                   Message("Name the set of the way down \"press\""));
   return switches;
 }
 
@@ -316,21 +316,22 @@ Result<std::string> projectInArchive(std::string_view bytes, const std::string& 
                    subject,
                    {},
                    std::move(problem),
-                   "Save the project once more in WebPlotDigitizer"};
+                   Message("Save the project once more in WebPlotDigitizer")};
   };
   for (std::size_t at = 0; at + tarBlock_bytes <= bytes.size();) {
     const std::string_view header = bytes.substr(at, tarBlock_bytes);
     if (header[0] == '\0') break;
-    if (header.substr(257, 5) != "ustar") return unreadable("it is no TAR archive");
+    if (header.substr(257, 5) != "ustar") return unreadable(Message("it is no TAR archive"));
     const std::optional<std::size_t> size = octalIn(header.substr(124, 12));
-    if (!size || *size > bytes.size() - at - tarBlock_bytes) return unreadable("the archive is damaged");
+    if (!size || *size > bytes.size() - at - tarBlock_bytes)
+      return unreadable(Message("the archive is damaged"));
     const std::string_view path = header.substr(0, 100);
     const std::string_view name = path.substr(0, path.find('\0'));
     if (name == "wpd.json" || name.ends_with("/wpd.json"))
       return std::string(bytes.substr(at + tarBlock_bytes, *size));
     at += tarBlock_bytes * (1 + (*size + tarBlock_bytes - 1) / tarBlock_bytes);
   }
-  return unreadable("the archive holds no project (wpd.json)");
+  return unreadable(Message("the archive holds no project (wpd.json)"));
 }
 
 }  // namespace detent::importer

@@ -119,7 +119,7 @@ class LogReader {
     }
     return failure(hints_.curve.empty() ? FailureCode::notCertain : FailureCode::wrongUsage, "",
                    Message("it holds %1 switches: %2", switches.size(), all),
-                   "Pass --curve NAME|N for one of them");
+                   Message("Pass --curve NAME|N for one of them"));
   }
 
   std::optional<Failure> readRecorded() {
@@ -152,11 +152,13 @@ class LogReader {
     if (!columns) {
       if (reader.isBroken())
         return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
-                       "the line does not end", "Give a force meter's CSV file with one sample per line");
+                       Message("the line does not end"),
+                       Message("Give a force meter's CSV file with one sample per line"));
       return failure(
           FailureCode::noForceGraph, "first " + std::to_string(lines.size()) + " lines",
-          "no two columns of numbers were found",
-          "Give a CSV with a displacement and a force column, for example \"displacement_mm,force_N\"");
+          Message("no two columns of numbers were found"),
+          Message(
+              "Give a CSV with a displacement and a force column, for example \"displacement_mm,force_N\""));
     }
     columns_ = *columns;
     rows_.isSplit = columns_.pairs.size() == 2 || columns_.label.has_value();
@@ -170,7 +172,7 @@ class LogReader {
     }
     if (reader.isBroken())
       return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
-                     "the file cannot be read further", "Export the measurement again");
+                     Message("the file cannot be read further"), "Export the measurement again");
     for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release, &rows_.clock}) run->flush();
     return {};
   }
@@ -219,8 +221,8 @@ class LogReader {
         rows_.run.samples().size() + rows_.press.samples().size() + rows_.release.samples().size();
     if (samples == 0)
       return failure(FailureCode::noForceGraph, skippedPlace(),
-                     "no row holds a finite displacement and force",
-                     "Check the export: each row needs two numbers");
+                     Message("no row holds a finite displacement and force"),
+                     Message("Check the export: each row needs two numbers"));
     LengthUnit xUnit = LengthUnit::millimetre;
     if (hints_.xUnit)
       xUnit = *hints_.xUnit;
@@ -288,16 +290,16 @@ class LogReader {
 
   std::optional<Failure> faultOf(const std::vector<CurvePoint>& stroke, const std::string& name) const {
     if (stroke.size() < 2)
-      return failure(
-          FailureCode::noForceGraph, name + " stroke",
-          "it has " + std::to_string(stroke.size()) + (stroke.size() == 1 ? " sample" : " samples"),
-          "A stroke needs at least two samples at different displacements; check the rows and the split");
+      return failure(FailureCode::noForceGraph, name + " stroke",
+                     stroke.empty() ? Message("it has no sample") : Message("it has one sample"),
+                     Message("A stroke needs at least two samples at different displacements; check the rows "
+                             "and the split"));
     const auto [least, most] = std::minmax_element(
         stroke.begin(), stroke.end(),
         [](const CurvePoint& a, const CurvePoint& b) { return a.displacement_mm < b.displacement_mm; });
     if (!(most->displacement_mm > least->displacement_mm))
-      return failure(FailureCode::noForceGraph, name + " stroke", "its displacement never changes",
-                     "Check which column holds the displacement");
+      return failure(FailureCode::noForceGraph, name + " stroke", Message("its displacement never changes"),
+                     Message("Check which column holds the displacement"));
     return {};
   }
 
@@ -355,9 +357,9 @@ class LogReader {
       return {};
     }
     if (!cycle.press)
-      return failure(
-          FailureCode::noForceGraph, "", "it holds a release stroke but no press",
-          {{RemedyKind::swapStrokes, "if this is one"}, {RemedyKind::advice, "Else record the press too"}});
+      return failure(FailureCode::noForceGraph, "", Message("it holds a release stroke but no press"),
+                     {{RemedyKind::swapStrokes, "if this is one"},
+                      {RemedyKind::advice, Message("Else record the press too")}});
     press = copy(*cycle.press);
     if (cycle.release) release = copy(*cycle.release);
     if (cycle.cycles > 1) log_.remarks.push_back({RemarkCode::severalPresses, {cycle.cycles}});

@@ -35,12 +35,13 @@ Result<std::string> bytesOf(const std::string& path, const std::string& subject)
   };
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    return unreadable("it is missing or no file", "Check the path and its rights");
+    return unreadable(Message("it is missing or no file"), "Check the path and its rights");
   if (std::filesystem::file_size(path, error) > largestFile_bytes || error)
-    return unreadable("it is larger than 32 MB", "Export fewer switches into one file");
+    return unreadable(Message("it is larger than 32 MB"), Message("Export fewer switches into one file"));
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return unreadable("it cannot be read", "Check the path and its rights");
+  if (!file.is_open() || file.bad())
+    return unreadable(Message("it cannot be read"), "Check the path and its rights");
   return bytes;
 }
 
@@ -198,8 +199,8 @@ Result<std::vector<RecordedSwitch>> switchesOfSheet(const std::vector<SheetColum
   std::erase_if(switches, [](const RecordedSwitch& each) { return each.press.size() < 2; });
   if (switches.empty()) switches = rawRunsOf(sheet, columns);
   if (switches.empty())
-    return without(subject, "no columns are headed as a switch's downstroke",
-                   "Export the columns of one switch as CSV: \"displacement_mm,force_N\"");
+    return without(subject, Message("no columns are headed as a switch's downstroke"),
+                   Message("Export the columns of one switch as CSV: \"displacement_mm,force_N\""));
   return switches;
 }
 
@@ -233,13 +234,14 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, cons
     return Failure{FailureCode::unreadableInput,
                    subject,
                    {},
-                   "it is no JSON",
-                   "Export it again: it may have been cut off"};
+                   Message("it is no JSON"),
+                   Message("Export it again: it may have been cut off")};
   if (json.is_object() && json.contains("resources"))
-    return without(subject, "it is the description of a data package",
-                   "Import the CSV of its curve, which lies beside it");
+    return without(subject, Message("it is the description of a data package"),
+                   Message("Import the CSV of its curve, which lies beside it"));
   if (!json.is_object() || !json.contains("down_x") || !json.contains("down_y"))
-    return without(subject, "it holds no strokes", "A recording has the lists down_x, down_y and up_y");
+    return without(subject, Message("it holds no strokes"),
+                   Message("A recording has the lists down_x, down_y and up_y"));
   RecordedSwitch one;
   const std::vector<double> x = numbersAt(json, "down_x");
   one.press = paired(x, numbersAt(json, "down_y"));
@@ -248,7 +250,7 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, cons
   one.operatingPoint = firstOf(json, "pressPoint");
   one.resetPoint = firstOf(json, "releasePoint");
   one.scaleDoubtful = true;
-  if (one.press.size() < 2) return without(subject, "its lists hold no press");
+  if (one.press.size() < 2) return without(subject, Message("its lists hold no press"));
   return std::vector{std::move(one)};
 }
 
@@ -268,12 +270,12 @@ Result<std::vector<RecordedSwitch>> recordedSwitches(const std::string& path) {
     if (!project) return project.failure();
     const nlohmann::json json = nlohmann::json::parse(*project, nullptr, false);
     if (isDigitizerProject(json)) return switchesOfProject(json, subject);
-    return Failure{
-        FailureCode::unreadableInput,
-        subject,
-        {},
-        json.is_discarded() ? "its wpd.json is no JSON" : "its wpd.json is no project of WebPlotDigitizer",
-        "Save the project once more in WebPlotDigitizer"};
+    return Failure{FailureCode::unreadableInput,
+                   subject,
+                   {},
+                   json.is_discarded() ? Message("its wpd.json is no JSON")
+                                       : Message("its wpd.json is no project of WebPlotDigitizer"),
+                   Message("Save the project once more in WebPlotDigitizer")};
   }
   if (endingOf(path) == ".json") return switchesOfJson(*bytes, subject);
   auto xml = zipMember(*bytes, "content.xml", largestSheet_bytes, subject);

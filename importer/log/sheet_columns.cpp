@@ -173,8 +173,8 @@ Result<std::vector<SheetColumn>> sheetColumns(std::string_view xml, const std::s
     return Failure{FailureCode::noForceGraph,
                    subject,
                    {},
-                   "the sheet holds no table of numbers",
-                   "Give a sheet with a column of displacement and one of force"};
+                   Message("the sheet holds no table of numbers"),
+                   Message("Give a sheet with a column of displacement and one of force")};
   return columns;
 }
 

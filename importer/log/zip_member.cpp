@@ -72,21 +72,22 @@ Result<std::string> zipMember(std::string_view bytes, std::string_view member, s
                               const std::string& subject) {
   const auto broken = [&](Message problem) {
     return Failure{
-        FailureCode::unreadableInput, subject, {}, std::move(problem), "Save the spreadsheet again"};
+        FailureCode::unreadableInput, subject, {}, std::move(problem), Message("Save the spreadsheet again")};
   };
   const auto header = headerOf(bytes, member);
-  if (!header) return broken("it is no spreadsheet, or a damaged one");
-  if ((number(bytes, *header + 8, 2) & 1) != 0) return broken("it is encrypted");
+  if (!header) return broken(Message("it is no spreadsheet, or a damaged one"));
+  if ((number(bytes, *header + 8, 2) & 1) != 0) return broken(Message("it is encrypted"));
   const std::uint32_t method = number(bytes, *header + 10, 2);
   const std::size_t packed_bytes = number(bytes, *header + 20, 4), local = number(bytes, *header + 42, 4);
-  if (local > bytes.size() || bytes.size() - local < localHeader_bytes) return broken("it is damaged");
+  if (local > bytes.size() || bytes.size() - local < localHeader_bytes)
+    return broken(Message("it is damaged"));
   const std::size_t from =
       local + localHeader_bytes + number(bytes, local + 26, 2) + number(bytes, local + 28, 2);
-  if (from > bytes.size() || bytes.size() - from < packed_bytes) return broken("it is cut short");
+  if (from > bytes.size() || bytes.size() - from < packed_bytes) return broken(Message("it is cut short"));
   const std::string_view packed = bytes.substr(from, packed_bytes);
   if (method == 0 && packed.size() <= most_bytes) return std::string(packed);
   auto text = method == 8 ? inflated(packed, most_bytes) : std::nullopt;
-  if (!text) return broken("its content is damaged, or too large when unpacked");
+  if (!text) return broken(Message("its content is damaged, or too large when unpacked"));
   return std::move(*text);
 }
 

@@ -187,8 +187,8 @@ int Document::pageCount() const { return impl_->source->pageCount(); }
 
 Result<Page> Document::page(int number, const Progress& progress) const {
   if (number < 1 || number > pageCount())
-    return Failure{FailureCode::wrongUsage, name(), "", "there is no page " + std::to_string(number),
-                   "Pages count from 1 to " + std::to_string(pageCount())};
+    return Failure{FailureCode::wrongUsage, name(), "", Message("there is no page %1", number),
+                   Message("Pages count from 1 to %1", pageCount())};
   try {
     return impl_->source->page(number, progress);
   } catch (const std::bad_alloc&) {
@@ -204,8 +204,8 @@ Result<PageView> Document::view(const Page& page, const Box& region, int quarter
   DETENT_CHECK(page.number >= 1 && page.number <= pageCount(),
                "a view is made of a page of its own document");
   if (!finite(region) || region.x1 < region.x0 || region.y1 < region.y0)
-    return Failure{FailureCode::wrongUsage, name(), "", "the region is not a box",
-                   "Give left, top, right, bottom"};
+    return Failure{FailureCode::wrongUsage, name(), "", Message("the region is not a box"),
+                   Message("Give left, top, right, bottom")};
   try {
     return impl_->source->view(page, region, quarterTurns, options, levelToPage, progress);
   } catch (const std::bad_alloc&) {

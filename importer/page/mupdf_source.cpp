@@ -409,9 +409,8 @@ Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quar
                                file_.limits.maxMegapixels * 1e6);
   if (!grid)
     return Failure{FailureCode::wrongUsage, file_.name, placeOf(page.number),
-                   "the region lies outside the page",
-                   "Give a region inside " + std::to_string(page.width) + " x " +
-                       std::to_string(page.height) + " points"};
+                   Message("the region lies outside the page"),
+                   Message("Give a region inside %1 x %2 points", page.width, page.height)};
   auto upright = render(source, *grid, 8, progress);
   if (!upright) return upright.failure();
   PageView view;

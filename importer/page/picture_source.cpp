@@ -62,9 +62,8 @@ class PictureSource : public PageSource {
     const auto rect = touchedPixels(region, picture.width_px, picture.height_px);
     if (!rect)
       return Failure{FailureCode::wrongUsage, file_.name, placeOf(page.number),
-                     "the region lies outside the picture",
-                     "Give a region inside " + std::to_string(picture.width_px) + " x " +
-                         std::to_string(picture.height_px) + " pixels"};
+                     Message("the region lies outside the picture"),
+                     Message("Give a region inside %1 x %2 pixels", picture.width_px, picture.height_px)};
     PageView view;
     const int factor = reductionOf(rect->width, rect->height);
     if (factor == 1) {

@@ -199,7 +199,7 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
     return Failure{FailureCode::noForceGraph,
                    "plot frame",
                    "",
-                   "its curve has fewer than two points",
+                   Message("its curve has fewer than two points"),
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
   auto notSeen = releaseNamedBeside(trace, axes.texts);
@@ -427,7 +427,7 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     return Failure{FailureCode::noForceGraph,
                    "plot frame",
                    "",
-                   "holds no curve",
+                   Message("holds no curve"),
                    {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
                     {RemedyKind::pickPress, "with the curve's colour"}}};
   const std::vector<PlotSwitch> switches = switchesAmong(traces);

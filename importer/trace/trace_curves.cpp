@@ -461,13 +461,13 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   std::vector<Ink> palette = findInks(area, backdrop, either(text.mask, area.masked));
   addLetterInk(palette, area, backdrop, text.mask);
   const GivenInks given = addGivenInks(palette, hints, backdrop);
-  if (palette.empty()) return noCurve("is empty: nothing but paper and grid lines in it");
+  if (palette.empty()) return noCurve(Message("is empty: nothing but paper and grid lines in it"));
   if (progress.isCancelled()) return Failure::cancelled();
 
   const Coverage coverage = unmix(area, backdrop, palette);
   const PlotInks plot{area, backdrop, palette, coverage, text, findLegendSamples(coverage, text, area)};
   std::vector<CurveInk> curves = findCurves(plot, given);
-  if (given.any() && curves.empty()) return noCurve("shows no line in the colours given");
+  if (given.any() && curves.empty()) return noCurve(Message("shows no line in the colours given"));
   if (progress.isCancelled()) return Failure::cancelled();
   const bool oneInkBothStrokes =
       curves.size() == 1 && curves.front().secondStrand > plot.options.secondStrand;
@@ -514,14 +514,15 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
                                             const AxesFound& axes, const TraceHints& hints,
                                             const TraceOptions& options, const Progress& progress) {
   if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
-    return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "Leave it at 1"};
+    return Failure{FailureCode::wrongUsage, "point spacing", "", Message("must lie in (0, 16] px"),
+                   Message("Leave it at 1")};
   std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
   if (!exact.empty()) {
     addLostWalls(exact, makePlotArea(view.raster, frame, axes.texts, hints.masks_px));
     return exact;
   }
   PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);
-  if (area.raster.empty()) return noCurve("lies outside the picture or has no area");
+  if (area.raster.empty()) return noCurve(Message("lies outside the picture or has no area"));
   settleChroma(area.raster, rgbOf(paperOf(area)));
   auto traces = traceRaster(area, view, axes, hints, options, progress);
   if (!traces) return traces;

@@ -21,7 +21,7 @@ Failure noCurveFailure() {
   return {FailureCode::noForceGraph,
           "plot",
           "",
-          "no curve runs through the plot frame in this ink",
+          Message("no curve runs through the plot frame in this ink"),
           {{RemedyKind::pickPress, {}}, {RemedyKind::giveFrame, "if another rectangle holds the graph"}}};
 }
 

@@ -70,17 +70,45 @@ def check(file, root, lupdate, lag):
     print(f"{file.name}: {len(messages)} texts, {len(missing)} not translated, {len(faults)} faults")
     for each in missing:
         print(each)
-    return faults + (missing if len(missing) > lag * len(messages) else [])
+    marked = {m.findtext("source") for m in messages if m.find("translation").get("type") not in ("vanished", "obsolete")}
+    return faults + (missing if len(missing) > lag * len(messages) else []), marked
 
 
-def unmarked(root):
-    """Words of a file that cannot be read, where lupdate does not find them: what is not said as Message("...")."""
-    for file in sorted((root / "importer/page").glob("*.cpp")) + [root / "importer/log/text_lines.cpp"]:
-        text = file.read_text()
-        for call in re.finditer(r"\bunreadable\(", text):
-            said = re.sub(r'Message\((?:\s*"(?:[^"\\]|\\.)*")+', "", text[call.end():text.index(";", call.end())])
-            for words in re.findall(r'"([A-Za-z][^"]* [^"]*)"', said):
-                yield f"{file.relative_to(root)}: \"{words}\" is said to people, but not as Message(\"...\")"
+def literal(pattern):
+    """A regular expression for a literal that may go on over several lines; the group has it as it stands."""
+    return r'((?:\s*"(?:[^"\\]|\\.)*")+)' if pattern is None else pattern
+
+
+def words_of(literals):
+    return "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literals)).replace('\\"', '"')
+
+
+def sources_said_to_people(root):
+    """Files whose failures a window shows; the programs speak English."""
+    for room in ("model", "importer", "editor"):
+        for file in sorted((root / room).rglob("*.cpp")):
+            place = file.relative_to(root).as_posix()
+            if not re.search(r"/program/|/python/|main\.cpp$|^importer/(library|batch)/|^model/(file/|validation|number_table)", place):
+                yield place, re.sub(r"//[^\n]*", "", file.read_text())
+
+
+def unmarked(root, known):
+    """Words that a person reads but lupdate does not find: what is not said as Message("..."). `known`: what lupdate finds."""
+    said_as_message = r'Message\(' + literal(None)
+    for place, text in sources_said_to_people(root):
+        for call in re.finditer(r"\bFailureCode::\w+,|\b(?:unreadable|refused|refusal|noCurve|without|broken|noGraph|refuse)\(", text):
+            said = re.sub(said_as_message, "", text[call.end():text.index(";", call.end())])
+            said = re.sub(r"RemedyKind::(?!advice)\w+," + literal(None), "", said)
+            for match in re.finditer(literal(None), said):
+                words = words_of(match.group(1))
+                if re.match(r"[A-Za-z][^ ]* .*[a-z]", words) and words not in known:
+                    yield f"{place}: \"{words}\" is said to people, but not as Message(\"...\")"
+        for code in re.finditer(r"\bFailureCode::\w+,\s*\"([A-Za-z ]+)\"\s*[,}]", text):
+            if code.group(1) not in known:
+                yield f"{place}: \"{code.group(1)}\" is what a failure is about, but is not among the translated parts"
+        for either in re.finditer(r"\?" + literal(None) + r"\s*:" + literal(None), text):
+            if any(len(words_of(part).split()) > 2 and words_of(part) in known for part in either.groups()):
+                yield f"{place}: one of two literals ({words_of(either.group(1))}) is no literal any more: Message(\"...\") around each"
 
 
 def main():
@@ -89,9 +117,10 @@ def main():
     parser.add_argument("--lupdate", type=Path, required=True)
     parser.add_argument("--lag", type=float, default=0.02, help="share of the texts that a translation may be behind (default: 0.02)")
     arguments = parser.parse_args()
-    faults = list(unmarked(arguments.root))
+    faults = []
     for file in sorted((arguments.root / "editor/translations").glob("detent_*.ts")):
-        faults += check(file, arguments.root, arguments.lupdate, arguments.lag)
+        found, marked = check(file, arguments.root, arguments.lupdate, arguments.lag)
+        faults += found + list(unmarked(arguments.root, marked))
     for fault in faults:
         print(fault)
     return 1 if faults else 0
