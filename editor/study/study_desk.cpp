@@ -14,10 +14,10 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
-#include "editor/document/message_words.h"
 #include "editor/feel/setup_widgets.h"
 #include "editor/forecast/forecast_words.h"
 #include "editor/study/study_maker.h"
+#include "editor/study/study_words.h"
 #include "model/file/text_file.h"
 
 namespace detent::editor {
@@ -227,7 +227,7 @@ void StudyDesk::refresh() {
   title_->setText(tr("Make a new study of the open buttons, or open the folder of one."));
   if (folder_.isEmpty()) return;
   const Result<playback::Study> study = playback::openStudy(folder_.toStdString());
-  if (!study) return tell(sentenceOf(study.failure()));
+  if (!study) return tell(studySentence(study.failure()));
   QStringList labels;
   for (std::size_t i = 0; i < study->givenButtons(); ++i)
     labels << QString::fromStdString(study->buttons[i].label);
@@ -236,7 +236,7 @@ void StudyDesk::refresh() {
           .arg(QString::fromStdString(study->name).toHtmlEscaped(), labels.join(", ").toHtmlEscaped())
           .arg(playback::countedTrials(*study)));
   const auto records = playback::readParticipants(*study);
-  if (!records) return tell(sentenceOf(records.failure()));
+  if (!records) return tell(studySentence(records.failure()));
   start_->setEnabled(true);
   report_->setEnabled(!records->empty());
   listPeople(*records);
@@ -264,13 +264,13 @@ void StudyDesk::start() {
     return tell(tr("A participant is at work: finish or pause there first."));
   }
   Result<playback::Study> study = playback::openStudy(folder_.toStdString());
-  if (!study) return tell(sentenceOf(study.failure()));
+  if (!study) return tell(studySentence(study.failure()));
   if (const Result<Done> same = playback::checkStimuli(*study); !same)
-    return tell(sentenceOf(same.failure()));
+    return tell(studySentence(same.failure()));
   const bool person = answers() == Answers::person || answers() == Answers::rehearsal;
   const Result<Done> started = person ? startPerson(*std::move(study)) : simulate(*study);
   if (!person) refresh();
-  if (!started) tell(sentenceOf(started.failure()));
+  if (!started) tell(studySentence(started.failure()));
 }
 
 Result<Done> StudyDesk::startPerson(playback::Study opened) {
@@ -299,7 +299,7 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   if (!player) {
     // A rehearsal is without sound, not without the force device.
     if (player.failure().code != FailureCode::deviceTrouble || settings.force) return player.failure();
-    tell(tr("%1 Or choose a rehearsal.").arg(sentenceOf(player.failure())));
+    tell(tr("%1 Or choose a rehearsal.").arg(studySentence(player.failure())));
     return Done{};
   }
   work.player = *std::move(player);
@@ -425,7 +425,7 @@ void StudyDesk::writeReport() {
                                                     tr("Web page (*.html)"));
   if (file.isEmpty()) return;
   const Result<Done> written = writeReportTo(file);
-  tell(written ? tr("Written: %1").arg(file) : sentenceOf(written.failure()));
+  tell(written ? tr("Written: %1").arg(file) : studySentence(written.failure()));
 }
 
 Result<Done> StudyDesk::writeReportTo(const QString& file) {

@@ -11,18 +11,19 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
-#include "editor/document/message_words.h"
+#include "editor/document/number_text.h"
 #include "editor/feel/setup_widgets.h"
+#include "editor/study/study_words.h"
 #include "model/file/button_file.h"
 
 namespace detent::editor {
 
 namespace {
 
-constexpr int mostTrials = 1000, mostPractice = 100, usualTrials = 10, usualPractice = 4;  // K&L: 10 a pair
+constexpr std::size_t usualPractice = 4;
 constexpr double question_s = 12;  // a rough guess, so that nobody plans three hours by mistake
 constexpr double timed_s = 3;      // likewise, with a cue or a window
-constexpr double shortestRun_s = 3, longestRun_s = 120, usualRun_s = 10, restOfRun_s = 5;
+constexpr double restOfRun_s = 5;
 
 /// A name of a file that no other button has.
 QString labelOf(const QString& title, QSet<QString>& taken) {
@@ -35,10 +36,11 @@ QString labelOf(const QString& title, QSet<QString>& taken) {
   return unique;
 }
 
-QuantityField* countField(const char* name, int least, int most, int value, const QString& tip) {
+QuantityField* countField(const char* name, std::size_t least, std::size_t most, std::size_t value,
+                          const QString& tip) {
   auto* field = described(new QuantityField(Quantity::count, {}), name, tip);
   field->setRange({static_cast<double>(least), static_cast<double>(most)});
-  field->setValue(value);
+  field->setValue(static_cast<double>(value));
   return field;
 }
 
@@ -119,9 +121,9 @@ QLayout* StudyMaker::designForm() {
   addChoice(scale_, tr("how much one likes it, 1 to 7"), static_cast<int>(playback::RatingScale::preference));
   addChoice(scale_, tr("how strong it is, any number"), static_cast<int>(playback::RatingScale::magnitude));
   addChoice(scale_, tr("which of two is better"), static_cast<int>(playback::RatingScale::pairwise));
-  trials_ = countField("makerTrials", 1, mostTrials, usualTrials,
+  trials_ = countField("makerTrials", 1, playback::mostTrials, playback::StudyDesign{}.trials,
                        tr("Questions for each pair or button, and kind of feedback"));
-  practice_ = countField("makerPractice", 0, mostPractice, usualPractice,
+  practice_ = countField("makerPractice", 0, playback::mostPractice, usualPractice,
                          tr("Questions before the first that counts"));
   makeTimingFields();
   full_ = modeBox("makerFull", tr("everything"), true);
@@ -166,15 +168,19 @@ void StudyMaker::makeTimingFields() {
   addChoice(task_, tr("with the last of four beats"), static_cast<int>(playback::TimingTask::cue));
   addChoice(task_, tr("while a ball is in its window"), static_cast<int>(playback::TimingTask::window));
   addChoice(task_, tr("as fast as can be kept up"), static_cast<int>(playback::TimingTask::tapping));
-  intervals_ = numbersField("makerIntervals", usual.intervals_s,
-                            tr("Between beats, or from the ball's start to its window; several parted by "
-                               "semicolons, 0.2 to 5 s"));
+  intervals_ =
+      numbersField("makerIntervals", usual.intervals_s,
+                   tr("Between beats, or from the ball's start to its window; several parted by "
+                      "semicolons, %1 to %2 s")
+                       .arg(numberText(playback::leastInterval_s), numberText(playback::mostInterval_s)));
   windows_ = numbersField("makerWindows", usual.windows_s,
-                          tr("How long the window is open; several parted by semicolons, 0.01 to 1 s"));
-  run_s_ =
-      described(new QuantityField(Quantity::number, {}), "makerRun", tr("From the first press on, 3 to 120"));
-  run_s_->setRange({shortestRun_s, longestRun_s});
-  run_s_->setValue(usualRun_s);
+                          tr("How long the window is open; several parted by semicolons, %1 to %2 s")
+                              .arg(numberText(playback::leastWindow_s), numberText(playback::mostWindow_s)));
+  run_s_ = described(new QuantityField(Quantity::number, {}), "makerRun",
+                     tr("From the first press on, %1 to %2")
+                         .arg(numberText(playback::shortestRun_s), numberText(playback::longestRun_s)));
+  run_s_->setRange({playback::shortestRun_s, playback::longestRun_s});
+  run_s_->setValue(usual.run_s);
 }
 
 QWidget* StudyMaker::consentRow() {
@@ -272,7 +278,7 @@ void StudyMaker::showLength() {
   const Result<Done> possible = playback::checkDesign(asked, buttons);
   const bool readable = trials_->acceptable() && practice_->acceptable() && run_s_->acceptable();
   make_->setEnabled(possible.ok() && readable && !folder_->text().trimmed().isEmpty());
-  if (!possible) return length_->setText(sentenceOf(possible.failure()));
+  if (!possible) return length_->setText(studySentence(possible.failure()));
   const std::size_t cells = playback::asksForPairs(asked) ? playback::pairsOf(buttons).size() : buttons;
   const std::size_t questions = cells * asked.trials * asked.modes.size() + asked.practice;
   double each_s = question_s;
@@ -314,7 +320,7 @@ void StudyMaker::make() {
   const QTemporaryDir files;
   if (!files.isValid()) return trouble_->setText(files.errorString());
   const Result<playback::Study> study = makeFrom(files.path());
-  if (!study) return trouble_->setText(sentenceOf(study.failure()));
+  if (!study) return trouble_->setText(studySentence(study.failure()));
   emit made(QString::fromStdString(study->folder.string()));
   accept();
 }

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/message_words.h"
+#include "editor/study/study_words.h"
 
 namespace detent::editor {
 
@@ -279,7 +280,7 @@ Result<Done> StudyWindow::openSession() {
 void StudyWindow::agree() {
   if (!work_.session) {
     if (const Result<Done> opened = openSession(); !opened)
-      return consentTrouble_->setText(sentenceOf(opened.failure()));
+      return consentTrouble_->setText(studySentence(opened.failure()));
   }
   watch_.start();
   showIntroduction();

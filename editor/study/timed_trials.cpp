@@ -13,9 +13,10 @@ namespace detent::editor {
 
 namespace {
 
-constexpr int frame_ms = 4;            // presses are taken no later; shorter than any screen's frame
-constexpr int padDown_ms = 80;         // a key shows on the pad for so long
-constexpr double stampStep_s = 0.001;  // window systems count in ms
+constexpr int frame_ms = 4;     // presses are taken no later; shorter than any screen's frame
+constexpr int padDown_ms = 80;  // a key shows on the pad for so long
+/// Window systems count in ms, some by a clock that itself ticks in ms.
+constexpr double stampStep_s = 0.002;
 constexpr double oldestStamp_s = 0.2;  // a stamp of another clock is not taken for one of this
 
 /// How long ago an event came, by its stamp; none where that is not of the steady clock (X11 and Wayland stamp input by it).
@@ -32,9 +33,10 @@ std::optional<double> ageOf(quint64 stamp_ms) {
 }  // namespace
 
 std::string TimedTrials::pressRoute() {
-  return "key or pad: by the window system's own stamp, to 1 ms, else when the window got it (press_within_s "
-         "tells which); the keyboard's scan and "
-         "the screen are not known";
+  return "key or pad: by the window system's own stamp, to 2 ms and as late as this machine wakes a program; "
+         "without a stamp: when the window got it (press_within_s tells how late both may be); the "
+         "keyboard's "
+         "scan and the screen are not known";
 }
 
 TimedTrials::TimedTrials(const playback::Study& study, playback::StudyPlayer& player, TimingPage* page,
@@ -59,12 +61,14 @@ void TimedTrials::show(playback::ParticipantSession& session) {
   stamp_ms_.reset();
   run_.emplace(study_, session, player_, began_s_);
   looked_s_ = player_.clock_s();
+  if (!player_.sensed()) wakes_.emplace();
   frame_.start();
   draw();
 }
 
 void TimedTrials::leave() {
   frame_.stop();
+  wakes_.reset();
   run_.reset();
   away_ = false;
 }
@@ -79,10 +83,10 @@ bool TimedTrials::eventFilter(QObject* watched, QEvent* event) {
 
 void TimedTrials::press() {
   const std::optional<quint64> stamp_ms = std::exchange(stamp_ms_, {});
-  if (!run_) return;
+  if (!run_ || !wakes_) return;
   const double now_s = player_.clock_s();
   const std::optional<double> age_s = stamp_ms ? ageOf(*stamp_ms) : std::nullopt;
-  run_->pressed(now_s - age_s.value_or(0), age_s ? stampStep_s : now_s - looked_s_);
+  run_->pressed(now_s - age_s.value_or(0), age_s ? stampStep_s + wakes_->latest_s() : now_s - looked_s_);
   looked_s_ = now_s;
   QPushButton* const pad = page_->pad();
   if (pad == nullptr || pad->isDown()) return;
@@ -146,6 +150,7 @@ void TimedTrials::ended(const playback::TimedOutcome& outcome) {
       break;
   }
   frame_.stop();
+  wakes_.reset();
   QString result = QStringLiteral(" ");
   if (study_.design.task == playback::TimingTask::window) result = outcome.hit ? words_.hit : words_.missed;
   if (study_.design.task == playback::TimingTask::tapping) result = words_.enough;

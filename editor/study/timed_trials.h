@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "editor/study/timing_page.h"
+#include "editor/study/wake_watch.h"
 #include "playback/study.h"
 
 class QInputEvent;
@@ -21,7 +22,7 @@ struct TimedWords {
 };
 
 /// Presses are timed by the stamp that the window system gives them, in ms of the system's steady clock; where it gives none, by when they reached
-/// this window. GUI thread.
+/// this window. How late a stamp may be is watched while a trial is shown. GUI thread.
 class TimedTrials : public QObject {
   Q_OBJECT
 
@@ -66,6 +67,7 @@ class TimedTrials : public QObject {
   double looked_s_;                  ///< when this thread last came to its events
   std::optional<quint64> stamp_ms_;  ///< of the event that presses
   QTimer frame_;
+  std::optional<WakeWatch> wakes_;  ///< while a trial is shown that keys press
 };
 
 }  // namespace detent::editor

@@ -7869,6 +7869,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Choose one under Setup of Feel it</source>
         <translation>Eines unter Einrichtung in Fühlen wählen</translation>
     </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::StudyMaker</name>
@@ -8097,16 +8101,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>so schnell es durchzuhalten ist</translation>
     </message>
     <message>
-        <source>Between beats, or from the ball&apos;s start to its window; several parted by semicolons, 0.2 to 5 s</source>
-        <translation>Zwischen den Schlägen, oder vom Start des Balls bis zu seinem Fenster; mehrere durch Semikolon getrennt, 0,2 bis 5 s</translation>
+        <source>Between beats, or from the ball&apos;s start to its window; several parted by semicolons, %1 to %2 s</source>
+        <translation>Zwischen den Schlägen, oder vom Start des Balls bis zu seinem Fenster; mehrere durch Strichpunkte getrennt, %1 bis %2 s</translation>
     </message>
     <message>
-        <source>How long the window is open; several parted by semicolons, 0.01 to 1 s</source>
-        <translation>Wie lange das Fenster offen ist; mehrere durch Semikolon getrennt, 0,01 bis 1 s</translation>
+        <source>How long the window is open; several parted by semicolons, %1 to %2 s</source>
+        <translation>Wie lange das Fenster offen ist; mehrere durch Strichpunkte getrennt, %1 bis %2 s</translation>
     </message>
     <message>
-        <source>From the first press on, 3 to 120</source>
-        <translation>Vom ersten Druck an, 3 bis 120</translation>
+        <source>From the first press on, %1 to %2</source>
+        <translation>Vom ersten Druck an, %1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -9892,6 +9896,202 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>most differs on the release: %1</source>
         <translation>am meisten verschieden auf dem Rückweg: %1</translation>
+    </message>
+    <message>
+        <source>is not UTF-8</source>
+        <translation>ist kein UTF-8</translation>
+    </message>
+    <message>
+        <source>Save it as UTF-8</source>
+        <translation>Als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>Write what participants are to agree to</source>
+        <translation>Schreiben, worin die Teilnehmenden einwilligen sollen</translation>
+    </message>
+    <message>
+        <source>gives two texts for %1</source>
+        <translation>nennt zwei Texte für %1</translation>
+    </message>
+    <message>
+        <source>Give one text for each language: NAME.en.txt, NAME.de.txt</source>
+        <translation>Einen Text für jede Sprache nennen: NAME.en.txt, NAME.de.txt</translation>
+    </message>
+    <message>
+        <source>was simulated so far</source>
+        <translation>wurde bisher simuliert</translation>
+    </message>
+    <message>
+        <source>is a person&apos;s so far</source>
+        <translation>gehört bisher einer Person</translation>
+    </message>
+    <message>
+        <source>Give another id</source>
+        <translation>Eine andere Kennung eingeben</translation>
+    </message>
+    <message>
+        <source>has listened &quot;%1&quot; so far, not &quot;%2&quot;</source>
+        <translation>hörte bisher „%1“, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>Go on in the same condition, or give another id</source>
+        <translation>In derselben Bedingung weitermachen oder eine andere Kennung eingeben</translation>
+    </message>
+    <message>
+        <source>is too like &quot;%1&quot;, who is in the study already</source>
+        <translation>gleicht zu sehr „%1“, die schon in der Studie ist</translation>
+    </message>
+    <message>
+        <source>Give an id that is read out differently</source>
+        <translation>Eine Kennung eingeben, die anders vorgelesen wird</translation>
+    </message>
+    <message>
+        <source>%1 lies outside %2 to %3</source>
+        <translation>%1 liegt nicht zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>Give a number inside</source>
+        <translation>Eine Zahl dazwischen eingeben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; (%2) feels the same with more of &quot;%3&quot;</source>
+        <translation>„%1“ (%2) fühlt sich mit mehr „%3“ gleich an</translation>
+    </message>
+    <message>
+        <source>Choose another quantity, mode or button</source>
+        <translation>Eine andere Größe, Rückmeldung oder einen anderen Taster wählen</translation>
+    </message>
+    <message>
+        <source>has a name that is not UTF-8</source>
+        <translation>hat einen Namen, der kein UTF-8 ist</translation>
+    </message>
+    <message>
+        <source>Rename the file</source>
+        <translation>Die Datei umbenennen</translation>
+    </message>
+    <message>
+        <source>is the second button called &quot;%1&quot;</source>
+        <translation>ist der zweite Taster namens „%1“</translation>
+    </message>
+    <message>
+        <source>Rename one of the files</source>
+        <translation>Eine der Dateien umbenennen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a participant&apos;s id</source>
+        <translation>„%1“ ist keine Kennung</translation>
+    </message>
+    <message>
+        <source>Give 1 to %1 letters, digits, - or _, such as P01; no name of a person</source>
+        <translation>1 bis %1 Buchstaben, Ziffern, - oder _ eingeben, etwa P01; keinen Namen einer Person</translation>
+    </message>
+    <message>
+        <source>none, too many, one twice or outside %1 to %2 s</source>
+        <translation>keines, zu viele, eines doppelt oder nicht zwischen %1 und %2 s</translation>
+    </message>
+    <message>
+        <source>Give 1 to %1 of them</source>
+        <translation>1 bis %1 davon eingeben</translation>
+    </message>
+    <message>
+        <source>none, too many, one twice, outside %1 to %2 s, or as long as an interval</source>
+        <translation>keines, zu viele, eines doppelt, nicht zwischen %1 und %2 s oder so lang wie ein Intervall</translation>
+    </message>
+    <message>
+        <source>Give 1 to %1, each shorter than the shortest interval</source>
+        <translation>1 bis %1 eingeben, jedes kürzer als das kürzeste Intervall</translation>
+    </message>
+    <message>
+        <source>has no button</source>
+        <translation>hat keinen Taster</translation>
+    </message>
+    <message>
+        <source>Give at least one</source>
+        <translation>Mindestens einen wählen</translation>
+    </message>
+    <message>
+        <source>has 1 button</source>
+        <translation>hat 1 Taster</translation>
+    </message>
+    <message>
+        <source>Give at least two</source>
+        <translation>Mindestens zwei wählen</translation>
+    </message>
+    <message>
+        <source>has %1 buttons</source>
+        <translation>hat %1 Taster</translation>
+    </message>
+    <message>
+        <source>Give at most %1</source>
+        <translation>Höchstens %1 wählen</translation>
+    </message>
+    <message>
+        <source>has no meaning where no pairs are asked for</source>
+        <translation>bedeutet nichts, wo nicht nach Paaren gefragt wird</translation>
+    </message>
+    <message>
+        <source>Leave it out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%1 von %2 Paaren</translation>
+    </message>
+    <message>
+        <source>Give fewer, or 0 for all</source>
+        <translation>Weniger eingeben, oder 0 für alle</translation>
+    </message>
+    <message>
+        <source>none, or one twice</source>
+        <translation>keine, oder eine doppelt</translation>
+    </message>
+    <message>
+        <source>Choose at least one, each at most once</source>
+        <translation>Mindestens eine wählen, jede höchstens einmal</translation>
+    </message>
+    <message>
+        <source>&quot;off&quot; cannot be felt</source>
+        <translation>„off“ kann man nicht fühlen</translation>
+    </message>
+    <message>
+        <source>Give full, click-only or slope-only</source>
+        <translation>full, click-only oder slope-only angeben</translation>
+    </message>
+    <message>
+        <source>needs a matching study</source>
+        <translation>braucht eine Zuordnungsstudie</translation>
+    </message>
+    <message>
+        <source>Add --kind matching</source>
+        <translation>--kind matching hinzufügen</translation>
+    </message>
+    <message>
+        <source>exists already</source>
+        <translation>gibt es schon</translation>
+    </message>
+    <message>
+        <source>Name a new folder; a study is never overwritten</source>
+        <translation>Einen neuen Ordner nennen; eine Studie wird nie überschrieben</translation>
+    </message>
+    <message>
+        <source>is not a study: study.json %1</source>
+        <translation>ist keine Studie: study.json %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>has no room for a tenth more of &quot;%1&quot;</source>
+        <translation>hat keinen Platz für ein Zehntel mehr „%1“</translation>
+    </message>
+    <message>
+        <source>Choose another quantity, or a button with less of it</source>
+        <translation>Eine andere Größe wählen, oder einen Taster mit weniger davon</translation>
     </message>
 </context>
 <context>

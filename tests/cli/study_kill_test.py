@@ -63,8 +63,10 @@ def kill_once(study, participant, delay):
 
 def run(study, kills, seed):
     chance = random.Random(seed)
-    lost = wrong = broken = 0
-    number, done, whole_s = 0, 0, 0.4
+    lost = wrong = broken = amid = 0
+    begun = time.monotonic()
+    subprocess.run(study.command("P0000"), check=True, stderr=subprocess.DEVNULL)  # how long one takes here and now
+    number, done, whole_s = 1, 0, time.monotonic() - begun
     for _ in range(kills):
         participant = f"P{number:04d}"
         before = len(answers(study.journal(participant)))
@@ -78,14 +80,15 @@ def run(study, kills, seed):
             lost += told[-1] - len(kept)
         if told and told[0] != before + 1:
             wrong += 1
+        amid += before < len(kept) < TRIALS
         if len(kept) == TRIALS:
             whole_s = max(0.05, 0.5 * whole_s + 0.5 * (time.monotonic() - begun))
             number += 1
         done += 1
         if done % 100 == 0:
-            print(f"{done} kills: {lost} lost, {wrong} resumed wrong, {broken} out of order", flush=True)
-    print(f"{done} kills over {number + 1} participants: {lost} answers lost, {wrong} resumed at another trial, "
-          f"{broken} journals out of order")
+            print(f"{done} kills, {amid} between answers: {lost} lost, {wrong} resumed wrong, {broken} out of order", flush=True)
+    print(f"{done} kills, {amid} of them between two answers, over {number + 1} participants: {lost} answers lost, "
+          f"{wrong} resumed at another trial, {broken} journals out of order")
     subprocess.run(study.command(f"P{number:04d}"), check=True, stderr=subprocess.DEVNULL)  # the last one ends by itself
     report = subprocess.run([study.program, "study", "report", str(study.folder), "--json"], check=True, capture_output=True,
                             text=True)

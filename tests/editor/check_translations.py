@@ -61,7 +61,7 @@ def check(file, root, lupdate, lag):
         updated = Path(folder) / file.name
         shutil.copy(file, updated)
         subprocess.run([lupdate, "-silent", "-locations", "none", "-I", ".", "-tr-function-alias", "tr+=Message,tr+=words",
-                        "editor", "importer", "model", "playback/study/perception", "-ts", updated], cwd=root, check=True, capture_output=True, timeout=300)
+                        "editor", "importer", "model", "playback/study/perception", "playback/study/trials", "-ts", updated], cwd=root, check=True, capture_output=True, timeout=300)
         messages = [m for m in ET.parse(updated).getroot().iter("message")]
     faults, missing = [], []
     for message in messages:

@@ -92,6 +92,8 @@ int runNew(NewArguments a) {
   return 0;
 }
 
+std::string range(double low, double high) { return shortestText(low) + ".." + shortestText(high); }
+
 void addNew(CLI::App& parent, Action& chosen) {
   CLI::App* app = parent.add_subcommand("new", "Make the folder of a study");
   const auto a = std::make_shared<NewArguments>();
@@ -115,23 +117,26 @@ void addNew(CLI::App& parent, Action& chosen) {
       "kept up",
       "cue");
   app->add_option("--intervals", a->design.intervals_s,
-                  "timing, cue and window: s, separated by commas, 0.2..5")
+                  "timing, cue and window: s, separated by commas, " + range(leastInterval_s, mostInterval_s))
       ->delimiter(',')
       ->default_str("0.6,0.8,1");
-  app->add_option("--windows", a->design.windows_s, "timing, window: s, separated by commas, 0.01..1")
+  app->add_option("--windows", a->design.windows_s,
+                  "timing, window: s, separated by commas, " + range(leastWindow_s, mostWindow_s))
       ->delimiter(',')
       ->default_str("0.08,0.12,0.16");
-  app->add_option("--run-seconds", a->design.run_s, "timing, tapping: length of a run, 3..120")
+  app->add_option("--run-seconds", a->design.run_s, "timing, tapping: length of a run")
       ->capture_default_str()
-      ->check(numberWithin(3, 120));
-  app->add_option("--trials", a->trials,
-                  "Per pair (abx, pairwise) or button (else), and mode; of tapping: runs; 1..1000")
+      ->check(numberWithin(shortestRun_s, longestRun_s));
+  app->add_option(
+         "--trials", a->trials,
+         "Per pair (abx, pairwise) or button (else), and mode; of tapping: runs; " + range(1, mostTrials))
       ->default_str("10; threshold, timing 60; rating 4; tapping 3");
   app->add_option("--modes", a->modes, "Base case: full, click-only, slope-only, separated by commas")
       ->delimiter(',')
       ->default_str("full");
   app->add_option("--seed", a->seed, "Of the shuffles; default: by chance, recorded");
-  app->add_option("--practice", a->design.practice, "Trials before the first that counts, 0..100")
+  app->add_option("--practice", a->design.practice,
+                  "Trials before the first that counts, " + range(0, mostPractice))
       ->capture_default_str();
   app->add_option("--pairs-each", a->design.pairsEach, "A random choice of so many pairs each; 0: all")
       ->capture_default_str();

@@ -51,10 +51,11 @@ Result<ConsentText> readConsent(const std::string& file) {
   Result<std::string> text = readTextFile(file);
   if (!text) return text.failure();
   if (!isUtf8(*text))
-    return Failure{FailureCode::unreadableInput, file, "", "is not UTF-8", "Save it as UTF-8"};
+    return Failure{FailureCode::unreadableInput, file, "", Message("is not UTF-8"),
+                   Message("Save it as UTF-8")};
   if (text->find_first_not_of(" \t\r\n") == std::string::npos)
-    return Failure{FailureCode::unreadableInput, file, "", "is empty",
-                   "Write what participants are to agree to"};
+    return Failure{FailureCode::unreadableInput, file, "", Message("is empty"),
+                   Message("Write what participants are to agree to")};
   const std::string hash = sha256Hex(*text);
   return ConsentText{languageOf(file), *std::move(text), hash};
 }
@@ -66,8 +67,8 @@ Result<Done> writeConsents(const fs::path& folder, const std::vector<ConsentText
     const fs::path file = fileFor(folder, text.language);
     if (!languages.insert(text.language).second)
       return Failure{FailureCode::wrongUsage, Subject::option("--consent"), "",
-                     "gives two texts for " + file.filename().string(),
-                     "Give one text for each language: NAME.en.txt, NAME.de.txt"};
+                     Message("gives two texts for %1", file.filename().string()),
+                     Message("Give one text for each language: NAME.en.txt, NAME.de.txt")};
     if (Result<Done> ok = writeTextFileAtomically(file.string(), text.text); !ok) return ok;
   }
   return Done{};

@@ -26,13 +26,14 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
     const bool simulated = before.kind == SessionKind::simulated;
     if (simulated == (start.kind == SessionKind::simulated)) continue;
     return Failure{FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
-                   simulated ? "was simulated so far" : "is a person's so far", "Give another id"};
+                   simulated ? Message("was simulated so far") : Message("is a person's so far"),
+                   Message("Give another id")};
   }
   if (!record.sessions.empty() && record.sessions.back().listening != start.listening)
     return Failure{FailureCode::wrongUsage, Subject::option("--condition"), record.participant,
-                   std::string("has listened \"") + nameOf(record.sessions.back().listening) +
-                       "\" so far, not \"" + nameOf(start.listening) + "\"",
-                   "Go on in the same condition, or give another id"};
+                   Message("has listened \"%1\" so far, not \"%2\"", nameOf(record.sessions.back().listening),
+                           nameOf(start.listening)),
+                   Message("Go on in the same condition, or give another id")};
   return Done{};
 }
 
@@ -46,8 +47,8 @@ Result<std::size_t> othersIn(const Study& study, const std::string& participant)
     ++others;
     if (spokenId(id) == spokenId(participant))
       return Failure{FailureCode::wrongUsage, Subject::option("--participant"), participant,
-                     "is too like \"" + id + "\", who is in the study already",
-                     "Give an id that is read out differently"};
+                     Message("is too like \"%1\", who is in the study already", id),
+                     Message("Give an id that is read out differently")};
   }
   return others;
 }

@@ -27,11 +27,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr int studyVersion = 2;  // 1: see planTrials
 constexpr double stimulusRate_Hz = 48000;
-constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
 constexpr const char* buttonEnding = ".button.json";
 
-Failure wrong(const std::string& subject, const std::string& problem, const std::string& remedy) {
-  return {FailureCode::wrongUsage, subject, "", problem, remedy};
+Failure wrong(Subject subject, Message problem, const Message& remedy) {
+  return {FailureCode::wrongUsage, std::move(subject), "", std::move(problem), remedy};
+}
+
+/// What an option asks for; a window names its own part of that.
+Failure wrongOption(const char* option, Message problem, const Message& remedy) {
+  return wrong(Subject::option(option), std::move(problem), remedy);
+}
+
+Failure outside(const char* option, std::size_t asked, std::size_t least, std::size_t most) {
+  return wrongOption(option, Message("%1 lies outside %2 to %3", asked, least, most),
+                     Message("Give a number inside"));
 }
 
 Failure unreadable(const fs::path& file, Message problem, Remedies remedies) {
@@ -72,10 +81,11 @@ Result<Done> checkLevelsDiffer(const Study& study) {
   for (const StudyLevel& level : study.levels)
     for (const FeedbackMode mode : study.design.modes)
       if (hashIn(level.button, mode) == hashIn(level.reference, mode))
-        return wrong("--quantity",
-                     "\"" + study.buttons[level.reference].label + "\" (" + nameOf(mode) +
-                         ") feels the same with more of \"" + nameOf(study.design.quantity) + "\"",
-                     "Choose another quantity, mode or button");
+        return wrongOption(
+            "--quantity",
+            Message("\"%1\" (%2) feels the same with more of \"%3\"", study.buttons[level.reference].label,
+                    nameOf(mode), nameOf(study.design.quantity)),
+            Message("Choose another quantity, mode or button"));
   return Done{};
 }
 
@@ -272,9 +282,10 @@ Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
     if (!button) return button.failure();
     const std::string label = labelOf(file);
     if (!isUtf8(label))  // it stands in study.json, which names the study's own copy of the file
-      return wrong(file, "has a name that is not UTF-8", "Rename the file");
+      return wrong(file, Message("has a name that is not UTF-8"), Message("Rename the file"));
     if (!labels.insert(label).second)
-      return wrong(file, "is the second button called \"" + label + "\"", "Rename one of the files");
+      return wrong(file, Message("is the second button called \"%1\"", label),
+                   Message("Rename one of the files"));
     study.buttons.push_back({label, sha256Hex(*text), *std::move(button)});
   }
   return Done{};
@@ -313,8 +324,9 @@ Result<Done> checkParticipantId(const std::string& id) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
   if (plain && !id.empty() && id.size() <= longest && id.front() != '-') return Done{};
-  return wrong("--participant", "\"" + id + "\" is not a participant's id",
-               "Give 1 to 32 letters, digits, - or _, such as P01; no name of a person");
+  return wrongOption(
+      "--participant", Message("\"%1\" is not a participant's id", id),
+      Message("Give 1 to %1 letters, digits, - or _, such as P01; no name of a person", longest));
 }
 
 std::string spokenId(const std::string& id) {
@@ -351,26 +363,32 @@ namespace {
 
 /// Whether some values lie within a range, each once, and are not too many.
 bool eachOnceWithin(const std::vector<double>& values, double low, double high) {
-  constexpr std::size_t most = 9;
-  return !values.empty() && values.size() <= most &&
+  return !values.empty() && values.size() <= mostTimes &&
          std::set<double>(values.begin(), values.end()).size() == values.size() &&
          std::all_of(values.begin(), values.end(), [&](double v) { return v >= low && v <= high; });
 }
 
 Result<Done> checkTimes(const StudyDesign& d) {
   if (d.task == TimingTask::tapping) {
-    if (d.run_s >= 3 && d.run_s <= 120) return Done{};
-    return wrong("--run-seconds", "is not within 3..120", "Give a number inside");
+    if (d.run_s >= shortestRun_s && d.run_s <= longestRun_s) return Done{};
+    return wrongOption("--run-seconds",
+                       Message("%1 lies outside %2 to %3", d.run_s, shortestRun_s, longestRun_s),
+                       Message("Give a number inside"));
   }
-  if (!eachOnceWithin(d.intervals_s, 0.2, 5))
-    return wrong("--intervals", "none, too many, one twice or outside 0.2..5 s", "Give 1 to 9 of them");
+  if (!eachOnceWithin(d.intervals_s, leastInterval_s, mostInterval_s))
+    return wrongOption(
+        "--intervals",
+        Message("none, too many, one twice or outside %1 to %2 s", leastInterval_s, mostInterval_s),
+        Message("Give 1 to %1 of them", mostTimes));
   if (d.task == TimingTask::cue) return Done{};
   const double least = *std::min_element(d.intervals_s.begin(), d.intervals_s.end());
-  if (eachOnceWithin(d.windows_s, 0.01, 1) &&
+  if (eachOnceWithin(d.windows_s, leastWindow_s, mostWindow_s) &&
       *std::max_element(d.windows_s.begin(), d.windows_s.end()) < least)
     return Done{};
-  return wrong("--windows", "none, too many, one twice, outside 0.01..1 s, or as long as an interval",
-               "Give 1 to 9, each shorter than the shortest interval");
+  return wrongOption("--windows",
+                     Message("none, too many, one twice, outside %1 to %2 s, or as long as an interval",
+                             leastWindow_s, mostWindow_s),
+                     Message("Give 1 to %1, each shorter than the shortest interval", mostTimes));
 }
 
 }  // namespace
@@ -378,27 +396,30 @@ Result<Done> checkTimes(const StudyDesign& d) {
 Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   const bool oneWillDo = d.kind == StudyKind::threshold || d.kind == StudyKind::timing ||
                          (d.kind == StudyKind::rating && d.scale != RatingScale::pairwise);
+  if (buttons == 0 && oneWillDo)
+    return wrong("study", Message("has no button"), Message("Give at least one"));
   if (buttons == 0 || (buttons == 1 && !oneWillDo))
-    return wrong("study", buttons == 1 ? "has 1 button" : "has no button",
-                 oneWillDo ? "Name a button file" : "Name at least two button files");
+    return wrong("study", buttons == 1 ? Message("has 1 button") : Message("has no button"),
+                 Message("Give at least two"));
   if (buttons > mostButtons)
-    return wrong("study", "has " + std::to_string(buttons) + " buttons", "Name at most 64");
-  if (d.trials < 1 || d.trials > mostTrials)
-    return wrong("--trials", std::to_string(d.trials) + " lies outside 1..1000", "Give a number inside");
-  if (d.practice > mostPractice)
-    return wrong("--practice", std::to_string(d.practice) + " lies outside 0..100", "Give a number inside");
+    return wrong("study", Message("has %1 buttons", buttons), Message("Give at most %1", mostButtons));
+  if (d.trials < 1 || d.trials > mostTrials) return outside("--trials", d.trials, 1, mostTrials);
+  if (d.practice > mostPractice) return outside("--practice", d.practice, 0, mostPractice);
   const std::size_t pairs = buttons * (buttons - 1) / 2;
   if (d.pairsEach > 0 && !asksForPairs(d))
-    return wrong("--pairs-each", "has no meaning where no pairs are asked for", "Leave it out");
+    return wrongOption("--pairs-each", Message("has no meaning where no pairs are asked for"),
+                       Message("Leave it out"));
   if (d.pairsEach > pairs)
-    return wrong("--pairs-each", std::to_string(d.pairsEach) + " of " + std::to_string(pairs) + " pairs",
-                 "Give fewer, or 0 for all");
+    return wrongOption("--pairs-each", Message("%1 of %2 pairs", d.pairsEach, pairs),
+                       Message("Give fewer, or 0 for all"));
   if (d.modes.empty() || std::set<FeedbackMode>(d.modes.begin(), d.modes.end()).size() != d.modes.size())
-    return wrong("--modes", "none, or one twice", "Give each of full, click-only, slope-only at most once");
+    return wrongOption("--modes", Message("none, or one twice"),
+                       Message("Choose at least one, each at most once"));
   if (std::find(d.modes.begin(), d.modes.end(), FeedbackMode::off) != d.modes.end())
-    return wrong("--modes", "\"off\" cannot be felt", "Give full, click-only or slope-only");
+    return wrongOption("--modes", Message("\"off\" cannot be felt"),
+                       Message("Give full, click-only or slope-only"));
   if (d.targets == TargetKind::physicalButton && d.kind != StudyKind::matching)
-    return wrong("--physical", "needs a matching study", "Add --kind matching");
+    return wrongOption("--physical", Message("needs a matching study"), Message("Add --kind matching"));
   return d.kind == StudyKind::timing ? checkTimes(d) : Result<Done>(Done{});
 }
 
@@ -416,7 +437,8 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
                           const std::string& profileFile, const StudyDesign& design) {
   std::error_code error;
   if (fs::exists(folder, error))
-    return wrong(folder.string(), "exists already", "Name a new folder; a study is never overwritten");
+    return wrong(folder.string(), Message("exists already"),
+                 Message("Name a new folder; a study is never overwritten"));
   if (Result<Done> ok = checkDesign(design, buttonFiles.size()); !ok) return ok.failure();
   Study study;
   study.folder = folder;

@@ -69,6 +69,12 @@ inline constexpr double bestPreference = 7, greatestMagnitude = 1e6;
 /// What X is made of. Physical: the experimenter hands over the real switch of that number.
 enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
 
+/// What a design may ask for; checkDesign().
+inline constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
+inline constexpr std::size_t mostTimes = 9;  ///< intervals, windows: each once
+inline constexpr double leastInterval_s = 0.2, mostInterval_s = 5, leastWindow_s = 0.01, mostWindow_s = 1;
+inline constexpr double shortestRun_s = 3, longestRun_s = 120;
+
 /// What is asked for; `study new`.
 struct StudyDesign {
   StudyKind kind = StudyKind::abx;
@@ -77,14 +83,11 @@ struct StudyDesign {
   LevelQuantity quantity = LevelQuantity::peakForce;    ///< threshold
   RatingScale scale = RatingScale::preference;          ///< rating
   TimingTask task = TimingTask::cue;                    ///< timing
-  std::vector<double> intervals_s{0.6, 0.8,
-                                  1.0};  ///< cue, window: each as often; 0.2..5, at most 9, each once
-  std::vector<double> windows_s{0.08, 0.12,
-                                0.16};  ///< window: likewise; 0.01..1, each below the least interval
-  double run_s = 10;                    ///< tapping: from the first press on; 3..120
-  std::size_t trials =
-      10;  ///< per pair (abx, pairwise) or button (else), and mode; of tapping: runs; 1..1000
-  std::size_t practice = 0;   ///< trials before the first that counts; 0..100
+  std::vector<double> intervals_s{0.6, 0.8, 1.0};       ///< cue, window: each as often
+  std::vector<double> windows_s{0.08, 0.12, 0.16};      ///< window: likewise; each below the least interval
+  double run_s = 10;                                    ///< tapping: from the first press on
+  std::size_t trials = 10;   ///< per pair (abx, pairwise) or button (else), and mode; of tapping: runs; not 0
+  std::size_t practice = 0;  ///< trials before the first that counts
   std::size_t pairsEach = 0;  ///< a random subset of so many pairs for each participant; 0: all
   std::uint64_t seed = 0;
   std::vector<ConsentText>
@@ -145,7 +148,7 @@ std::string spokenId(const std::string& id);
 /// Whether two buttons at a time are asked about, as pairsOf() lists them.
 bool asksForPairs(const StudyDesign& design);
 
-/// Range checks of a design for so many buttons. Failure wrongUsage names the value.
+/// Range checks of a design for so many buttons. Failure wrongUsage: its subject is the option of `study new`, or the study.
 Result<Done> checkDesign(const StudyDesign& design, std::size_t buttons);
 
 /// Makes the folder, whole or not at all. `buttonFiles`: at least two (threshold, scales and timing:

@@ -96,8 +96,8 @@ Result<Done> addUsualLevels(Study& study) {
     }
     if (count < fewestLevels)
       return Failure{FailureCode::wrongUsage, Subject::option("--quantity"), study.buttons[reference].label,
-                     std::string("has no room for a tenth more of \"") + nameOf(study.design.quantity) + "\"",
-                     "Choose another quantity, or a button with less of it"};
+                     Message("has no room for a tenth more of \"%1\"", nameOf(study.design.quantity)),
+                     Message("Choose another quantity, or a button with less of it")};
   }
   return Done{};
 }

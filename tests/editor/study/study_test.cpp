@@ -2,6 +2,8 @@
 // Studies in the window: made, worked through by a participant with keys and large buttons, followed by the experimenter.
 
 #include <chrono>
+#include <csignal>
+#include <ctime>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -17,6 +19,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextStream>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "editor/study/study_desk.h"
 #include "editor/study/study_maker.h"
@@ -163,6 +168,21 @@ void agree(StudyWindow* window) {
 
 void feelAll(StudyWindow* window) {
   for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_X}) QTest::keyClick(window, key);
+}
+
+/// The whole process, every thread of it, does nothing for so long.
+void standStill(int still_ms) {
+  const pid_t self = getpid();
+  const pid_t child = fork();
+  QVERIFY(child >= 0);
+  if (child == 0) {
+    const timespec still{0, 1000000L * still_ms};
+    kill(self, SIGSTOP);
+    nanosleep(&still, nullptr);
+    kill(self, SIGCONT);
+    _exit(0);
+  }
+  waitpid(child, nullptr, 0);
 }
 
 }  // namespace
@@ -637,7 +657,8 @@ class StudyTest : public QObject {
     QVERIFY(std::abs(rig.finger->beats_s[3] - rig.finger->beats_s[0] - 3 * 0.4) < 1e-9);
     const double cue_s = rig.finger->beats_s.back();
     rig.finger->ahead_s += cue_s + 0.03;  // a little behind it
-    QTest::qWait(20);                     // the window has looked since
+    const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
+    QTRY_COMPARE(picture->view().beatsCome, std::size_t{4});  // the window has looked since
     QTest::keyClick(window, Qt::Key_Space);
     rig.finger->ahead_s += 1;
     QTRY_COMPARE(rig.record().answers.size(), std::size_t{1});
@@ -705,6 +726,28 @@ class StudyTest : public QObject {
     rig.finger->ahead_s += 3;
     QTRY_VERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());
     QCOMPARE(rig.record().answers[0].answer.presses_s.size(), std::size_t{12});
+    window->close();
+  }
+
+  /// Of a machine that does not wake who waits, a stamp cannot be trusted to the millisecond.
+  void aPressIsAsExactAsTheMachineIsPunctual() {
+    Rig rig;
+    rig.makeTimed(playback::TimingTask::cue, 1);
+    StudyWindow* window = rig.begin();
+    QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
+    agree(window);
+    QTest::qWait(20);
+    standStill(120);
+    rig.finger->ahead_s += rig.finger->beats_s.back();
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, " ");
+    press.setTimestamp(
+        static_cast<quint64>(std::chrono::duration_cast<std::chrono::milliseconds>(now).count()));
+    QApplication::sendEvent(window, &press);
+    rig.finger->ahead_s += 1;
+    QTRY_COMPARE(rig.record().answers.size(), std::size_t{1});
+    const double within_s = rig.record().answers[0].answer.pressWithin_s;
+    QVERIFY2(within_s > 0.002 + 0.1, qPrintable(QString::number(within_s)));
     window->close();
   }
 
@@ -818,6 +861,8 @@ class StudyTest : public QObject {
     for (const char* wrong : {"", "0.1; 0.2; x", "7"}) {
       maker.findChild<QLineEdit*>("makerWindows")->setText(wrong);
       QVERIFY2(!make->isEnabled(), wrong);
+      const QString told = maker.findChild<QLabel*>("makerLength")->text();
+      QVERIFY2(told.startsWith("Windows, s: ") && told.contains("0.01 to 1 s"), qPrintable(told));
     }
     maker.findChild<QLineEdit*>("makerWindows")->setText("0,1; 0.2");
     maker.findChild<QLineEdit*>("makerIntervals")->setText("0.7");
@@ -831,7 +876,30 @@ class StudyTest : public QObject {
     rig.desk->showStudy(rig.study);
     rig.answersBy(3);  // without an error: no such thing in timing
     QVERIFY(rig.begin() == nullptr);
-    QVERIFY(!rig.trouble().isEmpty() && rig.records().empty());
+    QVERIFY2(rig.trouble().startsWith("Answers by: ") && rig.records().empty(), qPrintable(rig.trouble()));
+    QVERIFY(!rig.trouble().contains("errors=P"));
+  }
+
+  /// No option of the other program, whatever is wrong.
+  void whatIsWrongIsNamedAsTheWindowDoes() {
+    Rig rig;
+    StudyMaker maker({&rig.a, &rig.b}, {});
+    maker.setFolder(rig.study);
+    const auto told = [&] { return maker.findChild<QLabel*>("makerLength")->text(); };
+    for (const char* box : {"makerFull", "makerClicks", "makerSlopes"})
+      maker.findChild<QCheckBox*>(box)->setChecked(false);
+    QVERIFY2(told().startsWith("Feedback: "), qPrintable(told()));
+    maker.findChild<QCheckBox*>("makerFull")->setChecked(true);
+    auto* list = maker.findChild<QListWidget*>("makerButtons");
+    list->item(0)->setCheckState(Qt::Unchecked);
+    QVERIFY2(told().contains("at least two") && !told().contains("file"), qPrintable(told()));
+    list->item(0)->setCheckState(Qt::Checked);
+    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(4);
+    maker.findChild<QLineEdit*>("makerIntervals")->setText("9");
+    QVERIFY2(told().startsWith("Intervals, s: ") && told().contains("0.2 to 5 s"), qPrintable(told()));
+    rig.makeStudy();
+    QVERIFY(rig.begin("no name!") == nullptr);
+    QVERIFY2(rig.trouble().startsWith("Next participant: "), qPrintable(rig.trouble()));
   }
 
   void theSensorReachesTheFinger() {
