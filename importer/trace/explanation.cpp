@@ -137,14 +137,13 @@ class ExplainedPlot {
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
         if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kInked) mask.at<std::uint8_t>(y, x) = 255;
-    cv::Mat thicker(mask.size(), CV_8U, cv::Scalar(0));
-    for (const double column : area_.columns_px) takeLine(mask, thicker, ink, column, true);
-    for (const double row : area_.rows_px) takeLine(mask, thicker, ink, row, false);
+    for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
+    for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
     for (const double column : columns_) takeDots(mask, ink, column, true);
     for (const double row : rows_) takeDots(mask, ink, row, false);
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (mask.at<std::uint8_t>(y, x) && !thicker.at<std::uint8_t>(y, x) && backdrop_.onLine(x, y) &&
+        if (mask.at<std::uint8_t>(y, x) && backdrop_.onLine(x, y) &&
             norm(colorAt(area_.raster, x, y) - backdrop_.at(x, y)) < 60)
           mask.at<std::uint8_t>(y, x) = 0;
     return mask;
@@ -167,25 +166,12 @@ class ExplainedPlot {
                      std::lerp(apartFromPaper(x, y + 1), apartFromPaper(x + 1, y + 1), u), v);
   }
 
-  /// Clears a line of the plot where it is no thicker than it is elsewhere; `thicker`: 255 where it is over a stretch, which may be most of
-  /// it: a wall on a gridline.
-  void takeLine(cv::Mat& mask, cv::Mat& thicker, const CurveInkOnArea& ink, double at, bool plumb) const {
-    constexpr double kStretch = 4;  // times as long as thick
+  /// Clears a line of the plot where it is no thicker than it is elsewhere.
+  void takeLine(cv::Mat& mask, const CurveInkOnArea& ink, double at, bool plumb) const {
     const std::vector<double> runs = runsAlong(ink, at, plumb);
     const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
-    double sum = 0;
-    for (std::size_t i = 0, from = 0; i < runs.size(); ++i) {
-      if (runs[i] <= most) {
-        paintAcross(mask, static_cast<int>(i), at, most, plumb, 0);
-        sum = 0, from = i + 1;
-        continue;
-      }
-      sum += runs[i];
-      if (i + 1 < runs.size() && runs[i + 1] > most) continue;
-      const auto length = static_cast<double>(i + 1 - from);
-      for (std::size_t k = from; k <= i && length * length > kStretch * sum; ++k)
-        paintAcross(thicker, static_cast<int>(k), at, runs[k], plumb, 255);
-    }
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (runs[i] <= most) clearAcross(mask, static_cast<int>(i), at, most, plumb);
   }
 
   /// How thick the ink is along a line of the plot, pixel by pixel.
@@ -197,13 +183,12 @@ class ExplainedPlot {
     return runs;
   }
 
-  /// Sets pixels of a line, so thick as it may be.
-  void paintAcross(cv::Mat& mask, int along, double at, double most_px, bool plumb,
-                   std::uint8_t value) const {
+  /// Clears pixels of a line, so thick as it may be.
+  void clearAcross(cv::Mat& mask, int along, double at, double most_px, bool plumb) const {
     const int lanes = plumb ? mask.cols : mask.rows, reach = static_cast<int>(std::ceil(0.5 * most_px)) + 2;
     for (int lane = static_cast<int>(std::lround(at)) - reach; lane <= std::lround(at) + reach; ++lane)
       if (lane >= 0 && lane < lanes)
-        (plumb ? mask.at<std::uint8_t>(along, lane) : mask.at<std::uint8_t>(lane, along)) = value;
+        (plumb ? mask.at<std::uint8_t>(along, lane) : mask.at<std::uint8_t>(lane, along)) = 0;
   }
 
   /// Clears a gridline of dots or dashes at a number of the axis: ink and gaps take turns along nearly all of it. Where it is drawn
@@ -230,7 +215,7 @@ class ExplainedPlot {
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (runs[i] <= most_px &&
           shareOf(i - std::min(i, window), std::min(i + window + 1, runs.size())) <= most)
-        paintAcross(mask, static_cast<int>(i), at, most_px, plumb, 0);
+        clearAcross(mask, static_cast<int>(i), at, most_px, plumb);
   }
 
   PlotArea area_;

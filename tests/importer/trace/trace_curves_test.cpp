@@ -15,6 +15,7 @@
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/explanation.h"
 #include "importer/trace/foot_line.h"
+#include "importer/trace/walls.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -525,19 +526,20 @@ TEST_CASE("A wall that stands on a gridline, or on the frame's edge, belongs to 
   }
 }
 
-TEST_CASE("A wall is found whatever level line stands above its foot", "[trace]") {
+TEST_CASE("A lost wall is found whatever level line stands above its foot", "[trace]") {
   const int rows = GENERATE(range(5, 13));
   INFO(rows);
   Plot plot(440, 260);
   plot.grid(8, rows, kBlack, 1);
-  Loop loop = loopEndingAt(0.75);
-  plot.line(plot.at(loop.press), 3, kBlack);
-  plot.line(plot.at(loop.release), 3, kBlack);
-  plot.line(plot.at({{0.75, loop.release.back().y}, {0.75, 1}}), 3, kBlack);
-  const auto traces = plot.trace();
-  REQUIRE(traces.ok());
-  for (const CurveTrace& trace : *traces)
-    CHECK(std::ranges::min(trace.points_px, {}, &Point::y).y < plot.at(0.75, 0.97).y);
+  for (int i = 0; i <= rows; ++i)
+    plot.frame().yLines.push_back({.position_px = plot.at(0, double(i) / rows).y, .spansFrame = true});
+  CurveTrace stroke;
+  stroke.points_px = plot.at(loopEndingAt(0.75).press), stroke.color = kBlack;
+  plot.line(stroke.points_px, 3, kBlack);
+  plot.line({stroke.points_px.back(), plot.at(0.75, 1)}, 3, kBlack);
+  std::vector<CurveTrace> traces{stroke};
+  trace::addLostWalls(traces, trace::makePlotArea(plot.view().raster, plot.frame()));
+  CHECK(traces[0].points_px.back().y < plot.at(0.75, 0.97).y);
 }
 
 TEST_CASE("A wall little thicker than the line it stands on is told by every row of it", "[trace]") {
@@ -646,18 +648,6 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     const auto left = [&] { return explain(thin.view(), thin.frame(), {}, {press}, {}).left; };
     CHECK((left().empty() || left().front().likeness < 0.2));
     thin.line(thin.at({{0.75, loop.press.back().y}, {0.75, 0.95}}), 1, kBlue, false, 0.7);
-    REQUIRE_FALSE(left().empty());
-    CHECK(left().front().likeness > 0.9);
-  }
-  SECTION("a wall over most of a gridline, all in one ink") {
-    Plot black(700, 430);
-    black.grid(8, 6, kBlack, 1);
-    const Curve low{{0, 0}, {0.3, 0.3}, {0.75, 0.35}};
-    black.line(black.at(low), 4, kBlack);
-    press.points_px = black.at(low), press.color = kBlack;
-    const auto left = [&] { return explain(black.view(), black.frame(), {}, {press}, {}).left; };
-    CHECK((left().empty() || left().front().likeness < 0.2));
-    black.line(black.at({low.back(), {0.75, 1}}), 4, kBlack);
     REQUIRE_FALSE(left().empty());
     CHECK(left().front().likeness > 0.9);
   }
