@@ -29,6 +29,8 @@ constexpr std::size_t pieceBytes = 62;
 // An exchange takes about a period: two commands may be on their way. After so long without any answer one of them was lost.
 constexpr unsigned mostUnanswered = 2;
 constexpr double lost_s = 0.05;
+// A person takes seconds to move the handle out and in; fewer are broken packets, which carry no checksum.
+constexpr unsigned homingAnswers = 20;
 
 // Motor value of a torque, and the largest one: libnifalcon's figures, never held against a scale.
 constexpr double motorPerNm = 10000, largestMotor = 4096;
@@ -140,8 +142,14 @@ class FalconForceDevice : public ForceDevice {
       return reading;
     }
     homed_ = answer->homed;
-    if (!homed_) return reading;
-    return placed(*answer);
+    if (!homed_) {
+      ++unhomed_;
+      return reading;
+    }
+    if (std::exchange(unhomed_, 0U) >= homingAnswers) zero_ = ForceReading::Zero::found;
+    reading = placed(*answer);
+    reading.zero = std::exchange(zero_, ForceReading::Zero::kept);
+    return reading;
   }
 
   ForceDeviceState state() const override {
@@ -156,7 +164,7 @@ class FalconForceDevice : public ForceDevice {
     usb_ = std::move(started.usb);
     counts_.firmwareTries += started.uploads;
     homed_ = false;
-    unanswered_ = 0;
+    unhomed_ = unanswered_ = 0;
     answers_.forget();
     place_mm_ = {0, 0, falconRest_mm};
   }
@@ -232,6 +240,7 @@ class FalconForceDevice : public ForceDevice {
     Result<Started> started = returning_.get();
     if (!started) return;
     take(std::move(*started));
+    zero_ = ForceReading::Zero::lost;  // until it has been moved out and in, or somebody arms
     ++counts_.reconnects;
   }
 
@@ -241,7 +250,9 @@ class FalconForceDevice : public ForceDevice {
   ForceLinkCounts counts_;
   FalconPlace_mm place_mm_{};
   bool homed_ = false;
-  unsigned unanswered_ = 0;  ///< commands on their way
+  unsigned unhomed_ = 0;                                ///< answers since it knew where it is
+  unsigned unanswered_ = 0;                             ///< commands on their way
+  ForceReading::Zero zero_ = ForceReading::Zero::kept;  ///< what the next reading has to say of it
   double sent_s_ = 0, triedBack_s_ = 0;
   std::atomic<bool> ending_{false};
   std::future<Result<Started>> returning_;  ///< last: it uses the others until it is done

@@ -149,6 +149,29 @@ TEST_CASE("Falcon: until it knows where it is, there are no readings and no forc
   CHECK(rig.motors[0] != 0);
 }
 
+TEST_CASE("Falcon: moved out and in it has found its place; one packet that says otherwise changes nothing") {
+  FalconRig rig;
+  auto device = opened();
+  CHECK(settled(*device).zero == ForceReading::Zero::kept);
+  const auto next = [&] {
+    ForceReading reading;
+    CHECK(within(2, [&] { return (reading = device->exchange({})).fresh; }));
+    return reading.zero;
+  };
+  rig.homed = false;
+  CHECK(within(2, [&] {
+    device->exchange({});
+    return device->state() == ForceDeviceState::homing;
+  }));
+  rig.homed = true;
+  CHECK(next() == ForceReading::Zero::kept);
+  rig.homed = false;
+  for (int i = 0; i < 60; ++i) device->exchange({});
+  rig.homed = true;
+  CHECK(next() == ForceReading::Zero::found);
+  CHECK(next() == ForceReading::Zero::kept);
+}
+
 TEST_CASE("Falcon: no answer, half an answer, nonsense are no readings; two answers are one") {
   FalconRig rig;
   auto settings = settingsWith(anyFalconFirmware());
@@ -184,7 +207,9 @@ TEST_CASE("Falcon: unplugged it is lost, and comes back with its firmware and wi
   CHECK(within(2, [&] { return !device->exchange({}).fresh && device->state() == ForceDeviceState::lost; }));
   rig.powerCycle();
   rig.plugIn();
-  CHECK(within(20, [&] { return device->exchange({}).fresh; }));
+  ForceReading back;
+  CHECK(within(20, [&] { return (back = device->exchange({})).fresh; }));
+  CHECK(back.zero == ForceReading::Zero::lost);
   CHECK(device->counts().reconnects == 1);
   CHECK(device->counts().firmwareTries == 2);
   auto second = openFalcon({.number = 1, .firmware = {}, .period_s = 0.01});
