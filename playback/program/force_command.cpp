@@ -95,7 +95,7 @@ void addOptions(CLI::App& app, ForceArguments& a) {
   app.add_option("--device-profile", a.profileFile,
                  "*.device of `identify-device`: margin, lead and energy rest on what was measured")
       ->group(realDeviceGroup);
-  addRealDeviceOptions(app, a.real, "Largest force in N; 0: the preset's");
+  addRealDeviceOptions(app, a.real, "Largest force in N; without it the preset's");
   app.add_flag("--upload", a.upload, "The microcontroller runs the law from a table, at its own rate")
       ->group(realDeviceGroup);
   const std::string safety =

@@ -34,7 +34,7 @@ void addOptions(CLI::App& app, IdentifyDeviceArguments& a) {
       ->capture_default_str();
   app.add_flag("--fast", a.fast,
                "A simulated device runs as fast as the machine can; the result is the same");
-  addRealDeviceOptions(app, a.real, "Largest force in N; 0: 1 N");
+  addRealDeviceOptions(app, a.real, "Largest force in N; without it 1 N");
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
@@ -47,7 +47,7 @@ Result<DeviceMeasurementSettings> settingsFrom(const IdentifyDeviceArguments& a)
   const double largest_N = settings.run.device.profile.limits.force_N;
   a.real.applyTo(settings.run.device);
   settings.run.device.profile.limits.force_N = largest_N;
-  if (a.real.largest_N != 0) settings.largest_N = a.real.largest_N;
+  if (a.real.largest_N) settings.largest_N = *a.real.largest_N;
   if (a.rate_Hz != 0) settings.run.force.rate_Hz = a.rate_Hz;
   settings.run.paced = !a.fast;
   settings.run.stopKeys = settings.run.stopSignals = true;

@@ -11,14 +11,14 @@ void RealDeviceOptions::applyTo(ForceDeviceChoice& device) const {
   device.axis = axis;
   device.mmPerTurn = mmPerTurn;
   if (step_mm != 0) device.profile.step_mm = step_mm;
-  if (largest_N != 0) device.profile.limits.force_N = largest_N;
+  if (largest_N) device.profile.limits.force_N = *largest_N;
 }
 
 void addForceDeviceOptions(CLI::App& app, RealDeviceOptions& o, const char* largestForce) {
   app.add_option("--step-mm", o.step_mm, "Encoder step at the finger in mm; 0: the preset's")
       ->capture_default_str()
       ->group(realDeviceGroup);
-  app.add_option("--max-N", o.largest_N, largestForce)->capture_default_str()->group(realDeviceGroup);
+  app.add_option("--max-N", o.largest_N, largestForce)->group(realDeviceGroup);
   app.add_option("--firmware", o.firmwareFile,
                  "Of a Falcon that was just switched on: the file its maker ships; Detent may not")
       ->group(realDeviceGroup);

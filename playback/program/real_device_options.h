@@ -2,6 +2,7 @@
 #pragma once
 // Options of force devices that several subcommands share.
 
+#include <optional>
 #include <string>
 
 #include "model/result.h"
@@ -13,8 +14,9 @@ namespace detent::playback {
 inline constexpr const char* forceDeviceWords = "sim[:falcon|:rig]|serial:PORT|odrive:PORT|falcon[:N]";
 
 struct RealDeviceOptions {
-  double step_mm = 0, largest_N = 0;  ///< 0: the preset's
-  unsigned baud = 0, axis = 0;        ///< baud 0: the device's own
+  double step_mm = 0;               ///< 0: the preset's
+  std::optional<double> largest_N;  ///< none: the preset's; 0 is no such word, but a limit that no device has
+  unsigned baud = 0, axis = 0;      ///< baud 0: the device's own
   double mmPerTurn = 60;
   std::string firmwareFile;  ///< of a Falcon
 

@@ -254,7 +254,7 @@ void addRun(CLI::App& parent, Action& chosen) {
          "--force-device", a->forceDevice,
          std::string("The button is felt on a force-feedback device and pressed there: ") + forceDeviceWords)
       ->group(realDeviceGroup);
-  addForceDeviceOptions(*app, a->force, "Its largest force in N; 0: the preset's");
+  addForceDeviceOptions(*app, a->force, "Its largest force in N; without it the preset's");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   a->devices.player.masking.level = usualNoiseLevel;
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
