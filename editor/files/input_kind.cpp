@@ -37,6 +37,14 @@ QByteArray firstLine(const QByteArray& bytes) {
   return line.trimmed();
 }
 
+// JSON that other programs wrote about a graph, as the importer reads it: projects of digitizers, a tester's record, a data package.
+bool isForeignJson(const QByteArray& start) {
+  if (start.contains("\"detent-button\"")) return false;
+  for (const char* key : {"\"axesColl\"", "\"wpd\"", "\"datasetColl\"", "\"down_x\"", "\"resources\""})
+    if (start.contains(key)) return true;
+  return false;
+}
+
 }  // namespace
 
 Result<InputKind> inputKindOf(const QString& path) {
@@ -47,7 +55,6 @@ Result<InputKind> inputKindOf(const QString& path) {
   if (info.isDir())
     return unreadable(path, InputKinds::tr("is a folder"), InputKinds::tr("Choose a file in it"));
   const QString ending = info.suffix().toLower();
-  if (ending == "json") return InputKind::button;
   if (pageEndings().contains(ending)) return InputKind::page;
 
   QFile file(path);
@@ -55,19 +62,22 @@ Result<InputKind> inputKindOf(const QString& path) {
     return unreadable(path, InputKinds::tr("cannot be opened: %1").arg(file.errorString()),
                       InputKinds::tr("Check its permissions"));
   const QByteArray start = file.read(4096);
+  if (ending == "json") return isForeignJson(start) ? InputKind::page : InputKind::button;
   if (firstLine(start) == "stroke,displacement_mm,force_N") return InputKind::curveCsv;
   if (start.trimmed().startsWith('{')) return InputKind::button;
   return InputKind::page;
 }
 
 QStringList importFilters() {
-  return {InputKinds::tr("Datasheets, pictures and force meters' logs") + " (" + pagePatterns() + " *.csv)",
+  return {InputKinds::tr("Datasheets, pictures and force meters' logs") + " (" + pagePatterns() +
+              " *.csv *.ods *.tar *.wpd.json)",
           InputKinds::tr("All files") + " (*)"};
 }
 
 QStringList openFilters() {
-  const QString buttons = "*.button.json *.json", csv = "*.csv";
-  return {InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + pagePatterns() + ")",
+  const QString buttons = "*.button.json *.json", csv = "*.csv", recorded = "*.ods *.tar";
+  return {InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + recorded + " " +
+              pagePatterns() + ")",
           InputKinds::tr("Buttons") + " (" + buttons + ")",
           InputKinds::tr("Datasheets and pictures") + " (" + pagePatterns() + ")",
           InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};

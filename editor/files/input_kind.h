@@ -15,7 +15,7 @@ enum class InputKind {
   page       ///< picture, PDF, SVG or a force meter's log: goes to the import dialogue
 };
 
-/// Decided by the file's ending; a CSV and a file without a known ending by their first bytes. Failure
+/// Decided by the file's ending; JSON, a CSV and a file without a known ending by their first bytes. Failure
 /// unreadableInput where there is no file, or it is a folder.
 Result<InputKind> inputKindOf(const QString& path);
 

@@ -54,6 +54,11 @@ class FilesTest : public QObject {
     QCOMPARE(*inputKindOf(at("curve.csv")), InputKind::curveCsv);
     writeFile(at("without-ending"), "  {\"format\": \"detent-button\"}");
     QCOMPARE(*inputKindOf(at("without-ending")), InputKind::button);
+    // Projects of digitizers are JSON, too, and go to the import; cut off, they say so there.
+    writeFile(at("project.wpd.json"), "{\"version\":[4,2],\"axesColl\":[{\"name\":\"mm");
+    QCOMPARE(*inputKindOf(at("project.wpd.json")), InputKind::page);
+    writeFile(at("other.json"), "{\"format\": \"detent-button\", \"name\": \"\\\"axesColl\\\"\"}");
+    QCOMPARE(*inputKindOf(at("other.json")), InputKind::button);
     QCOMPARE(inputKindOf(at("nothing.json")).failure().code, FailureCode::unreadableInput);
     QCOMPARE(inputKindOf(folder_->path()).failure().code, FailureCode::unreadableInput);
   }

@@ -514,7 +514,8 @@ void ImportDialogTest::theImportsFilterShowsWhatItPromises() {
     ++sheets;
   }
   QVERIFY(sheets >= 10);
-  for (const char* ending : {"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp", "gif", "pdf", "svg", "csv"})
+  for (const char* ending : {"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp", "gif", "pdf", "svg", "csv",
+                             "ods", "tar", "wpd.json"})
     QVERIFY2(isShown(QString("sheet.") + ending), ending);
   QVERIFY(!isShown("B.button.json"));
 }
