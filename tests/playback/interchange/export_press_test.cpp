@@ -82,6 +82,12 @@ TEST_CASE("A press by name is read with its unit, and refused by name") {
     CHECK(refused.failure().sentence().find(wrong) != std::string::npos);
   }
   CHECK_FALSE(namesPress("press.csv"));
+  CHECK(namedPress("", program).failure().sentence().find("no press is named") != std::string::npos);
+  ExportSettings slow;
+  slow.format = ExportFormat::pcm;
+  slow.sampleRate_Hz = 1;
+  CHECK(exportPress(sample("B"), program, *seconds, slow).failure().sentence().find("--rate") !=
+        std::string::npos);
 }
 
 TEST_CASE("A press under which nothing is felt, or that never ends, is refused") {
@@ -91,6 +97,11 @@ TEST_CASE("A press under which nothing is felt, or that never ends, is refused")
   const Result<Exported> nothing = exportPress(button, program, light, {});
   REQUIRE_FALSE(nothing.ok());
   CHECK(nothing.failure().code == FailureCode::wrongUsage);
+  CHECK(nothing.failure().sentence().find("readings") == std::string::npos);
+  const PressTrace backwards{PressTrace::Quantity::force_N, {{1, 0}, {0.5, 1}, {0.2, 2}}};
+  const Result<Exported> leftOut = exportPress(button, program, backwards, {});
+  REQUIRE_FALSE(leftOut.ok());
+  CHECK(leftOut.failure().sentence().find("2 of its 3 readings") != std::string::npos);
   const PressTrace endless{PressTrace::Quantity::force_N, {{0, 0}, {31, 1}}};
   const Result<Exported> refused = exportPress(button, program, endless, {});
   REQUIRE_FALSE(refused.ok());
