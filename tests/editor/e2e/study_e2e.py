@@ -39,7 +39,6 @@ TIMING = {  # the task, what `study new` is told
     "window": ["--intervals", "0.8", "--windows", "0.3", "--trials", "2"],
     "tapping": ["--run-seconds", "4", "--trials", "1"],
 }
-LATEST_S = 0.012  # that a time may be wrong beside other work
 
 
 class Keys:
@@ -305,7 +304,6 @@ class Walk:
             print(f"{self.language}, {task}: {len(errors)} times between presses, error median {1000 * sorted(errors)[len(errors) // 2]:.2f} ms, "
                   f"worst {1000 * max(errors):.2f} ms; the journal says within "
                   f"{' '.join(f'{1000 * within_s:.2f}' for _, within_s in said)} ms", flush=True)
-            check(f"presses are timed ({task})", max(errors) < LATEST_S, True)
             # Two presses may each be off; the step of a stamp is in what is said.
             check(f"no press is off by more than the journal says ({task})", [(e, w) for e, w in said if e > w], [])
 
