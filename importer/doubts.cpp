@@ -545,12 +545,19 @@ class Doubts {
 
   /// The trace that the stroke was taken from; null where that was cut.
   const CurveTrace* traceOf(const StrokePoints& stroke) const {
+    const auto hasEnd = [](const CurveTrace& trace, Point end) {
+      return !trace.points_px.empty() && (trace.points_px.front() == end || trace.points_px.back() == end);
+    };
+    const Point first = stroke.points_px.front(), last = stroke.points_px.back();
+    const auto whole = std::ranges::find_if(findings_.traces, [&](const CurveTrace& trace) {
+      return hasEnd(trace, first) && hasEnd(trace, last);
+    });
+    if (whole != findings_.traces.end()) return &*whole;
     // Its foot may be another curve's, under which its own runs: its upper end says more.
-    for (const Point end : {stroke.points_px.back(), stroke.points_px.front()}) {
-      const auto has = [&](const CurveTrace& trace) {
-        return !trace.points_px.empty() && (trace.points_px.front() == end || trace.points_px.back() == end);
-      };
-      const auto from = std::find_if(findings_.traces.begin(), findings_.traces.end(), has);
+    const bool backwards = first.x > last.x;
+    for (const Point end : {backwards ? first : last, backwards ? last : first}) {
+      const auto from =
+          std::ranges::find_if(findings_.traces, [&](const CurveTrace& trace) { return hasEnd(trace, end); });
       if (from != findings_.traces.end()) return &*from;
     }
     return nullptr;

@@ -62,9 +62,9 @@ Result<InputKind> inputKindOf(const QString& path) {
     return unreadable(path, InputKinds::tr("cannot be opened: %1").arg(file.errorString()),
                       InputKinds::tr("Check its permissions"));
   const QByteArray start = file.read(4096);
-  if (ending == "json") return isForeignJson(start) ? InputKind::page : InputKind::button;
   if (firstLine(start) == "stroke,displacement_mm,force_N") return InputKind::curveCsv;
-  if (start.trimmed().startsWith('{')) return InputKind::button;
+  if (ending == "json" || start.trimmed().startsWith('{'))
+    return isForeignJson(start) ? InputKind::page : InputKind::button;
   return InputKind::page;
 }
 

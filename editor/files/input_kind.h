@@ -12,7 +12,7 @@ namespace detent::editor {
 enum class InputKind {
   button,    ///< *.button.json
   curveCsv,  ///< CSV with the header of our own exports: opens directly
-  page       ///< picture, PDF, SVG or a force meter's log: goes to the import dialogue
+  page  ///< picture, PDF, SVG, a force meter's log, another program's project: goes to the import dialogue
 };
 
 /// Decided by the file's ending; JSON, a CSV and a file without a known ending by their first bytes. Failure

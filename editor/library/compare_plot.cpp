@@ -174,15 +174,18 @@ void ComparePlot::drawDifferences() {
 
 // ---- pictures for others
 
-std::unique_ptr<ComparePlot> ComparePlot::forPicture(int width_px) const {
+std::unique_ptr<ComparePlot> ComparePlot::forPicture(QSize size) const {
   auto plot = std::make_unique<ComparePlot>();
+  plot->resize(size);
+  plot->setViewport({{}, size});
   plot->setFont(font());
   plot->setPalette(QPalette(Qt::black, Qt::white, Qt::white, Qt::darkGray, Qt::gray, Qt::black, Qt::white));
   plot->showDifferences(differences_ != nullptr);
   plot->setGraphs(graphs_, units_);
   plot->xAxis->setRange(xAxis->range());
   plot->yAxis->setRange(yAxis->range());
-  plot->fitNames(width_px);
+  plot->replot();  // the room of its axes is known,
+  plot->replot();  // and their numbers are as many as it has room for
   return plot;
 }
 
@@ -190,7 +193,7 @@ void ComparePlot::renderTo(QPaintDevice& device, QSize size) const {
   QCPPainter painter(&device);
   painter.setMode(QCPPainter::pmVectorized, true);
   painter.setMode(QCPPainter::pmNoCaching, true);
-  forPicture(size.width())->toPainter(&painter, size.width(), size.height());
+  forPicture(size)->toPainter(&painter, size.width(), size.height());
 }
 
 QImage ComparePlot::picture(QSize size_px, double devicePixelRatio) const {
@@ -199,7 +202,7 @@ QImage ComparePlot::picture(QSize size_px, double devicePixelRatio) const {
   image.setDevicePixelRatio(devicePixelRatio);
   QCPPainter painter(&image);
   const QSize size = (QSizeF(size_px) / devicePixelRatio).toSize();
-  forPicture(size.width())->toPainter(&painter, size.width(), size.height());
+  forPicture(size)->toPainter(&painter, size.width(), size.height());
   return image;
 }
 

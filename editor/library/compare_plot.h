@@ -53,7 +53,7 @@ class ComparePlot : public QCustomPlot {
   void dress();
   void drawCurves();
   void drawDifferences();
-  std::unique_ptr<ComparePlot> forPicture(int width_px) const;
+  std::unique_ptr<ComparePlot> forPicture(QSize size) const;
   void fitTicks();
   void fitNames(int width_px);
   void moveCursor(std::optional<double> at_mm);

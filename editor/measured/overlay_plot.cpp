@@ -139,8 +139,9 @@ void OverlayPlot::layOutLegend() {
 }
 
 void OverlayPlot::resizeEvent(QResizeEvent* event) {
-  QCustomPlot::resizeEvent(event);
+  QCustomPlot::resizeEvent(event);  // draws at once, with the legend as it was
   layOutLegend();
+  replot(rpQueuedReplot);
 }
 
 void OverlayPlot::changeEvent(QEvent* event) {

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QScopedValueRollback>
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -104,6 +105,8 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
   for (QLineEdit* field : {noteText_, versionName_}) field->installEventFilter(this);
   connect(&document_, &ButtonDocument::annotationsChanged, this, &AnnotationsPanel::follow);
   connect(&settings_, &ViewSettings::changed, this, &AnnotationsPanel::follow);
+  connect(&document_, &ButtonDocument::changed, this, &AnnotationsPanel::offerOffset);
+  connect(&document_, &ButtonDocument::activeStateChanged, this, &AnnotationsPanel::offerOffset);
   follow();
 }
 
@@ -203,7 +206,10 @@ QWidget* AnnotationsPanel::linksBox() {
   };
   connect(oneEnd_, &QCheckBox::toggled, this, changed);
   connect(releaseFollows_, &QCheckBox::toggled, this, changed);
-  connect(offset_, &QuantityField::valueChanged, this, changed);
+  connect(offset_, &QuantityField::valueChanged, this, [this, changed] {
+    offsetTyped_ = offsetTyped_ || !filling_;
+    changed();
+  });
   connect(unpin_, &QPushButton::clicked, this, [this] {
     EditLinks links = document_.annotations().links;
     links.pinned.clear();
@@ -335,14 +341,22 @@ void AnnotationsPanel::fillVersions() {
   for (QPushButton* button : {goBack_, openVersion_, removeVersion_}) button->setEnabled(false);
 }
 
+// Until a person says another one: what the strokes shown are apart now.
+void AnnotationsPanel::offerOffset() {
+  if (offsetTyped_ || document_.annotations().links.releaseBelowPress_N) return;
+  const QScopedValueRollback filling(filling_, true);
+  const DisplayUnits& units = settings_.units();
+  const double now_N = offsetOf_N(document_.button().states()[document_.activeState()].graph);
+  offset_->setValue(rounded(units.forceFrom(now_N)) / units.forceFrom(1));
+}
+
 void AnnotationsPanel::followLinks() {
   const EditLinks& links = document_.annotations().links;
   oneEnd_->setChecked(links.oneTravelEnd);
   releaseFollows_->setChecked(links.releaseBelowPress_N.has_value());
-  const DisplayUnits& units = settings_.units();
-  offset_->setUnits(units);
-  const double now_N = offsetOf_N(document_.button().states()[document_.activeState()].graph);
-  offset_->setValue(links.releaseBelowPress_N.value_or(rounded(units.forceFrom(now_N)) / units.forceFrom(1)));
+  offset_->setUnits(settings_.units());
+  if (links.releaseBelowPress_N) offset_->setValue(*links.releaseBelowPress_N);
+  offerOffset();
   pins_->setText(links.pinned.empty() ? tr("No point is pinned. P pins the selected one.")
                                       : tr("Pinned points: %1").arg(links.pinned.size()));
   pins_->setWordWrap(true);

@@ -42,6 +42,7 @@ class AnnotationsPanel : public QWidget {
   void fillNotes();
   void fillVersions();
   void followLinks();
+  void offerOffset();
   void addNote();
   void keepVersion();
   void goBack();
@@ -62,6 +63,7 @@ class AnnotationsPanel : public QWidget {
   QuantityField* offset_;
   QLabel* pins_;
   bool filling_ = false;
+  bool offsetTyped_ = false;
 };
 
 }  // namespace detent::editor

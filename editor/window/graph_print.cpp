@@ -73,10 +73,11 @@ QStringList figureLines(const KeyFiguresModel& figures, const DisplayUnits& unit
 }
 
 // The rest of the page below the figures, as far as it goes.
-void printNotes(QPainter& painter, const QRectF& room, const Annotations& annotations,
+void printNotes(QPainter& painter, const QRectF& room, const ButtonDocument& document,
                 const DisplayUnits& units) {
   QStringList lines;
-  for (const Note& note : annotations.notes) {
+  for (const Note& note : document.annotations().notes) {
+    if (note.state >= document.button().states().size()) continue;  // kept, not shown
     const QString at = quantityWithUnit(note.displacement_mm, Quantity::length, units, 4);
     const QString place = note.stroke == Stroke::press ? PageWords::tr("Press at %1: ").arg(at)
                                                        : PageWords::tr("Release at %1: ").arg(at);
@@ -111,8 +112,8 @@ bool printGraph(QPrinter& printer, ButtonDocument& document, ViewSettings& setti
     painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, lines[i]);
   }
   const double below = top + (static_cast<double>(rows) + 0.5) * line;
-  printNotes(painter, QRectF(0, below, page.width(), page.height() - 1.5 * line - below),
-             document.annotations(), settings.units());
+  printNotes(painter, QRectF(0, below, page.width(), page.height() - 1.5 * line - below), document,
+             settings.units());
   const QRectF foot(0, page.height() - line, page.width(), line);
   painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, sourceLine(button));
   painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,

@@ -371,8 +371,8 @@ void orient(CurveTrace& trace) {
   std::ranges::reverse(trace.width_px);
 }
 
-/// A stroke begins at rest, at the foot: where it is not seen there because it lies under another curve, it runs down with that one.
-/// Whether it does.
+/// A stroke begins at rest, at the foot: where it is not seen there because it lies under another curve, it runs down with that one. True where it
+/// does.
 bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   constexpr double touching_px = 3, least = 0.05, most = 0.05;  // the last two of its height, of its width
   if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return false;
@@ -440,11 +440,12 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   std::vector<EvidenceItem> assumed;
   if (!hints.curve.empty() && !isNamed(switches, *chosen, traces, hints.curve))
     assumed.push_back({EvidenceCode::nameNearly, {hints.curve, switches[*chosen].name}});
+  bool led = false;
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       for (CurveTrace& stroke : strokes)
-        if (&other != &switches[*chosen] && leadDownUnder(stroke, traces[t]))
-          assumed.push_back({EvidenceCode::footUnderAnother});
+        if (&other != &switches[*chosen]) led = leadDownUnder(stroke, traces[t]) || led;
+  if (led) assumed.push_back({EvidenceCode::footUnderAnother});
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();

@@ -78,11 +78,14 @@ bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& pl
 }
 
 /// Whether a line that covers less of the plot than strokes do ends where the press does, as the way back of a key that latches. Leaders
-/// are drawn with two or three points.
-bool leadsBackFrom(const FoundStroke& press, const FoundStroke& other) {
+/// are straight, or drawn with two or three points.
+bool leadsBackFrom(const FoundStroke& press, const FoundStroke& other, const PlotPlane& plane) {
   constexpr double together = 0.02;  // of the plot's width
   constexpr std::size_t measuredPoints = 8;
-  return std::abs(press.to - other.to) <= together && other.points.size() >= measuredPoints;
+  constexpr double straightChord = 0.9995;  // of the length
+  return std::abs(press.to - other.to) <= together && other.points.size() >= measuredPoints &&
+         distance(other.points.front(), other.points.back()) <= straightChord * lengthOf(other.points) &&
+         !areUnpaired(press, other, plane);
 }
 
 struct StrokesOfInk {
@@ -228,7 +231,7 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
   }
   if (strokes.size() == 1) {
     std::erase_if(shortOnes, [&](const StyledStroke& each) {
-      return !leadsBackFrom(strokes.front().stroke, each.stroke);
+      return !leadsBackFrom(strokes.front().stroke, each.stroke, plane);
     });
     std::ranges::move(shortOnes, std::back_inserter(strokes));
   }

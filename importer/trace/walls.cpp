@@ -26,7 +26,7 @@ constexpr double kBareBelow = 0.1;     // of the frame's height: so far without 
 constexpr double kPlumb_px = 1.5;      // within which the points of a plumb rise stand
 constexpr double kLeastHeight = 0.05;  // of the frame's height
 constexpr std::size_t kLeastRows = 6;  // that tell how thick a line is
-constexpr double kProbed_px = 14;      // as many rows, and a level line's
+constexpr double kProbed_px = 14;      // rows looked at: a level line may take 7 of them
 constexpr double kHook = 4;            // widths of the line beside a wall in which a crest is the corner's
 constexpr double kHook_px = 4;         // and pixels over which a path bends at a corner
 constexpr double kTopReached_px = 3;   // a wall that ends so near to the frame's edge runs into it
@@ -106,7 +106,8 @@ std::optional<Wall> wallAt(const Curve& curve, Ends ends, const CurveInkOnArea& 
   const double least_px = std::max(kLeastHeight * height, 3 * w);
   if (ends.uppermost - area.frame.y0 < least_px) return {};
   // The corner may have been cut short: the lane stands within a line's width of the end.
-  const double probe = ends.uppermost - margin, probed = std::max(kLeastHeight * height, kProbed_px);
+  const double probe = ends.uppermost - margin, room = probe - area.frame.y0;
+  const double probed = std::max(kLeastHeight * height, std::min(kProbed_px, room));
   const auto probedAt = [&](double at) {
     return Thickness::between({ink, area, at}, probe - probed, probe).value_or(Thickness{});
   };

@@ -29,8 +29,8 @@ constexpr std::size_t pieceBytes = 62;
 // An exchange takes about a period: two commands may be on their way. After so long without any answer one of them was lost.
 constexpr unsigned mostUnanswered = 2;
 constexpr double lost_s = 0.05;
-// A person takes seconds to move the handle out and in; fewer are broken packets, which carry no checksum.
-constexpr unsigned homingAnswers = 20;
+// A person takes seconds to move the handle out and in; less is broken packets, which carry no checksum.
+constexpr double homing_s = 0.5;
 
 // Motor value of a torque, and the largest one: libnifalcon's figures, never held against a scale.
 constexpr double motorPerNm = 10000, largestMotor = 4096;
@@ -143,10 +143,11 @@ class FalconForceDevice : public ForceDevice {
     }
     homed_ = answer->homed;
     if (!homed_) {
-      ++unhomed_;
+      if (!unhomedSince_s_) unhomedSince_s_ = now_s();
       return reading;
     }
-    if (std::exchange(unhomed_, 0U) >= homingAnswers) zero_ = ForceReading::Zero::found;
+    const std::optional<double> since_s = std::exchange(unhomedSince_s_, std::nullopt);
+    if (since_s && now_s() - *since_s >= homing_s) zero_ = ForceReading::Zero::found;
     reading = placed(*answer);
     reading.zero = std::exchange(zero_, ForceReading::Zero::kept);
     return reading;
@@ -164,7 +165,8 @@ class FalconForceDevice : public ForceDevice {
     usb_ = std::move(started.usb);
     counts_.firmwareTries += started.uploads;
     homed_ = false;
-    unhomed_ = unanswered_ = 0;
+    unhomedSince_s_.reset();
+    unanswered_ = 0;
     answers_.forget();
     place_mm_ = {0, 0, falconRest_mm};
   }
@@ -250,7 +252,7 @@ class FalconForceDevice : public ForceDevice {
   ForceLinkCounts counts_;
   FalconPlace_mm place_mm_{};
   bool homed_ = false;
-  unsigned unhomed_ = 0;                                ///< answers since it knew where it is
+  std::optional<double> unhomedSince_s_;                ///< the first of the answers that say so
   unsigned unanswered_ = 0;                             ///< commands on their way
   ForceReading::Zero zero_ = ForceReading::Zero::kept;  ///< what the next reading has to say of it
   double sent_s_ = 0, triedBack_s_ = 0;

@@ -26,6 +26,7 @@ constexpr int protocol = 2;  // with limits of the device's own
 constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
 constexpr double tableSilence =
     0.8;  // of what the device waits: our answers and its clock are not quite one time
+constexpr std::int32_t questionsForALine = 8;        // then it is sent again, answered or not
 constexpr int stoppedState = 1, unlimitedState = 2;  // of an answer
 
 /// Fields between commas; more than there is room for are no line of the protocol.
@@ -249,13 +250,22 @@ void SerialForceDevice::setProgram(const ForceProgram& program) {
 void SerialForceDevice::beginTable() {
   toldLines_ = 0;
   lineSince_ = sequence_ + 1;
+  lineSent_ = sequence_;
 }
 
-// No force before the first line of another table: a firmware might go on with what it gave. A line is sent with each question until it
-// is acknowledged; all lines may be heard twice.
+// A line is sent once, and again where the question it came with was answered without taking it: sent with each question it would come to more
+// than a serial port of 230,400 baud carries, whose queue then grows until nothing gets through.
+bool SerialForceDevice::lineIsDue() const {
+  const auto sent = static_cast<std::int32_t>(lineSent_ - lineSince_);
+  return sent < 0 || static_cast<std::int32_t>(heard_ - lineSent_) >= 0 ||
+         static_cast<std::int32_t>(sequence_ - lineSent_) >= questionsForALine;
+}
+
+// No force before the first line of another table: a firmware might go on with what it gave. All lines may be heard twice.
 void SerialForceDevice::sendTableLine() {
   if (toldLines_ == 0) send("X");
   send(table_[toldLines_]);
+  lineSent_ = sequence_;
 }
 
 // Answers come in the order of what they answer: an acknowledgement belongs to the question whose answer follows it.
@@ -264,7 +274,9 @@ void SerialForceDevice::noteAnswer(std::uint32_t sequence, long long time_us) {
   if (std::exchange(lineTaken_, false) && ofThisLine && toldLines_ < table_.size()) {
     ++toldLines_;
     lineSince_ = sequence_ + 1;
+    lineSent_ = sequence_;
   }
+  heard_ = sequence;
   const long long before_us = std::exchange(heardTime_us_, time_us);
   if (before_us < 0 || !ownLaw_ || toldLines_ < table_.size()) return;
   // A table ends where the device hears nothing for longer than it waits. Its clock may wrap.
@@ -299,7 +311,7 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
   std::array<char, 64> body{};
   int length = 0;
   if (ownLaw_) {
-    if (toldLines_ < table_.size()) sendTableLine();
+    if (toldLines_ < table_.size() && lineIsDue()) sendTableLine();
     length = std::snprintf(body.data(), body.size(), "H,%u", sequence_);
   } else {
     const double force_N = command.halted || !limitHeld_ ? 0 : command.force_N;

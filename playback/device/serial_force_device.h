@@ -57,6 +57,7 @@ class SerialForceDevice : public ForceDevice {
   void send(std::string_view body);
   void sendOrders(const ForceCommand& command);
   void beginTable();
+  bool lineIsDue() const;
   void sendTableLine();
   void noteAnswer(std::uint32_t sequence, long long time_us);
   void loseLaw();
@@ -75,7 +76,9 @@ class SerialForceDevice : public ForceDevice {
   bool ownLaw_ = false;             ///< the device runs the table, or is being given it
   std::vector<std::string> table_;  ///< its lines, without checksum
   std::size_t toldLines_ = 0;       ///< of them, those the device has acknowledged
-  std::uint32_t lineSince_ = 0;     ///< the question with which the next one was sent first
+  std::uint32_t lineSince_ = 0;     ///< the first question with which the next one may be sent
+  std::uint32_t lineSent_ = 0;      ///< the last one with which a line was sent
+  std::uint32_t heard_ = 0;         ///< the last one that was answered
   bool lineTaken_ = false;          ///< an acknowledgement came since the last answer
   bool toldStop_ = false, arming_ = false, zeroLost_ = false;
   std::uint32_t sequence_ = 0;

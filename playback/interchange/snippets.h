@@ -39,8 +39,8 @@ struct SnippetRow {
   bool cut = false;               ///< the memory was full before the end
 };
 
-/// One row per course: of all that the memory holds together, the one with the least squared error. Every onset that is held begins
-/// a point. Where not even the coarsest holds all, each course gets the share that the others leave, half at least, and is cut.
+/// One row per course, by one price a byte for both: the lowest found at which they fit the memory together, which comes near the least squared error.
+/// Every onset that is held begins a point. Where not even the dearest fits, each course gets the share that the others leave, half at least, and is cut.
 std::array<SnippetRow, 2> snippetsOf(const std::array<LevelCourse, 2>& courses);
 
 /// The memory: row 0 is sequence 0. Of rows that snippetsOf gave.

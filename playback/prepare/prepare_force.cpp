@@ -8,6 +8,7 @@
 #include <string>
 
 #include "model/damping.h"
+#include "model/number_table.h"
 #include "model/sections.h"
 #include "model/speed_family.h"
 #include "playback/prepare/damping.h"
@@ -34,12 +35,6 @@ Failure outOfRange(const std::string& value, const std::string& problem, const s
   return {FailureCode::wrongUsage, value, "", problem, remedy};
 }
 
-std::string numberText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
-
 Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
   const struct {
     const char* name;
@@ -57,8 +52,8 @@ Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
                {"speed limit in mm/s", d.limits.speed_mm_per_s, 1, 1e5}};
   for (const auto& rule : rules) {
     if (rule.value >= rule.least && rule.value <= rule.most) continue;
-    return outOfRange(rule.name, "is " + numberText(rule.value),
-                      "Give one from " + numberText(rule.least) + " to " + numberText(rule.most));
+    return outOfRange(rule.name, "is " + shortestText(rule.value),
+                      "Give one from " + shortestText(rule.least) + " to " + shortestText(rule.most));
   }
   return Done{};
 }
@@ -514,14 +509,14 @@ Result<Done> checkTravel(const ButtonState& state, const ForceDeviceProfile& dev
   const double travel_mm = state.graph.travel_mm(), end_mm = state.graph.press().end_mm(),
                reach_mm = device.limits.highest_mm;
   if (!(travel_mm >= shortestTravel_mm && travel_mm <= longestTravel_mm)) {
-    return outOfRange(subject, "is " + numberText(travel_mm) + " mm",
+    return outOfRange(subject, "is " + shortestText(travel_mm) + " mm",
                       "A force device can render 0.1 to 100 mm; " + remedy);
   }
   if (end_mm > reach_mm) {
-    return outOfRange(
-        subject,
-        "ends at " + numberText(end_mm) + " mm; " + device.name + " reaches " + numberText(reach_mm) + " mm",
-        "Choose a device that reaches farther, or " + remedy);
+    return outOfRange(subject,
+                      "ends at " + shortestText(end_mm) + " mm; " + device.name + " reaches " +
+                          shortestText(reach_mm) + " mm",
+                      "Choose a device that reaches farther, or " + remedy);
   }
   return Done{};
 }

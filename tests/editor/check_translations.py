@@ -74,9 +74,9 @@ def check(file, root, lupdate, lag):
     return faults + (missing if len(missing) > lag * len(messages) else []), marked
 
 
-def literal(pattern):
-    """A regular expression for a literal that may go on over several lines; the group has it as it stands."""
-    return r'((?:\s*"(?:[^"\\]|\\.)*")+)' if pattern is None else pattern
+# A literal that may go on over several lines; the group has it as it stands.
+LITERAL = r'((?:\s*"(?:[^"\\]|\\.)*")+)'
+REST_OF_STATEMENT = re.compile(r'(?:"(?:[^"\\]|\\.)*"|[^;"])*')
 
 
 def words_of(literals):
@@ -94,19 +94,19 @@ def sources_said_to_people(root):
 
 def unmarked(root, known):
     """Words that a person reads but lupdate does not find: what is not said as Message("..."). `known`: what lupdate finds."""
-    said_as_message = r'Message\(' + literal(None)
+    said_as_message = r'Message\(' + LITERAL
     for place, text in sources_said_to_people(root):
         for call in re.finditer(r"\bFailureCode::\w+,|\b(?:unreadable|refused|refusal|noCurve|without|broken|noGraph|refuse)\(", text):
-            said = re.sub(said_as_message, "", text[call.end():text.index(";", call.end())])
-            said = re.sub(r"RemedyKind::(?!advice)\w+," + literal(None), "", said)
-            for match in re.finditer(literal(None), said):
+            said = re.sub(said_as_message, "", REST_OF_STATEMENT.match(text, call.end()).group())
+            said = re.sub(r"RemedyKind::(?!advice)\w+," + LITERAL, "", said)
+            for match in re.finditer(LITERAL, said):
                 words = words_of(match.group(1))
                 if re.match(r"[A-Za-z][^ ]* .*[a-z]", words) and words not in known:
                     yield f"{place}: \"{words}\" is said to people, but not as Message(\"...\")"
         for code in re.finditer(r"\bFailureCode::\w+,\s*\"([A-Za-z ]+)\"\s*[,}]", text):
             if code.group(1) not in known:
                 yield f"{place}: \"{code.group(1)}\" is what a failure is about, but is not among the translated parts"
-        for either in re.finditer(r"\?" + literal(None) + r"\s*:" + literal(None), text):
+        for either in re.finditer(r"\?" + LITERAL + r"\s*:" + LITERAL, text):
             if any(len(words_of(part).split()) > 2 and words_of(part) in known for part in either.groups()):
                 yield f"{place}: one of two literals ({words_of(either.group(1))}) is no literal any more: Message(\"...\") around each"
 

@@ -78,7 +78,7 @@ struct Answer {
   std::optional<double> rating;  ///< of a scale: 1..7, or a number above 0
   std::vector<double>
       presses_s{};  ///< timing: behind the cue, the window's beginning, or the run's first press; rising
-  double pressWithin_s = 0;  ///< timing: how far apart the looks were that the times rest on, the worst
+  double pressWithin_s = 0;          ///< timing: how late a press may have been told, the worst
   std::vector<std::size_t> replays;  ///< of each choice
   std::size_t replaysX = 0;
   std::vector<Felt> felt;   ///< of each choice

@@ -209,7 +209,10 @@ std::vector<KindColumn> kindColumns(StudyKind kind) {
              "press behind the cue or the window's beginning, negative before it; tapping: behind the press "
              "before",
              &TrialRow::press_s},
-            {"press_within_s", "how far apart the looks were that the times rest on, the worst of the trial",
+            {"press_within_s",
+             "how late a press may have been told, estimated, the worst of the trial; a sensor: how far "
+             "apart its "
+             "readings were",
              &TrialRow::pressWithin_s}};
   return {};
 }

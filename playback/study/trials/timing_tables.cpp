@@ -237,7 +237,7 @@ FigureTable peopleTable(TimingTask task, const std::vector<Cell>& cells,
     table.columns.push_back({"outside_percent", "outside, %", 1, "of the trials, the window was not hit"});
   if (!file)
     table.columns.push_back(
-        {"within_ms", "within, ms", 1, "median over trials of how far apart the looks at the input were"});
+        {"within_ms", "within, ms", 1, "median over trials of how late a press may have been told"});
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (const FittedPerson& p : fits[i]) {
       std::vector<FigureCell> row{p.participant};

@@ -191,15 +191,19 @@ class MeasuredTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(&plot));
     plot.show({{"a switch with a long name", &a.shape}, {"another of the same maker", &b.shape}}, a.shape,
               {});
+    QTRY_COMPARE(plot.legend->columnCount(), 2);
     plot.resize(width_px, 400);
-    plot.replot();
     QCOMPARE(plot.legend->itemCount(), 4);  // the band, the one asked for, two switches
-    QTEST(plot.legend->columnCount(), "columns");
-    for (int i = 0; i < plot.legend->itemCount(); ++i) {
-      const QCPAbstractLegendItem* item = plot.legend->item(i);
-      QVERIFY2(item->outerRect().width() >= item->minimumOuterSizeHint().width(),
-               qPrintable(QString::number(i)));
-    }
+    QFETCH(int, columns);
+    QTRY_COMPARE(plot.legend->columnCount(), columns);
+    const auto narrowest_px = [&] {
+      int room_px = plot.width();
+      for (int i = 0; i < plot.legend->itemCount(); ++i)
+        if (const QCPAbstractLegendItem* item = plot.legend->item(i))
+          room_px = std::min(room_px, item->outerRect().width() - item->minimumOuterSizeHint().width());
+      return room_px;
+    };
+    QTRY_VERIFY(narrowest_px() >= 0);
   }
 
   void theMapIsDrawnOnceForAllThatChangedAndAnswersBefore() {

@@ -177,7 +177,8 @@ void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
   WorkspaceRig rig(require(tactileButton()));
   rig.settings.setUnits({LengthUnit::millimetre, ForceUnit::gramForce});
   const AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
-  const double offered_N = panel.findChild<QuantityField*>("linkOffset")->value();
+  auto* const offset = panel.findChild<QuantityField*>("linkOffset");
+  const double offered_N = offset->value();
   const StrokeCurve& release = *rig.document.graph().release();
   double sum_N = 0;
   constexpr int samples = 1000;
@@ -188,6 +189,15 @@ void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
   QVERIFY2(std::abs(offered_N / (sum_N / samples) - 1) < 0.1, qPrintable(QString::number(offered_N)));
   const double offered_gf = offered_N / 0.00980665, step = offered_gf < 10 ? 0.1 : 1;
   QVERIFY(std::abs(offered_gf / step - std::round(offered_gf / step)) < 1e-6);
+
+  rig.canvas().setSelected(tactile);
+  for (int i = 0; i < 40; ++i) rig.key(Qt::Key_Up);
+  QVERIFY(offset->value() > offered_N);  // of the strokes as they are now
+  offset->setValue(0.2);
+  Annotations noted = rig.document.annotations();
+  noted.notes.push_back({0, Stroke::press, 0.5, "soft"});
+  rig.document.setAnnotations(noted);
+  QCOMPARE(offset->value(), 0.2);  // what was typed stays
 }
 
 // Undo in a field that holds nothing to take back is meant for the button.

@@ -2,6 +2,7 @@
 // Serial force devices over pseudo terminals: the sample firmware on a simulated board, an ODrive, and what goes wrong.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -308,6 +309,28 @@ TEST_CASE("serial force device: another button takes the table's place, without 
     board.exchanges(30);
     CHECK(board.force_N() == Approx(pressAt2_N(other)).margin(0.01));
   }
+}
+
+TEST_CASE("serial force device: a row that may be on its way is not sent with every question") {
+  std::atomic<bool> deaf{false};
+  std::atomic<int> rows{0};
+  FakeDevice fake([&](const std::string& line) {
+    rows += bodyOf(line).starts_with("R,") ? 1 : 0;
+    return deaf ? std::string() : goodBoard(line, 0);
+  });
+  auto device = opened(fake);
+  REQUIRE(takesTable(*device, benchProgram(test::linearButton())));
+  device->setProgram(benchProgram(test::tactileButton()));
+  for (int i = 0; i < 10; ++i) answered(*device);
+  const int before = rows;
+  CHECK(before > 256 + 5);  // the first table's, and one with each answer
+  deaf = true;
+  for (int i = 0; i < 7; ++i) device->exchange({});
+  CHECK(rows <= before + 1);
+  for (int i = 0; i < 20; ++i) device->exchange({});
+  for (int i = 0; i < 200 && rows < before + 2; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  CHECK(rows >= before + 2);  // lost, for all that is known
 }
 
 TEST_CASE("sample firmware: a table that begins ends the force of the one before") {

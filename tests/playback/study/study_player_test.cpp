@@ -42,12 +42,16 @@ TEST_CASE("a force device is in no study of what only a vibration has, and none 
   clicks.modes = {FeedbackMode::full, FeedbackMode::clickOnly};
   const StudyFolder modes(clicks, {"A", "B"});
   StudyPlayerSettings settings = onForceDevice();
-  CHECK_FALSE(StudyPlayer::start(*modes.study, settings));
+  const auto ofModes = StudyPlayer::start(*modes.study, settings);
+  REQUIRE_FALSE(ofModes);
+  CHECK(ofModes.failure().code == FailureCode::wrongUsage);
   StudyDesign events;
   events.kind = StudyKind::threshold;
   events.quantity = LevelQuantity::eventSize;
   const StudyFolder strength(events, {"B"});
-  CHECK_FALSE(StudyPlayer::start(*strength.study, settings));
+  const auto ofStrength = StudyPlayer::start(*strength.study, settings);
+  REQUIRE_FALSE(ofStrength);
+  CHECK(ofStrength.failure().code == FailureCode::wrongUsage);
   const StudyFolder plain({}, {"A", "B"});
   settings.sensorPort = "/dev/null";
   const auto both = StudyPlayer::start(*plain.study, settings);
