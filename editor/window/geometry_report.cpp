@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -72,11 +73,13 @@ QJsonArray cellsJson(const QTableView& table) {
     for (int column = 0; column < model->columnCount(); ++column) {
       const QModelIndex index = model->index(row, column);
       const QRect rect = table.visualRect(index).intersected(table.viewport()->rect());
-      if (!rect.isEmpty())
-        all.append(QJsonObject{{"row", row},
-                               {"column", column},
-                               {"text", index.data().toString()},
-                               {"rect", rectJson(onScreen(*table.viewport(), rect))}});
+      if (rect.isEmpty()) continue;
+      QJsonObject cell{{"row", row},
+                       {"column", column},
+                       {"text", index.data().toString()},
+                       {"rect", rectJson(onScreen(*table.viewport(), rect))}};
+      if (!table.verticalHeader()->isHidden()) cell["name"] = model->headerData(row, Qt::Vertical).toString();
+      all.append(cell);
     }
   return all;
 }

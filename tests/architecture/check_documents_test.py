@@ -73,7 +73,8 @@ class PlantedName(unittest.TestCase):
         root = Path(__file__).resolve().parents[2]
         foreign = check_documents.foreign_names(Path(__file__).with_name("foreign_names.txt"))
         asked = " ".join(what for _, _, what in check_documents.findings(root, set()))
-        self.assertEqual({name for name in foreign if f"`{name}`" not in asked}, set())
+        # What a command of the README leaves behind may be there, and is asked for on a clean checkout only.
+        self.assertEqual({name for name in foreign if f"`{name}`" not in asked and not (root / name).exists()}, set())
 
 
 if __name__ == "__main__":

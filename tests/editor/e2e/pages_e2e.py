@@ -226,7 +226,7 @@ class Walk:
     def columns_of(table, count):
         rows = {}
         for cell in table["cells"] if table else []:
-            rows.setdefault(cell["row"], []).append(cell["text"])
+            rows.setdefault(cell["row"], [cell["name"]] if "name" in cell else []).append(cell["text"])
         return list(rows.values()) if rows and len(rows[0]) >= count else None
 
     def reading(self):

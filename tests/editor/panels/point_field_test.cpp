@@ -193,11 +193,17 @@ void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
   rig.canvas().setSelected(tactile);
   for (int i = 0; i < 40; ++i) rig.key(Qt::Key_Up);
   QVERIFY(offset->value() > offered_N);  // of the strokes as they are now
-  offset->setValue(0.2);
+  type(offset, "20 gf");
+  QTest::keyClick(offset, Qt::Key_Return);
+  const double typed_N = 20 * 0.00980665;
+  QCOMPARE(offset->value(), typed_N);
   Annotations noted = rig.document.annotations();
   noted.notes.push_back({0, Stroke::press, 0.5, "soft"});
   rig.document.setAnnotations(noted);
-  QCOMPARE(offset->value(), 0.2);  // what was typed stays
+  QCOMPARE(offset->value(), typed_N);  // what was typed stays
+  rig.canvas().setSelected(tactile);
+  rig.key(Qt::Key_Up);
+  QCOMPARE(offset->value(), typed_N);
 }
 
 // Undo in a field that holds nothing to take back is meant for the button.

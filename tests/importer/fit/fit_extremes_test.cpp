@@ -140,8 +140,8 @@ TEST_CASE("what cannot be fitted is refused with a sentence") {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinite = std::numeric_limits<double>::infinity();
-  CHECK(refused({}).find("0 point") != std::string::npos);
-  CHECK(refused({{1, 1}}).find("1 point") != std::string::npos);
+  CHECK(refused({}).find("no point") != std::string::npos);
+  CHECK(refused({{1, 1}}).find("one point") != std::string::npos);
   CHECK(refused({{1, 1}, {1, 2}, {1, 3}}).find("no travel") != std::string::npos);
   CHECK(refused({{0, 1}, {1, nan}, {2, 1}}).find("point 2") != std::string::npos);
   CHECK(refused({{0, 1}, {infinite, 1}}).find("point 2") != std::string::npos);

@@ -47,7 +47,8 @@ TEST_CASE("trace: header, quantities, comments and faults") {
   CHECK(t->readings.size() == 3);
   CHECK(t->quantity == PressTrace::Quantity::force_N);
   REQUIRE(parsePressTrace("time_s,displacement_mm\n0,0\n", "x"));
-  for (const char* bad : {"", "0,0\n", "time_s,force_N\n", "time_s,force_N\n1;2\n", "time_s,force_N\nnan,1\n",
+  CHECK(parsePressTrace("", "bad.csv").failure().sentence().find("is empty") != std::string::npos);
+  for (const char* bad : {"0,0\n", "time_s,force_N\n", "time_s,force_N\n1;2\n", "time_s,force_N\nnan,1\n",
                           "time_s,force_N\n1,abc\n", "time_s,newton\n0,0\n"}) {
     const Result<PressTrace> refused = parsePressTrace(bad, "bad.csv");
     REQUIRE_FALSE(refused);
