@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/study/study_words.h"
 
+#include <algorithm>
+#include <iterator>
 #include <QCoreApplication>
 
 #include "editor/document/message_words.h"
@@ -9,25 +11,44 @@ namespace detent::editor {
 
 namespace {
 
+/// The field that asks for the same as an option of the program: its label, and the class whose text it is.
+struct Field {
+  const char* option;
+  const char* context;
+  const char* label;
+};
+
+constexpr Field fields[] = {
+    {"study", "detent::editor::StudyDesk", QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "Study")},
+    {"--participant", "detent::editor::StudyDesk",
+     QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "Next &participant:")},
+    {"--condition", "detent::editor::StudyDesk",
+     QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "&Listening:")},
+    {"--simulate", "detent::editor::StudyDesk",
+     QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "&Answers by:")},
+    {"--quantity", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Mo&re of:")},
+    {"--intervals", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Inter&vals, s:")},
+    {"--windows", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "&Windows, s:")},
+    {"--run-seconds", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Seconds a r&un:")},
+    {"--trials", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "&Questions each:")},
+    {"--practice", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "&Practice:")},
+    {"--modes", "detent::editor::StudyMaker", QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Feedback:")},
+    {"--consent", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "C&onsent texts:")},
+};
+
+/// As the field is called; what no field asks for, as it was.
 QString fieldOf(const QString& option) {
-  if (option == "study") return QCoreApplication::translate("detent::editor::StudyDesk", "Study");
-  if (option == "--quantity") return QCoreApplication::translate("detent::editor::StudyMaker", "Mo&re of:");
-  if (option == "--intervals")
-    return QCoreApplication::translate("detent::editor::StudyMaker", "Inter&vals, s:");
-  if (option == "--windows") return QCoreApplication::translate("detent::editor::StudyMaker", "&Windows, s:");
-  if (option == "--run-seconds")
-    return QCoreApplication::translate("detent::editor::StudyMaker", "Seconds a r&un:");
-  if (option == "--trials")
-    return QCoreApplication::translate("detent::editor::StudyMaker", "&Questions each:");
-  if (option == "--practice") return QCoreApplication::translate("detent::editor::StudyMaker", "&Practice:");
-  if (option == "--modes") return QCoreApplication::translate("detent::editor::StudyMaker", "Feedback:");
-  if (option == "--consent")
-    return QCoreApplication::translate("detent::editor::StudyMaker", "C&onsent texts:");
-  if (option == "--participant")
-    return QCoreApplication::translate("detent::editor::StudyDesk", "Next &participant:");
-  if (option == "--condition") return QCoreApplication::translate("detent::editor::StudyDesk", "&Listening:");
-  if (option == "--simulate") return QCoreApplication::translate("detent::editor::StudyDesk", "&Answers by:");
-  return option;
+  const auto* const field =
+      std::ranges::find_if(fields, [&](const Field& each) { return option == QLatin1String(each.option); });
+  return field == std::ranges::end(fields) ? option
+                                           : QCoreApplication::translate(field->context, field->label);
 }
 
 }  // namespace

@@ -35,8 +35,7 @@ std::optional<double> ageOf(quint64 stamp_ms) {
 std::string TimedTrials::pressRoute() {
   return "key or pad: by the window system's own stamp, to 2 ms and as late as this machine wakes a program; "
          "without a stamp: when the window got it (press_within_s tells how late both may be); the "
-         "keyboard's "
-         "scan and the screen are not known";
+         "keyboard's scan and the screen are not known";
 }
 
 TimedTrials::TimedTrials(const playback::Study& study, playback::StudyPlayer& player, TimingPage* page,
