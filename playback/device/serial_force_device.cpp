@@ -242,9 +242,14 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
 }
 
 void SerialForceDevice::setProgram(const ForceProgram& program) {
-  if (!ownLaw_) return;
+  if (table_.empty()) return;
   table_ = forceTableLines(program, info_.tableRows);
-  beginTable();
+  if (ownLaw_) beginTable();
+}
+
+void SerialForceDevice::rearm() {
+  arming_ = true;
+  tableDue_ = !table_.empty() && !ownLaw_;
 }
 
 void SerialForceDevice::beginTable() {
@@ -307,6 +312,7 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
   } else if (toldStop_ || arming_) {
     send("U");
     toldStop_ = arming_ = false;
+    armedSince_ = sequence_;
   }
   std::array<char, 64> body{};
   int length = 0;
@@ -314,7 +320,8 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
     if (toldLines_ < table_.size() && lineIsDue()) sendTableLine();
     length = std::snprintf(body.data(), body.size(), "H,%u", sequence_);
   } else {
-    const double force_N = command.halted || !limitHeld_ ? 0 : command.force_N;
+    // The law of an uploaded table is the device's: until a person arms there is none.
+    const double force_N = command.halted || !limitHeld_ || !table_.empty() ? 0 : command.force_N;
     length = std::snprintf(body.data(), body.size(), "F,%u,%lld", sequence_, whole(force_N / micro));
   }
   send({body.data(), static_cast<std::size_t>(length)});
@@ -349,14 +356,15 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
     return Answer::none;
   }
   noteAnswer(sequence, time_us);
-  // Of an earlier period, or twice; or a device whose clock stands still measures nothing anew.
-  if (sequence != sequence_ || time_us == lastTime_us_) return Answer::old;
+  // Of an earlier period, which counts only where nothing waits for it; or twice; or a device whose clock stands still measures nothing anew.
+  if ((sequence != sequence_ && table_.empty()) || time_us == lastTime_us_) return Answer::old;
   lastTime_us_ = time_us;
   if (state == unlimitedState && limitHeld_) {  // it was reset meanwhile
     limitHeld_ = false;
     loseLaw();
   }
-  reading.stopped = state == stoppedState && !toldStop_;
+  reading.stopped =
+      state == stoppedState && !toldStop_ && static_cast<std::int32_t>(sequence - armedSince_) >= 0;
   reading.position_mm = last_mm_ = static_cast<double>(position_nm) / nmPerMm;
   reading.fresh = true;
   if (std::exchange(zeroLost_, false)) reading.zero = ForceReading::Zero::lost;
@@ -399,17 +407,23 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
     isBack();
     return reading;
   }
+  if (tableDue_ && limitHeld_) {
+    tableDue_ = false;
+    ownLaw_ = true;
+    beginTable();
+  }
   ++sequence_;
   sendOrders(command);
   for (const double deadline_s = now_s() + wait_s_;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) {
-      ++counts_.late;
+      counts_.late += reading.fresh ? 0 : 1;
       return reading;
     }
     switch (take(*line, reading)) {
       case Answer::reading:
-        return reading;
+        if (heard_ == sequence_) return reading;
+        break;
       case Answer::old:
         ++counts_.repeated;
         break;

@@ -34,16 +34,16 @@ class SerialForceDevice : public ForceDevice {
   /// Sends a law that the device then runs at its own rate; `exchange` only listens from then on, and its force is ignored.
   /// Failure where the table does not fit (`refusedAsTable`; the device says how many rows it takes), has no limit or one above that
   /// of `open`, or a row is not acknowledged. A device that heard nothing for longer than it waits has ended the table by itself:
-  /// `exchange` then sends it again.
+  /// `exchange` then sends it again; one that was reset or away is given it when a person arms. Readings are then the newest there are,
+  /// however late they come.
   Result<Done> upload(const ForceProgram& program);
-  /// Where a law has been uploaded: this one takes its place, a line with each exchange. A device that refuses it has lost its place; then
-  /// the host runs the law.
+  /// Where a law has been uploaded: this one takes its place, a line with each exchange. A device that refuses it has lost its place.
   void setProgram(const ForceProgram& program) override;
 
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
   bool setPace(double period_s, double wait_s) override;
-  void rearm() override { arming_ = true; }
+  void rearm() override;
   ForceDeviceState state() const override {
     return link_.isOpen() ? ForceDeviceState::ready : ForceDeviceState::lost;
   }
@@ -81,6 +81,8 @@ class SerialForceDevice : public ForceDevice {
   std::uint32_t heard_ = 0;         ///< the last one that was answered
   bool lineTaken_ = false;          ///< an acknowledgement came since the last answer
   bool toldStop_ = false, arming_ = false, zeroLost_ = false;
+  bool tableDue_ = false;         ///< a person has armed: the table goes out once the limits are held
+  std::uint32_t armedSince_ = 0;  ///< the first question after the last word that a person wants force
   std::uint32_t sequence_ = 0;
   long long lastTime_us_ = -1;   ///< of the device, at its last answer
   long long heardTime_us_ = -1;  ///< likewise, old answers too

@@ -356,12 +356,14 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "serial force device: a board that refuses another table has lost its place; the host runs the law") {
+    "serial force device: a board that refuses another table has lost its place; armed it is given it "
+    "again") {
   std::atomic<bool> refuses{false};
-  std::atomic<int> forces{0};
+  std::atomic<int> forces{0}, rows{0};
   FakeDevice fake([&](const std::string& line) {
     const std::string body = bodyOf(line);
-    forces += body.starts_with("F,") ? 1 : 0;
+    forces += body.starts_with("F,") && !body.ends_with(",0") ? 1 : 0;
+    rows += body.starts_with("R,") ? 1 : 0;
     return refuses && body.starts_with("R,") ? forceLine("N,row") : goodBoard(line, 0);
   });
   auto device = opened(fake);
@@ -371,9 +373,16 @@ TEST_CASE(
   bool lost = false;
   for (int i = 0; i < 10 && !lost; ++i) lost = answered(*device).zero == ForceReading::Zero::lost;
   CHECK(lost);
-  forces = 0;
-  answered(*device);
-  CHECK(forces == 1);
+  ForceCommand pushing;
+  pushing.force_N = 1;
+  rows = 0;
+  for (int i = 0; i < 3; ++i) answered(*device, pushing);
+  CHECK(rows == 0);
+  refuses = false;
+  device->rearm();
+  for (int i = 0; i < 10; ++i) answered(*device, pushing);
+  CHECK(rows >= 8);
+  CHECK(forces == 0);
 }
 
 TEST_CASE("serial force device: a device whose clock stands still measures nothing anew") {
@@ -392,10 +401,13 @@ TEST_CASE("serial force device: a device whose clock stands still measures nothi
 }
 
 TEST_CASE(
-    "serial force device: unplugged there is no reading; plugged in again it goes on, without its table") {
-  std::atomic<int> forces{0};
+    "serial force device: unplugged there is no reading; plugged in again it goes on, without its table "
+    "until "
+    "it is armed") {
+  std::atomic<int> forces{0}, rows{0};
   FakeDevice fake([&](const std::string& line) {
     if (bodyOf(line).starts_with("F,")) ++forces;
+    if (bodyOf(line).starts_with("R,")) ++rows;
     return goodBoard(line, 500000);
   });
   auto device = opened(fake, slow_s);
@@ -414,6 +426,12 @@ TEST_CASE(
   CHECK(back);
   CHECK(device->counts().reconnects == 1);
   CHECK(forces > 0);
+  rows = 0;
+  for (int i = 0; i < 3; ++i) answered(*device);
+  CHECK(rows == 0);
+  device->rearm();
+  for (int i = 0; i < 3; ++i) answered(*device);
+  CHECK(rows > 0);
 }
 
 TEST_CASE(

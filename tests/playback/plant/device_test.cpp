@@ -215,33 +215,42 @@ struct Exchanged {
          risen_s = -1;    ///< of the exchange: when the force went, when it was back
   double overRamp_N = 0;  ///< above the ramp since it began to rise
   double worst_N = 1e9;   ///< table against the other button's, either stroke
+  int rowsSent = 0;       ///< those lost on the way included
   std::string refused;
 };
 
-/// A finger holds 3 mm; the uploaded `from` becomes `to` under it.
-Exchanged exchanged(const std::string& from, const std::string& to, double replyDelay_s) {
-  constexpr double max_N = 3, ramp_s = 0.2;
-  SerialEmulatorSettings settings;
-  settings.pty.plan = holding(3, 0.5);
-  settings.pty.start_mm = 3;
-  settings.pty.replyDelay_s = replyDelay_s;
-  SerialEmulator device(settings);
+constexpr double uploaded_N = 3;
+playback::ForcePlayerSettings uploadingTo(const PtyDevice& device) {
   playback::ForcePlayerSettings player;
   player.device = *playback::forceDeviceFrom("serial:" + device.port());
   player.device.uploadTable = true;
   player.device.profile.step_mm = 0.001;
-  player.device.profile.limits.force_N = max_N;
+  player.device.profile.limits.force_N = uploaded_N;
+  return player;
+}
+void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+/// A finger holds 3 mm; the uploaded `from` becomes `to` under it.
+Exchanged exchanged(const std::string& from, const std::string& to, double replyDelay_s,
+                    SerialEmulatorSettings settings = {}) {
+  constexpr double max_N = uploaded_N, ramp_s = 0.2;
+  settings.pty.plan = holding(3, 0.5);
+  settings.pty.start_mm = 3;
+  settings.pty.replyDelay_s = replyDelay_s;
+  SerialEmulator device(settings);
+  const playback::ForcePlayerSettings player = uploadingTo(device);
   Exchanged e;
   {
     const auto running = playback::ForcePlayer::start(sampleButton(from), player);
     REQUIRE(running);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    pause(0.5);
     const Result<Done> taken = (*running)->setButton(sampleButton(to));
     if (!taken) e.refused = taken.failure().sentence();
     // A line with each answer, and the ramp.
-    std::this_thread::sleep_for(std::chrono::milliseconds(1200 + static_cast<int>(300e3 * replyDelay_s)));
+    pause(1.2 + 300 * replyDelay_s);
   }
   device.halt();
+  e.rowsSent = device.rowsSinceTable();
   e.largest_N = device.largestMotor_N();
   bool was = false;
   for (const PtyMoment& moment : device.moments()) {
@@ -254,11 +263,13 @@ Exchanged exchanged(const std::string& from, const std::string& to, double reply
   }
   const playback::ForceProgram program = preparedFor(sampleButton(to), player.device.profile);
   const playback::ForceStateTable& told = program.states[0];
+  const UploadedTable& got = device.table();
   e.worst_N = 0;
-  for (std::uint32_t i = 0; i < told.rowCount; ++i) {
-    const double at_mm = told.first_mm + told.spacing_mm * i;
-    e.worst_N = std::max({e.worst_N, std::abs(device.table().force_N(at_mm, true, 0) - told.rows[i].press_N),
-                          std::abs(device.table().force_N(at_mm, false, 0) - told.rows[i].release_N)});
+  for (std::size_t i = 0; i < got.rows.size(); ++i) {
+    const double at_mm = got.first_mm + got.spacing_mm * static_cast<double>(i);
+    const auto row = static_cast<std::size_t>(std::lround((at_mm - told.first_mm) / told.spacing_mm));
+    e.worst_N = std::max({e.worst_N, std::abs(got.rows[i].press_N - told.rows[row].press_N),
+                          std::abs(got.rows[i].release_N - told.rows[row].release_N)});
   }
   return e;
 }
@@ -281,6 +292,93 @@ TEST_CASE(
     CHECK(e.overRamp_N <= 0);
     CHECK(e.largest_N <= 3.0001);
     CHECK(e.worst_N < 0.03);
+  }
+}
+
+TEST_CASE("rows that get lost on a link slower than eight questions are missed: the table has no hole",
+          "[upload]") {
+  SerialEmulatorSettings settings;
+  settings.rows = 24;
+  settings.losesRow = 3;
+  const auto fine = [&](const Exchanged& r) {
+    // Every row at least twice: answers come so late that it is said again before it is acknowledged.
+    return r.risen_s > r.gone_s + 0.05 && r.worst_N < 0.03 &&
+           r.rowsSent >= 2 * static_cast<int>(settings.rows);
+  };
+  const Exchanged e = undisturbed([&] { return exchanged("A", "B", 0.012, settings); }, fine);
+  INFO("gone at " << e.gone_s << " s, back at " << e.risen_s << " s, " << e.rowsSent << " rows sent");
+  CHECK(e.rowsSent >= 2 * static_cast<int>(settings.rows));
+  CHECK(e.worst_N < 0.03);
+  CHECK(e.risen_s > e.gone_s + 0.05);
+  CHECK(e.largest_N <= 3.0001);
+}
+
+namespace {
+
+struct Regained {
+  double before_N = 0, untilArmed_N = 0, after_N = 0;  ///< largest
+  playback::ForceHalt told{};
+  bool fine(playback::ForceHalt halt) const {
+    return before_N > 0.3 && untilArmed_N == 0 && told == halt && after_N > 0.3 &&
+           after_N <= uploaded_N + 1e-4;
+  }
+};
+
+/// A finger presses again and again; something happens at 1 s, a person arms at 1.6 s.
+Regained regained(SerialEmulatorSettings settings, double replyDelay_s) {
+  settings.rows = 24;
+  settings.pty.plan = pressing({-1, 6, 0, 0.1, 0.1, 0.2, 0.1, 0.5});  // up at 1 s
+  settings.pty.replyDelay_s = replyDelay_s;
+  SerialEmulator device(settings);
+  Regained r;
+  double armed_s = 0;
+  {
+    const auto running = playback::ForcePlayer::start(sampleButton("A"), uploadingTo(device));
+    REQUIRE(running);
+    const double late_s = 26 * replyDelay_s;  // a line with each answer
+    pause(1.6 - late_s);
+    r.told = (*running)->status().halt;
+    armed_s = 1.6;
+    (*running)->rearm();
+    pause(1.2 + late_s);
+  }
+  device.halt();
+  for (const PtyMoment& moment : device.moments()) {
+    double& most_N = moment.time_s < 1 ? r.before_N : moment.time_s < armed_s ? r.untilArmed_N : r.after_N;
+    if (moment.time_s > 1 && moment.time_s < 1.06) continue;
+    most_N = std::max(most_N, std::abs(moment.motor_N));
+  }
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("what takes an uploaded table away is told, and arming brings its force back, on a slow link too",
+          "[upload]") {
+  using playback::ForceHalt;
+  SerialEmulatorSettings reset, away, stopped;
+  reset.pty.resetAt_s = 1;
+  away.pty.unplugAt_s = 1;
+  away.pty.pluggedAgain_s = 0.1;
+  stopped.stopAt_s = 1;
+  struct Taken {
+    const char* what;
+    SerialEmulatorSettings settings;
+    ForceHalt halt;
+  };
+  for (const double replyDelay_s : {0.0, 0.004, 0.012}) {
+    for (const Taken& taken :
+         {Taken{"reset", reset, ForceHalt::displaced}, Taken{"away", away, ForceHalt::displaced},
+          Taken{"stopped by its switch", stopped, ForceHalt::stopped}}) {
+      const Regained r = undisturbed([&] { return regained(taken.settings, replyDelay_s); },
+                                     [&](const Regained& one) { return one.fine(taken.halt); });
+      INFO(taken.what << ", answers after " << replyDelay_s << " s");
+      CHECK(r.before_N > 0.3);
+      CHECK(r.untilArmed_N == 0);
+      CHECK(r.told == taken.halt);
+      CHECK(r.after_N > 0.3);
+      CHECK(r.after_N <= uploaded_N + 1e-4);
+    }
   }
 }
 

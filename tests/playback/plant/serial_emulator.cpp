@@ -106,6 +106,9 @@ void SerialEmulator::hear(const std::string& line) {
   lastLine_s_ = now_s();
   if (firstLine_s_ < 0) firstLine_s_ = now_s();
   const std::string& word = fields[0];
+  if (word == "R" && ranTable_ && ++rowsSinceTable_ % std::max(1, settings_.losesRow) == 0 &&
+      settings_.losesRow > 0)
+    return;
   if (word == "?") {
     say("I,plant," + std::to_string(settings_.step_nm) + "," + std::to_string(settings_.largestForce_uN) +
         "," + std::to_string(settings_.rate_Hz) + "," + std::to_string(settings_.rows) +

@@ -18,6 +18,7 @@ struct SerialEmulatorSettings {
   std::uint32_t rows = 256;
   int version = 2;       ///< of the protocol; 2 knows limits, an emergency stop and a state
   double stopAt_s = -1;  ///< its own emergency switch is opened so long after the first line; < 0: never
+  int losesRow = 0;      ///< once it has run a table, every so many-th row is lost on the way; 0: none
 };
 
 /// What a table says, as a device that runs it would use it.
@@ -38,6 +39,7 @@ class SerialEmulator : public PtyDevice {
 
   const UploadedTable& table() const { return table_; }
   bool ranTable() const { return ranTable_; }
+  int rowsSinceTable() const { return rowsSinceTable_; }  ///< that were sent once it had run a table
   /// Largest force the device was told it may ever give (version 2), or its own.
   double limit_N() const { return static_cast<double>(limit_uN_) * 1e-6; }
 
@@ -55,6 +57,7 @@ class SerialEmulator : public PtyDevice {
 
   SerialEmulatorSettings settings_;
   UploadedTable table_;
+  int rowsSinceTable_ = 0;
   std::int64_t limit_uN_;
   bool ownLaw_ = false, ranTable_ = false, limited_ = false, stopped_ = false, switched_ = false;
   double force_N_ = 0, lastLine_s_ = -1, firstLine_s_ = -1, resetAt_mm_ = 0, centre_mm_ = 0;
