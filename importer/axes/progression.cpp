@@ -239,6 +239,41 @@ void fitLineRobustly(std::vector<std::pair<double, double>> pairs, Progression& 
   }
 }
 
+/// Places of the labels that agree, with what they say.
+std::vector<std::pair<double, double>> centresOf(const std::vector<LabelPlace>& labels,
+                                                 const Progression& p) {
+  std::vector<std::pair<double, double>> centres;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (p.reading[i] >= 0)
+      centres.emplace_back(labels[i].center_px,
+                           labels[i].readings[static_cast<std::size_t>(p.reading[i])].value);
+  return centres;
+}
+
+/// How unevenly labels stand beside where a scale has their values: all a little lower is even.
+double unevenness_px(const std::vector<std::pair<double, double>>& centres, const Progression& p) {
+  double sum = 0, squares = 0;
+  for (const auto& [x, v] : centres) sum += p.position(v) - x, squares += std::pow(p.position(v) - x, 2);
+  const double n = static_cast<double>(centres.size());
+  return std::sqrt(std::max(0.0, squares / n - std::pow(sum / n, 2)));
+}
+
+/// Where few labels have a line within reach and the scale through those few leaves the even row that all labels stand in, one
+/// of the lines is something else's, a curve's turn or a leader's end: then the scale of the row.
+std::optional<Progression> scaleOfRow(const std::vector<LabelPlace>& labels, const Progression& p,
+                                      int withTick) {
+  constexpr int fewest = 5;
+  constexpr double evenWithin_px = 0.5, clearly = 3;  // times as uneven
+  if (p.labels < fewest || 2 * withTick >= p.labels) return {};
+  const auto centres = centresOf(labels, p);
+  Progression row = p;
+  fitLine(centres, row);
+  const double own_px = unevenness_px(centres, row);
+  if (own_px > evenWithin_px || unevenness_px(centres, p) < clearly * std::max(own_px, evenWithin_px))
+    return {};
+  return row;
+}
+
 }  // namespace
 
 std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
@@ -276,9 +311,16 @@ std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
   }
   p.fromTicks = true;
   fitLine(labelled, p);
+  const auto row = scaleOfRow(labels, p, withTick);
+  if (row) p = *row;
   const auto on = chosenSubdivision(ticks, p, values.front());
+  if (row && on.pairs.size() < 2) {
+    p.fromTicks = false;
+    p.ticks = p.labels;
+    return p;
+  }
   p.substep = on.step;
-  auto pairs = on.pairs.size() >= labelled.size() ? on.pairs : labelled;
+  auto pairs = row || on.pairs.size() >= labelled.size() ? on.pairs : labelled;
   fitLineRobustly(std::move(pairs), p);
   return p;
 }

@@ -91,15 +91,19 @@ std::optional<Stretch> findDetour(const std::vector<Point>& path, const Plane& r
   if (static_cast<double>(path.size()) > 6 * (frame.width() + frame.height()))
     return std::nullopt;  // no curve at all
   const double shortest = std::max(10 * strokeWidth, 0.12 * frame.height());
+  // Down one edge of an arrow's head that touches the curve and up the other.
+  const double shortestAtHead = std::max(8 * strokeWidth, 0.05 * frame.height()),
+               widestHead = 0.03 * frame.width();
   const std::vector<double> arc = arcOf(path);
   std::optional<Stretch> longest;
   constexpr std::size_t kStep = 3;
   for (std::size_t i = 0; i < path.size(); i += kStep) {
     for (std::size_t j = i + kStep; j < path.size() && path[j].x - path[i].x <= widest; j += kStep) {
       const double length = arc[j] - arc[i];
-      if (length < shortest || (longest && length <= longest->length)) continue;
+      if (length < shortestAtHead || (longest && length <= longest->length)) continue;
       const double chord = distance(path[j], path[i]);
       if (chord > widest || length < 4 * chord) continue;
+      if (length < shortest && (chord > widestHead || chord <= strokeWidth + 1.5)) continue;
       if (chord > strokeWidth + 1.5 && inkBetween(reward, path[i], path[j]) < 0.9) continue;
       longest = Stretch{i, j, length};
     }

@@ -135,6 +135,29 @@ TEST_CASE("a stray mark near a line does not move it") {
   CHECK(p->value(100) == Approx(0).margin(1e-6));
 }
 
+TEST_CASE("a line that is none, beside one of few, does not bend an even row of labels") {
+  // 120 at 133 px to 20 at 268: one gridline at 80, the axis at 0, and a curve that turns a little above 20.
+  DrawnAxis axis;
+  for (int k = 0; k < 6; ++k)
+    axis.labels.push_back({133.0 + 27 * k, 6, numberReadings(std::to_string(120 - 20 * k))});
+  const double gridline = 133 + 2 * 27, turn = 133 + 5 * 27 - 4, foot = 133 + 6 * 27;
+  axis.ticks = {{gridline, 1, true}, {turn, 1, false}, {foot, 1, true}};
+  const auto p = fitProgression(axis.labels, axis.ticks, false);
+  REQUIRE(p);
+  CHECK(p->labels == 6);
+  CHECK(p->fromTicks);
+  CHECK(p->value(foot) == Approx(0).margin(0.01));
+  CHECK(p->value(gridline) == Approx(80).margin(0.01));
+
+  SECTION("where no line is on the row's scale the labels stand for it") {
+    axis.ticks = {{gridline - 2.5, 1, true}, {turn + 6.5, 1, false}};
+    const auto alone = fitProgression(axis.labels, axis.ticks, false);
+    REQUIRE(alone);
+    CHECK_FALSE(alone->fromTicks);
+    CHECK(alone->value(foot) == Approx(0).margin(0.01));
+  }
+}
+
 TEST_CASE("numbers without order give nothing, or little") {
   std::mt19937 random(3);
   for (int round = 0; round < 50; ++round) {

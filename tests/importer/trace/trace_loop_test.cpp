@@ -618,6 +618,23 @@ TEST_CASE("loop: a path that climbs a leader is sent back", "[trace_loop]") {
   checkLoop(plot, loop, 0.9, 0.3);
 }
 
+TEST_CASE("loop: an arrow's head that touches a stroke is no part of it", "[trace_loop]") {
+  Plot plot(640, 520, 2);
+  plot.grid(6, 6, 1.2);
+  const Loop loop = tactileLoop(0.04);
+  draw(plot, loop);
+  const Point tip = plot.at(0.42, 0.12), tail = plot.at(0.49, 0.01);
+  const double length = distance(tip, tail);
+  const Point along = (1 / length) * (tail - tip), across{-along.y, along.x};
+  for (double off = -7; off <= 7; off += 1) plot.line({tip, tip + 20 * along + off * across}, 1.5);
+  plot.line({tip + 20 * along, tail}, 4);
+  checkLoop(plot, loop, 0.5);
+  const auto release = plot.trace()->back().points_px;
+  const auto lowest =
+      std::ranges::max_element(release, {}, [&](Point p) { return std::abs(p.x - tip.x) < 60 ? p.y : 0; });
+  CHECK(lowest->y < tip.y + 3);
+}
+
 TEST_CASE("loop: random loops are never swapped and never far off", "[trace_loop]") {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> unit(0, 1);
