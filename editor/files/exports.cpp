@@ -12,7 +12,9 @@
 #include "editor/document/begun_in.h"
 #include "model/check.h"
 #include "model/file/curve_csv.h"
+#include "model/file/data_package.h"
 #include "model/file/text_file.h"
+#include "model/file/traced_project.h"
 #include "playback/playback.h"
 
 namespace detent::editor {
@@ -95,6 +97,30 @@ Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path)
   const auto page = playback::sharePage(buttons);
   if (!page) return page.failure();
   return writeTextFileAtomically(bytesOf(path), *page);
+}
+
+Result<Done> exportDataPackage(const Button& button, const QString& folder) {
+  const std::filesystem::path path(bytesOf(folder));
+  std::error_code error;
+  const bool made = std::filesystem::create_directory(path, error);
+  if (error)
+    return Failure{FailureCode::wrongUsage, folder.toStdString(), "",
+                   Message("cannot be made a folder: %1", error.message()),
+                   Message("Choose another place or name")};
+  auto written = writeDataPackage(button, (path / "datapackage.json").string());
+  if (!written && made) std::filesystem::remove(path, error);
+  return written;
+}
+
+Result<Done> exportTracedProject(const Button& button, std::size_t state, const DisplayUnits& units,
+                                 const QString& path) {
+  DETENT_CHECK(state < button.states().size(), "the state to export is one of the button's");
+  SvgPlotStyle style;
+  style.forceUnit = units.force;
+  style.lengthUnit = units.length;
+  const bool plain = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+  return writeTextFileAtomically(
+      bytesOf(path), (plain ? tracedProjectFrom : tracedArchiveFrom)(button.states()[state], style));
 }
 
 Result<playback::Exported> deviceExport(const Button& button, const DeviceExport& wanted) {

@@ -8,6 +8,7 @@
 #include <QPaintDevice>
 #include <QString>
 
+#include "editor/document/display_units.h"
 #include "model/button.h"
 #include "playback/sharing.h"
 
@@ -31,6 +32,14 @@ Result<Done> exportWav(const Button& button, std::size_t state, const QString& p
 
 /// The buttons as one web page, as `detent-play page` writes it, byte for byte. Failure: as playback::sharePage, or the disk's.
 Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path);
+
+/// The button as a data package of Frictionless, byte for byte as `detent-graph convert` writes it: in `folder`, which is made where
+/// it is not there, and not left behind empty.
+Result<Done> exportDataPackage(const Button& button, const QString& folder);
+/// A state as a project of WebPlotDigitizer, axes in `units`, as `detent-graph convert` writes it: with its picture (a TAR archive),
+/// or, where `path` ends in .json, without.
+Result<Done> exportTracedProject(const Button& button, std::size_t state, const DisplayUnits& units,
+                                 const QString& path);
 
 /// What a press becomes for another device: the button from its first state, pressed by a finger whose way down takes so
 /// long; byte for byte as `detent-play export` writes it.

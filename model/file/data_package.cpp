@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/file/data_package.h"
 
+#include <filesystem>
+
 #include <nlohmann/json.hpp>
 
+#include "model/csv_field.h"
 #include "model/file/curve_csv.h"
 #include "model/file/json_text.h"
+#include "model/file/staged_text.h"
 #include "model/key_figures.h"
 #include "model/number_table.h"
 #include "model/sha256.h"
@@ -54,7 +58,7 @@ std::string figuresCsv(const Button& button) {
     const KeyFigures figures = keyFiguresOf(state);
     for (const KeyFigureName& name : keyFigureNames())
       if (const auto& value = figures[name.figure])
-        csv += state.name + ',' + std::string(name.key) + ',' + shortestText(*value) + '\n';
+        csv += csvField(state.name) + ',' + std::string(name.key) + ',' + shortestText(*value) + '\n';
   }
   return csv;
 }
@@ -106,6 +110,15 @@ DataPackage dataPackageFrom(const Button& button) {
   if (Json sources = sourcesOf(button); !sources.empty()) description["sources"] = std::move(sources);
   package.description = jsonText(description, 2) + '\n';
   return package;
+}
+
+Result<Done> writeDataPackage(const Button& button, const std::string& description) {
+  const DataPackage package = dataPackageFrom(button);
+  std::vector<NamedText> files;
+  for (const PackageTable& table : package.tables)
+    files.push_back({(std::filesystem::path(description).parent_path() / table.file).string(), table.csv});
+  files.push_back({description, package.description});
+  return writeTextFilesAtomically(files);
 }
 
 }  // namespace detent

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/button.h"
+#include "model/result.h"
 
 namespace detent {
 
@@ -22,5 +23,8 @@ struct DataPackage {
 
 /// Deterministic: no time of day, no machine. Any thread.
 DataPackage dataPackageFrom(const Button& button);
+
+/// Writes it: `description`, a path that ends in datapackage.json, and the tables beside it; all of them or none.
+Result<Done> writeDataPackage(const Button& button, const std::string& description);
 
 }  // namespace detent

@@ -83,16 +83,6 @@ Result<std::string> contentsFor(const ButtonFile& read, const std::string& in, c
   return csvFrom(state->graph);
 }
 
-/// The tables first: a description never names what is not there.
-Result<Done> writePackage(const Button& button, const std::string& out) {
-  const DataPackage package = dataPackageFrom(button);
-  const std::filesystem::path folder = std::filesystem::path(out).parent_path();
-  for (const PackageTable& table : package.tables)
-    if (auto written = writeTextFileAtomically((folder / table.file).string(), table.csv); !written)
-      return written;
-  return writeTextFileAtomically(out, package.description);
-}
-
 Result<ButtonFile> readFile(const std::string& path) {
   auto kind = kindOfFile(path);
   if (!kind) return kind.failure();
@@ -171,7 +161,7 @@ Result<Report> convertGraph(const std::string& in, const std::string& out, const
     file->button = *std::move(one);
   }
   if (*kind == GraphFileKind::dataPackage) {
-    if (auto written = writePackage(file->button, out); !written) return written.failure();
+    if (auto written = writeDataPackage(file->button, out); !written) return written.failure();
     return convertReport(file->button, in, out);
   }
   auto contents = contentsFor(*file, in, out, options);

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "model/staged_file.h"
+#include "model/file/staged_text.h"
 
 namespace detent {
 namespace {
@@ -23,18 +23,6 @@ Failure unreadable(const std::string& path, Message problem, Remedies remedies) 
 }
 
 std::string systemReason() { return std::strerror(errno); }
-
-std::string writeAll(const fs::path& path, std::string_view text) {
-  errno = 0;
-  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "wbx"));
-  if (!file) return systemReason();
-  const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
-  const bool flushed = std::fflush(file.get()) == 0 && std::ferror(file.get()) == 0;
-  std::string reason = written && flushed ? "" : systemReason();
-  const bool closed = std::fclose(file.release()) == 0;
-  if (!reason.empty()) return reason;
-  return closed ? "" : systemReason();
-}
 
 }  // namespace
 
@@ -62,11 +50,8 @@ Result<std::string> readTextFile(const std::string& path) {
 }
 
 Result<Done> writeTextFileAtomically(const std::string& path, std::string_view text) {
-  auto staged = StagedFile::beside(path);
-  if (!staged) return staged.failure();
-  if (const std::string reason = writeAll(staged->path(), text); !reason.empty())
-    return staged->notWritten(reason);
-  return staged->commit();
+  auto file = stagedText(path, text);
+  return file ? file->commit() : file.failure();
 }
 
 }  // namespace detent

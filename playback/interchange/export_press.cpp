@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "model/file/text_file.h"
+#include "model/file/staged_text.h"
 #include "model/version.h"
 #include "playback/interchange/reduction.h"
 #include "playback/measurement/exact_number.h"
@@ -25,7 +25,7 @@ Failure wrongPress(const std::string& name) {
       "Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or time_s,displacement_mm"};
 }
 
-Reduction reductionOf(const ExportSource& source, const ExportSettings& settings) {
+Reduction inFormat(const ExportSource& source, const ExportSettings& settings) {
   switch (settings.format) {
     case ExportFormat::package:
       return packageOf(source);
@@ -73,6 +73,13 @@ Failure tooFaint(const PressPlan& plan, ExportFormat format) {
 }
 
 }  // namespace
+
+Result<Reduction> reductionOf(const ExportSource& source, const ExportSettings& settings) {
+  Reduction reduction = inFormat(source, settings);
+  if (settings.format != ExportFormat::touchpad && !sounds(reduction.played))
+    return tooFaint(source.plan, settings.format);
+  return reduction;
+}
 
 std::vector<double> playedBy(const std::vector<PlayedWave>& waves, const PressPlan& plan) {
   std::vector<double> samples(plan.samples.size(), 0);
@@ -137,11 +144,10 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
   Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, {});
   if (!plan) return plan.failure();
   plan->feel = settings.feel;
-  Reduction reduction = reductionOf({button, program, *plan}, settings);
-  if (settings.format != ExportFormat::touchpad && !sounds(reduction.played))
-    return tooFaint(*plan, settings.format);
-  reduction.loss.energyKept = energyKept(plan->samples, reduction.played, plan->sampleRate_Hz);
-  return Exported{reduction.write(reduction.loss), reduction.loss};
+  Result<Reduction> reduction = reductionOf({button, program, *plan}, settings);
+  if (!reduction) return reduction.failure();
+  reduction->loss.energyKept = energyKept(plan->samples, reduction->played, plan->sampleRate_Hz);
+  return Exported{reduction->write(reduction->loss), reduction->loss};
 }
 
 std::string pathOf(const std::string& output, const ExportedFile& file) {
@@ -151,16 +157,13 @@ std::string pathOf(const std::string& output, const ExportedFile& file) {
 }
 
 Result<std::vector<std::string>> writeExported(const Exported& exported, const std::string& output) {
+  std::vector<NamedText> files;
   std::vector<std::string> paths;
   for (const ExportedFile& file : exported.files) {
-    const std::string path = pathOf(output, file);
-    if (Result<Done> done = writeTextFileAtomically(path, file.text); !done) {
-      std::error_code ignored;
-      for (const std::string& earlier : paths) std::filesystem::remove(earlier, ignored);
-      return done.failure();
-    }
-    paths.push_back(path);
+    paths.push_back(pathOf(output, file));
+    files.push_back({paths.back(), file.text});
   }
+  if (Result<Done> done = writeTextFilesAtomically(files); !done) return done.failure();
   return paths;
 }
 

@@ -254,6 +254,12 @@ std::string da728xText(const ExportSource& source, const std::array<int, snippet
   head.emplace_back(
       "resonance, for the loss taken as 205 Hz. Verify the full scale: what a driver gives may differ from "
       "its data sheet.");
+  head.emplace_back(
+      "Not certain from the data sheet, and therefore not used: where a ramp begins that is a snippet's "
+      "first point, and how");
+  head.emplace_back(
+      "long the built-in silence (snippet 0) lasts. Bytes behind the last frame of sequence 1 are 0 and not "
+      "read.");
   return cComment(head) + "#include <stdint.h>\n\nstatic const uint8_t detent_da728x_memory[100] = {" +
          rows(memory, byteText) + "};\n";
 }

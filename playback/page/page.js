@@ -78,16 +78,26 @@
 
   // -- figures ----------------------------------------------------------------------------------------------------
   function fillFigures() {
-    const cell = (tag, text) => Object.assign(document.createElement(tag), { textContent: text });
-    const head = document.createElement("tr");
-    head.append(cell("th", ""), ...data.buttons.map((b) => cell("th", b.name)));
+    // Roles are named: a table that is laid out in lines (page.css) stays one for screen readers.
+    const cell = (tag, role, text) => {
+      const made = Object.assign(document.createElement(tag), { textContent: text });
+      made.setAttribute("role", role);
+      return made;
+    };
+    const head = cell("tr", "row", "");
+    head.append(cell("td", "cell", ""), ...data.buttons.map((b) => cell("th", "columnheader", b.name)));
+    byId("figures").classList.toggle("several", data.buttons.length > 1);
     byId("figures").tHead.replaceChildren(head);
     const told = ({ value, unit: of }) => value === undefined ? "–" : of === "N" ? force(value) : of === "N/mm" ? force(value) + "/mm"
       : of ? value.toFixed(2) + "\u00a0" + of : (100 * value).toFixed(0) + "\u00a0%";
     const rows = data.buttons[0].figures.map((f, i) => data.buttons.map((b) => b.figures[i]));
     byId("figures").tBodies[0].replaceChildren(...rows.filter((row) => row.some((f) => f.value !== undefined)).map((row) => {
-      const line = document.createElement("tr");
-      line.append(cell("th", row[0].name), ...row.map((f) => cell("td", told(f))));
+      const line = cell("tr", "row", "");
+      line.append(cell("th", "rowheader", row[0].name), ...row.map((f, i) => {
+        const value = cell("td", "cell", told(f));
+        value.dataset.of = `${i + 1} ${data.buttons[i].name}`;
+        return value;
+      }));
       return line;
     }));
   }

@@ -42,7 +42,7 @@ int main(int count, char** arguments) {
     const FuzzedExport drawn = fuzzedExport(seed);
     const std::string format(exportFormats.word(drawn.settings.format));
     if (!formats.empty() && !formats.contains(format)) continue;
-    const ExportVerdict verdict = judged(drawn);
+    const ExportVerdict verdict = judgedByLimits(drawn);
     Tally& tally = tallies[format];
     ++(verdict.refusal.empty() ? tally.written : tally.refused);
     if (!verdict.refusal.empty()) ++reasons[reasonOf(verdict.refusal)];

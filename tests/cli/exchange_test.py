@@ -271,6 +271,24 @@ class Exchange(unittest.TestCase):
                 self.assertFalse(set(p.name for p in out.parent.iterdir()) -
                                  {r["path"] for r in package["resources"]} - {"datapackage.json"})
 
+    def test_names_of_states_and_earlier_tables_are_safe(self):
+        """A comma in a state's name is no column; where a table cannot be written, the others stay what they were."""
+        latch = json.loads(sample("latch").read_text(encoding="utf-8"))
+        latch["states"][0]["name"] = 'up, "free"'
+        named = self.folder / "named.button.json"
+        named.write_text(json.dumps(latch))
+        out = self.folder / "datapackage.json"
+        self.assertEqual(run("detent-graph", "convert", named, out).returncode, 0)
+        figures = rows(self.folder / "figures.csv")
+        self.assertEqual({row["state"] for row in figures}, {'up, "free"', latch["states"][1]["name"]})
+        self.assertTrue(all(math.isfinite(float(row["value"])) for row in figures))
+        before = {p.name: p.read_bytes() for p in self.folder.iterdir() if p.name != "curve-2.csv"}
+        (self.folder / "curve-2.csv").unlink()
+        (self.folder / "curve-2.csv").mkdir()
+        failed = run("detent-graph", "convert", sample("latch"), out)
+        self.assertEqual(failed.returncode, 2, failed.stderr)
+        self.assertEqual({p.name: p.read_bytes() for p in self.folder.iterdir() if p.is_file()}, before)
+
     def test_travel_over_force_lies_on_the_curve(self):
         out = self.folder / "steps.csv"
         for name in "ABCDEF":

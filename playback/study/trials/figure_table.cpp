@@ -100,13 +100,6 @@ std::string wrapped(const std::string& words, const std::string& begin) {
   return empty ? text : text + line + "\n";
 }
 
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string tableText(const FigureTable& table) {
   const std::vector<std::vector<std::string>> lines = linesOf(table);
   const std::vector<std::size_t> widths = widthsOf(lines);

@@ -39,7 +39,4 @@ std::size_t widthOf(const std::string& text);
 /// Lines of at most 80 letters, broken at blanks; the first begins with `begin`, the others are indented as deep.
 std::string wrapped(const std::string& words, const std::string& begin);
 
-/// One field of a CSV line, quoted where it has to be.
-std::string csvField(const std::string& text);
-
 }  // namespace detent::playback

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/csv_field.h"
 #include "model/file/json_text.h"
 #include "model/file/text_file.h"
 #include "model/version.h"

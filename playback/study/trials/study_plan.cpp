@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "model/csv_field.h"
 #include "model/file/markup.h"
 #include "model/file/text_file.h"
 #include "model/number_table.h"

@@ -339,6 +339,70 @@ class FilesTest : public QObject {
     QVERIFY(contentsOf(at("mine.html")) == contentsOf(at("theirs.html")));
   }
 
+  // What detent-graph writes for programs of others: the same, table by table, in any unit, of either state.
+  void writesForOthersWhatTheCommandLineWrites() {
+    const auto convert = [](const QStringList& words) {
+      return QProcess::execute(DETENT_GRAPH, QStringList{"convert"} + words);
+    };
+    QVERIFY(QDir(folder_->path()).mkpath("theirs"));
+    for (const char* name : {"B", "C", "latch"}) {
+      const QString file = sample("buttons/") + name + ".button.json";
+      const Button button = (*openDocument(file))->button();
+      const QString mine = QString("mine-") + name, theirs = QString("theirs/") + name;
+      QVERIFY(exportDataPackage(button, at(mine)).ok());
+      QVERIFY(QDir(folder_->path()).mkpath(theirs));
+      QCOMPARE(convert({file, at(theirs + "/datapackage.json")}), 0);
+      const QStringList written = QDir(at(mine)).entryList(QDir::Files);
+      QCOMPARE(written, QDir(at(theirs)).entryList(QDir::Files));
+      QCOMPARE(written.size(), 2 + qsizetype(button.states().size()));
+      for (const QString& each : written)
+        QVERIFY2(contentsOf(at(mine + "/" + each)) == contentsOf(at(theirs + "/" + each)), qPrintable(each));
+      for (std::size_t state = 0; state < button.states().size(); ++state)
+        for (const auto& [units, words] :
+             {std::pair(DisplayUnits{LengthUnit::millimetre, ForceUnit::newton}, QStringList{"N", "mm"}),
+              {DisplayUnits{LengthUnit::inch, ForceUnit::gramForce}, QStringList{"gf", "in"}}})
+          for (const char* ending : {".tar", ".wpd.json"}) {
+            QVERIFY(exportTracedProject(button, state, units, at(QString("mine") + ending)).ok());
+            QStringList asked{
+                file, at(QString("theirs") + ending), "--force-unit", words[0], "--length-unit", words[1]};
+            if (button.selfLocking())
+              asked += {"--state", QString::fromStdString(button.states()[state].name)};
+            QCOMPARE(convert(asked), 0);
+            QVERIFY(!contentsOf(at(QString("mine") + ending)).isEmpty());
+            QVERIFY2(contentsOf(at(QString("mine") + ending)) == contentsOf(at(QString("theirs") + ending)),
+                     ending);
+          }
+    }
+  }
+
+  void aPackageIsWholeOrNotThere() {
+    const Button button = *tactileButton();
+    const auto none = exportDataPackage(button, at("no/such"));
+    QVERIFY(!none.ok());
+    QVERIFY(!QFileInfo::exists(at("no")));
+    writeFile(at("taken"), "mine");
+    const auto taken = exportDataPackage(button, at("taken"));
+    QVERIFY(sentenceOf(taken.failure()).contains("cannot be made a folder"));
+    QCOMPARE(contentsOf(at("taken")), QByteArray("mine"));
+    // A place of a table that is taken: neither the other tables nor the description are exchanged.
+    QVERIFY(exportDataPackage(button, at("again")).ok());
+    const QByteArray before = contentsOf(at("again/datapackage.json"));
+    QVERIFY(QFile::remove(at("again/figures.csv")) && QDir(at("again")).mkdir("figures.csv"));
+    QVERIFY(!exportDataPackage(stronger(button, 2), at("again")).ok());
+    QCOMPARE(contentsOf(at("again/datapackage.json")), before);
+    QCOMPARE(contentsOf(at("again/curve.csv")), csvText(button, 0).toUtf8());
+    QVERIFY(!exportTracedProject(button, 0, {}, at("no/such.tar")).ok());
+    // A pair of a device's files that cannot be written whole leaves the earlier pair as it was.
+    DeviceExport wanted;
+    wanted.settings.format = playback::ExportFormat::ahap;
+    QVERIFY(exportForDevice(button, wanted, at("pair.ahap")).ok());
+    const QByteArray press = contentsOf(at("pair.press.ahap"));
+    QVERIFY(QFile::remove(at("pair.release.ahap")) && QDir(folder_->path()).mkdir("pair.release.ahap"));
+    wanted.wayDown_s = 0.2;
+    QVERIFY(!exportForDevice(button, wanted, at("pair.ahap")).ok());
+    QCOMPARE(contentsOf(at("pair.press.ahap")), press);
+  }
+
   // Of a latch the press is that of the state shown.
   void aPressIsExportedInItsState() {
     const Button latch = *selfLockingButton();

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "model/file/staged_text.h"
 #include "tests/model/file/test_folder.h"
 
 using namespace detent;
@@ -49,6 +50,21 @@ TEST_CASE("where nothing can be written, nothing is left and the old file stands
   requireFailure(writeTextFileAtomically("/dev/null", "x"), 2, "it is not a regular file");
   requireFailure(writeTextFileAtomically(folder / std::string(300, 'n'), "x"), 1, "cannot be written");
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("files that belong together are all written, or none and the old ones stand") {
+  const TestFolder folder;
+  REQUIRE(writeTextFilesAtomically({{folder / "a", "old"}, {folder / "b", "old"}}).ok());
+  fs::create_directory(folder / "taken");
+  requireFailure(
+      writeTextFilesAtomically({{folder / "a", "new"}, {folder / "c", "new"}, {folder / "taken", "new"}}), 2,
+      "it is a folder");
+  CHECK(readTextFile(folder / "a").value() == "old");
+  CHECK(folder.entries() == 3);
+  REQUIRE(writeTextFilesAtomically({{folder / "a", "new"}, {folder / "b", "newer"}}).ok());
+  CHECK(readTextFile(folder / "a").value() == "new");
+  CHECK(readTextFile(folder / "b").value() == "newer");
+  CHECK(folder.entries() == 3);
 }
 
 TEST_CASE("long names are written as well") {

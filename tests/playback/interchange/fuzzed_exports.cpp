@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "playback/interchange/reduction.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
 
@@ -436,12 +437,11 @@ std::vector<std::string> violationsOf(ExportFormat format, const std::vector<pla
   return limits.found;
 }
 
-ExportVerdict judged(const FuzzedExport& drawn) {
-  if (!drawn.program) return {drawn.refusal, {}};
-  const auto exported = playback::exportPress(drawn.button, *drawn.program, drawn.trace, drawn.settings);
-  if (!exported) return {exported.failure().sentence(), {}};
-  ExportVerdict verdict{{}, violationsOf(drawn.settings.format, exported->files)};
-  const playback::ExportLoss& loss = exported->loss;
+namespace {
+
+ExportVerdict verdictOn(ExportFormat format, const std::vector<playback::ExportedFile>& files,
+                        const playback::ExportLoss& loss) {
+  ExportVerdict verdict{{}, violationsOf(format, files)};
   const auto tells = [&](const char* what, double value) {
     if (!std::isfinite(value) || value < 0) verdict.violations.push_back(std::string("loss: ") + what);
   };
@@ -449,6 +449,25 @@ ExportVerdict judged(const FuzzedExport& drawn) {
   tells("worst_timing_error_ms", loss.worstTimingError_ms);
   tells("frequency_moved_Hz", loss.frequencyMoved_Hz);
   return verdict;
+}
+
+}  // namespace
+
+ExportVerdict judged(const FuzzedExport& drawn) {
+  if (!drawn.program) return {drawn.refusal, {}};
+  const auto exported = playback::exportPress(drawn.button, *drawn.program, drawn.trace, drawn.settings);
+  if (!exported) return {exported.failure().sentence(), {}};
+  return verdictOn(drawn.settings.format, exported->files, exported->loss);
+}
+
+ExportVerdict judgedByLimits(const FuzzedExport& drawn) {
+  if (!drawn.program) return {drawn.refusal, {}};
+  const auto plan =
+      playback::planPress(drawn.button, *drawn.program, drawn.trace, drawn.settings.pressName, {});
+  if (!plan) return {plan.failure().sentence(), {}};
+  const auto reduction = playback::reductionOf({drawn.button, *drawn.program, *plan}, drawn.settings);
+  if (!reduction) return {reduction.failure().sentence(), {}};
+  return verdictOn(drawn.settings.format, reduction->write(reduction->loss), reduction->loss);
 }
 
 }  // namespace detent::test

@@ -351,6 +351,24 @@ class PageInBrowser(unittest.TestCase):
                         "params": {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True}})
         try:
             self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 360)
+            # Every figure of every button is in sight, named after its button, and none of them hides behind a scroll.
+            hidden = self.browser.run("""
+              const table = document.getElementById('figures');
+              const bad = [table, ...table.querySelectorAll('*')].filter((e) => !e.closest('thead') &&
+                (e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline' && getComputedStyle(e).overflowX !== 'visible' ||
+                 e.getBoundingClientRect().right > 360 || e.getBoundingClientRect().width < 1));
+              return bad.map((e) => e.tagName + ' ' + e.textContent);""")
+            self.assertEqual([], hidden)
+            told = self.browser.run("return [...document.querySelectorAll('#figures tbody td')].map((c) => "
+                                    "getComputedStyle(c, '::before').content)")
+            buttons = len(self.browser.run("return detent.buttons"))
+            self.assertEqual(buttons, len(set(told)))
+            tree = self.browser.do("POST", "/goog/cdp/execute", {"cmd": "Accessibility.getFullAXTree", "params": {}})["nodes"]
+            roles = [node["role"]["value"] for node in tree if not node.get("ignored")]
+            self.assertIn("table", roles)
+            self.assertEqual(buttons, roles.count("columnheader"))
+            self.assertGreater(roles.count("rowheader"), 5)
+            self.assertGreaterEqual(roles.count("cell") + roles.count("gridcell"), buttons * roles.count("rowheader"))
         finally:
             self.browser.do("POST", "/goog/cdp/execute", {"cmd": "Emulation.clearDeviceMetricsOverride", "params": {}})
         unnamed = self.browser.run("return [...document.querySelectorAll('button,select,input')].filter((e) => !e.hidden && "
