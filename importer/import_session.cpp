@@ -17,6 +17,7 @@
 #include "importer/rising_axes.h"
 #include "importer/second_opinion.h"
 #include "importer/strokes/spotted_name.h"
+#include "importer/trace/plot_scene.h"
 #include "importer/wider_frame.h"
 #include "model/check.h"
 #include "model/text.h"
@@ -263,7 +264,8 @@ struct ImportSession::Impl {
     TraceHints hints;
     double spacing_px = 0;
     std::vector<CurveTrace> traces;
-    std::optional<Explanation> explanation;  // once asked for: names and colours need none
+    std::optional<trace::PlotScene> scene = {};   // of the latest, until it is explained
+    std::optional<Explanation> explanation = {};  // once asked for: names and colours need none
   };
   std::list<Traced> traced;              // the latest last
   std::optional<GraphPlace> lastRead;    // by readPlot
@@ -540,6 +542,10 @@ struct ImportSession::Impl {
                     {RemedyKind::choosePage, "if the document has several"}});
   }
 
+  static trace::PlotScene sceneOf(const LocatedGraph& graph, const TraceHints& onView) {
+    return {graph.view.raster, graph.frame.value, graph.axes.texts, onView.masks_px};
+  }
+
   Result<const std::vector<CurveTrace>*> traces(const Choice& choice, const TraceHints& hints,
                                                 const TraceOptions& options, const Progress& progress) {
     const auto kept = std::find_if(traced.begin(), traced.end(), [&](const Traced& each) {
@@ -550,12 +556,15 @@ struct ImportSession::Impl {
     const LocatedGraph& graph = choice.located();
     StepClock time(seconds, ImportStep::trace);
     const TraceHints onView = inView(hints, graph.view);
-    auto found = traceCurves(graph.view, graph.frame.value, graph.axes, onView, options, progress);
+    for (Traced& each : traced) each.scene.reset();
+    trace::PlotScene scene = sceneOf(graph, onView);
+    auto found = traceCurves(graph.view, scene, graph.axes, onView, options, progress);
     if (!found) return found.failure();
     if (progress.isCancelled()) return cancelled();  // half a tracing must not be kept for the whole
     if (traced.size() == keptTracings) traced.pop_front();
     traced.push_back(
-        {choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value(), {}});
+        {choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value()});
+    traced.back().scene = std::move(scene);
     return &traced.back().traces;
   }
 
@@ -567,8 +576,9 @@ struct ImportSession::Impl {
     if (!kept->explanation) {
       StepClock time(seconds, ImportStep::strokes);
       const LocatedGraph& graph = choice.located();
-      kept->explanation = explain(graph.view, graph.frame.value, graph.axes.texts, kept->traces,
-                                  inView(kept->hints, graph.view).masks_px);
+      if (!kept->scene) kept->scene = sceneOf(graph, inView(kept->hints, graph.view));
+      kept->explanation = explain(*kept->scene, kept->traces);
+      kept->scene.reset();
     }
     return *kept->explanation;
   }
@@ -804,13 +814,13 @@ std::optional<ImportSession::Impl::Wider> ImportSession::Impl::readWider(
   if (!widened) return {};
   StepClock time(seconds, ImportStep::trace);
   const TraceHints onView = inView(request.hints.trace, graph.view);
-  auto followed = traceCurves(widened->view, widened->frame.value, widened->axes, onView, options, progress);
+  const trace::PlotScene scene = sceneOf(*widened, onView);
+  auto followed = traceCurves(widened->view, scene, widened->axes, onView, options, progress);
   if (!followed || progress.isCancelled()) return {};
   auto strokes =
       separateStrokes(*followed, widened->axes, asSeen(request.hints.strokes, *followed, widened->view));
   if (!strokes) return {};
-  Explanation explanation =
-      explain(widened->view, widened->frame.value, widened->axes.texts, *followed, onView.masks_px);
+  Explanation explanation = explain(scene, *followed);
   return Wider{std::move(*widened), std::move(*followed), std::move(strokes), std::move(explanation)};
 }
 

@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "importer/page/ink_pieces.h"
 #include "importer/trace/dashes.h"
 
 namespace detent::importer::trace {
@@ -129,7 +130,7 @@ bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool
 /// these account for.
 void followInk(CurveInk& curve, const CurveField& search, const CurveField& full, const PlotInks& plot,
                double& explained) {
-  const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
+  const Box frame = scaled(plot.area().frame, 1.0 / curve.pooling);
   FollowOptions options;
   options.thickness_px = curve.thickness_px;  // pooling by maxima keeps a full ridge full
   curve.course = followCurve(pooledField(search, curve.pooling), frame, options);
@@ -139,7 +140,7 @@ void followInk(CurveInk& curve, const CurveField& search, const CurveField& full
   // What is left close to the line is markers, spikes and its own edges; what is left far from it is another
   // line.
   Plane rest = own;
-  clearLetters(rest, plot.text.mask, full.own.width, curve.pooling);
+  clearLetters(rest, plot.scene.lettering().mask, full.own.width, curve.pooling);
   eraseAlong(rest, curve.course.points, std::max(thickness + 2, plot.options.strandsApart * frame.height()));
   curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.course.inkColumns_px);
   if (curve.secondStrand > plot.options.secondStrand) accounted += massOf(own);
@@ -154,7 +155,7 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
   CurveInk curve;
   curve.ink = index;
   curve.neutral = neutral;
-  curve.pooling = std::max(1, static_cast<int>(plot.area.frame.width() / 260));
+  curve.pooling = std::max(1, static_cast<int>(plot.area().frame.width() / 260));
   const CurveField full = fieldOf(plot, index, others);
   curve.thickness_px = lineThickness(full.own);
   followInk(curve, full, full, plot, explained);
@@ -177,7 +178,7 @@ bool isFilledArea(const PlotInks& plot, int index) {
   constexpr int kLeastWidth_px = 7;
   constexpr double kMarker = 0.08;  // of the frame's smaller side, at most
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
-  const double side_px = std::min(plot.area.frame.width(), plot.area.frame.height());
+  const double side_px = std::min(plot.area().frame.width(), plot.area().frame.height());
   const int width_px = std::max(kLeastWidth_px, static_cast<int>(plot.options.fillWidth * side_px));
   const cv::Mat inked =
       cv::Mat(own.height, own.width, CV_32F, const_cast<float*>(own.values.data())) > kInked;
@@ -194,13 +195,11 @@ bool isFilledArea(const PlotInks& plot, int index) {
 }
 
 std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
-  if (plot.palette[static_cast<std::size_t>(index)].mass_px <
-      0.5 * plot.options.minSpan * plot.area.frame.width())
-    return {};
+  if (plot.ink(index).mass_px < 0.5 * plot.options.minSpan * plot.area().frame.width()) return {};
   if (isFilledArea(plot, index)) return {};
   double explained = 0;
   CurveInk curve = bestLine(plot, index, neutral, explained);
-  const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
+  const Box frame = scaled(plot.area().frame, 1.0 / curve.pooling);
   if (!isCurve(curve.course, frame, pooledThickness(curve), neutral, explained, plot.options) ||
       explained < plot.options.minExplained)
     return {};
@@ -212,9 +211,7 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
 bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<CurveInk>& stronger,
             const Plane& size) {
   constexpr float sameHue = 0.95F;  // cosine between differences to the paper
-  const auto inkOf = [&](const CurveInk& c) -> const Ink& {
-    return plot.palette[static_cast<std::size_t>(c.ink)];
-  };
+  const auto inkOf = [&](const CurveInk& c) -> const Ink& { return plot.ink(c.ink); };
   return std::any_of(stronger.begin(), stronger.end(), [&](const CurveInk& other) {
     const double along = shareAlong(curve.course, other.course, other.thickness_px / other.pooling + 2, size);
     const bool shorter = curve.course.gain_px < 0.6 * other.course.gain_px;
@@ -275,7 +272,62 @@ void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& 
   }
 }
 
+std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotScene& scene) {
+  std::vector<LegendSample> samples;
+  const Lettering& text = scene.lettering();
+  if (text.rows.empty()) return samples;
+  const Raster& r = scene.area().raster;
+  Mask inked(text.mask.size());
+  for (std::size_t k = 0; k < coverage.ink.size(); ++k) {
+    std::transform(coverage.ink[k].values.begin(), coverage.ink[k].values.end(), text.mask.begin(),
+                   inked.begin(),
+                   [](float ink, std::uint8_t letter) { return ink > 0.25F && letter == 0 ? 1 : 0; });
+    const auto width = static_cast<std::size_t>(r.width_px);
+    for (const InkPiece& piece : inkPiecesOf(inked.data(), r.width_px, r.height_px, width).all) {
+      const Box& box = piece.box;
+      if (box.width() > 0.25 * scene.area().frame.width() || piece.area_px < 4) continue;
+      for (const Box& row : text.rows) {
+        const double height = row.height();
+        const double gap = std::max(box.x0 - row.x1, row.x0 - box.x1);
+        const bool level = std::abs(box.middle().y - row.middle().y) <= 0.4 * height;
+        const bool shaped =
+            box.height() <= 1.1 * height && box.width() >= 1.5 * box.height() && box.width() >= 0.6 * height;
+        if (level && shaped && gap > -1 && gap <= 1.8 * height) {
+          samples.push_back({box, static_cast<int>(k), row});
+          break;
+        }
+      }
+    }
+  }
+  return samples;
+}
+
+/// Boxes that legends fill, from their samples and texts; drawn over curves they hide them.
+std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
+  std::vector<Box> boxes;
+  for (const LegendSample& sample : samples) {
+    // Entries stand one below the other about two letter heights apart; the box is drawn around them with a
+    // margin.
+    const double margin = 0.9 * sample.text.height();
+    const Box entry = sample.box.joined(sample.text);
+    const Box grown = entry.grown(margin, margin);
+    const auto home =
+        std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) { return box.touches(grown); });
+    if (home == boxes.end())
+      boxes.push_back(grown);
+    else
+      *home = home->joined(grown);
+  }
+  return boxes;
+}
+
 }  // namespace
+
+PlotInks::PlotInks(const PlotScene& itsScene, std::vector<Ink> itsPalette)
+    : scene(itsScene),
+      palette(std::move(itsPalette)),
+      coverage(unmix(scene, palette)),
+      samples(findLegendSamples(coverage, scene)) {}
 
 CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks) {
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
@@ -288,8 +340,9 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
     for (std::size_t i = 0; i < source.values.size(); ++i)
       target.values[i] = std::min(1.0F, target.values[i] + source.values[i]);
   }
-  for (std::size_t i = 0; i < plot.text.mask.size(); ++i)
-    if (plot.text.mask[i]) {
+  const Mask& letters = plot.scene.lettering().mask;
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    if (letters[i]) {
       // Letters' edges have any colour (sub-pixel rendering); only a pixel full of the ink is believed.
       if (field.own.values[i] < 0.85F) field.own.values[i] = 0;
       field.otherCurves.values[i] = 0;
@@ -300,8 +353,9 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
     for (int y = static_cast<int>(sample.box.y0) - 1; y <= static_cast<int>(sample.box.y1); ++y)
       for (int x = static_cast<int>(sample.box.x0) - 1; x <= static_cast<int>(sample.box.x1); ++x)
         if (field.own.inside(x, y)) field.own.at(x, y) = 0;
-  for (std::size_t i = 0; i < plot.area.masked.size(); ++i)
-    if (plot.area.masked[i]) field.own.values[i] = field.otherCurves.values[i] = 0;
+  const Mask& masked = plot.area().masked;
+  for (std::size_t i = 0; i < masked.size(); ++i)
+    if (masked[i]) field.own.values[i] = field.otherCurves.values[i] = 0;
   return field;
 }
 
@@ -327,22 +381,22 @@ CurveField besideDashesOnly(const CurveField& field) {
 }
 
 bool isNeutral(const PlotInks& plot, int index) {
-  const Ink& ink = plot.palette[static_cast<std::size_t>(index)];
-  const Color3 full = plot.backdrop.paper() + ink.difference();
+  const Ink& ink = plot.ink(index);
+  const Color3 full = plot.scene.paper() + ink.difference();
   const float chroma = std::max({full.r, full.g, full.b}) - std::min({full.r, full.g, full.b});
-  return chroma <= kGreyChroma || dot(ink.direction, plot.backdrop.lineDirection()) > 0.985F;
+  return chroma <= kGreyChroma || dot(ink.direction, plot.scene.lineDirection()) > 0.985F;
 }
 
 std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves) {
   std::vector<Ink> palette;
   for (CurveInk& curve : curves) {
-    palette.push_back(plot.palette[static_cast<std::size_t>(curve.ink)]);
+    palette.push_back(plot.ink(curve.ink));
     palette.back().isCurve = true;
     curve.ink = static_cast<int>(palette.size()) - 1;
   }
   const std::size_t n = palette.size();
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const Ink& ink = plot.palette[static_cast<std::size_t>(k)];
+    const Ink& ink = plot.ink(k);
     const bool chosen = std::any_of(palette.begin(), palette.begin() + static_cast<std::ptrdiff_t>(n),
                                     [&](const Ink& c) { return dot(c.direction, ink.direction) > 0.999F; });
     bool mixture = false;
@@ -367,7 +421,7 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   std::sort(found.begin(), found.end(),
             [](const CurveInk& a, const CurveInk& b) { return a.course.gain_px > b.course.gain_px; });
   const auto strength = [&](const CurveInk& curve) {
-    return static_cast<double>(plot.palette[static_cast<std::size_t>(curve.ink)].strength);
+    return static_cast<double>(plot.ink(curve.ink).strength);
   };
   const auto sizeOf = [&](const CurveInk& curve) {
     return Plane((plot.coverage.unknown.width - 1) / curve.pooling + 1,

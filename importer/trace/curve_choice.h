@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "importer/trace/follow_curve.h"
-#include "importer/trace/plot_text.h"
+#include "importer/trace/ink_coverage.h"
 
 namespace detent::importer::trace {
 
@@ -42,15 +42,26 @@ struct CurveChoiceOptions {
   double haloAlong = 0.9;     ///< share of a halo's course that lies on its line
 };
 
-/// Everything measured on one plot area.
+/// A legend's sample line: a short level piece of one ink, alone, beside a text row.
+struct LegendSample {
+  Box box;
+  int ink = 0;  ///< index into the coverage
+  Box text;     ///< of the row beside it
+};
+
+/// The scene's ink parted among a palette. Refers to the scene.
 struct PlotInks {
-  const PlotArea& area;
-  const Backdrop& backdrop;
-  const std::vector<Ink>& palette;
-  const Coverage& coverage;
-  const PlotText& text;
+  PlotInks(const PlotScene& itsScene, std::vector<Ink> itsPalette);
+
+  const PlotScene& scene;
+  std::vector<Ink> palette;
+  Coverage coverage;
   std::vector<LegendSample> samples;
   CurveChoiceOptions options = {};
+
+  const PlotArea& area() const { return scene.area(); }
+  const Ink& ink(int index) const { return palette[static_cast<std::size_t>(index)]; }
+  Rgb colorOf(const Ink& its) const { return rgbOf(scene.paper() + its.difference()); }
 };
 
 /// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks

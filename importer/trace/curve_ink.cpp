@@ -10,23 +10,20 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr int kReach_px = 14;      // to either side of a line's middle
-constexpr float kSameHue = 0.93F;  // cosine: other inks have a share of this one's colour
-constexpr float kInked = 0.12F;    // coverage: what has less ends a line
+constexpr int kReach_px = 14;    // to either side of a line's middle
+constexpr float kInked = 0.12F;  // coverage: what has less ends a line
 
 }  // namespace
 
-CurveInkOnArea::CurveInkOnArea(const PlotArea& area, const Backdrop& backdrop, Rgb color)
-    : area_(area), backdrop_(backdrop), ink_(inkOfColor(color, backdrop)) {}
-
-float CurveInkOnArea::at(int x, int y) const {
-  if (x < 0 || y < 0 || x >= area_.raster.width_px || y >= area_.raster.height_px) return 0;
-  const Color3 difference = colorAt(area_.raster, x, y) - backdrop_.paperAt(x, y);
-  const float own = dot(difference, ink_.direction);
-  return own < kSameHue * norm(difference) ? 0.0F : std::min(own / ink_.strength, 1.0F);
+Ink inkOfColor(Rgb color, Color3 paper) {
+  const Color3 difference = color3Of(color) - paper;
+  Ink ink;
+  ink.strength = std::max(1.0F, norm(difference));
+  ink.direction = (1 / ink.strength) * difference;
+  return ink;
 }
 
-InkRun CurveInkOnArea::across(double x, double y, bool plumb) const {
+InkAcross InkOnArea::across(double x, double y, bool plumb) const {
   const auto value = [&](int along) {
     return plumb ? at(along, static_cast<int>(std::lround(y))) : at(static_cast<int>(std::lround(x)), along);
   };
@@ -34,7 +31,7 @@ InkRun CurveInkOnArea::across(double x, double y, bool plumb) const {
   int middle = from;
   for (const int near : {from, from - 1, from + 1, from - 2, from + 2})
     if (value(near) > value(middle)) middle = near;
-  InkRun run;
+  InkAcross run;
   if (value(middle) < kInked) return run;
   double moment = 0;
   const auto take = [&](int along) {
@@ -49,7 +46,7 @@ InkRun CurveInkOnArea::across(double x, double y, bool plumb) const {
   return run;
 }
 
-double CurveInkOnArea::thicknessAlong(const std::vector<Point>& points) const {
+double InkOnArea::thicknessAlong(const std::vector<Point>& points) const {
   constexpr std::size_t samples = 120, look = 3, fewest = 6;
   std::vector<double> runs;
   const std::size_t step = std::max<std::size_t>(1, points.size() / samples);
@@ -67,10 +64,7 @@ double CurveInkOnArea::thicknessAlong(const std::vector<Point>& points) const {
   return runs.size() < fewest ? 0 : quantileOf(runs, 0.35);
 }
 
-bool PlumbLane::onLevelLine(double y) const {
-  constexpr double within_px = 3;
-  return std::ranges::any_of(area_.rows_px, [&](double row) { return std::abs(row - y) <= within_px; });
-}
+bool PlumbLane::onLevelLine(double y) const { return isAtOneOf(area_.rows_px, y, 3); }
 
 std::vector<double> PlumbLane::rows(double y0, double y1) const {
   std::vector<double> thicknesses;

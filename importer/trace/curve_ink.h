@@ -2,43 +2,82 @@
 #pragma once
 // The ink of one curve on the plot area, and how thick lines of it are. Private to importer/trace.
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
-#include "importer/trace/backdrop.h"
-#include "importer/trace/ink_palette.h"
+#include "importer/trace/plot_area.h"
 
 namespace detent::importer::trace {
 
+/// A colour or a difference of colours, 8-bit sRGB scale.
+struct Color3 {
+  float r = 0, g = 0, b = 0;
+
+  friend Color3 operator+(Color3 p, Color3 q) { return {p.r + q.r, p.g + q.g, p.b + q.b}; }
+  friend Color3 operator-(Color3 p, Color3 q) { return {p.r - q.r, p.g - q.g, p.b - q.b}; }
+  friend Color3 operator*(float s, Color3 p) { return {s * p.r, s * p.g, s * p.b}; }
+  friend float dot(Color3 p, Color3 q) { return p.r * q.r + p.g * q.g + p.b * q.b; }
+  friend float norm(Color3 p) { return std::sqrt(dot(p, p)); }
+};
+
+inline Color3 colorAt(const Raster& raster, int x, int y) {
+  const std::uint8_t* p = raster.at(x, y);
+  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
+
+inline Rgb rgbOf(Color3 c) {
+  const auto level = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5F, 0.0F, 255.0F)); };
+  return {level(c.r), level(c.g), level(c.b)};
+}
+
+inline Color3 color3Of(Rgb c) {
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
+
+struct Ink {
+  Color3 direction;      ///< unit vector, ink minus paper
+  float strength = 0;    ///< distance of the full ink from the paper, colour levels
+  double mass_px = 0;    ///< pixels of full coverage
+  bool isCurve = false;  ///< draws a curve: where several mixtures explain a pixel, one of curves is likelier
+
+  Color3 difference() const { return strength * direction; }
+};
+
+/// The ink of a colour on paper of another.
+Ink inkOfColor(Rgb color, Color3 paper);
+
 /// Ink across a line: coverage summed, and its centre of mass.
-struct InkRun {
+struct InkAcross {
   double thickness_px = 0;
   double middle = 0;
 };
 
-/// How much of one curve's ink the area's pixels hold. Refers to what it was made of.
-class CurveInkOnArea {
+/// How much of one curve's ink the area's pixels hold: all that is like it, lines and letters too.
+class InkOnArea {
  public:
-  CurveInkOnArea(const PlotArea& area, const Backdrop& backdrop, Rgb color);
+  /// `strength`: distance of the full ink from the paper, colour levels.
+  InkOnArea(Plane coverage, float strength) : coverage_(std::move(coverage)), strength_(strength) {}
 
   /// Whether the colour stands out of the paper.
-  bool distinct() const { return ink_.strength > 40; }
+  bool distinct() const { return strength_ > 40; }
   /// Coverage, 0..1; 0 outside the area and in other colours.
-  float at(int x, int y) const;
+  float at(int x, int y) const { return coverage_.inside(x, y) ? coverage_.at(x, y) : 0.0F; }
   /// The run of ink that holds the place or lies within two pixels of it, across a plumb or a level line.
-  InkRun across(double x, double y, bool plumb) const;
+  InkAcross across(double x, double y, bool plumb) const;
   /// How thick a line along these points is drawn, area px; 0 where it is not seen.
   double thicknessAlong(const std::vector<Point>& points) const;
 
  private:
-  const PlotArea& area_;
-  const Backdrop& backdrop_;
-  Ink ink_;
+  Plane coverage_;
+  float strength_ = 0;
 };
 
 /// What stands on a column of the area.
 class PlumbLane {
  public:
-  PlumbLane(const CurveInkOnArea& ink, const PlotArea& area, double x) : ink_(ink), area_(area), x_(x) {}
+  PlumbLane(const InkOnArea& ink, const PlotArea& area, double x) : ink_(ink), area_(area), x_(x) {}
 
   /// Thicknesses of its rows between two, those of level lines of the plot apart.
   std::vector<double> rows(double y0, double y1) const;
@@ -50,7 +89,7 @@ class PlumbLane {
  private:
   bool onLevelLine(double y) const;
 
-  const CurveInkOnArea& ink_;
+  const InkOnArea& ink_;
   const PlotArea& area_;
   double x_;
 };

@@ -11,6 +11,10 @@
 
 namespace detent::importer {
 
+namespace trace {
+class PlotScene;
+}
+
 /// One traced curve in view pixels, ordered along the line.
 struct CurveTrace {
   std::vector<Point> points_px;
@@ -38,7 +42,8 @@ struct TraceOptions {
   double pointSpacing_px = 1;  ///< along the curve; (0, 16]
 };
 
-Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame,
+/// `scene`: of the view, made with the axes' texts and the hints' masks.
+Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const trace::PlotScene& scene,
                                             const AxesFound& axes, const TraceHints& hints = {},
                                             const TraceOptions& options = {}, const Progress& progress = {});
 

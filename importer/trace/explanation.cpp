@@ -10,9 +10,8 @@
 
 #include "importer/page/polyline.h"
 #include "importer/page/quantile.h"
-#include "importer/trace/curve_ink.h"
 #include "importer/trace/dash_chains.h"
-#include "importer/trace/plot_text.h"
+#include "importer/trace/plot_scene.h"
 #include "importer/trace/scatter.h"
 
 namespace detent::importer {
@@ -54,20 +53,19 @@ void fill(cv::Mat& mask, const Box& box, double grown_px) {
 /// The plot of one result, with what explains its ink.
 class ExplainedPlot {
  public:
-  ExplainedPlot(const PageView& view, const PlotFrame& frame, const std::vector<SeenText>& texts,
-                const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px)
-      : area_(makePlotArea(view.raster, frame, texts, masks_px)) {
-    if (area_.raster.empty()) return;
-    const Box box = frame.box();
-    for (const GridLine& line : frame.xLines)
+  ExplainedPlot(const PlotScene& scene, const std::vector<CurveTrace>& curves)
+      : scene_(scene), area_(scene.area()) {
+    if (scene.empty()) return;
+    const Box box = scene.plotFrame().box();
+    for (const GridLine& line : scene.plotFrame().xLines)
       columns_.push_back(area_.fromView({line.position_px, box.y1}).x);
-    for (const GridLine& line : frame.yLines) rows_.push_back(area_.fromView({box.x0, line.position_px}).y);
-    backdrop_ = Backdrop::measure(area_);
+    for (const GridLine& line : scene.plotFrame().yLines)
+      rows_.push_back(area_.fromView({box.x0, line.position_px}).y);
     for (const CurveTrace& curve : curves) {
       if (curve.points_px.size() < 2) continue;
       Drawn drawn{{}, 1, curve.color, curve.fromVector};
       for (const Point& p : curve.points_px) drawn.points.push_back(area_.fromView(p));
-      const double seen = inkOf(curve.color).thicknessAlong(drawn.points);
+      const double seen = scene.inkOf(curve.color).thicknessAlong(drawn.points);
       drawn.thickness_px = std::max(1.0, seen);
       drawn_.push_back(std::move(drawn));
     }
@@ -76,7 +74,6 @@ class ExplainedPlot {
   bool empty() const { return drawn_.empty(); }
   const PlotArea& area() const { return area_; }
   const std::vector<Drawn>& drawn() const { return drawn_; }
-  CurveInkOnArea inkOf(Rgb color) const { return {area_, backdrop_, color}; }
 
   double thickness() const {
     std::vector<double> all;
@@ -95,9 +92,9 @@ class ExplainedPlot {
   cv::Mat explained() const {
     cv::Mat mask = curves();
     for (const Box& word : area_.words) fill(mask, word, 2);
-    const PlotText text = findText(area_, backdrop_);
-    for (std::size_t i = 0; i < text.mask.size(); ++i)
-      if (text.mask[i] || (!area_.masked.empty() && area_.masked[i])) mask.data[i] = 255;
+    const Mask& letters = scene_.lettering().mask;
+    for (std::size_t i = 0; i < letters.size(); ++i)
+      if (letters[i] || (!area_.masked.empty() && area_.masked[i])) mask.data[i] = 255;
     return mask;
   }
 
@@ -122,8 +119,7 @@ class ExplainedPlot {
   bool isGap(Point p, Rgb color) const {
     constexpr double reach_px = 0.6, mostOfInk = 0.4;  // the latter a share of the line's own colour levels
     if (mayBeHidden(p)) return false;
-    const Color3 drawn{static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
-    const double ink = norm(drawn - backdrop_.paper());
+    const double ink = norm(color3Of(color) - scene_.paper());
     for (const Point off : {Point{0, 0}, {reach_px, 0}, {-reach_px, 0}, {0, reach_px}, {0, -reach_px}})
       if (drawnAt(p + off) > mostOfInk * ink) return false;
     return true;
@@ -131,7 +127,7 @@ class ExplainedPlot {
 
   /// 255 where ink of a colour is that is not explained, the plot's own lines apart.
   cv::Mat inked(Rgb color, const cv::Mat& explained) const {
-    const CurveInkOnArea ink = inkOf(color);
+    const InkOnArea& ink = scene_.inkOf(color);
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
     if (!ink.distinct()) return mask;
     for (int y = 0; y < mask.rows; ++y)
@@ -143,8 +139,8 @@ class ExplainedPlot {
     for (const double row : rows_) takeDots(mask, ink, row, false);
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (mask.at<std::uint8_t>(y, x) && backdrop_.onLine(x, y) &&
-            norm(colorAt(area_.raster, x, y) - backdrop_.at(x, y)) < 60)
+        if (mask.at<std::uint8_t>(y, x) && scene_.onLine(x, y) &&
+            norm(scene_.pixel(x, y) - scene_.behind(x, y)) < 60)
           mask.at<std::uint8_t>(y, x) = 0;
     return mask;
   }
@@ -154,9 +150,7 @@ class ExplainedPlot {
     return x >= 0 && y >= 0 && x < area_.raster.width_px && y < area_.raster.height_px;
   }
   /// Colour levels.
-  float apartFromPaper(int x, int y) const {
-    return norm(colorAt(area_.raster, x, y) - backdrop_.paperAt(x, y));
-  }
+  float apartFromPaper(int x, int y) const { return norm(scene_.pixel(x, y) - scene_.paperAt(x, y)); }
   /// Likewise, between pixels; infinite outside.
   double drawnAt(Point p) const {
     const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
@@ -167,7 +161,7 @@ class ExplainedPlot {
   }
 
   /// Clears a line of the plot where it is no thicker than it is elsewhere.
-  void takeLine(cv::Mat& mask, const CurveInkOnArea& ink, double at, bool plumb) const {
+  void takeLine(cv::Mat& mask, const InkOnArea& ink, double at, bool plumb) const {
     const std::vector<double> runs = runsAlong(ink, at, plumb);
     const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
     for (std::size_t i = 0; i < runs.size(); ++i)
@@ -175,7 +169,7 @@ class ExplainedPlot {
   }
 
   /// How thick the ink is along a line of the plot, pixel by pixel.
-  std::vector<double> runsAlong(const CurveInkOnArea& ink, double at, bool plumb) const {
+  std::vector<double> runsAlong(const InkOnArea& ink, double at, bool plumb) const {
     std::vector<double> runs;
     const int length = plumb ? area_.raster.height_px : area_.raster.width_px;
     for (int i = 0; i < length; ++i)
@@ -193,7 +187,7 @@ class ExplainedPlot {
 
   /// Clears a gridline of dots or dashes at a number of the axis: ink and gaps take turns along nearly all of it. Where it is drawn
   /// through, something else stands on it.
-  void takeDots(cv::Mat& mask, const CurveInkOnArea& ink, double at, bool plumb) const {
+  void takeDots(cv::Mat& mask, const InkOnArea& ink, double at, bool plumb) const {
     constexpr double inked_px = 0.3, least = 0.15, most = 0.8;  // shares of a stretch that are inked
     constexpr std::size_t stretches = 10, mostOther = 2, window = 12;
     const std::vector<double> runs = runsAlong(ink, at, plumb);
@@ -218,9 +212,9 @@ class ExplainedPlot {
         clearAcross(mask, static_cast<int>(i), at, most_px, plumb);
   }
 
-  PlotArea area_;
+  const PlotScene& scene_;
+  const PlotArea& area_;
   std::vector<double> columns_, rows_;  // where the axes' numbers, ticks and gridlines stand
-  Backdrop backdrop_;
   std::vector<Drawn> drawn_;
 };
 
@@ -433,9 +427,8 @@ std::vector<Leap> leapsOf(const ExplainedPlot& plot) {
 
 }  // namespace
 
-Explanation explain(const PageView& view, const PlotFrame& frame, const std::vector<SeenText>& texts,
-                    const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px) {
-  const ExplainedPlot plot(view, frame, texts, curves, masks_px);
+Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curves) {
+  const ExplainedPlot plot(scene, curves);
   if (plot.empty()) return {};
   const cv::Mat left = leftOver(plot);
   return {remaindersOf(plot, left), leapsOf(plot), patchesOf(plot, left)};

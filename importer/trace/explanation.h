@@ -42,8 +42,7 @@ struct Explanation {
   Patches patches;              ///< in the curves' colours: what was followed may be a ground
 };
 
-/// `curves`: all that were traced, those of other switches too. `masks_px`: where nothing is looked for, view pixels.
-Explanation explain(const PageView& view, const PlotFrame& frame, const std::vector<SeenText>& texts,
-                    const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px);
+/// `curves`: all that were traced, those of other switches too.
+Explanation explain(const trace::PlotScene& scene, const std::vector<CurveTrace>& curves);
 
 }  // namespace detent::importer

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "importer/trace/backdrop.h"
+#include "importer/trace/curve_ink.h"
 
 namespace detent::importer {
 namespace {

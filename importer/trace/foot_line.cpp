@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "importer/page/quantile.h"
-#include "importer/trace/curve_ink.h"
 
 namespace detent::importer::trace {
 
@@ -22,28 +21,18 @@ constexpr double kThickest_px = 8;  // of a curve: what is farther from the foot
 constexpr double kBeside = 3;       // widths of the curve within which it thickens the line
 constexpr double kColumn_px = 3;    // beside a plumb line of the plot, where the foot line is thicker
 
-/// The columns of the area between two places, without those of the plot's plumb lines.
-class FootLine {
- public:
-  FootLine(const CurveInkOnArea& ink, const PlotArea& area) : ink_(ink), area_(area) {}
-
-  /// How thick it is at the columns that `take` wants; nothing where they are fewer than `least_px`.
-  template <class Take>
-  std::optional<double> thickness(double from, double to, double least_px, Take take) const {
-    std::vector<double> runs;
-    for (int x = static_cast<int>(std::ceil(from)); x <= to; ++x) {
-      const bool crossed = std::ranges::any_of(
-          area_.columns_px, [&](double column) { return std::abs(column - x) <= kColumn_px; });
-      if (!crossed && take(x)) runs.push_back(ink_.across(x, area_.frame.y1, false).thickness_px);
-    }
-    if (static_cast<double>(runs.size()) < std::max(1.0, least_px)) return {};
-    return quantileOf(runs, 0.5);
-  }
-
- private:
-  const CurveInkOnArea& ink_;
-  const PlotArea& area_;
-};
+/// How thick the foot line is between two places, at the columns that `take` wants and no plumb line of the plot crosses;
+/// nothing where they are fewer than `least_px`.
+template <class Take>
+std::optional<double> footThickness(const InkOnArea& ink, const PlotArea& area, double from, double to,
+                                    double least_px, Take take) {
+  std::vector<double> runs;
+  for (int x = static_cast<int>(std::ceil(from)); x <= to; ++x)
+    if (!isAtOneOf(area.columns_px, x, kColumn_px) && take(x))
+      runs.push_back(ink.across(x, area.frame.y1, false).thickness_px);
+  if (static_cast<double>(runs.size()) < std::max(1.0, least_px)) return {};
+  return quantileOf(runs, 0.5);
+}
 
 /// A trace on the area, from left to right.
 std::vector<Point> onArea(const CurveTrace& trace, const PlotArea& area) {
@@ -81,7 +70,7 @@ std::optional<std::size_t> tailOnFoot(const std::vector<Point>& points, const Pl
 
 /// How many points at a trace's left end lie on the foot line and are nothing but that line.
 std::size_t pointsOnFootLine(const CurveTrace& trace, const std::vector<CurveTrace>& traces,
-                             const PlotArea& area, const CurveInkOnArea& ink) {
+                             const PlotArea& area, const InkOnArea& ink) {
   const std::vector<Point> points = onArea(trace, area);
   std::vector<Point> clear;
   std::ranges::copy_if(points, std::back_inserter(clear),
@@ -90,20 +79,19 @@ std::size_t pointsOnFootLine(const CurveTrace& trace, const std::vector<CurveTra
   const auto tail = tailOnFoot(points, area, 0.5 * thick_px + 1.5);
   if (!tail) return 0;
   const double from = points.front().x, to = points[*tail - 1].x;
-  const FootLine line(ink, area);
   const double near_px = kBeside * thick_px + 4;
   const std::vector<char> near = columnsNearFoot(traces, area, near_px);
-  const auto own = line.thickness(area.frame.x0 + near_px, area.frame.x1 - near_px, kLeastBare * width,
-                                  [&](int x) { return !near[static_cast<std::size_t>(x)]; });
-  const auto here = line.thickness(from, to - near_px, 0, [](int) { return true; });
+  const auto own =
+      footThickness(ink, area, area.frame.x0 + near_px, area.frame.x1 - near_px, kLeastBare * width,
+                    [&](int x) { return !near[static_cast<std::size_t>(x)]; });
+  const auto here = footThickness(ink, area, from, to - near_px, 0, [](int) { return true; });
   if (!own || !here || *own <= 0 || thick_px < kLeastThicker * *own) return 0;
   return *here < std::lerp(*own, thick_px, kSame) ? *tail - 1 : 0;
 }
 
 /// How many points at a trace's right end are none of its ink: on the frame's upper or right line, and what leads there over
 /// bare paper.
-std::size_t pointsBeyondInk(const std::vector<Point>& points, const PlotArea& area,
-                            const CurveInkOnArea& ink) {
+std::size_t pointsBeyondInk(const std::vector<Point>& points, const PlotArea& area, const InkOnArea& ink) {
   constexpr double near_px = 3, bare = 0.3, leastBare = 0.02;  // coverage; of the frame's height
   const Box& frame = area.frame;
   const auto onEdge = [&](Point p) { return p.y - frame.y0 <= near_px || frame.x1 - p.x <= near_px; };
@@ -120,8 +108,36 @@ std::size_t pointsBeyondInk(const std::vector<Point>& points, const PlotArea& ar
   return static_cast<std::size_t>(inked - points.rbegin());
 }
 
-/// Takes points off a trace's left or right end.
-void drop(CurveTrace& trace, std::size_t count, bool atRight) {
+}  // namespace
+
+void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotScene& scene) {
+  if (scene.empty()) return;
+  const PlotArea& area = scene.area();
+  for (CurveTrace& trace : traces) {
+    const std::vector<Point> points = onArea(trace, area);
+    if (trace.fromVector || points.empty() || area.frame.x1 - points.back().x > kThickest_px) continue;
+    const InkOnArea& ink = scene.inkOf(trace.color);
+    if (ink.distinct()) dropEnd(trace, pointsBeyondInk(points, area, ink), true);
+  }
+}
+
+void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotScene& scene) {
+  if (scene.empty()) return;
+  const PlotArea& area = scene.area();
+  const auto mayRunOnFoot = [&](const CurveTrace& trace) {
+    return !trace.fromVector && tailOnFoot(onArea(trace, area), area, kThickest_px).has_value();
+  };
+  if (std::ranges::none_of(traces, mayRunOnFoot)) return;
+  std::vector<std::size_t> onLine;
+  for (const CurveTrace& trace : traces) {
+    const InkOnArea& ink = scene.inkOf(trace.color);
+    onLine.push_back(mayRunOnFoot(trace) && ink.distinct() ? pointsOnFootLine(trace, traces, area, ink) : 0);
+  }
+  for (std::size_t i = 0; i < traces.size(); ++i)
+    if (onLine[i] > 0) dropEnd(traces[i], onLine[i], false);
+}
+
+void dropEnd(CurveTrace& trace, std::size_t count, bool atRight) {
   const bool atBack = (trace.points_px.front().x > trace.points_px.back().x) != atRight;
   const auto n = static_cast<std::ptrdiff_t>(count);
   const auto dropFrom = [&](auto& values) {
@@ -129,36 +145,6 @@ void drop(CurveTrace& trace, std::size_t count, bool atRight) {
   };
   dropFrom(trace.points_px);
   if (!trace.width_px.empty()) dropFrom(trace.width_px);
-}
-
-}  // namespace
-
-void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotArea& area) {
-  if (area.raster.empty()) return;
-  std::optional<Backdrop> backdrop;
-  for (CurveTrace& trace : traces) {
-    const std::vector<Point> points = onArea(trace, area);
-    if (trace.fromVector || points.empty() || area.frame.x1 - points.back().x > kThickest_px) continue;
-    if (!backdrop) backdrop = Backdrop::measure(area);
-    const CurveInkOnArea ink(area, *backdrop, trace.color);
-    if (ink.distinct()) drop(trace, pointsBeyondInk(points, area, ink), true);
-  }
-}
-
-void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotArea& area) {
-  if (area.raster.empty()) return;
-  const auto mayRunOnFoot = [&](const CurveTrace& trace) {
-    return !trace.fromVector && tailOnFoot(onArea(trace, area), area, kThickest_px).has_value();
-  };
-  if (std::ranges::none_of(traces, mayRunOnFoot)) return;
-  const Backdrop backdrop = Backdrop::measure(area);
-  std::vector<std::size_t> onLine;
-  for (const CurveTrace& trace : traces) {
-    const CurveInkOnArea ink(area, backdrop, trace.color);
-    onLine.push_back(mayRunOnFoot(trace) && ink.distinct() ? pointsOnFootLine(trace, traces, area, ink) : 0);
-  }
-  for (std::size_t i = 0; i < traces.size(); ++i)
-    if (onLine[i] > 0) drop(traces[i], onLine[i], false);
 }
 
 }  // namespace detent::importer::trace

@@ -6,15 +6,18 @@
 #include <vector>
 
 #include "importer/trace/curve_trace.h"
-#include "importer/trace/plot_area.h"
+#include "importer/trace/plot_scene.h"
 
 namespace detent::importer::trace {
 
 /// Cuts traces where they run along the foot line and it is no thicker there than where no curve comes near it. A line as
 /// thick as the curves tells nothing, and nothing is cut.
-void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotArea& area);
+void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
 /// Cuts traces where their ink ends and they cross bare paper to the frame's upper or right line, which they run along from there.
-void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotArea& area);
+void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotScene& scene);
+
+/// Takes points off a trace's left or right end.
+void dropEnd(CurveTrace& trace, std::size_t count, bool atRight);
 
 }  // namespace detent::importer::trace

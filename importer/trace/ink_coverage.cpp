@@ -92,20 +92,20 @@ Plane pooled(const Plane& plane, int factor) {
   return out;
 }
 
-Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector<Ink>& inks) {
-  const Raster& r = area.raster;
+Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks) {
+  const Raster& r = scene.area().raster;
   Coverage coverage;
   coverage.unknown = Plane(r.width_px, r.height_px);
   for (std::size_t k = 0; k < inks.size(); ++k) coverage.ink.emplace_back(r.width_px, r.height_px);
-  const PixelUnmixer unmixer(inks, backdrop.paper());
-  const float floor = std::max(5.0F, 3 * backdrop.noise());
+  const PixelUnmixer unmixer(inks, scene.paper());
+  const float floor = std::max(5.0F, 3 * scene.noise());
   const float typical = inks.empty() ? 255.0F : std::max(40.0F, inks.front().strength);
   for (int y = 0; y < r.height_px; ++y)
     for (int x = 0; x < r.width_px; ++x) {
-      const Color3 pixel = colorAt(r, x, y), behind = backdrop.at(x, y);
+      const Color3 pixel = scene.pixel(x, y), behind = scene.behind(x, y);
       const float length = norm(pixel - behind);
       if (length < floor) continue;
-      const float tolerance = kResidualFloor + 2 * backdrop.noise() + kResidualShare * length;
+      const float tolerance = kResidualFloor + 2 * scene.noise() + kResidualShare * length;
       const Mixture mixture = unmixer.explain(pixel, behind, tolerance);
       const std::size_t i = coverage.unknown.index(x, y);
       if (mixture.residual > std::max(2.5F * tolerance, 0.2F * length)) {  // none of these inks

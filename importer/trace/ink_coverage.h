@@ -17,6 +17,6 @@ struct Coverage {
 /// Pixels of the largest coverage in blocks of `factor`²: enough to see where curves run.
 Plane pooled(const Plane& plane, int factor);
 
-Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector<Ink>& inks);
+Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks);
 
 }  // namespace detent::importer::trace

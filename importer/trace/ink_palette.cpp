@@ -24,8 +24,9 @@ std::size_t cellOf(Color3 d) {
   return (cell(d.r) * kCells + cell(d.g)) * kCells + cell(d.b);
 }
 
-std::vector<Sample> inkSamples(const PlotArea& area, const Backdrop& backdrop, const Mask& excluded) {
-  const float threshold = std::max(24.0F, inkThreshold(backdrop));
+std::vector<Sample> inkSamples(const PlotScene& scene, const Mask& excluded) {
+  const PlotArea& area = scene.area();
+  const float threshold = std::max(24.0F, scene.inkThreshold());
   std::vector<Sample> samples;
   const Raster& r = area.raster;
   // Half a pixel inside the frame, so that a frame line thicker than measured has no say.
@@ -39,8 +40,8 @@ std::vector<Sample> inkSamples(const PlotArea& area, const Backdrop& backdrop, c
           static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width_px) + static_cast<std::size_t>(x);
       if (!excluded.empty() && excluded[i]) continue;
       // Over a gridline the difference to the backdrop points elsewhere than over paper.
-      if (backdrop.onLine(x, y)) continue;
-      const Color3 difference = colorAt(r, x, y) - backdrop.at(x, y);
+      if (scene.onLine(x, y)) continue;
+      const Color3 difference = scene.pixel(x, y) - scene.behind(x, y);
       const float length = norm(difference);
       if (length >= threshold) samples.push_back({(1 / length) * difference, length});
     }
@@ -80,11 +81,8 @@ bool isBlend(const Ink& p, const Ink& a, const Ink& b) {
 
 }  // namespace
 
-float inkThreshold(const Backdrop& backdrop) { return std::max(10.0F, 4.5F * backdrop.noise()); }
-
-std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const Mask& excluded,
-                          const PaletteLimits& limits) {
-  const std::vector<Sample> samples = inkSamples(area, backdrop, excluded);
+std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const PaletteLimits& limits) {
+  const std::vector<Sample> samples = inkSamples(scene, excluded);
   std::vector<char> taken(samples.size(), 0);
   const float cosine = static_cast<float>(std::cos(limits.mergeAngle_deg * M_PI / 180));
   std::vector<Ink> inks;
@@ -119,27 +117,18 @@ std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const 
   return inks;
 }
 
-void addLetterInk(std::vector<Ink>& inks, const PlotArea& area, const Backdrop& backdrop,
-                  const Mask& letters) {
+void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene) {
+  const Mask& letters = scene.lettering().mask;
   Mask others(letters.size());
   std::transform(letters.begin(), letters.end(), others.begin(), [](std::uint8_t l) { return l ? 0 : 1; });
   PaletteLimits one;
   one.maxInks = 1;
-  for (const Ink& letter : findInks(area, backdrop, others, one)) {
+  for (const Ink& letter : findInks(scene, others, one)) {
     const bool known = std::any_of(inks.begin(), inks.end(), [&](const Ink& ink) {
       return dot(ink.direction, letter.direction) > 0.99F;
     });
     if (!known) inks.push_back(letter);
   }
-}
-
-Ink inkOfColor(Rgb color, const Backdrop& backdrop) {
-  const Color3 c{static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
-  const Color3 difference = c - backdrop.paper();
-  Ink ink;
-  ink.strength = std::max(1.0F, norm(difference));
-  ink.direction = (1 / ink.strength) * difference;
-  return ink;
 }
 
 }  // namespace detent::importer::trace

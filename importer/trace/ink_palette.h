@@ -6,18 +6,9 @@
 
 #include <vector>
 
-#include "importer/trace/backdrop.h"
+#include "importer/trace/plot_scene.h"
 
 namespace detent::importer::trace {
-
-struct Ink {
-  Color3 direction;      ///< unit vector, ink minus paper
-  float strength = 0;    ///< distance of the full ink from the paper, colour levels
-  double mass_px = 0;    ///< pixels of full coverage
-  bool isCurve = false;  ///< draws a curve: where several mixtures explain a pixel, one of curves is likelier
-
-  Color3 difference() const { return strength * direction; }
-};
 
 struct PaletteLimits {
   int maxInks = 8;
@@ -25,20 +16,12 @@ struct PaletteLimits {
   double mergeAngle_deg = 9;  ///< directions closer than this are one ink
 };
 
-/// Smallest colour difference that is ink, not noise.
-float inkThreshold(const Backdrop& backdrop);
-
 /// Inks by mass, heaviest first; pixels set in `excluded` have no say. Blends of two heavier inks are left
 /// out.
-std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const Mask& excluded,
-                          const PaletteLimits& limits = {});
+std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const PaletteLimits& limits = {});
 
-/// Adds the ink most letters have, unless it is in the palette: `letters` marks them. Without it their pixels
-/// would be taken for the nearest curve's.
-void addLetterInk(std::vector<Ink>& inks, const PlotArea& area, const Backdrop& backdrop,
-                  const Mask& letters);
-
-/// Given inks (hints) measured on the area: direction from the colour itself.
-Ink inkOfColor(Rgb color, const Backdrop& backdrop);
+/// Adds the ink most letters have, unless it is in the palette. Without it their pixels would be taken for the nearest
+/// curve's.
+void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

@@ -170,9 +170,7 @@ void findAlong(const WorkPlane& plane, bool vertical, const std::vector<double>&
     std::vector<int> now;
     for (int lane = 0; lane < lanes.lanes(); ++lane) {
       const Evidence& e = evidence[static_cast<std::size_t>(lane)];
-      const double slack = 2.0;
-      const bool isAnnounced = std::any_of(announced.begin(), announced.end(),
-                                           [&](double a) { return std::abs(a - lane) <= slack; });
+      const bool isAnnounced = isAtOneOf(announced, lane, 2);
       const bool plain = e.fromEdgeToEdge && e.share >= (vertical ? 0.45 : 0.7);
       if (plain || (isAnnounced && e.share >= 0.3)) {
         if (isPeak(lane)) now.push_back(lane);

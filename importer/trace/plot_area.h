@@ -5,6 +5,8 @@
 // is warped. All tracing of pixels happens on it, with what earlier steps know of it: where its lines and its
 // words stand and what the user masked; `toView` brings results back to the view's pixels.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -49,6 +51,11 @@ struct PlotArea {
     return static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px);
   }
 };
+
+/// Whether a place lies so near to one of a plot's lines.
+inline bool isAtOneOf(const std::vector<double>& lines, double position, double within) {
+  return std::ranges::any_of(lines, [&](double line) { return std::abs(line - position) <= within; });
+}
 
 /// Empty raster if the frame lies outside the view or has no area. `masks_px`: view pixels.
 PlotArea makePlotArea(const Raster& view, const PlotFrame& frame, const std::vector<SeenText>& texts = {},

@@ -18,19 +18,6 @@ double strokeOf(const InkPiece& piece) {
   return static_cast<double>(piece.area_px) / std::max(piece.runsDown, piece.runsAcross);
 }
 
-/// Colour difference to the backdrop, 0..255 (clipped), per pixel.
-cv::Mat contrastOf(const PlotArea& area, const Backdrop& backdrop) {
-  const Raster& r = area.raster;
-  cv::Mat contrast(r.height_px, r.width_px, CV_8U);
-  for (int y = 0; y < r.height_px; ++y) {
-    std::uint8_t* row = contrast.ptr<std::uint8_t>(y);
-    for (int x = 0; x < r.width_px; ++x)
-      row[x] =
-          static_cast<std::uint8_t>(std::min(255.0F, 0.577F * norm(colorAt(r, x, y) - backdrop.at(x, y))));
-  }
-  return contrast;
-}
-
 /// Contrast that the strongest twentieth of the ink exceeds.
 int strongContrast(const cv::Mat& contrast, int from) {
   std::array<int, 256> bins{};
@@ -98,7 +85,7 @@ bool mostlyInside(const Box& piece, const Box& word) {
 
 /// Marks letters among the pieces darker than `threshold` on `mask` and adds their rows.
 void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const std::vector<Box>& words,
-                 std::vector<TextRow>& rows, cv::Mat& mask) {
+                 std::vector<Box>& rows, cv::Mat& mask) {
   const cv::Mat ink = contrast >= threshold;
   const InkPieces pieces = inkPiecesOf(ink.data, ink.cols, ink.rows, ink.step);
   const std::size_t n = pieces.all.size();
@@ -116,21 +103,18 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
   for (const auto& row : letterRows(pieces.all, order)) {
     if (row.size() < 3 && std::none_of(row.begin(), row.end(), [&](std::size_t i) { return isWord[i] != 0; }))
       continue;
-    TextRow found;
-    found.box = pieces.all[row.front()].box;
+    rows.push_back(pieces.all[row.front()].box);
     for (std::size_t i : row) {
       isLetter[i] = 1;
-      found.letters.push_back(pieces.all[i].box);
-      found.box = found.box.joined(pieces.all[i].box);
+      rows.back() = rows.back().joined(pieces.all[i].box);
     }
-    rows.push_back(std::move(found));
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Box& box = pieces.all[i].box;
     // Dots, accents and letters missed for their shape: small pieces inside a row's box or inside a word read
     // before.
     for (std::size_t k = firstRow; k < rows.size() && !isLetter[i]; ++k)
-      isLetter[i] = mostlyInside(box, rows[k].box);
+      isLetter[i] = mostlyInside(box, rows[k]);
     for (std::size_t k = 0; k < words.size() && !isLetter[i]; ++k) isLetter[i] = mostlyInside(box, words[k]);
   }
   for (const InkRun& run : pieces.runs)
@@ -141,14 +125,15 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
 
 }  // namespace
 
-PlotText findText(const PlotArea& area, const Backdrop& backdrop) {
-  PlotText text;
-  const cv::Mat contrast = contrastOf(area, backdrop);
-  const int faint = std::max(14, static_cast<int>(0.6F * inkThreshold(backdrop)));
+Lettering findLettering(const PlotArea& area, const Mask& contrasts, float inkThreshold) {
+  Lettering text;
+  const cv::Mat contrast(area.raster.height_px, area.raster.width_px, CV_8U,
+                         const_cast<std::uint8_t*>(contrasts.data()));
+  const int faint = std::max(14, static_cast<int>(0.6F * inkThreshold));
   const int strong = strongContrast(contrast, faint) / 2;
   std::vector<Box> grown;
   for (const Box& word : area.words) {
-    text.rows.push_back({word, {}});
+    text.rows.push_back(word);
     grown.push_back(word.grown(1.5, 1.5));
   }
   cv::Mat mask(contrast.size(), CV_8U, cv::Scalar(0));
@@ -159,54 +144,6 @@ PlotText findText(const PlotArea& area, const Backdrop& backdrop) {
   cv::dilate(mask, mask, cv::Mat::ones(5, 5, CV_8U));
   text.mask.assign(mask.datastart, mask.dataend);
   return text;
-}
-
-std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text,
-                                            const PlotArea& area) {
-  std::vector<LegendSample> samples;
-  if (text.rows.empty()) return samples;
-  const Raster& r = area.raster;
-  Mask inked(text.mask.size());
-  for (std::size_t k = 0; k < coverage.ink.size(); ++k) {
-    std::transform(coverage.ink[k].values.begin(), coverage.ink[k].values.end(), text.mask.begin(),
-                   inked.begin(),
-                   [](float ink, std::uint8_t letter) { return ink > 0.25F && letter == 0 ? 1 : 0; });
-    const auto width = static_cast<std::size_t>(r.width_px);
-    for (const InkPiece& piece : inkPiecesOf(inked.data(), r.width_px, r.height_px, width).all) {
-      const Box& box = piece.box;
-      if (box.width() > 0.25 * area.frame.width() || piece.area_px < 4) continue;
-      for (const TextRow& row : text.rows) {
-        const double height = row.box.height();
-        const double gap = std::max(box.x0 - row.box.x1, row.box.x0 - box.x1);
-        const bool level = std::abs(box.middle().y - row.box.middle().y) <= 0.4 * height;
-        const bool shaped =
-            box.height() <= 1.1 * height && box.width() >= 1.5 * box.height() && box.width() >= 0.6 * height;
-        if (level && shaped && gap > -1 && gap <= 1.8 * height) {
-          samples.push_back({box, static_cast<int>(k), row.box});
-          break;
-        }
-      }
-    }
-  }
-  return samples;
-}
-
-std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
-  std::vector<Box> boxes;
-  for (const LegendSample& sample : samples) {
-    // Entries stand one below the other about two letter heights apart; the box is drawn around them with a
-    // margin.
-    const double margin = 0.9 * sample.text.height();
-    const Box entry = sample.box.joined(sample.text);
-    const Box grown = entry.grown(margin, margin);
-    const auto home =
-        std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) { return box.touches(grown); });
-    if (home == boxes.end())
-      boxes.push_back(grown);
-    else
-      *home = home->joined(grown);
-  }
-  return boxes;
 }
 
 }  // namespace detent::importer::trace

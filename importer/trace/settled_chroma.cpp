@@ -34,8 +34,8 @@ class ChromaSettler {
       }
   }
 
-  void run() {
-    if (sharpnessOfColour() >= options_.sharpness) return;
+  bool run() {
+    if (sharpnessOfColour() >= options_.sharpness) return false;
     struct Change {
       int x, y;
       Tone tone;
@@ -51,6 +51,7 @@ class ChromaSettler {
         changes.push_back({x, y, {here.bright, due}});
       }
     for (const Change& change : changes) paint(change.x, change.y, change.tone);
+    return !changes.empty();
   }
 
  private:
@@ -112,8 +113,8 @@ class ChromaSettler {
 
 }  // namespace
 
-void settleChroma(Raster& raster, Rgb paper, const ChromaOptions& options) {
-  ChromaSettler(raster, paper, options).run();
+bool settleChroma(Raster& raster, Rgb paper, const ChromaOptions& options) {
+  return ChromaSettler(raster, paper, options).run();
 }
 
 }  // namespace detent::importer::trace

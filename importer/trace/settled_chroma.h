@@ -21,7 +21,7 @@ struct ChromaOptions {
 };
 
 /// Moves spread colour back to where the brightness shows its line; leaves pictures alone whose colour is at
-/// full resolution. `paper`: the area's own colour.
-void settleChroma(Raster& raster, Rgb paper, const ChromaOptions& options = {});
+/// full resolution. `paper`: the area's own colour. Whether anything was moved.
+bool settleChroma(Raster& raster, Rgb paper, const ChromaOptions& options = {});
 
 }  // namespace detent::importer::trace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step 4, reading order: trace_vector.h (paths, exact) -> here (which inks draw curves) -> plot_area,
-// backdrop, plot_text, ink_palette, ink_coverage, curve_choice, follow_curve, centre_line, line_ends (curves
-// in inks of their own) or trace_loop.h (both strokes in one ink).
+// Step 4, reading order: plot_scene.h (what there is to see) -> trace_vector.h (paths, exact) -> here (which inks draw
+// curves) -> plot_text, ink_palette, ink_coverage, curve_choice, follow_curve, centre_line, line_ends (curves in inks of
+// their own) or trace_loop.h (both strokes in one ink).
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/foot_line.h"
 #include "importer/trace/line_ends.h"
-#include "importer/trace/settled_chroma.h"
+#include "importer/trace/plot_scene.h"
 #include "importer/trace/trace_loop.h"
 #include "importer/trace/trace_vector.h"
 #include "importer/trace/walls.h"
@@ -48,10 +48,10 @@ struct GivenInks {
 };
 
 /// Given colours join the palette; an ink found in the same direction keeps its measured shade.
-GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const Backdrop& backdrop) {
+GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const PlotScene& scene) {
   const auto indexOf = [&](const std::optional<Rgb>& color) {
     if (!color) return -1;
-    const Ink ink = inkOfColor(*color, backdrop);
+    const Ink ink = inkOfColor(*color, scene.paper());
     const auto same = std::find_if(palette.begin(), palette.end(), [&](const Ink& other) {
       return static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle;
     });
@@ -81,69 +81,52 @@ void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   const auto lowest = std::max_element(points.begin(), leaves, [](Point a, Point b) { return a.y < b.y; });
   if (lowest == leaves || leaves == points.end()) return;
   if (lowest->y - points.front().y < leastShare * height) return;
-  const auto cut = lowest - points.begin();
-  points.erase(points.begin(), lowest);
-  if (!trace.width_px.empty()) trace.width_px.erase(trace.width_px.begin(), trace.width_px.begin() + cut);
+  dropEnd(trace, static_cast<std::size_t>(lowest - points.begin()), false);
 }
 
-class ColouredCurves {
- public:
-  ColouredCurves(const PlotInks& plot, const TraceOptions& options) : plot_(plot), options_(options) {}
-
-  std::vector<CurveTrace> trace(const std::vector<CurveInk>& curves) const {
-    std::vector<int> curveInks;
-    for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
-    std::vector<CurveTrace> traces;
-    for (const CurveInk& curve : curves) traces.push_back(traceOne(curve, curveInks));
-    return traces;
+/// The centre line of a curve in an ink of its own, `curveInks` those of all curves.
+CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveInks, const PlotInks& plot,
+                   const TraceOptions& options) {
+  const PlotArea& area = plot.area();
+  const CurveField field = fieldOf(plot, curve.ink, curveInks);
+  FollowOptions follow;
+  follow.thickness_px = curve.thickness_px;
+  const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
+  const CoarseCurve course = followCurve(joined ? *joined : field, area.frame, follow);
+  CentreLine line = centreLine(curve.dashed ? besideDashesOnly(field) : field, course, curve.thickness_px);
+  finishEnds(line, field, area.frame);
+  CurveTrace trace;
+  trace.color = plot.colorOf(plot.ink(curve.ink));
+  trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, course.inkShare), 0.0, 1.0);
+  Point last{};
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const Point p = area.toView(line.points[i]);
+    const bool end = i == 0 || i + 1 == line.points.size();
+    if (!end && distance(p, last) < 0.95 * options.pointSpacing_px) continue;
+    trace.points_px.push_back(p);
+    const Point q = area.toView({line.points[i].x + 1, line.points[i].y});
+    trace.width_px.push_back(line.profile.width_px * distance(p, q));
+    last = p;
   }
-
- private:
-  CurveTrace traceOne(const CurveInk& curve, const std::vector<int>& curveInks) const {
-    const CurveField field = fieldOf(plot_, curve.ink, curveInks);
-    FollowOptions follow;
-    follow.thickness_px = curve.thickness_px;
-    const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
-    const CoarseCurve course = followCurve(joined ? *joined : field, plot_.area.frame, follow);
-    CentreLine line = centreLine(curve.dashed ? besideDashesOnly(field) : field, course, curve.thickness_px);
-    finishEnds(line, field, plot_.area.frame);
-    CurveTrace trace;
-    trace.color =
-        rgbOf(plot_.backdrop.paper() + plot_.palette[static_cast<std::size_t>(curve.ink)].difference());
-    trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, course.inkShare), 0.0, 1.0);
-    Point last{};
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-      const Point p = plot_.area.toView(line.points[i]);
-      const bool end = i == 0 || i + 1 == line.points.size();
-      if (!end && distance(p, last) < 0.95 * options_.pointSpacing_px) continue;
-      trace.points_px.push_back(p);
-      const Point q = plot_.area.toView({line.points[i].x + 1, line.points[i].y});
-      trace.width_px.push_back(line.profile.width_px * distance(p, q));
-      last = p;
-    }
-    return trace;
-  }
-
-  const PlotInks& plot_;
-  const TraceOptions& options_;
-};
+  return trace;
+}
 
 /// The area as coverage by one ink, for curves that share it with each other and perhaps with grid and text.
-Plane coverageBy(const Ink& ink, bool neutral, const PlotArea& area, const Backdrop& backdrop,
-                 const std::vector<Ink>& palette) {
+Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
+  const PlotArea& area = plot.area();
   Plane coverage(area.raster.width_px, area.raster.height_px);
-  const float floor = std::max(4.0F, 3 * backdrop.noise());
+  const float floor = std::max(4.0F, 3 * plot.scene.noise());
   for (int y = 0; y < coverage.height; ++y)
     for (int x = 0; x < coverage.width; ++x) {
       if (!area.masked.empty() && area.masked[coverage.index(x, y)]) continue;
-      const Color3 difference = colorAt(area.raster, x, y) - backdrop.paperAt(x, y);
+      const Color3 difference = plot.scene.pixel(x, y) - plot.scene.paperAt(x, y);
       const float length = norm(difference);
       if (length < floor) continue;
       float own = dot(difference, ink.direction) / ink.strength;
       if (!neutral) {
         // Another ink that fits the pixel's colour better has it; only blends keep a share of this one.
         float bestOther = 0;
-        for (const Ink& other : palette) {
+        for (const Ink& other : plot.palette) {
           if (static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle) continue;
           bestOther = std::max(bestOther, dot(difference, other.direction) / length);
         }
@@ -160,11 +143,11 @@ Plane coverageBy(const Ink& ink, bool neutral, const PlotArea& area, const Backd
 Ink darkness(const PlotInks& plot) {
   Ink dark;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const Ink& ink = plot.palette[static_cast<std::size_t>(k)];
+    const Ink& ink = plot.ink(k);
     if (isNeutral(plot, k) && ink.strength > dark.strength) dark = ink;
   }
   if (dark.strength > 0) return dark;
-  const Color3 paper = plot.backdrop.paper();
+  const Color3 paper = plot.scene.paper();
   const bool light = paper.r + paper.g + paper.b > 382;
   dark.strength = std::max(1.0F, norm(light ? paper : Color3{255, 255, 255} - paper));
   dark.direction = (1 / dark.strength) * (light ? Color3{} - paper : Color3{255, 255, 255} - paper);
@@ -182,7 +165,7 @@ struct InkSeen {
 constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9;
 
 /// How far from a word, in its heights, the first thing beside it ends: its sample stands nearer than the legend's box.
-double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster, const Backdrop& backdrop) {
+double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster, Color3 paper) {
   constexpr double kApart = 0.4, kBeyond = 0.1;  // between a sample and what is none; looked beyond it
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
@@ -190,7 +173,7 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
     for (int y = static_cast<int>(middle - kBand * height); y <= static_cast<int>(middle + kBand * height);
          ++y)
       if (x >= 0 && y >= 0 && x < raster.width_px && y < raster.height_px &&
-          norm(colorAt(raster, x, y) - backdrop.paper()) >= 24)
+          norm(colorAt(raster, x, y) - paper) >= 24)
         return true;
     return false;
   };
@@ -206,7 +189,7 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
 /// Looks beside a word, in a strip as long as a legend's sample may be; `direction` -1: left of it, +1:
 /// right.
 std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
-                                const Raster& raster, const Backdrop& backdrop, double heights) {
+                                const Raster& raster, Color3 paper, double heights) {
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
   const double far = near + direction * heights * height;
@@ -217,7 +200,7 @@ std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vecto
   std::vector<InkSeen> seen(inks.size());
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
-      const Color3 difference = colorAt(raster, x, y) - backdrop.paper();
+      const Color3 difference = colorAt(raster, x, y) - paper;
       const float length = norm(difference);
       if (length < 24) continue;
       for (std::size_t k = 0; k < inks.size(); ++k) {
@@ -235,11 +218,11 @@ using StripLength = std::function<double(const Box& word, int direction)>;
 
 /// Which trace's sample stands beside a word: level, ended, and of one ink only.
 std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const PageView& view,
-                                        const Backdrop& backdrop, const StripLength& lengthOf) {
+                                        Color3 paper, const StripLength& lengthOf) {
   const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // as people write, sample first
   for (int direction : {before, -before}) {
     const std::vector<InkSeen> seen =
-        lookBeside(word, direction, inks, view.raster, backdrop, lengthOf(word, direction));
+        lookBeside(word, direction, inks, view.raster, paper, lengthOf(word, direction));
     std::optional<std::size_t> found;
     bool several = false;
     for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -272,11 +255,11 @@ std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
 
 /// The texts beside each trace's legend sample.
 LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
-                        const PageView& view, const Backdrop& backdrop, const StripLength& lengthOf) {
+                        const PageView& view, Color3 paper, const StripLength& lengthOf) {
   LegendTexts beside(inks.size());
   for (const SeenText& text : texts) {
     if (std::abs(text.angle_deg) > 20 || text.box.empty()) continue;
-    if (const auto trace = sampledTrace(text.box, inks, view, backdrop, lengthOf))
+    if (const auto trace = sampledTrace(text.box, inks, view, paper, lengthOf))
       beside[*trace].push_back(text);
   }
   return beside;
@@ -305,10 +288,11 @@ void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& besid
 
 /// Gives each trace the words that its legend sample stands beside; several texts of one ink parted by " / ".
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
-                 const Backdrop& backdrop) {
+                 const PlotScene& scene) {
+  const Color3 paper = scene.paper();
   std::vector<Ink> inks;
-  for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, backdrop));
-  LegendTexts beside = textsBeside(axes.texts, inks, view, backdrop, [](const Box&, int) { return kLength; });
+  for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, paper));
+  LegendTexts beside = textsBeside(axes.texts, inks, view, paper, [](const Box&, int) { return kLength; });
   for (std::vector<SeenText>& texts : beside)
     std::erase_if(texts, [](const SeenText& text) { return text.utf8.empty(); });
   for (std::size_t i = 0; i < traces.size(); ++i) {
@@ -319,9 +303,9 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const P
     }
   }
   const auto firstBeside = [&](const Box& word, int direction) {
-    return lengthOfFirstBeside(word, direction, view.raster, backdrop);
+    return lengthOfFirstBeside(word, direction, view.raster, paper);
   };
-  labelByOtherLines(traces, textsBeside(axes.otherLines, inks, view, backdrop, firstBeside));
+  labelByOtherLines(traces, textsBeside(axes.otherLines, inks, view, paper, firstBeside));
 }
 
 Mask either(const Mask& a, const Mask& b) {
@@ -362,11 +346,10 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
   if (allOrNone && !std::ranges::all_of(curves, mayBeLoop)) return traces;
   std::vector<CurveTrace> all;
   for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {
-    const Ink& ink = plot.palette[static_cast<std::size_t>(curves[i].ink)];
+    const Ink& ink = plot.ink(curves[i].ink);
     const auto loop = [&]() -> Result<std::vector<CurveTrace>> {
       if (!mayBeLoop(curves[i])) return std::vector<CurveTrace>{};
-      return traceLoop(plot.area, coverageBy(ink, false, plot.area, plot.backdrop, plot.palette),
-                       traces[i].color, options, progress);
+      return traceLoop(plot.area(), coverageBy(ink, false, plot), traces[i].color, options, progress);
     }();
     if (!loop || loop->size() < 2 || loop->front().confidence < kCredibleLoop) {
       if (allOrNone) return traces;
@@ -433,13 +416,13 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
                                                       const Progress& progress) {
   constexpr double smallFrame_px = 360, agreeing = 0.9;  // width; of a course that lies on a stroke
   const bool named = std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); });
-  if (plot.area.frame.width() > smallFrame_px || traces.size() < 2 || named || !anyLost(traces)) return {};
-  auto loop = traceLoop(plot.area, coverageBy(darkness(plot), true, plot.area, plot.backdrop, plot.palette),
-                        traces.front().color, options, progress);
+  if (plot.area().frame.width() > smallFrame_px || traces.size() < 2 || named || !anyLost(traces)) return {};
+  auto loop =
+      traceLoop(plot.area(), coverageBy(darkness(plot), true, plot), traces.front().color, options, progress);
   if (!loop || loop->size() != 2 || loop->front().confidence < kCredibleLoop) return {};
   std::vector<CurveTrace> strokes = std::move(loop).value();
   for (const CurveTrace& stroke : strokes)
-    if (leavesByTheTop(stroke, plot.area)) return {};
+    if (leavesByTheTop(stroke, plot.area())) return {};
   for (const CurveTrace& trace : traces)
     if (std::max(shareOn(trace, strokes[0]), shareOn(trace, strokes[1])) < agreeing) return {};
   for (CurveTrace& stroke : strokes) {
@@ -452,20 +435,16 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
   return strokes;
 }
 
-Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView& view, const AxesFound& axes,
-                                            const TraceHints& hints, const TraceOptions& options,
-                                            const Progress& progress) {
-  const Backdrop backdrop = Backdrop::measure(area);
-  if (progress.isCancelled()) return Failure::cancelled();
-  const PlotText text = findText(area, backdrop);
-  std::vector<Ink> palette = findInks(area, backdrop, either(text.mask, area.masked));
-  addLetterInk(palette, area, backdrop, text.mask);
-  const GivenInks given = addGivenInks(palette, hints, backdrop);
+Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageView& view,
+                                            const AxesFound& axes, const TraceHints& hints,
+                                            const TraceOptions& options, const Progress& progress) {
+  std::vector<Ink> palette = findInks(scene, either(scene.lettering().mask, scene.area().masked));
+  addLetterInk(palette, scene);
+  const GivenInks given = addGivenInks(palette, hints, scene);
   if (palette.empty()) return noCurve(Message("is empty: nothing but paper and grid lines in it"));
   if (progress.isCancelled()) return Failure::cancelled();
 
-  const Coverage coverage = unmix(area, backdrop, palette);
-  const PlotInks plot{area, backdrop, palette, coverage, text, findLegendSamples(coverage, text, area)};
+  const PlotInks plot(scene, std::move(palette));
   std::vector<CurveInk> curves = findCurves(plot, given);
   if (given.any() && curves.empty()) return noCurve(Message("shows no line in the colours given"));
   if (progress.isCancelled()) return Failure::cancelled();
@@ -474,14 +453,13 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   if (curves.empty() || oneInkBothStrokes) {
     // A press alone gets its words: a legend whose samples are both of its ink names a release that was not seen.
     const auto loopIn = [&](const Ink& ink, bool neutral) {
-      auto loop = traceLoop(area, coverageBy(ink, neutral, area, backdrop, palette),
-                            rgbOf(backdrop.paper() + ink.difference()), options, progress);
-      if (loop && loop->size() == 1) labelTraces(*loop, axes, view, backdrop);
+      auto loop =
+          traceLoop(scene.area(), coverageBy(ink, neutral, plot), plot.colorOf(ink), options, progress);
+      if (loop && loop->size() == 1) labelTraces(*loop, axes, view, scene);
       return loop;
     };
     if (curves.empty()) return loopIn(darkness(plot), true);
-    Result<std::vector<CurveTrace>> loop =
-        loopIn(palette[static_cast<std::size_t>(curves.front().ink)], false);
+    Result<std::vector<CurveTrace>> loop = loopIn(plot.ink(curves.front().ink), false);
     const double believed = loop.ok() ? loop->front().confidence : 0;
     if (given.any() || believed >= kCredibleLoop || progress.isCancelled()) return loop;
     // Coloured leaders and dots can look like an ink of curves; then these are in the neutral ink.
@@ -490,13 +468,13 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   }
 
   const std::vector<CurveInk> chosen = curves;
-  const std::vector<Ink> finalPalette = reducedPalette(plot, curves);
-  const Coverage finalCoverage = unmix(area, backdrop, finalPalette);
-  const PlotInks finalPlot{area,          backdrop, finalPalette,
-                           finalCoverage, text,     findLegendSamples(finalCoverage, text, area)};
-  std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
+  const PlotInks finalPlot(scene, reducedPalette(plot, curves));
+  std::vector<int> curveInks;
+  for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
+  std::vector<CurveTrace> traces;
+  for (const CurveInk& curve : curves) traces.push_back(traceOf(curve, curveInks, finalPlot, options));
   nameGivenStrokes(traces, chosen, given);
-  labelTraces(traces, axes, view, backdrop);
+  labelTraces(traces, axes, view, scene);
   if (given.any()) return traces;
   if (auto strokes = withoutColours(traces, finalPlot, options, progress)) return std::move(*strokes);
   return withLoopsParted(traces, curves, finalPlot, options, progress);
@@ -510,26 +488,24 @@ std::string nameOf(Rgb color) {
   return text;
 }
 
-Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame,
+Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScene& scene,
                                             const AxesFound& axes, const TraceHints& hints,
                                             const TraceOptions& options, const Progress& progress) {
   if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
     return Failure{FailureCode::wrongUsage, "point spacing", "", Message("must lie in (0, 16] px"),
                    Message("Leave it at 1")};
-  std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
+  std::vector<CurveTrace> exact = traceVector(view, scene.plotFrame(), axes, hints);
   if (!exact.empty()) {
-    addLostWalls(exact, makePlotArea(view.raster, frame, axes.texts, hints.masks_px));
+    addLostWalls(exact, scene);
     return exact;
   }
-  PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);
-  if (area.raster.empty()) return noCurve(Message("lies outside the picture or has no area"));
-  settleChroma(area.raster, rgbOf(paperOf(area)));
-  auto traces = traceRaster(area, view, axes, hints, options, progress);
+  if (scene.empty()) return noCurve(Message("lies outside the picture or has no area"));
+  auto traces = traceRaster(scene, view, axes, hints, options, progress);
   if (!traces) return traces;
-  for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, frame);
-  cutAlongFootLine(*traces, area);
-  cutAcrossToEdges(*traces, area);
-  addLostWalls(*traces, area);
+  for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, scene.plotFrame());
+  cutAlongFootLine(*traces, scene);
+  cutAcrossToEdges(*traces, scene);
+  addLostWalls(*traces, scene);
   return traces;
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "importer/page/quantile.h"
-#include "importer/trace/curve_ink.h"
+#include "importer/trace/foot_line.h"
 
 namespace detent::importer::trace {
 
@@ -62,12 +62,11 @@ struct Thickness {
 };
 
 /// How thick the plot's own lines are that stand plumb, of which the lane may be one; 0 where the lane is none of them.
-double ownLine(const CurveInkOnArea& ink, const PlotArea& area, double x, double within_px) {
-  const auto isHere = [&](double column) { return std::abs(column - x) <= within_px; };
-  if (std::ranges::none_of(area.columns_px, isHere)) return 0;
+double ownLine(const InkOnArea& ink, const PlotArea& area, double x, double within_px) {
+  if (!isAtOneOf(area.columns_px, x, within_px)) return 0;
   std::vector<double> others;
   for (const double column : area.columns_px)
-    if (!isHere(column))
+    if (std::abs(column - x) > within_px)
       if (const auto run = Thickness::between({ink, area, column}, area.frame.y0 + 4, area.frame.y1 - 4))
         others.push_back(run->usual);
   return others.empty() ? 0 : quantileOf(others, 0.75);
@@ -101,7 +100,7 @@ struct Ends {
 };
 
 /// The wall above a curve's end.
-std::optional<Wall> wallAt(const Curve& curve, Ends ends, const CurveInkOnArea& ink, const PlotArea& area) {
+std::optional<Wall> wallAt(const Curve& curve, Ends ends, const InkOnArea& ink, const PlotArea& area) {
   const double w = curve.thickness_px, height = area.frame.height(), margin = 1.5 * w + 2;
   const double least_px = std::max(kLeastHeight * height, 3 * w);
   if (ends.uppermost - area.frame.y0 < least_px) return {};
@@ -149,8 +148,8 @@ bool endTogether(const Curve& a, const Curve& b) {
 }
 
 /// The wall that ends another curve of the same ink, where this one ends beside it: the strokes of one button part there.
-std::optional<Wall> sharedWall(const Curve& curve, const std::vector<Curve>& curves,
-                               const CurveInkOnArea& ink, const PlotArea& area) {
+std::optional<Wall> sharedWall(const Curve& curve, const std::vector<Curve>& curves, const InkOnArea& ink,
+                               const PlotArea& area) {
   const double least_px = std::max(kLeastHeight * area.frame.height(), 3 * curve.thickness_px);
   for (const Curve& other : curves) {
     if (&other == &curve || other.color != curve.color || !endTogether(curve, other)) continue;
@@ -175,24 +174,13 @@ std::size_t pointsOfHook(const Curve& curve, double x) {
 }
 
 /// The strokes of one ink are as thick as the thinnest: what runs along another one looks thicker.
-void measureThickness(std::vector<Curve>& curves, const PlotArea& area, const Backdrop& backdrop) {
+void measureThickness(std::vector<Curve>& curves, const PlotScene& scene) {
   std::vector<double> seen_px;
-  for (const Curve& curve : curves)
-    seen_px.push_back(CurveInkOnArea(area, backdrop, curve.color).thicknessAlong(curve.points));
+  for (const Curve& curve : curves) seen_px.push_back(scene.inkOf(curve.color).thicknessAlong(curve.points));
   for (Curve& curve : curves)
     for (std::size_t k = 0; k < curves.size(); ++k)
       if (curves[k].color == curve.color && seen_px[k] > 0)
         curve.thickness_px = curve.thickness_px > 0 ? std::min(curve.thickness_px, seen_px[k]) : seen_px[k];
-}
-
-/// Takes points off the trace's right end.
-void shorten(CurveTrace& trace, std::size_t count, bool reversed) {
-  const auto drop = [&](auto& values) {
-    const auto n = static_cast<std::ptrdiff_t>(count);
-    values.erase(reversed ? values.begin() : values.end() - n, reversed ? values.begin() + n : values.end());
-  };
-  drop(trace.points_px);
-  if (!trace.width_px.empty()) drop(trace.width_px);
 }
 
 /// Appends the wall to the trace, at its right end.
@@ -212,18 +200,18 @@ void lengthen(CurveTrace& trace, const Wall& wall, bool reversed, const PlotArea
 
 }  // namespace
 
-void addLostWalls(std::vector<CurveTrace>& traces, const PlotArea& area) {
-  if (traces.empty() || area.raster.empty()) return;
-  const Backdrop backdrop = Backdrop::measure(area);
+void addLostWalls(std::vector<CurveTrace>& traces, const PlotScene& scene) {
+  if (traces.empty() || scene.empty()) return;
+  const PlotArea& area = scene.area();
   std::vector<Curve> curves;
   for (const CurveTrace& trace : traces) {
     if (trace.points_px.size() < 2) return;
     curves.push_back(curveOf(trace, area));
   }
   std::vector<std::optional<Wall>> walls(traces.size());
-  measureThickness(curves, area, backdrop);
+  measureThickness(curves, scene);
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const CurveInkOnArea ink(area, backdrop, traces[i].color);
+    const InkOnArea& ink = scene.inkOf(traces[i].color);
     if (!ink.distinct() || curves[i].thickness_px <= 0) continue;
     Ends ends{curves[i].end().y, curves[i].end().y};
     for (const Curve& other : curves)
@@ -237,7 +225,7 @@ void addLostWalls(std::vector<CurveTrace>& traces, const PlotArea& area) {
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (!walls[i]) continue;
     if (const std::size_t hook = pointsOfHook(curves[i], walls[i]->x)) {
-      shorten(traces[i], hook, curves[i].reversed);
+      dropEnd(traces[i], hook, true);
       walls[i]->foot = curves[i].points[curves[i].points.size() - 1 - hook].y;
     }
     lengthen(traces[i], *walls[i], curves[i].reversed, area);

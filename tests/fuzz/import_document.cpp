@@ -7,6 +7,7 @@
 
 #include "importer/assemble_report.h"
 #include "importer/overlay/overlay.h"
+#include "importer/trace/plot_scene.h"
 
 namespace detent::importer::fuzz {
 namespace {
@@ -66,7 +67,8 @@ namespace {
 void importGraph(const LocatedGraph& graph) {
   TraceOptions spacing;
   spacing.pointSpacing_px = 2;
-  const auto traces = traceCurves(graph.view, graph.frame.value, graph.axes, {}, spacing);
+  const trace::PlotScene scene(graph.view.raster, graph.frame.value, graph.axes.texts);
+  const auto traces = traceCurves(graph.view, scene, graph.axes, {}, spacing);
   if (!traces) return;
   auto strokes = separateStrokes(*traces, graph.axes);
   if (!strokes) return;

@@ -18,27 +18,26 @@ constexpr int kWidth_px = 60, kHeight_px = 40, kLine_px = 20;
 constexpr Rgb kWhite{255, 255, 255}, kGrey{180, 180, 180}, kRed{220, 30, 40};
 
 /// White paper with grey lines across and a short red stroke over one of them.
-PlotArea areaWithLine() {
-  PlotArea area;
-  area.raster.width_px = kWidth_px;
-  area.raster.height_px = kHeight_px;
+PlotScene sceneWithLine() {
+  Raster raster{kWidth_px, kHeight_px, {}};
   for (int y = 0; y < kHeight_px; ++y)
     for (int x = 0; x < kWidth_px; ++x) {
       const Rgb color = x == 30 && std::abs(y - kLine_px) < 8 ? kRed : y % 10 == 0 ? kGrey : kWhite;
-      area.raster.rgb.insert(area.raster.rgb.end(), {color.r, color.g, color.b});
+      raster.rgb.insert(raster.rgb.end(), {color.r, color.g, color.b});
     }
-  area.frame = {0, 0, kWidth_px - 1, kHeight_px - 1};
-  area.rows_px = {0, 10, kLine_px, 30};
-  return area;
+  constexpr double right = kWidth_px - 1, bottom = kHeight_px - 1;
+  PlotFrame frame;
+  frame.corners = {{{0, 0}, {right, 0}, {right, bottom}, {0, bottom}}};
+  for (double y : {10, kLine_px, 30}) frame.yLines.push_back({y, true});
+  return {raster, frame};
 }
 
 }  // namespace
 
 TEST_CASE("unmix: an ink that is what lies behind it explains nothing there") {
-  const PlotArea area = areaWithLine();
-  const Backdrop backdrop = Backdrop::measure(area);
-  REQUIRE(backdrop.onLine(5, kLine_px));
-  const Coverage coverage = unmix(area, backdrop, {inkOfColor(kGrey, backdrop), inkOfColor(kRed, backdrop)});
+  const PlotScene scene = sceneWithLine();
+  REQUIRE(scene.onLine(5, kLine_px));
+  const Coverage coverage = unmix(scene, {inkOfColor(kGrey, scene.paper()), inkOfColor(kRed, scene.paper())});
   for (int y : {kLine_px - 5, kLine_px}) {
     INFO("row " << y);
     CHECK(coverage.ink[0].at(30, y) == 0);
@@ -46,4 +45,25 @@ TEST_CASE("unmix: an ink that is what lies behind it explains nothing there") {
   }
   for (const Plane& ink : coverage.ink)
     for (float value : ink.values) REQUIRE(std::isfinite(value));
+}
+
+TEST_CASE("scene: a colour's coverage is what is like it, lines too, and is reckoned once") {
+  const PlotScene scene = sceneWithLine();
+  const InkOnArea& red = scene.inkOf(kRed);
+  CHECK(red.distinct());
+  CHECK(red.at(30, kLine_px) == Approx(1).margin(0.01));
+  CHECK(red.at(5, kLine_px) == 0);
+  CHECK(scene.inkOf(kGrey).at(5, kLine_px) == Approx(1).margin(0.01));
+  CHECK(red.at(-1, kLine_px) == 0);
+  CHECK(&scene.inkOf(kRed) == &red);
+  CHECK(&scene.lettering() == &scene.lettering());
+  CHECK(scene.lettering().mask.size() == scene.area().pixels());
+}
+
+TEST_CASE("scene: none where the frame lies outside the view") {
+  PlotFrame frame;
+  frame.corners = {{{90, 0}, {99, 0}, {99, 20}, {90, 20}}};
+  CHECK(PlotScene(Raster{kWidth_px, kHeight_px, std::vector<std::uint8_t>(3 * kWidth_px * kHeight_px, 255)},
+                  frame)
+            .empty());
 }

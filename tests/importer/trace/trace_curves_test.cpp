@@ -15,6 +15,7 @@
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/explanation.h"
 #include "importer/trace/foot_line.h"
+#include "importer/trace/plot_scene.h"
 #include "importer/trace/walls.h"
 
 using namespace detent;
@@ -160,7 +161,10 @@ class Plot {
 
   Result<std::vector<CurveTrace>> trace(const TraceHints& hints = {}, const TraceOptions& options = {},
                                         const Progress& progress = {}) const {
-    return traceCurves(view_, frame_, axes_, hints, options, progress);
+    return traceCurves(view_, scene(hints.masks_px), axes_, hints, options, progress);
+  }
+  trace::PlotScene scene(const std::vector<Box>& masks_px = {}) const {
+    return {view_.raster, frame_, axes_.texts, masks_px};
   }
   /// What a file keeps of it: `extension` ".jpg" (colour at half resolution) or ".webp".
   void storeAs(const std::string& extension, int quality) {
@@ -379,9 +383,8 @@ TEST_CASE("What runs along the frame's upper line after a leap over bare paper i
   if (fromRight) std::ranges::reverse(stroke.points_px);
   stroke.color = kBlue;
   stroke.width_px.assign(stroke.points_px.size(), 2);
-  const auto area = [&] { return trace::makePlotArea(plot.view().raster, plot.frame()); };
   std::vector<CurveTrace> traces{stroke};
-  trace::cutAcrossToEdges(traces, area());
+  trace::cutAcrossToEdges(traces, plot.scene());
   const auto [left, right] = std::ranges::minmax(traces[0].points_px, {}, &Point::x);
   CHECK(std::abs(left.x - plot.at(0, 0).x) < 1);
   CHECK(std::abs(right.x - plot.at(0.7, 0).x) < 3);
@@ -389,7 +392,7 @@ TEST_CASE("What runs along the frame's upper line after a leap over bare paper i
   // Where its ink leads up there, it goes on.
   plot.line(plot.at({{0.7, 0.8}, {0.69, 1}}), 2, kBlue);
   traces = {stroke};
-  trace::cutAcrossToEdges(traces, area());
+  trace::cutAcrossToEdges(traces, plot.scene());
   CHECK(traces[0].points_px.size() == stroke.points_px.size());
 }
 
@@ -538,7 +541,7 @@ TEST_CASE("A lost wall is found whatever level line stands above its foot", "[tr
   plot.line(stroke.points_px, 3, kBlack);
   plot.line({stroke.points_px.back(), plot.at(0.75, 1)}, 3, kBlack);
   std::vector<CurveTrace> traces{stroke};
-  trace::addLostWalls(traces, trace::makePlotArea(plot.view().raster, plot.frame()));
+  trace::addLostWalls(traces, plot.scene());
   CHECK(traces[0].points_px.back().y < plot.at(0.75, 0.97).y);
 }
 
@@ -604,7 +607,7 @@ TEST_CASE("A stroke followed along the axis ends where it came down to it, unles
   stroke.color = kBlack;
   stroke.width_px.assign(stroke.points_px.size(), 2);
   std::vector<CurveTrace> traces{stroke};
-  trace::cutAlongFootLine(traces, trace::makePlotArea(plot.view().raster, plot.frame()));
+  trace::cutAlongFootLine(traces, plot.scene());
   const auto [left, right] = std::ranges::minmax(traces[0].points_px, {}, &Point::x);
   CHECK(std::abs(left.x - plot.at(runsOn ? 0.02 : latched, 0).x) < 4);
   CHECK(std::abs(right.x - plot.at(0.8, 0).x) < 1);
@@ -619,7 +622,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
   CurveTrace press;
   press.points_px = plot.at(loop.press), press.color = kBlue;
   const auto worst = [&](const std::vector<CurveTrace>& curves) {
-    const Explanation found = explain(plot.view(), plot.frame(), {}, curves, {});
+    const Explanation found = explain(plot.scene(), curves);
     return found.left.empty() ? Remainder{} : found.left.front();
   };
   CHECK(worst({press}).likeness < 0.2);
@@ -645,7 +648,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     loop = loopEndingAt(0.75);
     thin.line(thin.at(loop.press), 1, kBlue);
     press.points_px = thin.at(loop.press);
-    const auto left = [&] { return explain(thin.view(), thin.frame(), {}, {press}, {}).left; };
+    const auto left = [&] { return explain(thin.scene(), {press}).left; };
     CHECK((left().empty() || left().front().likeness < 0.2));
     thin.line(thin.at({{0.75, loop.press.back().y}, {0.75, 0.95}}), 1, kBlue, false, 0.7);
     REQUIRE_FALSE(left().empty());
@@ -668,7 +671,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     CHECK(worst({press}).likeness < 0.2);
   }
   SECTION("a band in the curve's colour") {
-    const auto patches = [&] { return explain(plot.view(), plot.frame(), {}, {press}, {}).patches.share; };
+    const auto patches = [&] { return explain(plot.scene(), {press}).patches.share; };
     CHECK(patches() == 0);
     Curve below = plot.at(loop.press);
     for (Point& p : below) p.y += 16;
@@ -708,8 +711,7 @@ TEST_CASE("Gridlines of dots in the curve's ink are the plot's, a wall drawn thr
   press.points_px = plot.at(loop.press), press.color = kBlack;
   const auto widest = [&] {
     double most = 0;
-    for (const Remainder& left : explain(plot.view(), plot.frame(), {}, {press}, {}).left)
-      most = std::max(most, left.length);
+    for (const Remainder& left : explain(plot.scene(), {press}).left) most = std::max(most, left.length);
     return most;
   };
   CHECK(widest() < 0.1);
@@ -725,7 +727,7 @@ TEST_CASE("A stroke drawn through that takes the way of a line of dashes is seen
   CurveTrace press, release;
   press.color = release.color = kBlue;
   press.points_px = plot.at(loop.press), release.points_px = plot.at(loop.release);
-  const auto leaps = [&] { return explain(plot.view(), plot.frame(), {}, {press, release}, {}).leaps; };
+  const auto leaps = [&] { return explain(plot.scene(), {press, release}).leaps; };
   CHECK(leaps().empty());
   // Each goes over to the other's way gently: nowhere does one turn sharply.
   for (std::size_t i = 0; i < press.points_px.size(); ++i) {
@@ -747,7 +749,7 @@ TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen",
   jumping.color = kBlue;
   for (const Point& p : loop.release)
     if (p.x < 0.5) jumping.points_px.push_back(plot.at(p.x, p.y));
-  const auto leaps = [&] { return explain(plot.view(), plot.frame(), {}, {jumping}, {}).leaps; };
+  const auto leaps = [&] { return explain(plot.scene(), {jumping}).leaps; };
   CHECK(leaps().empty());
   for (const Point& p : loop.press)
     if (p.x >= 0.5) jumping.points_px.push_back(plot.at(p.x, p.y));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/trace/backdrop.h"
+#include "importer/trace/plot_scene.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+
+#include "importer/trace/settled_chroma.h"
 
 namespace detent::importer::trace {
 
@@ -129,11 +131,6 @@ class LineColor {
   std::vector<Color3> samples_;
 };
 
-bool isKnown(double position, const std::vector<double>& lines) {
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](double l) { return std::abs(l - position) <= kKnownLine_px; });
-}
-
 /// One row or column that differs from the paper along most of its length.
 struct LineCandidate {
   Color3 difference;
@@ -157,19 +154,7 @@ bool isGridline(const LineCandidate& line, const std::vector<LineCandidate>& all
   return peers >= 2 || (line.known && (peers >= 1 || strangers == 0));
 }
 
-}  // namespace
-
-Backdrop Backdrop::measure(const PlotArea& area) {
-  Backdrop backdrop;
-  backdrop.paper_ = paperOf(area);
-  backdrop.measureShading(area);
-  backdrop.measureNoise(area);
-  backdrop.measureLines(area);
-  return backdrop;
-}
-
-Color3 paperOf(const PlotArea& area) {
-  const Raster& r = area.raster;
+Color3 paperOf(const Raster& r) {
   const int step = std::max(1, std::min(r.width_px, r.height_px) / kMaxSamplesPerLine);
   ModeOfColors mode;
   for (int y = 0; y < r.height_px; y += step)
@@ -177,13 +162,47 @@ Color3 paperOf(const PlotArea& area) {
   return mode.mode();
 }
 
-Rgb rgbOf(Color3 c) {
-  const auto level = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5F, 0.0F, 255.0F)); };
-  return {level(c.r), level(c.g), level(c.b)};
+}  // namespace
+
+PlotScene::PlotScene(const Raster& view, const PlotFrame& frame, const std::vector<SeenText>& words,
+                     const std::vector<Box>& masks_px)
+    : frame_(frame), area_(makePlotArea(view, frame, words, masks_px)) {
+  if (empty()) return;
+  paper_ = paperOf(area_.raster);
+  if (settleChroma(area_.raster, rgbOf(paper_))) paper_ = paperOf(area_.raster);
+  measureShading();
+  measureNoise();
+  measureLines();
 }
 
-void Backdrop::measureShading(const PlotArea& area) {
-  const Raster& r = area.raster;
+const Lettering& PlotScene::lettering() const {
+  if (lettering_) return *lettering_;
+  Mask contrast;
+  contrast.reserve(area_.pixels());
+  for (int y = 0; y < area_.raster.height_px; ++y)
+    for (int x = 0; x < area_.raster.width_px; ++x)
+      contrast.push_back(
+          static_cast<std::uint8_t>(std::min(255.0F, 0.577F * norm(pixel(x, y) - behind(x, y)))));
+  return lettering_.emplace(findLettering(area_, contrast, inkThreshold()));
+}
+
+const InkOnArea& PlotScene::inkOf(Rgb color) const {
+  const auto known = std::ranges::find(inks_, color, &std::pair<Rgb, InkOnArea>::first);
+  if (known != inks_.end()) return known->second;
+  constexpr float sameHue = 0.93F;  // cosine: other inks have a share of this one's colour
+  const Ink ink = inkOfColor(color, paper_);
+  Plane coverage(area_.raster.width_px, area_.raster.height_px);
+  for (int y = 0; y < coverage.height; ++y)
+    for (int x = 0; x < coverage.width; ++x) {
+      const Color3 difference = pixel(x, y) - paperAt(x, y);
+      const float own = dot(difference, ink.direction);
+      if (own >= sameHue * norm(difference)) coverage.at(x, y) = std::min(own / ink.strength, 1.0F);
+    }
+  return inks_.emplace_back(color, InkOnArea(std::move(coverage), ink.strength)).second;
+}
+
+void PlotScene::measureShading() {
+  const Raster& r = area_.raster;
   tilesAcross_ = std::clamp(r.width_px / 48, 1, 12);
   tilesDown_ = std::clamp(r.height_px / 48, 1, 12);
   tileWidth_ = static_cast<double>(r.width_px) / tilesAcross_;
@@ -198,7 +217,7 @@ void Backdrop::measureShading(const PlotArea& area) {
       const int step = std::max(1, std::min(x1 - x0, y1 - y0) / 40);
       ModeOfColors mode;
       for (int y = y0; y < y1; y += step)
-        for (int x = x0; x < x1; x += step) mode.add(colorAt(r, x, y));
+        for (int x = x0; x < x1; x += step) mode.add(pixel(x, y));
       double share = 0;
       const Color3 local = mode.mode(&share);
       if (share < 0.4) continue;
@@ -209,7 +228,7 @@ void Backdrop::measureShading(const PlotArea& area) {
   if (5 * uneven > sure) shading_ = std::move(tiles);
 }
 
-Color3 Backdrop::shadedPaper(int x, int y) const {
+Color3 PlotScene::shadedPaper(int x, int y) const {
   const double tx = std::clamp(x / tileWidth_ - 0.5, 0.0, tilesAcross_ - 1.0);
   const double ty = std::clamp(y / tileHeight_ - 0.5, 0.0, tilesDown_ - 1.0);
   const int i = std::min(static_cast<int>(tx), std::max(0, tilesAcross_ - 2));
@@ -224,12 +243,12 @@ Color3 Backdrop::shadedPaper(int x, int y) const {
   return (1 - fy) * top + fy * bottom;
 }
 
-void Backdrop::measureLines(const PlotArea& area) {
-  const Raster& r = area.raster;
-  const int x0 = std::max(0, static_cast<int>(area.frame.x0)),
-            y0 = std::max(0, static_cast<int>(area.frame.y0));
-  const int x1 = std::min(r.width_px - 1, static_cast<int>(std::ceil(area.frame.x1)));
-  const int y1 = std::min(r.height_px - 1, static_cast<int>(std::ceil(area.frame.y1)));
+void PlotScene::measureLines() {
+  const Raster& r = area_.raster;
+  const int x0 = std::max(0, static_cast<int>(area_.frame.x0)),
+            y0 = std::max(0, static_cast<int>(area_.frame.y0));
+  const int x1 = std::min(r.width_px - 1, static_cast<int>(std::ceil(area_.frame.x1)));
+  const int y1 = std::min(r.height_px - 1, static_cast<int>(std::ceil(area_.frame.y1)));
   rows_.assign(static_cast<std::size_t>(r.height_px), {});
   columns_.assign(static_cast<std::size_t>(r.width_px), {});
   const int stepX = std::max(1, (x1 - x0) / kMaxSamplesPerLine),
@@ -239,17 +258,18 @@ void Backdrop::measureLines(const PlotArea& area) {
   const auto collect = [&](int position, bool isRow) {
     const Color3 difference = line.commonest();
     if (norm(difference) < kLineContrast) return;
-    const std::vector<double>& known = isRow ? area.rows_px : area.columns_px;
-    candidates.push_back({difference, isKnown(position, known), static_cast<std::size_t>(position), isRow});
+    const std::vector<double>& known = isRow ? area_.rows_px : area_.columns_px;
+    candidates.push_back(
+        {difference, isAtOneOf(known, position, kKnownLine_px), static_cast<std::size_t>(position), isRow});
   };
   for (int y = 0; y < r.height_px; ++y) {
     line.clear();
-    for (int x = x0; x <= x1; x += stepX) line.add(colorAt(r, x, y) - paperAt(x, y));
+    for (int x = x0; x <= x1; x += stepX) line.add(pixel(x, y) - paperAt(x, y));
     collect(y, true);
   }
   for (int x = 0; x < r.width_px; ++x) {
     line.clear();
-    for (int y = y0; y <= y1; y += stepY) line.add(colorAt(r, x, y) - paperAt(x, y));
+    for (int y = y0; y <= y1; y += stepY) line.add(pixel(x, y) - paperAt(x, y));
     collect(x, false);
   }
   for (const LineCandidate& candidate : candidates) {
@@ -261,14 +281,14 @@ void Backdrop::measureLines(const PlotArea& area) {
   if (norm(lineDirection_) > 0) lineDirection_ = (1 / norm(lineDirection_)) * lineDirection_;
 }
 
-void Backdrop::measureNoise(const PlotArea& area) {
-  const Raster& r = area.raster;
+void PlotScene::measureNoise() {
+  const Raster& r = area_.raster;
   const int step = std::max(1, std::min(r.width_px, r.height_px) / kMaxSamplesPerLine);
   std::vector<int> bins(64, 0);
   int n = 0;
   for (int y = 0; y < r.height_px; y += step)
     for (int x = 0; x < r.width_px; x += step) {
-      ++bins[static_cast<std::size_t>(std::min(63.0F, norm(colorAt(r, x, y) - paperAt(x, y))))];
+      ++bins[static_cast<std::size_t>(std::min(63.0F, norm(pixel(x, y) - paperAt(x, y))))];
       ++n;
     }
   int below = 0;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The plot as every way of tracing sees it, made once from view, plot frame and words: its pixels upright, the paper, the
+// lines that cross the whole frame (grid, frame), the lettering, and how much of each pixel a curve's ink covers. Lines
+// are known per row and column, so that subtracting them removes the grid without touching a curve that runs over it.
+
+#include <algorithm>
+#include <list>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "importer/trace/curve_ink.h"
+#include "importer/trace/plot_text.h"
+
+namespace detent::importer::trace {
+
+/// Keeps nothing of the view. What is not needed for every plot is found when it is first asked for: for one thread.
+class PlotScene {
+ public:
+  /// Empty if the frame lies outside the view or has no area. `masks_px`: where nothing is looked for, view pixels.
+  PlotScene(const Raster& view, const PlotFrame& frame, const std::vector<SeenText>& words = {},
+            const std::vector<Box>& masks_px = {});
+
+  bool empty() const { return area_.raster.empty(); }
+  const PlotFrame& plotFrame() const { return frame_; }  ///< in view pixels
+  /// Colour stored at half resolution is settled (settled_chroma.h).
+  const PlotArea& area() const { return area_; }
+  Color3 pixel(int x, int y) const { return colorAt(area_.raster, x, y); }
+
+  /// The area's commonest colour.
+  Color3 paper() const { return paper_; }
+  Color3 paperAt(int x, int y) const { return shading_.empty() ? paper_ : shadedPaper(x, y); }
+  /// Paper, or the gridline there.
+  Color3 behind(int x, int y) const {
+    const Line &row = rows_[static_cast<std::size_t>(y)], &column = columns_[static_cast<std::size_t>(x)];
+    return paperAt(x, y) + (row.square >= column.square ? row.difference : column.difference);
+  }
+  bool onLine(int x, int y) const {
+    return rows_[static_cast<std::size_t>(y)].square > 0 || columns_[static_cast<std::size_t>(x)].square > 0;
+  }
+  /// Unit vector from the paper to the colour of grid and frame; zero where there are none.
+  Color3 lineDirection() const { return lineDirection_; }
+  /// Colour differences below this are noise (camera, JPEG); 0 for a clean render.
+  float noise() const { return noise_; }
+  /// Smallest colour difference that is ink, not noise.
+  float inkThreshold() const { return std::max(10.0F, 4.5F * noise_); }
+
+  const Lettering& lettering() const;
+  /// How much of the pixels a curve of this colour covers.
+  const InkOnArea& inkOf(Rgb color) const;
+
+ private:
+  Color3 shadedPaper(int x, int y) const;
+  void measureShading();
+  void measureLines();
+  void measureNoise();
+
+  PlotFrame frame_;
+  PlotArea area_;
+  Color3 paper_;
+  Color3 lineDirection_;
+  float noise_ = 0;
+  /// Difference to the paper of a line along a row or column, and its square; 0 where none runs.
+  struct Line {
+    Color3 difference;
+    float square = 0;
+  };
+  std::vector<Line> rows_, columns_;
+  int tilesAcross_ = 0, tilesDown_ = 0;
+  double tileWidth_ = 1, tileHeight_ = 1;
+  std::vector<Color3> shading_;  ///< paper per tile; empty for an even paper
+  mutable std::optional<Lettering> lettering_;
+  mutable std::list<std::pair<Rgb, InkOnArea>> inks_;
+};
+
+}  // namespace detent::importer::trace
