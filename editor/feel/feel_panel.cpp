@@ -15,6 +15,7 @@
 
 #include "editor/document/described.h"
 #include "editor/document/message_words.h"
+#include "editor/document/state_name.h"
 #include "editor/feel/feel_clock.h"
 #include "editor/feel/feel_setup.h"
 #include "editor/feel/force_box.h"
@@ -38,11 +39,12 @@ constexpr FeelSide sides[] = {FeelSide::a, FeelSide::b};
 
 PadButton padButtonOf(const ButtonDocument& document, std::size_t state, double full_N) {
   const Button& button = document.button();
-  const ButtonState& shown = button.states()[std::min(state, button.states().size() - 1)];
+  const std::size_t shownState = std::min(state, button.states().size() - 1);
+  const ButtonState& shown = button.states()[shownState];
   const StrokeCurve& press = shown.graph.press();
   PadButton pad;
   pad.name = button.name().empty() ? document.title() : QString::fromStdString(button.name());
-  pad.stateName = button.selfLocking() ? QString::fromStdString(shown.name) : QString();
+  if (button.selfLocking()) pad.stateName = nameOfState(button, shownState);
   pad.start_mm = press.start_mm();
   pad.end_mm = press.end_mm();
   pad.full_N = full_N;

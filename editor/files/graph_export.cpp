@@ -152,6 +152,8 @@ PlotWords plotWords(PlotLanguage language) {
   words.at = "bei";
   words.preTravel = "Vorlaufweg";
   words.differentialTravel = "Differenzweg";
+  words.unlocked = "gelöst";
+  words.locked = "eingerastet";
   return words;
 }
 

@@ -13,7 +13,6 @@
 namespace detent::editor {
 namespace {
 
-constexpr double percent = 100;
 constexpr double leastStep =
     1e-3;  // N, mm, N/mm, mJ and share: finer than any meter behind these measurements
 constexpr int mostDecimals = 6;
@@ -25,7 +24,7 @@ struct Measured {
 QString unitWords(KeyFigure figure, const DisplayUnits& units) {
   const FigureUnit unit = keyFigureNames()[static_cast<std::size_t>(figure)].unit;
   if (unit == FigureUnit::mJ) return QStringLiteral("mJ");
-  return unit == FigureUnit::share ? QStringLiteral("%") : symbolOf(quantityOf(figure), units);
+  return symbolOf(quantityOf(figure), units);
 }
 
 /// As many as the least step needs in the unit shown: numbers of a column stand under each other.
@@ -72,8 +71,7 @@ QString creditedTitle(const importer::LibrarySwitch& entry) {
 }
 
 double shownFigure(double value, KeyFigure figure, const DisplayUnits& units) {
-  const Quantity quantity = quantityOf(figure);
-  return quantity == Quantity::share ? percent * value : value / shownUnitOf(quantity, units);
+  return value / shownUnitOf(quantityOf(figure), units);
 }
 
 QString figureText(double value, KeyFigure figure, const DisplayUnits& units) {

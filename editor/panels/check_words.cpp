@@ -4,6 +4,7 @@
 #include <cmath>
 #include <QCoreApplication>
 
+#include "editor/document/state_name.h"
 #include "editor/quantity/quantity.h"
 
 namespace detent::editor {
@@ -100,7 +101,7 @@ QString wordsOf(const Warning& warning, const Button& button, const DisplayUnits
   QString sentence = sentenceOf(warning, Words(warning, units));
   const auto state = warning.spot.state;
   if (!state || button.states().size() < 2) return sentence;
-  return Checks::tr("State %1: %2").arg(QString::fromStdString(button.states()[*state].name), sentence);
+  return Checks::tr("State %1: %2").arg(nameOfState(button, *state), sentence);
 }
 
 QString wordsOf(const importer::SpecCheck& check, const DisplayUnits& units) {

@@ -18,6 +18,7 @@
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/described.h"
 #include "editor/document/message_words.h"
+#include "editor/document/state_name.h"
 #include "editor/panels/grid_dialog.h"
 #include "editor/panels/operation_menu.h"
 #include "editor/panels/point_field.h"
@@ -368,8 +369,7 @@ void GraphWorkspace::followDocument() {
   const auto& states = document_.button().states();
   const QSignalBlocker quiet(states_);
   QStringList names;
-  for (std::size_t i = 0; i < states.size(); ++i)
-    names << (states[i].name.empty() ? tr("State %1").arg(i + 1) : QString::fromStdString(states[i].name));
+  for (std::size_t i = 0; i < states.size(); ++i) names << nameOfState(document_.button(), i);
   QStringList shown;
   for (int i = 0; i < states_->count(); ++i) shown << states_->itemText(i);
   if (shown != names) {

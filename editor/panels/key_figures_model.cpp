@@ -209,7 +209,7 @@ int KeyFiguresModel::columnCount(const QModelIndex& parent) const { return paren
 QString KeyFiguresModel::shown(double value, KeyFigure which, bool exact) const {
   const Quantity quantity = quantityOf(which);
   const int digits = exact ? editedDigits : shownDigits;
-  if (quantity == Quantity::share) return numberText(100 * value, digits) + QStringLiteral(" %");
+  if (quantity == Quantity::share) return quantityWithUnit(value, quantity, settings_.units(), digits);
   if (quantity == Quantity::number) return numberText(value, digits);
   if (exact) return quantityText(value, quantity, settings_.units(), digits);
   return readText(value, quantity, settings_.units(), readingErrorOf(document_.button()), digits);

@@ -148,7 +148,10 @@ void KeyFiguresPanel::showMeaning() {
   meaning_->setText(QStringLiteral("<b>%1</b><br>%2").arg(termOf(figure), definitionOf(figure)));
 }
 
+// A button that greys out lets go of the keyboard, and Qt gives it to whatever comes next.
 void KeyFiguresPanel::showPreview() {
+  if ((take_->hasFocus() && !model_->preview()) || (giveUp_->hasFocus() && !model_->anyWanted()))
+    table_->setFocus();
   take_->setEnabled(model_->preview().has_value());
   giveUp_->setEnabled(model_->anyWanted());
   setTrouble(model_->conflict());

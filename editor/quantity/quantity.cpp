@@ -8,6 +8,8 @@
 namespace detent::editor {
 namespace {
 
+constexpr double percent = 0.01;  // the unit in which shares are shown
+
 QString tr(const char* text) { return QCoreApplication::translate("Quantity", text); }
 
 Dimension dimensionOf(Quantity quantity) {
@@ -54,12 +56,22 @@ QuantityReading readPercent(const QString& text, Quantity quantity, std::optiona
   const Evaluation part = evaluate(number, {}, 1);
   if (part.trouble) return refused(*part.trouble, part.culprit);
   if (!part.value.dimension.none()) return refused(QuantityTrouble::noNumber, text + QLatin1Char('%'));
-  const double share = part.value.amount / 100;
+  const double share = part.value.amount * percent;
   const bool changes = less || change.kind == Change::Kind::plus;
   if (quantity == Quantity::share && !changes) return {share, share, {}, {}};
   if (!now) return refused(QuantityTrouble::nothingToChange, text + QLatin1Char('%'));
   const double factor = !changes ? share : less ? 1 - share : 1 + share;
   return {*now * factor, 0, {}, {}};
+}
+
+// A number below 1 without its sign is more often a share than a part of a percent.
+QString doubtOfShare(const QString& text, double share, const DisplayUnits& units) {
+  const QString asked = quantityWithUnit(share, Quantity::share, units);
+  if (share > 1) return tr("%1 is more than the whole. Press Enter once more if that is meant.").arg(asked);
+  const bool bare = !text.contains(QLatin1Char('%'));
+  if (!bare || share <= 0 || share >= percent) return {};
+  return tr("%1 is less than a hundredth. Meant: %2? Press Enter once more if not.")
+      .arg(asked, quantityWithUnit(share / percent, Quantity::share, units));
 }
 
 // Of a button: a finger's force, the travel of the longest lever switches.
@@ -160,6 +172,7 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
 }
 
 QString doubtOf(const QString& text, double value, Quantity quantity, const DisplayUnits& units) {
+  if (quantity == Quantity::share) return doubtOfShare(text, value, units);
   const bool isForce = quantity == Quantity::force;
   if (!isForce && quantity != Quantity::length) return {};
   if (std::abs(value) <= (isForce ? mostForce_N : mostTravel_mm)) return {};
@@ -180,6 +193,8 @@ double shownUnitOf(Quantity quantity, const DisplayUnits& units) {
     case Quantity::slope:
     case Quantity::damping:
       return units.toSlope(1);
+    case Quantity::share:
+      return percent;
     default:
       return 1;
   }
@@ -197,6 +212,8 @@ QString symbolOf(Quantity quantity, const DisplayUnits& units) {
       return units.forceSymbol() + QStringLiteral("·s/") + units.lengthSymbol();
     case Quantity::resolution:
       return QStringLiteral("dpi");
+    case Quantity::share:
+      return QStringLiteral("%");
     default:
       return {};
   }
@@ -207,12 +224,10 @@ QString quantityText(double value, Quantity quantity, const DisplayUnits& units,
 }
 
 QString quantityWithUnit(double value, Quantity quantity, const DisplayUnits& units, int significant) {
-  // "-3 %" typed is a change.
-  if (quantity == Quantity::share && value >= 0)
-    return numberText(100 * value, significant) + QStringLiteral(" %");
   const QString number = quantityText(value, quantity, units, significant);
   const QString symbol = symbolOf(quantity, units);
-  return symbol.isEmpty() ? number : number + QLatin1Char(' ') + symbol;
+  const bool wouldChange = quantity == Quantity::share && value < 0;  // "-3 %" typed is a change
+  return symbol.isEmpty() || wouldChange ? number : number + QLatin1Char(' ') + symbol;
 }
 
 }  // namespace detent::editor

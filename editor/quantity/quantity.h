@@ -20,7 +20,7 @@ enum class Quantity {
   force,       ///< N
   slope,       ///< N/mm
   damping,     ///< N·s/mm
-  share,       ///< of a whole: 0.3 or 30 %
+  share,       ///< of a whole, in percent: 30 and 30 % are 0.3
   number,      ///< without a unit
   count,       ///< a whole number
   resolution,  ///< dpi
@@ -38,7 +38,7 @@ struct QuantityReading {
 ///   - a number, in the shown unit or with one of its own: "1.25", "1,25", "60 gf", "0.1 in", "20 N/mm";
 ///   - sums, differences, products, quotients and brackets of such: "50+5", "2*0.3 mm", "(1+2)/4 mm";
 ///   - a change of `now` (same unit as `value`): "+5", "-=5", "+10 %", "-10 %", "50 %". "-5" is the number
-///   -5.
+///   -5, "50 %" of a share the share itself.
 /// Any thread.
 QuantityReading readQuantity(const QString& text, Quantity quantity, const DisplayUnits& units,
                              std::optional<double> now = {});
@@ -46,13 +46,14 @@ QuantityReading readQuantity(const QString& text, Quantity quantity, const Displ
 /// Why a text was refused, and what can be typed instead: one sentence or two for the person.
 QString refusalOf(const QuantityReading& reading, Quantity quantity, const DisplayUnits& units);
 
-/// A question where what was typed is no button's: more than 20 N or 30 mm, either way. "… Meant: 60 gf? …" with the same
-/// number in the unit that fits, if one does. Empty where nothing is odd, and for slopes and all else.
+/// A question where what was typed is no button's: more than 20 N or 30 mm, either way; more than the whole of a share, or less than
+/// a hundredth where its sign was not typed. "… Meant: 60 gf? …" with the same number in the unit that fits, if one does. Empty where
+/// nothing is odd, and for slopes and all else.
 QString doubtOf(const QString& text, double value, Quantity quantity, const DisplayUnits& units);
 
-/// Size of the shown unit in mm, N, N/mm; 1 where there is no choice.
+/// Size of the shown unit in mm, N, N/mm; 0.01 for shares, 1 for numbers without a unit.
 double shownUnitOf(Quantity quantity, const DisplayUnits& units);
-/// "mm", "cN/mm", "N·s/mm", "dpi"; empty where there is none.
+/// "mm", "cN/mm", "N·s/mm", "%", "dpi"; empty where there is none.
 QString symbolOf(Quantity quantity, const DisplayUnits& units);
 
 /// A value (mm, N ...) in the shown unit, without the unit.

@@ -446,6 +446,10 @@ Lizenz: %3</translation>
         <source>Release at %1: </source>
         <translation>Rückweg bei %1: </translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>PlacementDelay</name>
@@ -517,6 +521,21 @@ Lizenz: %3</translation>
     <message>
         <source>Detent</source>
         <translation>Detent</translation>
+    </message>
+</context>
+<context>
+    <name>StateName</name>
+    <message>
+        <source>State %1</source>
+        <translation>Zustand %1</translation>
+    </message>
+    <message>
+        <source>unlocked</source>
+        <translation>gelöst</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>eingerastet</translation>
     </message>
 </context>
 <context>
@@ -2722,6 +2741,14 @@ Lizenz: %3</translation>
     <message>
         <source>Select three or more; the outer two stay</source>
         <translation>Drei oder mehr wählen; die beiden äußeren bleiben</translation>
+    </message>
+    <message>
+        <source>%1 is more than the whole. Press Enter once more if that is meant.</source>
+        <translation>%1 ist mehr als das Ganze. Drücken Sie noch einmal die Eingabetaste, wenn das gemeint ist.</translation>
+    </message>
+    <message>
+        <source>%1 is less than a hundredth. Meant: %2? Press Enter once more if not.</source>
+        <translation>%1 ist weniger als ein Hundertstel. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
     </message>
 </context>
 <context>
@@ -5020,10 +5047,6 @@ Lizenz: %3</translation>
     <message>
         <source>Points of the press cling to the release curve, and the other way round</source>
         <translation>Punkte des Drückens haften an der Kurve des Rückwegs und umgekehrt</translation>
-    </message>
-    <message>
-        <source>State %1</source>
-        <translation>Zustand %1</translation>
     </message>
     <message>
         <source>&amp;Zoom to a rectangle</source>

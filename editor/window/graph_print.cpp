@@ -8,6 +8,7 @@
 #include <QPrinter>
 
 #include "editor/document/button_document.h"
+#include "editor/document/state_name.h"
 #include "editor/document/view_settings.h"
 #include "editor/files/graph_export.h"
 #include "editor/panels/key_figures_model.h"
@@ -79,8 +80,10 @@ void printNotes(QPainter& painter, const QRectF& room, const ButtonDocument& doc
   for (const Note& note : document.annotations().notes) {
     if (note.state >= document.button().states().size()) continue;  // kept, not shown
     const QString at = quantityWithUnit(note.displacement_mm, Quantity::length, units, 4);
-    const QString place = note.stroke == Stroke::press ? PageWords::tr("Press at %1: ").arg(at)
-                                                       : PageWords::tr("Release at %1: ").arg(at);
+    QString place = note.stroke == Stroke::press ? PageWords::tr("Press at %1: ").arg(at)
+                                                 : PageWords::tr("Release at %1: ").arg(at);
+    if (document.button().states().size() > 1)
+      place = PageWords::tr("%1: %2").arg(nameOfState(document.button(), note.state), place);
     lines << place + QString::fromStdString(note.text);
   }
   painter.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, lines.join('\n'));

@@ -63,6 +63,7 @@ ImportDialog& SheetDesk::dialog() {
   importing_->setLeaveQuestion([this] {
     return at_.prompts.confirm(importing_, tr("Give up the corrections made to this sheet?"), tr("Give up"));
   });
+  connect(importing_, &QDialog::accepted, &at_.window, &QWidget::activateWindow);
   connect(importing_, &QDialog::finished, this, &SheetDesk::startNext, Qt::QueuedConnection);
   return *importing_;
 }

@@ -59,6 +59,7 @@ DocumentTab& TabArea::add(std::unique_ptr<ButtonDocument> document) {
   updateTitle(*tab);
   setCurrentWidget(tabs_);
   tabs_->setCurrentIndex(index);
+  tab->workspace().setFocus();  // the page that made way took the keyboard with it
   emit documentsChanged();
   return *tab;
 }

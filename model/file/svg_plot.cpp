@@ -522,7 +522,10 @@ std::string svgFrom(const Button& button, const SvgPlotStyle& style) {
       px(style.width_px) + "\" height=\"" + px(height) + "\" fill=\"#fff\"/>\n";
   double top = 0;
   for (const ButtonState& state : button.states()) {
-    const std::string title = button.name() + (state.name.empty() ? "" : " (" + state.name + ")");
+    const std::string name = state.name == "unlocked" ? style.words.unlocked
+                             : state.name == "locked" ? style.words.locked
+                                                      : state.name;
+    const std::string title = button.name() + (name.empty() ? "" : " (" + name + ")");
     out += Plot(state, style, title, top).svg();
     top += style.height_px;
   }

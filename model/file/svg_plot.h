@@ -19,6 +19,7 @@ struct PlotWords {
   std::string operatingPoint = "Operating point", resetPoint = "Reset point", bottomOut = "Bottom-out";
   std::string at = "at";  ///< between a callout's force and its displacement
   std::string preTravel = "Pre-travel", differentialTravel = "Differential travel";
+  std::string unlocked = "unlocked", locked = "locked";  ///< of states that are called so
 };
 
 /// Lowest and highest value of an axis, in its unit; lowest < highest.

@@ -121,19 +121,22 @@ class GraphExportTest : public QObject {
 
   // Numbers and words of a PDF are text, that can be found and copied, in both languages.
   void wordsOfAPdfAreText_data() {
+    QTest::addColumn<QString>("button");
     QTest::addColumn<int>("language");
     QTest::addColumn<QString>("word");
-    QTest::newRow("English") << 0 << "Displacement";
-    QTest::newRow("German") << 1 << "Schaltpunkt";
+    QTest::newRow("English") << "C" << 0 << "Displacement";
+    QTest::newRow("German") << "C" << 1 << "Schaltpunkt";
+    QTest::newRow("German, states") << "EF" << 1 << "(eingerastet)";
   }
 
   void wordsOfAPdfAreText() {
+    QFETCH(QString, button);
     QFETCH(int, language);
     QFETCH(QString, word);
     const QString path = folder_.filePath("words.pdf");
     QVERIFY(
         exportGraph(
-            sample("C"),
+            sample(button),
             exportOf({GraphPreset::datasheet, GraphFileFormat::pdf, {}, static_cast<PlotLanguage>(language)}),
             path)
             .ok());

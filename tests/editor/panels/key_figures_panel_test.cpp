@@ -152,13 +152,20 @@ void KeyFiguresPanelTest::whatIsWantedIsShownBeforeItIsTaken() {
   QSignalSpy looked(&model, &KeyFiguresModel::previewChanged);
   using enum KeyFigure;
   const Button before = rig.button();
-  QVERIFY(typed(model, snapRatio, KeyFiguresModel::wanted, "40 %"));
+  QVERIFY(typed(model, snapRatio, KeyFiguresModel::wanted, "40"));  // percent are shown
   QVERIFY(typed(model, totalTravel, KeyFiguresModel::wanted, "3.6 mm"));
   QVERIFY(looked.count() >= 2);
   QVERIFY(model.preview());
   QCOMPARE(rig.button(), before);
   QCOMPARE(rig.steps(), 0);
-  panel.findChild<QPushButton*>("takeFigures")->click();
+  // The button greys out when it is pressed: the keyboard stays with the figures.
+  panel.show();
+  QVERIFY(QTest::qWaitForWindowActive(&panel));
+  auto* take = panel.findChild<QPushButton*>("takeFigures");
+  take->setFocus();
+  QTest::keyClick(take, Qt::Key_Space);
+  QVERIFY(!take->isEnabled());
+  QCOMPARE(QApplication::focusWidget(), panel.findChild<QTableView*>());
   QCOMPARE(rig.steps(), 1);
   QVERIFY(!model.preview());
   QVERIFY(!model.anyWanted());

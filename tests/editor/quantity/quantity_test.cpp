@@ -163,6 +163,8 @@ TEST_CASE("Sums, products and changes of what stands there") {
   CHECK(*value("+10%", Quantity::force, {}, 0.5) == Approx(0.55));
   CHECK(*value("50 %", Quantity::force, {}, 0.5) == Approx(0.25));
   CHECK(*value("30 %", Quantity::share, {}, 0.5) == Approx(0.3));
+  CHECK(*value("30", Quantity::share, {}, 0.5) == Approx(0.3));  // percent are shown
+  CHECK(*value("+5", Quantity::share, {}, 0.5) == Approx(0.55));
   CHECK(*value("+10 %", Quantity::share, {}, 0.5) == Approx(0.55));
   CHECK(*value("+5", Quantity::force) == Approx(0.05));  // nothing to add to: the number
   CHECK(*value("300 dpi", Quantity::resolution) == 300);
@@ -236,4 +238,9 @@ TEST_CASE("what no button has is asked about, with the unit that was meant") {
   CHECK(doubt("60 gf", Quantity::force).empty());
   CHECK(doubt("4", Quantity::length).empty());
   CHECK(doubt("1e6", Quantity::slope).empty());
+  CHECK_THAT(doubt("3000", Quantity::share), Catch::Contains("3000 %"));
+  CHECK_THAT(doubt("0.3", Quantity::share), Catch::Contains("0.3 %") && Catch::Contains("30 %"));
+  CHECK(doubt("0.3 %", Quantity::share).empty());
+  CHECK(doubt("30", Quantity::share).empty());
+  CHECK(doubt("100", Quantity::share).empty());
 }

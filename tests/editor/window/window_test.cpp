@@ -727,6 +727,21 @@ class WindowTest : public QObject {
     }
   }
 
+  /// What was imported is under the keyboard, with the dialogue gone.
+  void theKeyboardFollowsAnImport() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("plots/white-vector.pdf")});
+    auto* dialog = rig.window->findChild<ImportDialog*>();
+    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    auto* accept = dialog->findChild<QPushButton*>("import");
+    QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), 60'000);
+    accept->setFocus();
+    QTest::keyClick(accept, Qt::Key_Space);
+    QTRY_VERIFY(rig.window->tabs().current());
+    QTRY_VERIFY(rig.window->isActiveWindow());
+    QTRY_COMPARE(QApplication::focusWidget(), &rig.window->tabs().current()->workspace().canvas());
+  }
+
   void picturesAndPagesGoToTheImport() {
     Rig rig(folder_->path());
     QImage picture(60, 40, QImage::Format_RGB32);
@@ -1235,6 +1250,26 @@ class WindowTest : public QObject {
     QVERIFY(dark.ok());
     QVERIFY(std::abs(dark->confidence - light->confidence) < 0.05);
     QTRY_VERIFY(isDark(canvas.palette()));
+  }
+
+  // Of a self-locking button a note alone does not say where it stands.
+  void printsNotesWithTheirState() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/EF.button.json")});
+    Annotations annotations;
+    annotations.notes = {{0, Stroke::press, 1, "a grain"}, {1, Stroke::release, 1, "a scrape"}};
+    rig.document().setAnnotations(annotations);
+    rig.prompts.printedTo = at("notes.pdf");
+    rig.action("print")->trigger();
+    const auto document = importer::Document::open(at("notes.pdf").toStdString());
+    QVERIFY(document.ok());
+    const auto page = document->page(1);
+    QVERIFY(page.ok());
+    QStringList texts;
+    for (const importer::TextBox& box : page->texts) texts << QString::fromStdString(box.utf8);
+    const QString printed = texts.join(' ').simplified();
+    QVERIFY2(printed.contains("unlocked: Press at 1 mm: a grain"), qPrintable(printed));
+    QVERIFY2(printed.contains("locked: Release at 1 mm: a scrape"), qPrintable(printed));
   }
 
   // Sentences of classes that are no QObject too: the hints of all tools of the import, a refusal of the model.
