@@ -68,7 +68,7 @@ QLabel* wrappedLabel() {
   auto* label = new QLabel;
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   return label;
 }
 

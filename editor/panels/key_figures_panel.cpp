@@ -36,7 +36,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       picture_(described(new QLabel, "keyFigurePicture")),
       meaning_(described(new QLabel, "keyFigureMeaning")),
       trouble_(described(new QLabel, "keyFiguresTrouble")),
-      take_(described(new QPushButton(tr("&Take over")), "takeFigures",
+      take_(described(new QPushButton(tr("Take &over")), "takeFigures",
                       tr("Change the curve so that it has what is wanted"))),
       giveUp_(described(new QPushButton(tr("Give &up")), "giveUpFigures", tr("Want nothing any more"))),
       solving_(described(new QLabel(tr("Looking for the smallest change…")), "keyFiguresSolving")) {

@@ -2750,6 +2750,14 @@ Lizenz: %3</translation>
         <source>%1 is less than a hundredth. Meant: %2? Press Enter once more if not.</source>
         <translation>%1 ist weniger als ein Hundertstel. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
     </message>
+    <message>
+        <source>cannot be made a folder: %1</source>
+        <translation>lässt sich nicht als Ordner anlegen: %1</translation>
+    </message>
+    <message>
+        <source>Choose another place or name</source>
+        <translation>Wählen Sie einen anderen Ort oder Namen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -5567,8 +5575,8 @@ Lizenz: %3</translation>
         <translation>Kennzahlen des Tasters</translation>
     </message>
     <message>
-        <source>&amp;Take over</source>
-        <translation>Ü&amp;bernehmen</translation>
+        <source>Take &amp;over</source>
+        <translation>Üb&amp;ernehmen</translation>
     </message>
     <message>
         <source>Change the curve so that it has what is wanted</source>
@@ -9526,6 +9534,34 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>its wpd.json is no project of WebPlotDigitizer</source>
         <translation>seine wpd.json ist kein Projekt des WebPlotDigitizers</translation>
+    </message>
+    <message>
+        <source>total travel</source>
+        <translation>Gesamtweg</translation>
+    </message>
+    <message>
+        <source>pretravel</source>
+        <translation>Vorlaufweg</translation>
+    </message>
+    <message>
+        <source>operating force</source>
+        <translation>Schaltkraft</translation>
+    </message>
+    <message>
+        <source>tactile force</source>
+        <translation>Kraft am Druckpunkt</translation>
+    </message>
+    <message>
+        <source>end force</source>
+        <translation>Endkraft</translation>
+    </message>
+    <message>
+        <source>agrees with the page: %1 %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
+        <translation>stimmt mit der Seite überein: %1 gelesen %2, gedruckt %3 (Seite %4: „%5“)</translation>
+    </message>
+    <message>
+        <source>differs from the page: %1 %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
+        <translation>weicht von der Seite ab: %1 gelesen %2, gedruckt %3 (Seite %4: „%5“)</translation>
     </message>
 </context>
 <context>

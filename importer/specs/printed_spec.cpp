@@ -185,15 +185,15 @@ std::vector<std::string> rowsOf(const Page& page) {
 Message nameOf(SpecQuantity quantity) {
   switch (quantity) {
     case SpecQuantity::totalTravel:
-      return "total travel";
+      return Message("total travel");
     case SpecQuantity::preTravel:
-      return "pretravel";
+      return Message("pretravel");
     case SpecQuantity::operatingForce:
-      return "operating force";
+      return Message("operating force");
     case SpecQuantity::tactileForce:
-      return "tactile force";
+      return Message("tactile force");
     case SpecQuantity::endForce:
-      return "end force";
+      return Message("end force");
   }
   return {};
 }
@@ -240,11 +240,12 @@ bool PrintedSpec::isForce() const { return measuredInNewton(quantity); }
 Message messageOf(const SpecCheck& check) {
   const PrintedSpec& spec = check.spec;
   const Measure measure = spec.isForce() ? Measure::force_N : Measure::displacement_mm;
-  const std::vector<MessageValue> values{
-      nameOf(spec.quantity), {check.read, measure}, {spec.nominal, measure}, spec.page, spec.text};
-  return Message::of(check.agrees ? "agrees with the page: %1 %2 read, %3 printed (page %4: \"%5\")"
-                                  : "differs from the page: %1 %2 read, %3 printed (page %4: \"%5\")",
-                     values);
+  const Message quantity = nameOf(spec.quantity);
+  const MessageValue read(check.read, measure), printed(spec.nominal, measure);
+  return check.agrees ? Message("agrees with the page: %1 %2 read, %3 printed (page %4: \"%5\")", quantity,
+                                read, printed, spec.page, spec.text)
+                      : Message("differs from the page: %1 %2 read, %3 printed (page %4: \"%5\")", quantity,
+                                read, printed, spec.page, spec.text);
 }
 
 std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {

@@ -182,6 +182,7 @@ class ImportDialogTest : public QObject {
   void aCurveIsDrawnByHand();
   void thePageLiesStillUnderAGesture();
   void aFieldInHandKeepsItsSelection();
+  void findingsEndWithTheirLastBox();
   void aFrameBesideTheShownOneAddsAGraph();
   void aMissingUnitIsAskedForInTheBanner();
   void axisEndsAreTypedAlikeInEveryLanguage();
@@ -876,6 +877,32 @@ void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   emit state.resultChanged();
   QTest::qWait(1);
   QCOMPARE(max->selectedText(), all);
+}
+
+// Behind the last box nothing is left to scroll to, and nothing is squeezed for that.
+void ImportDialogTest::findingsEndWithTheirLastBox() {
+  ViewSettings settings;
+  ImportState state;
+  FindingsPanel panel(state, settings);
+  panel.resize(300, 300);
+  panel.show();
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  const QWidget* box = panel.findChild<QLabel*>("seconds")->parentWidget();
+  QTRY_VERIFY(box->geometry().bottom() > panel.viewport()->height());
+  constexpr int margins_px = 20;
+  QTRY_VERIFY2(panel.widget()->height() - box->geometry().bottom() <= margins_px,
+               qPrintable(QString::number(panel.widget()->height() - box->geometry().bottom())));
+  const auto squeezed = [&] {
+    QStringList texts;
+    for (const auto* label : panel.findChildren<QLabel*>())
+      if (label->wordWrap() && label->isVisible() && label->height() < label->heightForWidth(label->width()))
+        texts << QString("%1 of %2: %3")
+                     .arg(label->height())
+                     .arg(label->heightForWidth(label->width()))
+                     .arg(label->text());
+    return texts.join('\n');
+  };
+  QTRY_VERIFY2(squeezed().isEmpty(), qPrintable(squeezed()));
 }
 
 // The sheet names no unit of force: nothing is guessed quietly, and one click in the banner settles it.
