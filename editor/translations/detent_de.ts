@@ -2643,6 +2643,14 @@ Lizenz: %3</translation>
         <translation>ist kein Bild, das in eine PNG passt</translation>
     </message>
     <message>
+        <source>cannot be made a folder: %1</source>
+        <translation>lässt sich nicht als Ordner anlegen: %1</translation>
+    </message>
+    <message>
+        <source>Choose another place or name</source>
+        <translation>Wählen Sie einen anderen Ort oder Namen</translation>
+    </message>
+    <message>
         <source>Export it smaller</source>
         <translation>Kleiner exportieren</translation>
     </message>
@@ -3635,6 +3643,26 @@ Lizenz: %3</translation>
     <message>
         <source>CSV with semicolons, mm and N</source>
         <translation>CSV mit Semikolons, mm und N</translation>
+    </message>
+    <message>
+        <source>Export as a data package</source>
+        <translation>Als Datenpaket exportieren</translation>
+    </message>
+    <message>
+        <source>Folder of a data package</source>
+        <translation>Ordner eines Datenpakets</translation>
+    </message>
+    <message>
+        <source>Export for WebPlotDigitizer</source>
+        <translation>Für WebPlotDigitizer exportieren</translation>
+    </message>
+    <message>
+        <source>Project with its picture</source>
+        <translation>Projekt mit seinem Bild</translation>
+    </message>
+    <message>
+        <source>Project without a picture</source>
+        <translation>Projekt ohne Bild</translation>
     </message>
     <message>
         <source>Export the comparison</source>
@@ -6231,7 +6259,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>For a &amp;device…</source>
-        <translation>Für ein &amp;Gerät …</translation>
+        <translation>&amp;Für ein Gerät …</translation>
     </message>
     <message>
         <source>Write a press for phones, headsets, driver chips, firmware and touchpads</source>
@@ -6280,6 +6308,22 @@ Lizenz: %3</translation>
     <message>
         <source>Samples with d&amp;ecimal commas (CSV)…</source>
         <translation>Messwerte mit D&amp;ezimalkommas (CSV) …</translation>
+    </message>
+    <message>
+        <source>Data pac&amp;kage (Frictionless)…</source>
+        <translation>Datenpa&amp;ket (Frictionless) …</translation>
+    </message>
+    <message>
+        <source>Write a folder of tables, curve and key figures, with a description of every column and its unit</source>
+        <translation>Einen Ordner mit Tabellen schreiben, Kurve und Kenngrößen, mit einer Beschreibung jeder Spalte und ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>P&amp;roject of WebPlotDigitizer…</source>
+        <translation>P&amp;rojekt für WebPlotDigitizer …</translation>
+    </message>
+    <message>
+        <source>Write the state shown as a project that WebPlotDigitizer opens, axes in the units shown</source>
+        <translation>Den gezeigten Zustand als Projekt schreiben, das WebPlotDigitizer öffnet, mit den gezeigten Einheiten an den Achsen</translation>
     </message>
     <message>
         <source>Write the same samples with semicolons between the fields, as spreadsheets with decimal commas read them</source>

@@ -35,7 +35,7 @@ void ExportDesk::write(DocumentTab& tab, const QString& title, const QString& fi
   QString path =
       at_.prompts.fileToSave(&at_.window, title, suggestedPath(tab.document(), at_.folder(), ending), filter);
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ending;
+  if (ending.startsWith('.') && QFileInfo(path).suffix().isEmpty()) path += ending;
   const auto written = writeTo(path);
   if (!written) {
     tab.notices().say("export", NoticeBar::Kind::trouble,
@@ -93,6 +93,20 @@ void ExportDesk::wav(DocumentTab& tab) {
         [&](const QString& path) {
           return exportWav(tab.document().button(), tab.document().activeState(), path);
         });
+}
+
+void ExportDesk::dataPackage(DocumentTab& tab) {
+  write(tab, tr("Export as a data package"), tr("Folder of a data package") + " (*)", "-datapackage",
+        [&](const QString& path) { return exportDataPackage(tab.document().button(), path); });
+}
+
+void ExportDesk::tracedProject(DocumentTab& tab) {
+  const ButtonDocument& document = tab.document();
+  const QString filter =
+      tr("Project with its picture") + " (*.tar);;" + tr("Project without a picture") + " (*.wpd.json)";
+  write(tab, tr("Export for WebPlotDigitizer"), filter, ".tar", [&](const QString& path) {
+    return exportTracedProject(document.button(), document.activeState(), at_.view.units(), path);
+  });
 }
 
 void ExportDesk::page(DocumentTab& tab) {

@@ -27,6 +27,10 @@ class ExportDesk : public QObject {
   /// The comparison's plot; `tab` has the place to say what went wrong.
   void comparison(DocumentTab& tab, const ComparePanel& comparison);
   void wav(DocumentTab& tab);
+  /// A folder of tables with their description.
+  void dataPackage(DocumentTab& tab);
+  /// The state shown, for those who go on in WebPlotDigitizer.
+  void tracedProject(DocumentTab& tab);
   /// The button as a web page anyone can press.
   void page(DocumentTab& tab);
   /// A press in the format of another device, which is asked for.
@@ -37,6 +41,7 @@ class ExportDesk : public QObject {
   void done(const QString& sentence);
 
  private:
+  /// `ending` is for a name without one; a folder's has no dot and stays away.
   void write(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
              const std::function<Result<Done>(const QString&)>& writeTo);
 

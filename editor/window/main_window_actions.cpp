@@ -106,6 +106,14 @@ void MainWindow::makeFileActions() {
       tr("Write the same samples with semicolons between the fields, as spreadsheets "
          "with decimal commas read them"),
       QKeySequence("Ctrl+Alt+Shift+E"), [this](DocumentTab& tab) { files_->exports().semicolonCsv(tab); }));
+  exports->addAction(tabAction(
+      "exportDataPackage", tr("Data pac&kage (Frictionless)…"),
+      tr("Write a folder of tables, curve and key figures, with a description of every column and its unit"),
+      QKeySequence("Ctrl+Alt+F"), [this](DocumentTab& tab) { files_->exports().dataPackage(tab); }));
+  exports->addAction(tabAction(
+      "exportTracedProject", tr("P&roject of WebPlotDigitizer…"),
+      tr("Write the state shown as a project that WebPlotDigitizer opens, axes in the units shown"),
+      QKeySequence("Ctrl+Alt+J"), [this](DocumentTab& tab) { files_->exports().tracedProject(tab); }));
   exports->addAction(
       tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
                 tr("Write what a standard press feels like that begins in the state shown: mono, 48 kHz"),

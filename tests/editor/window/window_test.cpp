@@ -63,6 +63,7 @@
 #include "editor/window/translation.h"
 #include "model/edits.h"
 #include "model/file/graph_program.h"
+#include "model/file/traced_project.h"
 #include "model/metrics.h"
 #include "tests/editor/window/scripted_prompts.h"
 
@@ -619,6 +620,31 @@ class WindowTest : public QObject {
     QVERIFY(!cut());
     latch.findChild<QSpinBox*>("deviceWayDown")->setValue(10'000);
     QVERIFY(cut());
+  }
+
+  // A folder of tables, and a project in the units shown, of the button in front and of the state shown.
+  void exportsForProgramsOfOthers() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/latch.button.json")});
+    rig.document().setActiveState(1);
+    rig.prompts.saveAnswers = {at("latch-datapackage"), at("p"), at("p.wpd.json"), at("no/such/folder")};
+    rig.action("exportDataPackage")->trigger();
+    QVERIFY(rig.prompts.lastSuggested.endsWith("-datapackage"));
+    QCOMPARE(QDir(at("latch-datapackage")).entryList(QDir::Files),
+             (QStringList{"curve-1.csv", "curve-2.csv", "datapackage.json", "figures.csv"}));
+    rig.action("exportTracedProject")->trigger();
+    rig.action("exportTracedProject")->trigger();
+    QVERIFY(QFile::exists(at("p.tar")) && QFile::exists(at("p.wpd.json")));
+    QFile project(at("p.wpd.json"));
+    QVERIFY(project.open(QIODevice::ReadOnly));
+    const auto& shown = rig.document().button().states()[1];
+    SvgPlotStyle style;
+    style.forceUnit = rig.view.units().force;
+    style.lengthUnit = rig.view.units().length;
+    QCOMPARE(project.readAll().toStdString(), tracedProjectFrom(shown, style));
+    rig.action("exportDataPackage")->trigger();
+    QVERIFY(rig.notices().join("").contains("Not exported"));
+    QVERIFY(!QFileInfo::exists(at("no")));
   }
 
   // A machine that is switched off ends no session.
