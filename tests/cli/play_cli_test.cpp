@@ -92,6 +92,26 @@ TEST_CASE("render: JSON, events, modes, displacement traces, FLAC") {
   CHECK(play({"render", "A.button.json", "--standard-press", "-o", "s.wav"}).exitCode == 0);
 }
 
+TEST_CASE(
+    "render: the level above threshold is the device's where it was measured, and said to be assumed where "
+    "not") {
+  const Play play;
+  play.write("loud.device", "detent-device 1\nfull_scale_dB = 57\n");
+  const auto rendered = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"render", "B.button.json", "--press", "press.csv", "-o", "f.wav", "--json"});
+    return play(options);
+  };
+  const ProgramResult known = rendered({"--profile", "loud.device"}), unknown = rendered({});
+  const json loud = json::parse(known.out), assumed = json::parse(unknown.out);
+  CHECK(loud.at("full_scale_measured") == true);
+  CHECK(assumed.at("full_scale_measured") == false);
+  CHECK(assumed.at("full_scale_dB") == 45);
+  CHECK(loud.at("felt_dB").get<double>() == Approx(assumed.at("felt_dB").get<double>() + 12).margin(0.01));
+  CHECK(contains(unknown.err, "45 dB assumed"));
+  CHECK_FALSE(contains(known.err, "assumed"));
+}
+
 TEST_CASE("render: faults have their exit codes and leave nothing behind") {
   const Play play;
   const auto expect = [&](const std::vector<std::string>& arguments, int code, const std::string& part) {
