@@ -4,10 +4,12 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QVBoxLayout>
 #include <set>
 
 #include "editor/document/message_words.h"
@@ -147,7 +149,12 @@ void KeyFiguresPanelTest::whatIsKeptStays() {
 
 void KeyFiguresPanelTest::whatIsWantedIsShownBeforeItIsTaken() {
   WorkspaceRig rig(tactile());
-  KeyFiguresPanel panel(rig.document, rig.settings);
+  QWidget window;  // with something that the keyboard could go to
+  auto* column = new QVBoxLayout(&window);
+  auto* held = new KeyFiguresPanel(rig.document, rig.settings);
+  column->addWidget(held);
+  column->addWidget(new QLineEdit);
+  KeyFiguresPanel& panel = *held;
   KeyFiguresModel& model = panel.model();
   QSignalSpy looked(&model, &KeyFiguresModel::previewChanged);
   using enum KeyFigure;
@@ -159,8 +166,8 @@ void KeyFiguresPanelTest::whatIsWantedIsShownBeforeItIsTaken() {
   QCOMPARE(rig.button(), before);
   QCOMPARE(rig.steps(), 0);
   // The button greys out when it is pressed: the keyboard stays with the figures.
-  panel.show();
-  QVERIFY(QTest::qWaitForWindowActive(&panel));
+  window.show();
+  QVERIFY(QTest::qWaitForWindowActive(&window));
   auto* take = panel.findChild<QPushButton*>("takeFigures");
   take->setFocus();
   QTest::keyClick(take, Qt::Key_Space);
