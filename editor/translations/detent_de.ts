@@ -8788,6 +8788,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine erreicht eine höhere Kraft</translation>
     </message>
     <message>
+        <source>the two end apart, as the curves of two samples do</source>
+        <translation>beide enden getrennt, wie die Kurven zweier Muster</translation>
+    </message>
+    <message>
         <source>one curve: press only</source>
         <translation>eine Kurve: nur das Drücken</translation>
     </message>

@@ -33,6 +33,8 @@ Wording wordingOf(EvidenceCode code) {
       return {"press-above-release", words("press lies above release on %1 of where they differ")};
     case EvidenceCode::oneHigherForce:
       return {"one-higher-force", words("one reaches a higher force")};
+    case EvidenceCode::endsApart:
+      return {"ends-apart", words("the two end apart, as the curves of two samples do")};
     case EvidenceCode::pressAlone:
       return {"press-alone", words("one curve: press only")};
     case EvidenceCode::pressAloneThoughNamedRelease:

@@ -30,6 +30,7 @@ enum class EvidenceCode {
   namedByLegend,
   pressAboveRelease,  ///< share of where they differ
   oneHigherForce,
+  endsApart,  ///< neither line ends on the other
   pressAlone,
   pressAloneThoughNamedRelease,
   releaseNamedNotSeen,

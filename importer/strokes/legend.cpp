@@ -14,16 +14,17 @@ namespace detent::importer {
 namespace {
 
 constexpr std::array kPressWords = {
-    "press",    "pressing", "pressed",     "downstroke", "down",       "push",        "pushing",  "forward",
-    "loading",  "load",     "depress",     "actuate",    "actuation",  "in",          "hinweg",   "vorlauf",
-    "druecken", "drücken",  "betätigen",   "betaetigen", "betätigung", "betaetigung", "belasten", "belastung",
-    "hinhub",   "appui",    "enfoncement", "нажатие",    "Нажатие",    "нажим",       "Нажим"};
+    "press",       "pressing", "pressed",   "downstroke", "down",      "push",        "pushing",
+    "forward",     "loading",  "load",      "depress",    "actuate",   "actuation",   "in",
+    "hinweg",      "vorlauf",  "druecken",  "drücken",    "betätigen", "betaetigen",  "betätigung",
+    "betaetigung", "belasten", "belastung", "hinhub",     "appui",     "enfoncement", "aller",
+    "compression", "ida",      "andata",    "нажатие",    "Нажатие",   "нажим",       "Нажим"};
 constexpr std::array kReleaseWords = {
-    "release",     "releasing", "released",   "upstroke",   "up",           "return",
-    "returning",   "backward",  "reverse",    "unloading",  "unload",       "reset",
-    "out",         "rückweg",   "rueckweg",   "rücklauf",   "ruecklauf",    "rückhub",
-    "rueckhub",    "loslassen", "entlasten",  "entlastung", "rückstellung", "rueckstellung",
-    "relâchement", "retour",    "отпускание", "Отпускание", "возврат",      "Возврат"};
+    "release",    "releasing",    "released",      "upstroke",    "up",       "return",        "returning",
+    "backward",   "reverse",      "unloading",     "unload",      "reset",    "out",           "rückweg",
+    "rueckweg",   "rücklauf",     "ruecklauf",     "rückhub",     "rueckhub", "loslassen",     "entlasten",
+    "entlastung", "rückstellung", "rueckstellung", "relâchement", "retour",   "decompression", "vuelta",
+    "ritorno",    "отпускание",   "Отпускание",    "возврат",     "Возврат"};
 constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程",
                                     "加载", "押下", "押す", "押し", "往路"};
 constexpr std::array kReleaseSigns = {"释放", "松开", "抬起", "回弹", "回程", "弹起",
@@ -80,8 +81,9 @@ bool isStrokeWord(const std::string& word) {
 
 /// Words that name neither a stroke nor what every legend names: a switch's own name.
 std::vector<std::string> ownWords(std::string_view utf8) {
-  constexpr std::array kCommonWords = {"stroke", "curve", "force", "travel", "key",  "switch",
-                                       "the",    "of",    "on",    "hub",    "kraft"};
+  constexpr std::array kCommonWords = {"stroke", "curve",  "force", "travel", "key",     "switch",
+                                       "going",  "coming", "run",   "mesure", "messung", "the",
+                                       "of",     "on",     "hub",   "kraft"};
   std::vector<std::string> own;
   for (std::string& word : wordsOf(utf8)) {
     if (!isStrokeWord(word) && !anyWord(std::vector{word}, kCommonWords)) own.push_back(std::move(word));

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <string>
 
+#include "importer/page/polyline.h"
 #include "importer/strokes/legend.h"
 #include "importer/strokes/stroke_pair.h"
 #include "importer/strokes/switches.h"
@@ -249,16 +252,20 @@ Drop largestDrop(const StrokePoints& stroke) {
   return largest;
 }
 
+/// Both drop by so much of the press' highest force that where and how tells them apart.
+bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
+  constexpr double leastDrop = 0.05;
+  const double highest_N = std::ranges::max_element(press.points, {}, &CurvePoint::force_N)->force_N;
+  return std::min(largestDrop(press).force_N, largestDrop(release).force_N) > leastDrop * highest_N;
+}
+
 /// Friction delays what a switch does: on its way back the drop comes at less displacement. One that comes later is
 /// another switch's; both by increasing displacement (docs/decisions/0809-ink-left-over.md).
 bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double leastDrop = 0.05;  // of the press' highest force
-  constexpr double late = 0.05;       // of the travel; of 192 pairs 0.035 at most, of a named dome more
-  const double highest_N = std::ranges::max_element(press.points, {}, &CurvePoint::force_N)->force_N;
+  constexpr double late = 0.05;  // of the travel; of 192 pairs 0.035 at most, of a named dome more
   const double travel_mm = press.points.back().displacement_mm - press.points.front().displacement_mm;
-  const Drop there = largestDrop(press), back = largestDrop(release);
-  return std::min(there.force_N, back.force_N) > leastDrop * highest_N &&
-         back.valley_mm - there.valley_mm > late * travel_mm;
+  return bothDrop(press, release) &&
+         largestDrop(release).valley_mm - largestDrop(press).valley_mm > late * travel_mm;
 }
 
 /// How much higher the first's largest value is than the second's, as a share of what both span together.
@@ -317,6 +324,70 @@ bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
   return higher * further < 0 && std::abs(higher) > clearForce && std::abs(further) > clearTravel;
 }
 
+/// A stroke's points, each coordinate as a share of `span`.
+Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
+  Polyline shares;
+  shares.reserve(stroke.points.size());
+  for (const CurvePoint& p : stroke.points)
+    shares.push_back({p.displacement_mm / span.displacement_mm, p.force_N / span.force_N});
+  return shares;
+}
+
+/// How far the far end of one line lies from the other line, of both ends the nearer one, as a share of what both span.
+double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
+  CurvePoint span;
+  for (double CurvePoint::*coordinate : {&CurvePoint::displacement_mm, &CurvePoint::force_N}) {
+    const auto [low, high] = std::ranges::minmax(first.points, {}, coordinate);
+    const auto [otherLow, otherHigh] = std::ranges::minmax(second.points, {}, coordinate);
+    span.*coordinate =
+        std::max(high.*coordinate, otherHigh.*coordinate) - std::min(low.*coordinate, otherLow.*coordinate);
+  }
+  if (!(span.displacement_mm > 0 && span.force_N > 0)) return 0;
+  const Polyline a = inShares(first, span), b = inShares(second, span);
+  const auto gap = [](const Polyline& from, const Polyline& to) {
+    const Point end = *std::ranges::max_element(from, {}, &Point::x);
+    return distance(end, nearestOn(to, end));
+  };
+  return std::min(gap(a, b), gap(b, a));
+}
+
+/// How much of the difference between two strokes (of its mean square, over the displacement of both) goes where one is taken
+/// for the other scaled in force and moved along the travel: 1 for two samples of one shape.
+double sharedShape(const StrokePoints& first, const StrokePoints& second) {
+  constexpr int cells = 200, mostMoved = 20;
+  const auto endOf = [](const StrokePoints& stroke) {
+    return std::ranges::max_element(stroke.points, {}, &CurvePoint::displacement_mm)->displacement_mm;
+  };
+  const double from_mm =
+      std::max(first.points.front().displacement_mm, second.points.front().displacement_mm);
+  const double to_mm = std::min(endOf(first), endOf(second));
+  if (!(to_mm > from_mm)) return 0;
+  const std::vector<double> a = meanForces(first, from_mm, to_mm, cells),
+                            b = meanForces(second, from_mm, to_mm, cells);
+  const auto meanSquare = [&](int moved, std::optional<double> scale) {
+    double aa = 0, ab = 0, bb = 0, n = 0;
+    for (int i = std::max(0, -moved); i < cells - std::max(0, moved); ++i) {
+      const double x = a[static_cast<std::size_t>(i + moved)], y = b[static_cast<std::size_t>(i)];
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      aa += x * x, ab += x * y, bb += y * y, n += 1;
+    }
+    if (!(aa > 0)) return std::numeric_limits<double>::infinity();
+    const double k = scale.value_or(ab / aa);
+    return std::max(0.0, bb - 2 * k * ab + k * k * aa) / n;
+  };
+  const double apart = meanSquare(0, 1);
+  double left = apart;
+  for (int moved = -mostMoved; moved <= mostMoved; ++moved) left = std::min(left, meanSquare(moved, {}));
+  return apart > 0 ? 1 - left / apart : 0;
+}
+
+/// Two presses, of two samples or states: the one is the other scaled, as no friction makes a release, and the loop stays open.
+bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
+  constexpr double open = 0.015;  // of pairs that are shaped alike 0.007 at most, as a wall in steps more
+  constexpr double alike = 0.9;   // of pairs that stay open 0.84 at most
+  return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
+}
+
 /// Press and release of one switch.
 Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second, const AxesFound& axes,
                                  bool swap) {
@@ -336,12 +407,13 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const bool paired = namedAsPair(first, second);
   constexpr double mostOpen = 0.16;  // of the force span; of 327 buttons drawn or measured 0.13 at most
   const bool apart = !byHand && !paired &&
-                     (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen ||
+                     (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen || twoOfOneShape(a, b) ||
                       (first.color != second.color && tipsCrossed(a, b)));
   const double travel = apart ? std::min(ofApart, creditOfTravel(compared)) : creditOfTravel(compared);
   const double together = merged ? ofMergedTints : paired ? 1 : travel;
   found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;
   found.evidence = verdict.reasons;
+  if (apart) found.evidence.push_back({EvidenceCode::endsApart});
   bool firstIsPress = verdict.logOdds >= 0;
   if (swap) {
     firstIsPress = !firstIsPress;

@@ -11,12 +11,14 @@ using detent::importer::strokeNamedBy;
 using detent::importer::switchNamedBy;
 
 TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
-  for (const char* text : {"Press", "downstroke", "DOWNSTROKE", "Downstroke (press)", "down stroke",
-                           "Loading", "Hinweg", "Betätigung", "BETÄTIGUNG", "按压", "下压力曲线", "押し込み",
-                           "Нажатие", "Harimau housing downstroke"})
+  for (const char* text :
+       {"Press", "downstroke", "DOWNSTROKE", "Downstroke (press)", "down stroke", "Loading", "Hinweg",
+        "Betätigung", "BETÄTIGUNG", "按压", "下压力曲线", "押し込み", "Нажатие", "Harimau housing downstroke",
+        "going down", "mesure aller", "Compression", "Ida", "Andata"})
     CHECK(strokeNamedBy(text) == Stroke::press);
   for (const char* text : {"Release", "upstroke", "Upstroke (release)", "Unloading", "Rückhub", "RÜCKLAUF",
-                           "return", "释放", "回弹", "戻り", "Отпускание", "T1 housing upstroke"})
+                           "return", "释放", "回弹", "戻り", "Отпускание", "T1 housing upstroke", "coming up",
+                           "mesure retour", "Decompression", "Vuelta", "Ritorno"})
     CHECK(strokeNamedBy(text) == Stroke::release);
 }
 
@@ -38,6 +40,8 @@ TEST_CASE("Two names of one switch's strokes, and of two switches", "[legend]") 
   CHECK(mayBeOnePair("press", "release"));
   CHECK(mayBeOnePair("Gateron Red press", "Gateron Red release"));
   CHECK(mayBeOnePair("Switch A", "Switch A release"));
+  CHECK(mayBeOnePair("going down", "coming up"));
+  CHECK(mayBeOnePair("Run 1 - compression", "Run 1 - return"));
   CHECK(mayBeOnePair("", "Switch B"));
   CHECK(mayBeOnePair("Operating point", "Reset point"));
   CHECK_FALSE(mayBeOnePair("Switch A", "Switch B"));

@@ -288,6 +288,42 @@ TEST_CASE(
   CHECK(separate(open)->confidence > 0.9);
 }
 
+TEST_CASE("Two presses of one shape that end apart are two samples, unless something says what they are",
+          "[strokes]") {
+  // A dome of which the second sample is 17 % weaker; both rise to walls that end apart.
+  const auto dome = [](double scale, double moved_mm, Rgb ink) {
+    CurveTrace t;
+    for (double mm = 0; mm <= 3.6 + moved_mm; mm += 0.01) {
+      const double at_mm = mm - moved_mm;
+      const double force = 0.35 * (1 - std::exp(-mm / 0.06)) +
+                           0.35 * std::exp(-std::pow((at_mm - 1.6) / 0.4, 2)) +
+                           2.3 * std::max(0.0, at_mm - 3.2);
+      t.points_px.push_back({50 + 100 * mm, 450 - 200 * scale * force});
+    }
+    t.color = ink;
+    t.confidence = 1;
+    return t;
+  };
+  const Rgb black{0, 0, 0}, red{255, 0, 0};
+  const double moved_mm = GENERATE(0.0, -0.1);
+  std::vector<CurveTrace> samples{dome(1, 0, black), dome(0.83, moved_mm, red)};
+  const auto found = separate(samples);
+  if (moved_mm < 0) {  // their walls cross: no release lies above its press
+    REQUIRE_FALSE(found.ok());
+    CHECK(found.failure().reason == nameOf(DoubtCode::severalSwitches));
+    return;
+  }
+  CHECK(found->confidence < 0.5);
+  samples[0].label = "Press", samples[1].label = "Release";
+  CHECK(separate(samples)->confidence > 0.9);
+  // What comes back from where the press ended is its release, however alike.
+  CurveTrace release = dome(0.83, 0, red);
+  while (release.points_px.back().x > 50 + 350) release.points_px.pop_back();
+  release.points_px.push_back(samples[0].points_px.back());
+  samples[0].label.clear();
+  CHECK(separate({samples[0], release})->confidence > 0.9);
+}
+
 TEST_CASE("A locked key's release covers part of the travel: the legend says that it belongs to the press",
           "[strokes]") {
   std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0})};
