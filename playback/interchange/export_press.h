@@ -62,6 +62,12 @@ struct Exported {
 Result<Exported> exportPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
                              const ExportSettings& settings);
 
+struct ExportSource;
+struct Reduction;
+
+/// What the press becomes in the format of the settings, before it is text (reduction.h); a failure where nothing of it would sound in it.
+Result<Reduction> reductionOf(const ExportSource& source, const ExportSettings& settings);
+
 /// Where a file of an export goes.
 std::string pathOf(const std::string& output, const ExportedFile& file);
 

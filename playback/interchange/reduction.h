@@ -8,7 +8,6 @@
 
 #include "model/button.h"
 #include "playback/interchange/export_loss.h"
-#include "playback/interchange/export_press.h"
 #include "playback/interchange/exported_file.h"
 #include "playback/interchange/played_wave.h"
 #include "playback/interchange/press_plan.h"
@@ -42,8 +41,6 @@ Reduction drv2605Of(const ExportSource& source);
 /// At any rate the samples of the plan, band-limited (docs/decisions/0918).
 Reduction pcmOf(const ExportSource& source, unsigned bits, double sampleRate_Hz);
 Reduction touchpadOf(const ExportSource& source);
-/// In the format of the settings; a failure where nothing of the press would sound in it.
-Result<Reduction> reductionOf(const ExportSource& source, const ExportSettings& settings);
 
 /// The waves as samples of the plan's length.
 std::vector<double> playedBy(const std::vector<PlayedWave>& waves, const PressPlan& plan);

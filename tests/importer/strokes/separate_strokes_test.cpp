@@ -18,7 +18,7 @@ AxesFound axes() {
   return found;
 }
 
-CurveTrace trace(double lift_N, Rgb color = {0, 0, 255}, double to_mm = 4) {
+CurveTrace traced(double lift_N, Rgb color = {0, 0, 255}, double to_mm = 4) {
   CurveTrace t;
   t.color = color;
   t.confidence = 1;
@@ -48,7 +48,7 @@ Result<Found<StrokePair>> separate(const std::vector<CurveTrace>& traces, bool s
 
 TEST_CASE("Hysteresis: the press lies above", "[strokes]") {
   for (bool pressFirst : {true, false}) {
-    std::vector<CurveTrace> traces = {trace(0.1, {255, 0, 0}), trace(-0.05, {0, 0, 255})};
+    std::vector<CurveTrace> traces = {traced(0.1, {255, 0, 0}), traced(-0.05, {0, 0, 255})};
     if (!pressFirst) std::swap(traces[0], traces[1]);
     const auto found = separate(traces);
     REQUIRE(found.ok());
@@ -71,7 +71,7 @@ TEST_CASE("Hysteresis: the press lies above", "[strokes]") {
 }
 
 TEST_CASE("A press alone is doubted where its legend has an entry for the release too", "[strokes]") {
-  CurveTrace press = trace(0.1);
+  CurveTrace press = traced(0.1);
   press.label = "press";
   press.labelBox_px = {100, 40, 150, 52};
   AxesFound read = axes();
@@ -98,7 +98,7 @@ TEST_CASE("A press alone without a name is doubted where the plot names a releas
   AxesFound read = axes();
   const auto confidenceBeside = [&](const std::string& text) {
     read.texts = {{text, {400, 300, 460, 312}, 1, 0}};
-    const auto found = separateStrokes({trace(0.1)}, read);
+    const auto found = separateStrokes({traced(0.1)}, read);
     REQUIRE(found.ok());
     return found->confidence;
   };
@@ -109,7 +109,7 @@ TEST_CASE("A press alone without a name is doubted where the plot names a releas
 }
 
 TEST_CASE("The legend outweighs hysteresis", "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.004), trace(0, {255, 0, 0})};
+  std::vector<CurveTrace> traces = {traced(0.004), traced(0, {255, 0, 0})};
   traces[0].label = "Upstroke";
   traces[1].label = "Downstroke (press)";
   const auto found = separate(traces);
@@ -119,7 +119,7 @@ TEST_CASE("The legend outweighs hysteresis", "[strokes]") {
 }
 
 TEST_CASE("What the tracer settled is kept", "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.01), trace(0)};
+  std::vector<CurveTrace> traces = {traced(0.01), traced(0)};
   traces[0].stroke = Stroke::release;
   traces[1].stroke = Stroke::press;
   const auto found = separate(traces);
@@ -128,7 +128,7 @@ TEST_CASE("What the tracer settled is kept", "[strokes]") {
 }
 
 TEST_CASE("Exchanged by hand", "[strokes]") {
-  const std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05)};
+  const std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05)};
   const auto found = separate(traces, true);
   REQUIRE(found.ok());
   CHECK(found->by == DecidedBy::given);
@@ -137,7 +137,7 @@ TEST_CASE("Exchanged by hand", "[strokes]") {
 }
 
 TEST_CASE("Traces drawn backwards come out in the order travelled", "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05)};
+  std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05)};
   std::reverse(traces[0].points_px.begin(), traces[0].points_px.end());
   const auto found = separate(traces);
   REQUIRE(found.ok());
@@ -146,7 +146,7 @@ TEST_CASE("Traces drawn backwards come out in the order travelled", "[strokes]")
 }
 
 TEST_CASE("A release that lies above the press is none", "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05)};
+  std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05)};
   for (std::size_t i = 0; i < 100; ++i) traces[1].points_px[i].y -= 60;  // along a callout's box
   const auto found = separate(traces);
   REQUIRE_FALSE(found.ok());
@@ -186,7 +186,7 @@ TEST_CASE("A release that drops later than the press is another switch's", "[str
 }
 
 TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
-  const auto found = separate({trace(0.05), trace(0.05, {255, 0, 0})});
+  const auto found = separate({traced(0.05), traced(0.05, {255, 0, 0})});
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().code == FailureCode::notCertain);
   CHECK(found.failure().remedies.include(RemedyKind::pickPress));
@@ -195,7 +195,7 @@ TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
 }
 
 TEST_CASE("One curve is a press; none is no graph; many need a choice", "[strokes]") {
-  const auto one = separate({trace(0.1)});
+  const auto one = separate({traced(0.1)});
   REQUIRE(one.ok());
   CHECK_FALSE(one->value.release.has_value());
   CHECK(one->confidence > 0.8);
@@ -203,7 +203,7 @@ TEST_CASE("One curve is a press; none is no graph; many need a choice", "[stroke
   CHECK(separate({}).failure().code == FailureCode::noForceGraph);
   CHECK(separate({CurveTrace{}}).failure().code == FailureCode::noForceGraph);
 
-  std::vector<CurveTrace> many = {trace(0.1, {1, 2, 3}), trace(0.05, {255, 0, 0}), trace(0, {0, 255, 0})};
+  std::vector<CurveTrace> many = {traced(0.1, {1, 2, 3}), traced(0.05, {255, 0, 0}), traced(0, {0, 255, 0})};
   const auto unclear = separate(many);
   REQUIRE_FALSE(unclear.ok());
   CHECK(unclear.failure().code == FailureCode::notCertain);
@@ -218,7 +218,7 @@ TEST_CASE("One curve is a press; none is no graph; many need a choice", "[stroke
 }
 
 TEST_CASE("A shorter release and points that are not finite", "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0}, 2.5)};
+  std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0}, 2.5)};
   traces[0].points_px[7] = {std::numeric_limits<double>::quiet_NaN(), 100};
   const auto found = separate(traces);
   REQUIRE(found.ok());
@@ -229,7 +229,7 @@ TEST_CASE("A shorter release and points that are not finite", "[strokes]") {
 
 TEST_CASE("Lines that stand side by side are not the strokes of one switch", "[strokes]") {
   // Two leaders: each one line of its own ink, above and below, but never over the same travel.
-  CurveTrace left = trace(0.1, {0, 255, 0}, 1), right = trace(-0.05, {0, 255, 0}, 1);
+  CurveTrace left = traced(0.1, {0, 255, 0}, 1), right = traced(-0.05, {0, 255, 0}, 1);
   for (Point& p : right.points_px) p.x += 90;
   const auto apart = separate({left, right});
   REQUIRE(apart.ok());
@@ -240,14 +240,14 @@ TEST_CASE("Lines that stand side by side are not the strokes of one switch", "[s
 
 TEST_CASE("Strokes that end in different places are doubted, unless something says that they belong together",
           "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0}, 3.4)};
+  std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0}, 3.4)};
   CHECK(separate(traces)->confidence < 0.5);
-  CHECK(separate({trace(0.1), trace(-0.05, {255, 0, 0}, 3.8)})->confidence > 0.9);
-  CurveTrace hidden = trace(-0.05, {255, 0, 0}, 3.8);  // the last of its wall lies under the press
+  CHECK(separate({traced(0.1), traced(-0.05, {255, 0, 0}, 3.8)})->confidence > 0.9);
+  CurveTrace hidden = traced(-0.05, {255, 0, 0}, 3.8);  // the last of its wall lies under the press
   hidden.points_px.resize(hidden.points_px.size() - 25);
   CHECK(separate({traces[0], hidden})->confidence > 0.9);
   if (GENERATE(false, true)) {  // 5 % of the travel less far, and half a wall higher
-    traces[1] = trace(-0.05, {255, 0, 0}, 3.8);
+    traces[1] = traced(-0.05, {255, 0, 0}, 3.8);
     const Point top = traces[1].points_px.back();
     for (int i = 1; i <= 25; ++i) traces[1].points_px.push_back({top.x + 0.01 * i, top.y - 2 * i});
     CHECK(separate(traces)->confidence < 0.5);
@@ -326,7 +326,7 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
 
 TEST_CASE("A locked key's release covers part of the travel: the legend says that it belongs to the press",
           "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0})};
+  std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0})};
   std::erase_if(traces[1].points_px, [](Point p) { return p.x < 50 + 100 * 2.9; });
   CHECK(separate(traces)->confidence < 0.5);
   traces[0].label = "Downstroke";
@@ -335,7 +335,7 @@ TEST_CASE("A locked key's release covers part of the travel: the legend says tha
 }
 
 TEST_CASE("Traces that are hardly believed make no certain strokes", "[strokes]") {
-  std::vector<CurveTrace> traces = {trace(0.1, {255, 0, 0}), trace(-0.05)};
+  std::vector<CurveTrace> traces = {traced(0.1, {255, 0, 0}), traced(-0.05)};
   traces[1].confidence = 0.1;
   CHECK(separate(traces)->confidence < 0.5);
   CHECK(separate({traces[1]})->confidence < 0.5);

@@ -14,8 +14,8 @@ using namespace detent::importer;
 namespace {
 
 /// A rising line of its own ink, `height_px` above the foot of a 300 px plot; its legend entry in row `row`.
-CurveTrace trace(std::string label, double height_px, std::uint8_t blue, int row = 0,
-                 double column_px = 400) {
+CurveTrace traced(std::string label, double height_px, std::uint8_t blue, int row = 0,
+                  double column_px = 400) {
   CurveTrace t;
   t.color = {20, 40, blue};
   t.confidence = 1;
@@ -35,7 +35,7 @@ using Names = std::vector<std::string>;
 
 /// The two strokes of a switch of `travel_px`, the release up to `lag_px` lower; neither named.
 std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, std::uint8_t blue) {
-  std::vector<CurveTrace> strokes{trace("", 0, blue), trace("", 0, static_cast<std::uint8_t>(blue + 1))};
+  std::vector<CurveTrace> strokes{traced("", 0, blue), traced("", 0, static_cast<std::uint8_t>(blue + 1))};
   for (std::size_t k = 0; k < 2; ++k) {
     auto& points = strokes[k].points_px;
     points.clear();
@@ -51,7 +51,7 @@ std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, st
 
 TEST_CASE("Two curves that no legend parts are one switch's strokes", "[switches]") {
   for (const char* label : {"", "press", "Switch A"}) {
-    const std::vector<CurveTrace> traces{trace("", 10, 1), trace(label, 60, 2)};
+    const std::vector<CurveTrace> traces{traced("", 10, 1), traced(label, 60, 2)};
     const auto switches = switchesAmong(traces);
     REQUIRE(switches.size() == 1);
     CHECK(switches[0].traces.size() == 2);
@@ -61,26 +61,27 @@ TEST_CASE("Two curves that no legend parts are one switch's strokes", "[switches
 }
 
 TEST_CASE("Curves with names of their own are switches in the legend's order", "[switches]") {
-  const std::vector<CurveTrace> traces{trace("Switch B", 10, 1, 1), trace("Switch C", 60, 2, 2),
-                                       trace("Switch A", 30, 3, 0)};
+  const std::vector<CurveTrace> traces{traced("Switch B", 10, 1, 1), traced("Switch C", 60, 2, 2),
+                                       traced("Switch A", 30, 3, 0)};
   const auto switches = switchesAmong(traces);
   REQUIRE(namesOf(switches) == Names{"Switch A", "Switch B", "Switch C"});
   CHECK(switches[0].pressColor == traces[2].color);
   CHECK_FALSE(switches[0].releaseColor);
-  CHECK(namesOf(switchesAmong({trace("downstroke_a", 10, 1, 0), trace("downstroke_b", 60, 2, 1)})) ==
+  CHECK(namesOf(switchesAmong({traced("downstroke_a", 10, 1, 0), traced("downstroke_b", 60, 2, 1)})) ==
         Names{"downstroke_a", "downstroke_b"});
 }
 
 TEST_CASE("A legend in one row counts from the left", "[switches]") {
   const auto switches = switchesAmong(
-      {trace("Red", 10, 1, 0, 300), trace("Blue", 30, 2, 0, 100), trace("Brown", 60, 3, 0, 200)});
+      {traced("Red", 10, 1, 0, 300), traced("Blue", 30, 2, 0, 100), traced("Brown", 60, 3, 0, 200)});
   CHECK(namesOf(switches) == Names{"Blue", "Brown", "Red"});
 }
 
 TEST_CASE("Press and release come together by the rest of their names", "[switches]") {
   const std::vector<CurveTrace> traces{
-      trace("Switch 2 release", 50, 1, 3), trace("Switch 1", 40, 2, 0),   trace("Switch 2", 60, 3, 2),
-      trace("Switch 1 release", 30, 4, 1), trace("T1 upstroke", 5, 5, 5), trace("T1 downstroke", 15, 6, 4)};
+      traced("Switch 2 release", 50, 1, 3), traced("Switch 1", 40, 2, 0),
+      traced("Switch 2", 60, 3, 2),         traced("Switch 1 release", 30, 4, 1),
+      traced("T1 upstroke", 5, 5, 5),       traced("T1 downstroke", 15, 6, 4)};
   const auto switches = switchesAmong(traces);
   REQUIRE(namesOf(switches) == Names{"Switch 1", "Switch 2", "T1"});
   CHECK(switches[0].pressColor == traces[1].color);
@@ -90,7 +91,7 @@ TEST_CASE("Press and release come together by the rest of their names", "[switch
 }
 
 TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[switches]") {
-  std::vector<CurveTrace> traces{trace("", 10, 1), trace("", 20, 1), trace("", 40, 2), trace("", 50, 2)};
+  std::vector<CurveTrace> traces{traced("", 10, 1), traced("", 20, 1), traced("", 40, 2), traced("", 50, 2)};
   traces[0].stroke = traces[2].stroke = Stroke::release;
   traces[1].stroke = traces[3].stroke = Stroke::press;
   const auto switches = switchesAmong(traces);
@@ -136,7 +137,7 @@ TEST_CASE("Of several curves without names those that close a loop are one switc
 
 TEST_CASE("A quantity that only falls belongs to no loop, however its fall wavers", "[switches]") {
   std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
-  CurveTrace resistance = trace("", 0, 3);
+  CurveTrace resistance = traced("", 0, 3);
   for (Point& p : resistance.points_px) p.y = p.x < 150 ? 40 : 280;
   for (double y = 40; y < 280; ++y) resistance.points_px.push_back({150 + 0.4 * std::sin(y), y});
   traces.push_back(resistance);
@@ -146,26 +147,26 @@ TEST_CASE("A quantity that only falls belongs to no loop, however its fall waver
 }
 
 TEST_CASE("Where it is not clear what belongs together nothing is joined", "[switches]") {
-  CHECK(switchesAmong({trace("", 10, 1), trace("", 30, 2), trace("", 50, 3)}).empty());
-  CHECK(switchesAmong({trace("Brown press", 10, 1), trace("Red release", 30, 2)}).empty());
-  CHECK(
-      switchesAmong({trace("A press", 10, 1), trace("A release", 30, 2), trace("A release", 50, 3)}).empty());
-  CHECK(switchesAmong({trace("A", 10, 1), trace("A release", 30, 2), trace("", 50, 3)}).empty());
+  CHECK(switchesAmong({traced("", 10, 1), traced("", 30, 2), traced("", 50, 3)}).empty());
+  CHECK(switchesAmong({traced("Brown press", 10, 1), traced("Red release", 30, 2)}).empty());
+  CHECK(switchesAmong({traced("A press", 10, 1), traced("A release", 30, 2), traced("A release", 50, 3)})
+            .empty());
+  CHECK(switchesAmong({traced("A", 10, 1), traced("A release", 30, 2), traced("", 50, 3)}).empty());
   CHECK(switchesAmong({}).empty());
 }
 
 TEST_CASE("Beside press and release a mark without a name is none of them", "[switches]") {
   const auto switches =
-      switchesAmong({trace("press", 10, 1), trace("lease", 30, 2), trace("", 50, 3)});  // misread
+      switchesAmong({traced("press", 10, 1), traced("lease", 30, 2), traced("", 50, 3)});  // misread
   REQUIRE(switches.size() == 1);
   CHECK(switches[0].traces.size() == 2);
 }
 
 TEST_CASE("A line without a name that only falls is no stroke beside a named one", "[switches]") {
-  CurveTrace arrow = trace("", 0, 3);
+  CurveTrace arrow = traced("", 0, 3);
   for (Point& p : arrow.points_px) p.y = 100 + 0.5 * p.x;
   std::ranges::reverse(arrow.points_px);  // from its tip
-  const std::vector<CurveTrace> traces{trace("press", 60, 1), arrow, trace("", 10, 2)};
+  const std::vector<CurveTrace> traces{traced("press", 60, 1), arrow, traced("", 10, 2)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 1);
   CHECK(switches[0].traces == std::vector<std::size_t>{0, 2});
@@ -174,28 +175,28 @@ TEST_CASE("A line without a name that only falls is no stroke beside a named one
     CurveTrace named = arrow;
     named.label = "Voltage";
     named.labelBox_px = {400, 30, 460, 42};
-    CHECK(switchesAmong({trace("press", 60, 1), named, trace("release", 10, 2, 1)}).size() == 2);
+    CHECK(switchesAmong({traced("press", 60, 1), named, traced("release", 10, 2, 1)}).size() == 2);
   }
   SECTION("One that rises again may be a stroke") {
     CurveTrace dip = arrow;
     for (Point& p : dip.points_px) p.y = 100 + std::abs(p.x - 200);
-    CHECK(switchesAmong({trace("press", 60, 1), dip, trace("", 10, 2)}).empty());
+    CHECK(switchesAmong({traced("press", 60, 1), dip, traced("", 10, 2)}).empty());
   }
   SECTION("Where no legend names a stroke nothing is left out") {
-    CHECK(switchesAmong({trace("", 60, 1), arrow, trace("", 10, 2)}).empty());
+    CHECK(switchesAmong({traced("", 60, 1), arrow, traced("", 10, 2)}).empty());
   }
 }
 
 TEST_CASE("Two colours given by hand are a pair whatever the legend says", "[switches]") {
-  std::vector<CurveTrace> traces{trace("Switch A", 10, 1), trace("Switch B", 30, 2)};
+  std::vector<CurveTrace> traces{traced("Switch A", 10, 1), traced("Switch B", 30, 2)};
   traces[0].stroke = Stroke::press;
   traces[1].stroke = Stroke::release;
   CHECK(switchesAmong(traces).size() == 1);
 }
 
 TEST_CASE("A switch is asked for by name or number", "[switches]") {
-  const std::vector<CurveTrace> traces{trace("Switch A", 40, 1, 0), trace("Switch 8", 20, 2, 1),
-                                       trace("Gateron", 60, 3, 2), trace("Gateron upstroke", 50, 4, 3)};
+  const std::vector<CurveTrace> traces{traced("Switch A", 40, 1, 0), traced("Switch 8", 20, 2, 1),
+                                       traced("Gateron", 60, 3, 2), traced("Gateron upstroke", 50, 4, 3)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 3);
   for (const auto& [asked, index] : {std::pair{"Switch A", 0U},
@@ -223,8 +224,8 @@ TEST_CASE("One letter within a long word may be misread; what tells switches apa
   const auto chosen = [](const Names& read, const std::string& asked) -> std::optional<std::size_t> {
     std::vector<CurveTrace> traces;
     for (const std::string& name : read)
-      traces.push_back(trace(name, 10 + 20 * static_cast<double>(traces.size()),
-                             static_cast<std::uint8_t>(traces.size() + 1), static_cast<int>(traces.size())));
+      traces.push_back(traced(name, 10 + 20 * static_cast<double>(traces.size()),
+                              static_cast<std::uint8_t>(traces.size() + 1), static_cast<int>(traces.size())));
     const auto found = chosenSwitch(switchesAmong(traces), traces, asked);
     return found ? std::optional(*found) : std::nullopt;
   };
@@ -244,7 +245,7 @@ TEST_CASE("One letter within a long word may be misread; what tells switches apa
 TEST_CASE("A name that was read near to the one asked for is said", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  const std::vector<CurveTrace> traces{trace("Linear 45", 40, 1, 0), trace("Tachile 4S", 20, 2, 1)};
+  const std::vector<CurveTrace> traces{traced("Linear 45", 40, 1, 0), traced("Tachile 4S", 20, 2, 1)};
   const auto near = [&](const std::string& asked) {
     StrokeHints hints;
     hints.curve = asked;
@@ -275,14 +276,14 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
   CHECK(first->confidence <= 0.6);                               // nothing says that it has no release
 
   SECTION("they end together, and cross") {
-    std::vector<CurveTrace> crossing{trace("", 10, 1), trace("", 10, 5)};
+    std::vector<CurveTrace> crossing{traced("", 10, 1), traced("", 10, 5)};
     for (Point& p : crossing[0].points_px) p.y -= 30 * std::sin(2 * M_PI * p.x / 300);
     CHECK(switchesAmong(crossing).size() == 2);
     crossing[0].color = crossing[1].color;  // strokes of one ink that the tracer may have exchanged
     CHECK(switchesAmong(crossing).size() == 1);
   }
   SECTION("a mark beside a press") {
-    CurveTrace mark = trace("", 80, 7);
+    CurveTrace mark = traced("", 80, 7);
     mark.points_px.resize(60);
     CHECK(switchesAmong({longer[0], mark}).size() == 1);
   }
@@ -297,8 +298,8 @@ TEST_CASE("Strokes whose names were read alike are one switch's where they close
 }
 
 TEST_CASE("A name of which the legend's sample hid the beginning is found by its end", "[switches]") {
-  const std::vector<CurveTrace> traces{trace("ple 1", 40, 1, 0), trace("Sample 2", 20, 2, 1),
-                                       trace("ple 3", 60, 3, 2)};
+  const std::vector<CurveTrace> traces{traced("ple 1", 40, 1, 0), traced("Sample 2", 20, 2, 1),
+                                       traced("ple 3", 60, 3, 2)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 3);
   CHECK(chosenSwitch(switches, traces, "Sample 1").value() == 0);
@@ -307,7 +308,7 @@ TEST_CASE("A name of which the legend's sample hid the beginning is found by its
 }
 
 TEST_CASE("Of two switches called the same only a number chooses", "[switches]") {
-  const std::vector<CurveTrace> traces{trace("Red", 40, 1, 0), trace("Red", 20, 2, 1)};
+  const std::vector<CurveTrace> traces{traced("Red", 40, 1, 0), traced("Red", 20, 2, 1)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 2);
   CHECK(chosenSwitch(switches, traces, "Red").failure().code == FailureCode::wrongUsage);
@@ -317,7 +318,7 @@ TEST_CASE("Of two switches called the same only a number chooses", "[switches]")
 TEST_CASE("Several switches and none chosen: a doubt that names them", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  const std::vector<CurveTrace> traces{trace("Switch A", 90, 1, 0), trace("Switch B", 20, 2, 1)};
+  const std::vector<CurveTrace> traces{traced("Switch A", 90, 1, 0), traced("Switch B", 20, 2, 1)};
   const auto refused = separateStrokes(traces, axes);
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.failure().code == FailureCode::notCertain);
@@ -340,7 +341,7 @@ TEST_CASE("Several switches and none chosen: a doubt that names them", "[switche
 TEST_CASE("A curve whose end another switch's covers is not taken for the whole", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  CurveTrace whole = trace("Switch A", 90, 1, 0), part = trace("Switch B", 20, 2, 1);
+  CurveTrace whole = traced("Switch A", 90, 1, 0), part = traced("Switch B", 20, 2, 1);
   for (double y = whole.points_px.back().y; y > 0; --y) whole.points_px.push_back({301, y});
   StrokeHints hints;
   hints.curve = "Switch B";
@@ -358,7 +359,7 @@ TEST_CASE("A curve whose end another switch's covers is not taken for the whole"
 TEST_CASE("A stroke whose foot lies under another switch's runs down with that one", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  CurveTrace steep = trace("Switch A", 90, 1, 0), covered = trace("Switch B", 40, 2, 1);
+  CurveTrace steep = traced("Switch A", 90, 1, 0), covered = traced("Switch B", 40, 2, 1);
   steep.points_px.clear(), covered.points_px.clear();
   for (double x = 0; x < 9; x += 0.5) steep.points_px.push_back({x, 300 - 10 * x});
   for (double x = 9; x <= 300; ++x) steep.points_px.push_back({x, 210 - 0.3 * (x - 9)});
