@@ -126,6 +126,26 @@ double fallAtEnd(const StrokePoints& press) {
   return force.span() > 0 ? (highest - press.points.back().force_N) / force.span() : 0;
 }
 
+/// A stroke up to the foot of the wall that ends it.
+StrokePoints withoutEndWall(StrokePoints stroke) {
+  constexpr double plumb = 0.004;  // of the travel
+  const double within_mm = plumb * travelOf(stroke).span(), end_mm = stroke.points.back().displacement_mm;
+  const auto beside = std::find_if(stroke.points.rbegin(), stroke.points.rend(), [&](const CurvePoint& p) {
+    return std::abs(p.displacement_mm - end_mm) > within_mm;
+  });
+  const auto foot = std::min_element(beside.base(), stroke.points.end(),
+                                     [](CurvePoint a, CurvePoint b) { return a.force_N < b.force_N; });
+  if (foot != stroke.points.end()) stroke.points.erase(foot + 1, stroke.points.end());
+  return stroke;
+}
+
+/// Whether a stroke ends as soft as it ever gets.
+bool softestAtItsEnd(const StrokePoints& stroke) {
+  constexpr double within = 0.03;  // of the force span
+  const Extent force = forceOf(stroke);
+  return stroke.points.back().force_N <= force.low + within * force.span();
+}
+
 /// Whether the force falls from the start of the travel on, as a magnet's over its gap: a press that is never harder than at
 /// its start, and ends far below.
 bool fallsThroughout(const StrokePoints& press) {
@@ -145,7 +165,10 @@ bool hardestAtItsStart(const StrokePoints& press) {
 
 /// Whether a press falls from its start or to its end, where it stands on something.
 bool endsInAFall(const StrokePoints& press) {
-  return fallAtEnd(press) > endFallShare || fallsThroughout(press) || hardestAtItsStart(press);
+  if (fallAtEnd(press) > endFallShare || fallsThroughout(press) || hardestAtItsStart(press)) return true;
+  // An edge of the frame, taken for a wall, stands higher than the start.
+  const StrokePoints curve = withoutEndWall(press);
+  return softestAtItsEnd(curve) && fallsThroughout(curve);
 }
 
 /// Sizes of a press that no button at hand comes near.

@@ -252,9 +252,9 @@ Drop largestDrop(const StrokePoints& stroke) {
   return largest;
 }
 
-/// Both drop by so much of the press' highest force that where and how tells them apart.
+/// Both drop by so much that where and how tells them apart.
 bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double leastDrop = 0.05;
+  constexpr double leastDrop = 0.05;  // of the press' highest force
   const double highest_N = std::ranges::max_element(press.points, {}, &CurvePoint::force_N)->force_N;
   return std::min(largestDrop(press).force_N, largestDrop(release).force_N) > leastDrop * highest_N;
 }

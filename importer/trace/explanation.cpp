@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
@@ -285,8 +286,22 @@ Remainder remainderOfDashes(const std::vector<Point>& ink, const ExplainedPlot& 
   const bool guide = std::min(box.width(), box.height()) <
                      alongAxis * std::max(box.width(), box.height()) + 2 * plot.thickness();
   r.dashed = true;
-  r.likeness = guide ? 0 : ramp(r.length, 0.06, 0.14);
+  r.likeness = guide ? 0 : r.atAnEnd ? ramp(r.length, 0.03, 0.06) : ramp(r.length, 0.06, 0.14);
   return r;
+}
+
+/// Whether ink comes in many pieces alike: dots, which hang together across gaps as small as they are.
+bool isDotted(const std::vector<Point>& ink, const cv::Mat& pieces) {
+  constexpr std::size_t fewest = 8;
+  constexpr double within = 0.35, most = 0.75;  // of the usual area; of the pieces
+  std::map<int, double> areas;
+  for (const Point& p : ink) areas[pieces.at<int>(static_cast<int>(p.y), static_cast<int>(p.x))] += 1;
+  std::vector<double> sizes;
+  for (const auto& [piece, area] : areas) sizes.push_back(area);
+  const double usual = medianOf(sizes);
+  const auto alike =
+      std::ranges::count_if(sizes, [&](double area) { return std::abs(area - usual) <= within * usual; });
+  return sizes.size() >= fewest && static_cast<double>(alike) >= most * static_cast<double>(sizes.size());
 }
 
 std::vector<Rgb> colorsOf(const std::vector<Drawn>& drawn) {
@@ -324,7 +339,8 @@ Patches patchesOf(const ExplainedPlot& plot, const cv::Mat& left) {
 
 std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& left) {
   constexpr double kLeastLength = 0.03;  // of the diagonal
-  cv::Mat joined, labels, stats, centroids;
+  cv::Mat joined, labels, stats, centroids, pieces;
+  cv::connectedComponents(left, pieces, 8, CV_32S);
   cv::dilate(left, joined,
              cv::getStructuringElement(cv::MORPH_RECT, {2 * kJoined_px + 1, 2 * kJoined_px + 1}));
   const int count = cv::connectedComponentsWithStats(joined, labels, stats, centroids, 8, CV_32S);
@@ -340,7 +356,9 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
   for (const std::vector<Point>& ink : inks) {
     if (ink.size() < 4) continue;
     const Box box = boundsOf(ink);
-    if (std::hypot(box.width(), box.height()) >= least_px) all.push_back(remainderOf(ink, plot, ends));
+    if (std::hypot(box.width(), box.height()) < least_px) continue;
+    all.push_back(remainderOf(ink, plot, ends));
+    all.back().dashed = isDotted(ink, pieces);
   }
   const auto isGap = [&](Point p) { return plot.isGap(p, plot.drawn().front().color); };
   for (const std::vector<Point>& chain : dashChains(left, plot.curves(), plot.thickness(), isGap))

@@ -9,6 +9,26 @@ namespace {
 
 constexpr double leastSlenderness = 2.5;  // length over width
 
+/// The outline without the spikes that it has where it doubles back on itself: on the inner side of a bend sharper than the line is
+/// wide, offset edges overlap, and some programs go to the line's middle between them.
+Polyline withoutSpikes(Polyline ring, double longest_px) {
+  constexpr double turnedBack = -0.42;  // cosine of 115 degrees
+  for (std::size_t i = 0, kept = 0; kept < ring.size() && ring.size() > 4;) {
+    const std::size_t n = ring.size();
+    const std::size_t at = i % n;
+    const Point in = ring[at] - ring[(at + n - 1) % n], out = ring[(at + 1) % n] - ring[at];
+    const bool spike =
+        std::min(norm(in), norm(out)) <= longest_px && dot(in, out) < turnedBack * norm(in) * norm(out);
+    if (!spike) {
+      i = at + 1, ++kept;
+      continue;
+    }
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
+    i = (at + ring.size() - 1) % ring.size(), kept = 0;  // its neighbour before it may be one now
+  }
+  return ring;
+}
+
 /// The two caps: the edges where the outline turns back. An end of a line of width w has two corners (or an
 /// arc) within about w along the ring over which the direction turns by half a turn.
 std::optional<std::pair<std::size_t, std::size_t>> capEdges(const Polyline& ring, double width) {
@@ -60,7 +80,13 @@ std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double max
   while (ring.size() > 1 && distance(ring.front(), ring.back()) < 1e-9) ring.pop_back();
   constexpr std::size_t mostVertices = 20000;  // the pairing below is quadratic
   if (ring.size() < 4 || ring.size() > mostVertices) return std::nullopt;
-  const double around = lengthOf(ring) + distance(ring.back(), ring.front());
+  const auto aroundOf = [](const Polyline& line) {
+    return lengthOf(line) + distance(line.back(), line.front());
+  };
+  const double area = std::abs(twiceAreaOf(ring));
+  if (area > maxWidth_px * aroundOf(ring)) return std::nullopt;
+  ring = withoutSpikes(std::move(ring), area / aroundOf(ring));
+  const double around = aroundOf(ring);
   const double width = std::abs(twiceAreaOf(ring)) / around;
   const double length = around / 2;
   if (!(width > 0) || width > maxWidth_px || length < leastSlenderness * width) return std::nullopt;

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "importer/page/clip_line.h"
+#include "importer/trace/dashed_pieces.h"
 #include "importer/trace/filled_outline.h"
 
 namespace detent::importer {
@@ -102,6 +106,18 @@ bool onlyLongAxisParallel(const Polyline& line, double tolerance_px, double long
   return anyLong && slanted_px <= mostSlanted * length_px;
 }
 
+/// Whether a short outline's sides, which cross at a bend, gave a line that turns back on itself or does not run from end to end of it.
+bool isTangled(const Polyline& line, const Polyline& outline, double short_px) {
+  constexpr double leastExtent = 0.8;  // of the outline's
+  const auto extentOf = [](const Box& box) { return std::hypot(box.width(), box.height()); };
+  const double extent_px = extentOf(boundsOf(outline));
+  if (extent_px > short_px) return false;
+  int back = 0;
+  for (std::size_t i = 2; i < line.size(); ++i)
+    back += dot(line[i - 1] - line[i - 2], line[i] - line[i - 1]) < 0 ? 1 : 0;
+  return back > 1 || extentOf(boundsOf(line)) < leastExtent * extent_px;
+}
+
 bool nearAny(const std::vector<double>& positions, double at, double tolerance) {
   return std::any_of(positions.begin(), positions.end(),
                      [&](double p) { return std::abs(p - at) <= tolerance; });
@@ -136,13 +152,23 @@ class PieceMaker {
         for (Polyline& outside : cutOut(part, mask)) rest.push_back(std::move(outside));
       parts = std::move(rest);
     }
+    // The stem of a large letter that is an outline is a long thin shape too.
     for (const Polyline& part : parts)
-      for (Polyline& run : cutAtTurns(part, turnRound * plane_.box.width()))
-        for (Polyline& arm : cutAtFolds(run, shortestFoldArm * plane_.diagonal()))
-          store(arm, path, width_px, color);
+      addCut(part, {path.dashed, path.stroke ? letterSize : outlinedLetterSize, width_px, color});
+  }
+
+  /// A filled shape that is no line by itself: a dot, or a dash too short or too bent for its outline to be one.
+  void addDash(const Polyline& ring, Rgb color) {
+    auto dash = dashOfOutline(ring, outlinedLetterSize * plane_.diagonal());
+    if (!dash) return;
+    const Point at = dash->points.front();
+    const auto covers = [&](const Box& mask) { return mask.contains(at); };
+    if (region_.contains(at) && std::ranges::none_of(masks_, covers))
+      dashes_.push_back({color, std::move(*dash), {}});
   }
 
   std::vector<LinePiece> take() {
+    joinDashes();
     for (LinePiece& piece : pieces_)
       if (piece.onGridLine && beginsWhereAStrokeEnds(piece)) piece.onGridLine = false;
     return std::move(pieces_);
@@ -172,21 +198,57 @@ class PieceMaker {
     });
   }
 
-  void store(const Polyline& line, const VectorPath& path, double width_px, Rgb color) {
+  /// How a line is drawn, and below which size (share of the plot's diagonal) it is a letter's.
+  struct Drawn {
+    bool dashed = false;
+    double letter = letterSize, width_px = 1;
+    Rgb color;
+  };
+
+  void addCut(const Polyline& line, const Drawn& as) {
+    for (Polyline& run : cutAtTurns(line, turnRound * plane_.box.width()))
+      for (Polyline& arm : cutAtFolds(run, shortestFoldArm * plane_.diagonal())) store(arm, as);
+  }
+
+  /// Dashes drawn one by one become the line that they make, as those of a pattern are.
+  void joinDashes() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      if (!pieces_[i].dashed && lengthOf(pieces_[i].points) <= outlinedLetterSize * plane_.diagonal())
+        dashes_.push_back({pieces_[i].color, {pieces_[i].points, pieces_[i].width_px}, i});
+    std::vector<char> joined(pieces_.size(), 0);
+    std::vector<LinePiece> kept;
+    std::stable_sort(dashes_.begin(), dashes_.end(),
+                     [](const Dash& a, const Dash& b) { return orderOf(a.color) < orderOf(b.color); });
+    for (auto from = dashes_.begin(); from != dashes_.end();) {
+      const auto to =
+          std::find_if(from, dashes_.end(), [&](const Dash& d) { return d.color != from->color; });
+      std::vector<DashPiece> ofInk;
+      for (auto it = from; it != to; ++it) ofInk.push_back(it->drawn);
+      for (const DashedLine& line : dashedLines(ofInk)) {
+        for (const std::size_t member : line.members)
+          if (const auto piece = from[static_cast<std::ptrdiff_t>(member)].piece) joined[*piece] = 1;
+        addCut(line.points, {true, letterSize, line.width_px, from->color});
+      }
+      from = to;
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      if (i >= joined.size() || !joined[i]) kept.push_back(std::move(pieces_[i]));
+    pieces_ = std::move(kept);
+  }
+
+  void store(const Polyline& line, const Drawn& as) {
     LinePiece piece;
     piece.points = withoutRepeats(line);
     if (piece.points.size() < 2) return;
     const Box bounds = boundsOf(piece.points);
-    const double tolerance = std::max(0.05, 0.25 * width_px);
-    piece.color = color;
-    piece.width_px = width_px;
-    piece.dashed = path.dashed;
-    // The stem of a large letter that is an outline is a long thin shape too.
-    const double smallest = path.stroke ? letterSize : outlinedLetterSize;
-    piece.small = std::hypot(bounds.width(), bounds.height()) < smallest * plane_.diagonal();
+    const double tolerance = std::max(0.05, 0.25 * as.width_px);
+    piece.color = as.color;
+    piece.width_px = as.width_px;
+    piece.dashed = as.dashed;
+    piece.small = std::hypot(bounds.width(), bounds.height()) < as.letter * plane_.diagonal();
     piece.axisParallel = isStraight(piece.points, tolerance);
     if (piece.axisParallel) {
-      const double reach = std::max(1.0, width_px);
+      const double reach = std::max(1.0, as.width_px);
       const bool plumb = bounds.width() <= bounds.height();
       piece.onGridLine = plumb ? nearAny(plane_.columns_px, piece.points[0].x, reach)
                                : nearAny(plane_.rows_px, piece.points[0].y, reach);
@@ -194,10 +256,19 @@ class PieceMaker {
     pieces_.push_back(std::move(piece));
   }
 
+  /// A dash, perhaps, and which of the pieces it is.
+  struct Dash {
+    Rgb color;
+    DashPiece drawn;
+    std::optional<std::size_t> piece;
+  };
+  static std::array<std::uint8_t, 3> orderOf(Rgb color) { return {color.r, color.g, color.b}; }
+
   const PlotPlane& plane_;
   const std::vector<Box>& masks_;
   Box region_;
   std::vector<LinePiece> pieces_;
+  std::vector<Dash> dashes_;
 };
 
 }  // namespace
@@ -226,8 +297,11 @@ std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
         maker.add(path.polylines[i], path.closed[i], path, path.strokeWidth, *path.stroke);
       } else if (path.fill) {
         const auto centre = centreOfOutline(path.polylines[i], 0.02 * plane.diagonal());
-        if (centre && lengthOf(centre->points) > 0.2 * letterSize * plane.diagonal())
+        if (centre && lengthOf(centre->points) > 0.2 * letterSize * plane.diagonal() &&
+            !isTangled(centre->points, path.polylines[i], outlinedLetterSize * plane.diagonal()))
           maker.add(centre->points, false, path, centre->width_px, *path.fill);
+        else
+          maker.addDash(path.polylines[i], *path.fill);
       }
     }
   }

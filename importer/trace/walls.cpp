@@ -61,6 +61,16 @@ struct Thickness {
   }
 };
 
+/// How thick the frame is drawn in a curve's ink, where it is drawn on the left and at the top as well; else 0.
+double frameLine(const InkOnArea& ink, const PlotArea& area) {
+  const Box& frame = area.frame;
+  const auto left = Thickness::between({ink, area, frame.x0}, frame.y0 + 4, frame.y1 - 4);
+  std::vector<double> top;
+  for (double x = frame.x0 + 4; x < frame.x1 - 4; x += 1)
+    top.push_back(ink.across(x, frame.y0, false).thickness_px);
+  return left && !top.empty() ? std::min(left->usual, quantileOf(top, 0.5)) : 0;
+}
+
 /// How thick the plot's own lines are that stand plumb, of which the lane may be one; 0 where the lane is none of them.
 double ownLine(const InkOnArea& ink, const PlotArea& area, double x, double within_px) {
   if (!isAtOneOf(area.columns_px, x, within_px)) return 0;
@@ -69,7 +79,8 @@ double ownLine(const InkOnArea& ink, const PlotArea& area, double x, double with
     if (std::abs(column - x) > within_px)
       if (const auto run = Thickness::between({ink, area, column}, area.frame.y0 + 4, area.frame.y1 - 4))
         others.push_back(run->usual);
-  return others.empty() ? 0 : quantileOf(others, 0.75);
+  const double usual = others.empty() ? 0 : quantileOf(others, 0.75);
+  return std::abs(area.frame.x1 - x) <= within_px ? std::max(usual, frameLine(ink, area)) : usual;
 }
 
 /// The plot's own line on a lane, told from below the foot; where nothing stands there for long, there is none.

@@ -268,6 +268,8 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   pulls.press = {{0.02, 1.0}, {0.2, 1.4}, {0.5, 0.9},
                  {1.2, 0.5},  {2.2, 0.3}, {3.2, 0.2}};  // a magnet's force over its gap
   CHECK(pulls.doubted(DoubtCode::endsInAFall));
+  pulls.press.insert(pulls.press.end(), {{3.201, 1.0}, {3.201, 2.0}});  // the frame's edge at its end
+  CHECK(pulls.doubted(DoubtCode::endsInAFall));
   pulls.press = {
       {0, 0.2}, {0.5, 1.4}, {1.2, 0.9}, {2.2, 0.5}, {3.2, 0.2}};  // a dome shown as far as its click
   CHECK_FALSE(pulls.doubted(DoubtCode::endsInAFall));

@@ -589,6 +589,23 @@ TEST_CASE("A gridline above a curve's end is no wall", "[trace]") {
     for (const Point& p : trace.points_px) CHECK(p.y > plot.at(x, 0.65).y);
 }
 
+TEST_CASE("A frame in a curve's ink is no wall of a curve that runs into its lower corner", "[trace]") {
+  const double frame_px = GENERATE(2.0, 3.0);
+  Plot plot(700, 430);
+  plot.grid(8, 6, {230, 230, 230}, 1);
+  plot.line(plot.at({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}), frame_px, kBlack);
+  for (int i = 0; i <= 8; ++i)
+    plot.frame().xLines.push_back({.position_px = plot.at(i / 8.0, 0).x, .spansFrame = true});
+  Curve falling;
+  for (int i = 0; i <= 100; ++i) falling.push_back({i / 100.0, 0.9 / std::pow(1 + i / 20.0, 2)});
+  CurveTrace curve;
+  curve.points_px = plot.at(falling), curve.color = kBlack;
+  plot.line(curve.points_px, 3, kBlack);
+  std::vector<CurveTrace> traces{curve};
+  trace::addLostWalls(traces, plot.scene());
+  CHECK(traces[0].points_px.back().y > plot.at(1, 0.1).y);
+}
+
 TEST_CASE("A stroke followed along the axis ends where it came down to it, unless it is drawn on there",
           "[trace]") {
   const double latched = 0.42;
@@ -663,6 +680,23 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     const Remainder left = worst({press});
     CHECK(left.dashed);
     CHECK(left.likeness > 0.9);
+  }
+  SECTION("a few dashes on from the curve's end, steeply") {
+    const Point end = plot.at(loop.press.back().x, loop.press.back().y);
+    for (const double from : {7, 23, 39, 55})
+      plot.line({{end.x + 0.25 * from, end.y - from}, {end.x + 0.25 * (from + 7), end.y - from - 7}}, 3,
+                kBlue);
+    const Remainder left = worst({press});
+    CHECK(left.dashed);
+    CHECK(left.atAnEnd);
+    CHECK(left.likeness > 0.9);
+  }
+  SECTION("a curve in dots left out") {
+    const Curve points = densified(plot.at(loop.release), 1);
+    for (std::size_t k = 4; k < points.size(); k += 6) plot.line({points[k], points[k]}, 3, kBlue);
+    const Remainder left = worst({press});
+    CHECK(left.dashed);
+    CHECK(left.likeness > 0.5);
   }
   SECTION("markers on the curve") {
     const Curve points = densified(plot.at(loop.press), 1);

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
+#include "importer/page/polyline.h"
 #include "importer/trace/filled_outline.h"
 
 using namespace detent;
@@ -139,6 +141,23 @@ Polyline part(const Polyline& line, std::size_t from, std::size_t to) {
           line.begin() + static_cast<std::ptrdiff_t>(to) + 1};
 }
 
+/// The outline of a line with butt ends: each segment's own edges; on a bend's inner side they meet over its corner.
+Polyline outlineOf(const Polyline& line, double width) {
+  Polyline sides[2];
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point along = line[i] - line[i - 1];
+    const Point off = width / (2 * norm(along)) * Point{-along.y, along.x};
+    for (const int side : {0, 1}) {
+      const double sign = side == 0 ? 1 : -1;
+      if (i > 1 && sign * cross(line[i - 1] - line[i - 2], along) > 0) sides[side].push_back(line[i - 1]);
+      sides[side].push_back(line[i - 1] + sign * off);
+      sides[side].push_back(line[i] + sign * off);
+    }
+  }
+  sides[0].insert(sides[0].end(), sides[1].rbegin(), sides[1].rend());
+  return sides[0];
+}
+
 const Polyline press = curve(pressForce), release = curve(releaseForce);
 
 }  // namespace
@@ -208,6 +227,29 @@ TEST_CASE("dashes drawn one by one are one curve") {
   for (std::size_t i = 0; i + 3 <= 200; i += 5) dashes.push_back(part(release, i, i + 3));
   drawing.stroke(dashes);
   checkPair(drawing.traced(), press, part(release, 0, 198), 1);
+}
+
+TEST_CASE("dashes and dots turned into outlines are one curve, however steeply and sharply it bends") {
+  // A click that gives way within a hundredth of the travel, finely drawn.
+  const double width = GENERATE(0.003, 0.005);
+  const auto snap = [&](double u) { return 0.15 + 0.4 * u + 0.14 / (1 + std::exp((u - 0.52) / width)); };
+  const Polyline line = densified(curve(snap, 0, 0.95, 2000), 0.5);
+  const auto [dash_px, gap_px] = GENERATE(std::pair(12.0, 7.0), std::pair(10.0, 6.0), std::pair(4.0, 6.0));
+  CAPTURE(dash_px, width);
+  Drawing drawing;
+  drawing.stroke(curve([&](double u) { return 0.75 * u + 0.2; }));
+  const std::vector<double> arc = arcOf(line);
+  for (double from = 0; from < arc.back(); from += dash_px + gap_px) {
+    Polyline dash;
+    for (std::size_t i = 0; i < line.size(); i += 3)
+      if (arc[i] >= from && arc[i] <= from + dash_px) dash.push_back(line[i]);
+    if (dash.size() > 1) drawing.fill(outlineOf(dash, 3));
+  }
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 2);
+  const Polyline& back = strokeOf(traces, Stroke::release).points_px;
+  CHECK(apart(back, line) < 5);
+  CHECK(std::abs(std::min(back.front().x, back.back().x) - line.front().x) < 12);
 }
 
 TEST_CASE("a line broken off where a word stands goes on behind it") {
