@@ -82,7 +82,7 @@ ConditionerVerdict ForceConditioner::accept(double time_s, double value, bool re
     steadier_.startAnew();
     rest_.startAnew();
   }
-  steadyValue_ = rest_.next(time_s, steadier_.next(value));
+  steadyValue_ = rest_.next(time_s, steadier_.next(time_s, value));
   lastTime_s_ = time_s;
   lastValue_ = value;
   ++counts_.accepted;

@@ -17,7 +17,8 @@ constexpr double quickReadings = 128, slowReadings = 1024;
 
 constexpr double negligible_N = 0.001;  // a tenth of a grain on the softest sample button
 constexpr double follow_sd = 2.5, turn_sd = 8, leave_sd = 7, agree_sd = 2;
-constexpr std::size_t surest = 256;  // readings a resting force is averaged over, then it stays
+constexpr std::size_t surest = 256;  // readings a resting force is averaged over at least, then it stays,
+constexpr double surest_s = 0.25;    // and over that time: 256 readings at 10 kHz may be a stroke's end
 constexpr double released_sd = 1.5;  // a resting force this close to none is none
 
 double shareOf(std::size_t window) { return 1 / std::sqrt(static_cast<double>(std::size_t{1} << window)); }
@@ -73,7 +74,7 @@ void ForceSteadier::startAnew() {
   turn(Motion::up, 0);
 }
 
-double ForceSteadier::next(double reading) {
+double ForceSteadier::next(double time_s, double reading) {
   noise_.add(reading);
   const double s = noise();
   const bool first = count_ == 0;
@@ -85,11 +86,11 @@ double ForceSteadier::next(double reading) {
     return force_;
   }
   if (motion_ == Motion::rest) {
-    moveIfLeft(s, reading);
+    moveIfLeft(s, time_s, reading);
   } else {
     ++age_;
     if (turned(s)) turn(motion_ == Motion::up ? Motion::down : Motion::up, 1);
-    restIfStill(s);
+    restIfStill(s, time_s);
   }
   if (motion_ != Motion::rest) followMotion(s);
   return force_;
@@ -137,23 +138,20 @@ void ForceSteadier::followMotion(double s) {
   }
 }
 
-void ForceSteadier::restIfStill(double s) {
+void ForceSteadier::restIfStill(double s, double time_s) {
   if (age_ < longest || count_ < longest) return;
   const double half = means_[windows - 2], whole = means_[windows - 1];
   const double difference = 2 * (half - whole);  // newer half less older half
   if (std::fabs(difference) > agree_sd * s * std::sqrt(4.0 / static_cast<double>(longest))) return;
   resting_ = whole;
   restingCount_ = longest;
-  if (motion_ == Motion::up) {
-    force_ = std::max(force_, resting_);
-  } else {
-    const bool released = resting_ < released_sd * s;
-    force_ = std::min(force_, released ? std::min(resting_, 0.0) : resting_);
-  }
+  restingSince_s_ = time_s;
+  // The force stays where it is: a step to the resting mean would be a movement under a finger that stands.
+  if (motion_ == Motion::down && resting_ < released_sd * s) force_ = std::min({force_, resting_, 0.0});
   motion_ = Motion::rest;
 }
 
-void ForceSteadier::moveIfLeft(double s, double reading) {
+void ForceSteadier::moveIfLeft(double s, double time_s, double reading) {
   const double restingVariance = 1 / static_cast<double>(restingCount_);
   for (std::size_t k = 0; k < windows; ++k) {
     const double away = means_[k] - resting_;
@@ -161,7 +159,7 @@ void ForceSteadier::moveIfLeft(double s, double reading) {
     turn(away > 0 ? Motion::up : Motion::down, std::size_t{1} << k);
     return;
   }
-  if (restingCount_ == surest) return;
+  if (restingCount_ >= surest && time_s - restingSince_s_ >= surest_s) return;
   resting_ += (reading - resting_) / static_cast<double>(++restingCount_);
 }
 

@@ -39,8 +39,8 @@ class NoiseEstimate {
 ///  - pressing, the force is the highest "mean less 2.5 s / sqrt(n)" since the finger turned: fast strokes are
 ///    followed by the short means, slow ones by the long ones;
 ///  - it turns when one of the means has fallen 8 s / sqrt(n) below its own highest;
-///  - it rests when two halves of the last 64 readings agree, and moves again when one of the means leaves the
-///    resting mean by 7 standard deviations of their difference.
+///  - it rests, where it is, when two halves of the last 64 readings agree, and moves again when one of the
+///    means leaves the resting mean by 7 standard deviations of their difference.
 /// The numbers are claims of docs/decisions/0906. Any thread, one owner; no allocation.
 class ForceSteadier {
  public:
@@ -51,8 +51,8 @@ class ForceSteadier {
     most_ = most;
   }
 
-  /// The force for this reading. Readings must be finite and evenly spaced but for jitter.
-  double next(double reading);
+  /// The force for this reading. Readings must be finite and evenly spaced but for jitter, times increasing.
+  double next(double time_s, double reading);
   /// The next reading is a new start: what was before is too old. The noise stays known.
   void startAnew();
   /// Looks at a reading that belongs to a recording about to be played, so that its noise is known from the
@@ -71,8 +71,8 @@ class ForceSteadier {
   bool turned(double s) const;
   void turn(Motion motion, std::size_t age);
   void followMotion(double s);
-  void restIfStill(double s);
-  void moveIfLeft(double s, double reading);
+  void restIfStill(double s, double time_s);
+  void moveIfLeft(double s, double time_s, double reading);
 
   NoiseEstimate noise_;
   double known_ = 0, most_ = 0;
@@ -85,6 +85,7 @@ class ForceSteadier {
   Motion motion_ = Motion::up;
   double force_ = 0, resting_ = 0;
   std::size_t restingCount_ = 0;  // readings behind resting_
+  double restingSince_s_ = 0;
 };
 
 }  // namespace detent::playback

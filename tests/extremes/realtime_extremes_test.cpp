@@ -380,10 +380,11 @@ TEST_CASE("readings of any kind are judged, none passes that is none") {
   });
   holdsAlways("ForceSteadier: without noise every reading passes bit for bit", [] {
     ForceSteadier steadier;
+    double time_s = 0;
     steadier.configure(0, 0);
     for (int i = count(1, 100); i > 0; --i) {
       const double reading = within(-1, 1) * tests::magnitude(1e-12, 1e6);
-      RC_ASSERT(steadier.next(reading) == reading);
+      RC_ASSERT(steadier.next(time_s += 0.001, reading) == reading);
     }
   });
   holdsAlways("NoiseEstimate: has the unit of its readings", [] {

@@ -105,11 +105,15 @@ void expectSilence(const Disturbance& disturbance) {
 
 TEST_CASE("held still at every 0.05 N: no event", "[rest]") { expectSilence({}); }
 
-TEST_CASE("held with a sensor's noise of 3 mN: no event", "[rest]") { expectSilence({0, 0, 0.003}); }
+TEST_CASE("held with a sensor's noise of 3 mN, at 1 and at 10 kHz: no event", "[rest]") {
+  expectSilence({0, 0, 0.003});
+  expectSilence({0, 0, 0.003, 50, 10000});
+}
 
 TEST_CASE("held with a mains hum of 12 mN and its harmonics: no event", "[rest]") {
   expectSilence({0.012, 0, 0.001, 50});
   expectSilence({0.012, 0, 0.001, 60});
+  expectSilence({0.012, 0, 0.001, 50, 125});
 }
 
 TEST_CASE("held with a tremor of 2 % at 9 Hz: no event", "[rest]") { expectSilence({0, 0.02, 0.001}); }

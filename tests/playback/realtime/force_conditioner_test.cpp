@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/realtime/force_conditioner.h"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <catch2/catch.hpp>
 
@@ -61,4 +63,22 @@ TEST_CASE("conditioner: after one time far ahead it hears again within a tenth o
   }
   CHECK(lost < 42);  // of 425 a second
   CHECK(conditioner.counts().wrongTimes == 1);
+}
+
+TEST_CASE("conditioner: once it rests through noise at 10 kHz, a finger that stands moves no more") {
+  ConditionerSettings settings;
+  settings.mostNoise = 0.2;
+  ForceConditioner conditioner(settings);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise(0, 0.003);
+  int reading = 0, moved = 0;
+  for (int level = 0; level < 100; ++level) {
+    for (int i = 0; i < 15000; ++i) {
+      const double share = std::min(i / 2000.0, 1.0), before_N = conditioner.value();
+      const double force_N = 0.05 * (level + share * share * share * (10 + share * (6 * share - 15)));
+      conditioner.judge(++reading / 10000.0, force_N + noise(random));
+      if (i >= 6000 && conditioner.value() != before_N) ++moved;
+    }
+  }
+  CHECK(moved == 0);
 }
