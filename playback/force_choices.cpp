@@ -21,9 +21,9 @@ std::optional<Number> numberIn(std::string_view text) {
   return value;
 }
 
-Failure unknownDevice(const std::string& text, const std::string& problem) {
-  return {FailureCode::wrongUsage, "--device " + text, "", problem,
-          "Give sim, sim:falcon, sim:rig, serial:PORT, odrive:PORT, falcon or falcon:N"};
+Failure unknownDevice(const std::string& text, Message problem) {
+  return {FailureCode::wrongUsage, "--device " + text, "", std::move(problem),
+          Message("Give sim, sim:falcon, sim:rig, serial:PORT, odrive:PORT, falcon or falcon:N")};
 }
 
 Result<ForceDeviceChoice> simulatedFrom(const std::string& text, std::string_view preset) {
@@ -35,7 +35,7 @@ Result<ForceDeviceChoice> simulatedFrom(const std::string& text, std::string_vie
   } else if (preset == "rig") {
     choice.profile = voiceCoilRig();
   } else {
-    return unknownDevice(text, "there is no such simulated device");
+    return unknownDevice(text, Message("there is no such simulated device"));
   }
   return choice;
 }
@@ -46,7 +46,7 @@ Result<ForceDeviceChoice> falconFrom(const std::string& text, bool numbered, std
   choice.profile = falconDevice();
   if (!numbered) return choice;
   const auto value = numberIn<unsigned>(number);
-  if (!value || *value > mostFalcons) return unknownDevice(text, "N counts Falcons from 0");
+  if (!value || *value > mostFalcons) return unknownDevice(text, Message("N counts Falcons from 0"));
   choice.number = *value;
   return choice;
 }
@@ -60,9 +60,9 @@ Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text) {
   const std::string detail = detailed ? text.substr(colon + 1) : "";
   if (kind == "sim" && !(detailed && detail.empty())) return simulatedFrom(text, detail);
   if (kind == "falcon") return falconFrom(text, detailed, detail);
-  if (kind != "serial" && kind != "odrive") return unknownDevice(text, "there is no such device");
+  if (kind != "serial" && kind != "odrive") return unknownDevice(text, Message("there is no such device"));
   if (detail.empty())
-    return unknownDevice(text, "the port is missing, for example " + kind + ":/dev/ttyACM0");
+    return unknownDevice(text, Message("the port is missing, for example %1:/dev/ttyACM0", kind));
   ForceDeviceChoice choice;
   choice.kind = kind == "serial" ? ForceDeviceKind::serial : ForceDeviceKind::odrive;
   choice.port = detail;
@@ -81,8 +81,8 @@ Result<FingerChoice> fingerFrom(const std::string& text) {
     if (text == "hold") return choice;
     choice.hold_mm = numberIn<double>(std::string_view(text).substr(holdAt.size()));
     if (choice.hold_mm && std::isfinite(*choice.hold_mm)) return choice;
-    return Failure{FailureCode::wrongUsage, "--finger " + text, "", "the place is not a number",
-                   "Give it in mm with a point, for example hold=1.25"};
+    return Failure{FailureCode::wrongUsage, "--finger " + text, "", Message("the place is not a number"),
+                   Message("Give it in mm with a point, for example hold=1.25")};
   }
   Result<PressTrace> trace = readPressTrace(text);
   if (!trace) return trace.failure();

@@ -32,8 +32,8 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
       if (at_mm < -1 || at_mm > travel_mm + 1) {
         return Failure{
             FailureCode::wrongUsage, "--finger hold", "",
-            "the place lies more than 1 mm outside the travel of " + std::to_string(travel_mm) + " mm",
-            "Give one inside the travel"};
+            Message("the place lies more than 1 mm outside the travel of %1", millimetres(travel_mm)),
+            Message("Give one inside the travel")};
       }
       const double carried_N = button.states().front().graph.press().force_N(at_mm) + device.friction_N;
       return FingerPlan{FingerHold{at_mm, std::min(carried_N, device.limits.force_N), 0.4}};
@@ -54,8 +54,9 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
     values.push_back(r.value);
   }
   if (times_s.empty()) {
-    return Failure{FailureCode::unreadableInput, "--finger", "", "the trace has no reading that is a number",
-                   "Give a press trace with finite values"};
+    return Failure{FailureCode::unreadableInput, "--finger", "",
+                   Message("the trace has no reading that is a number"),
+                   Message("Give a press trace with finite values")};
   }
   if (finger.trace.quantity == PressTrace::Quantity::force_N)
     return FingerPlan{FingerForcePath{times_s, values}};
@@ -79,6 +80,13 @@ struct FittedForce {
   ForceLinkPace pace;
 };
 
+/// With so many digits: what was measured is said no finer.
+double rounded(double value, int digits) {
+  if (!(value > 0)) return value;
+  const double unit = std::pow(10, std::floor(std::log10(value)) - (digits - 1));
+  return std::round(value / unit) * unit;
+}
+
 /// The nearest button that the margin allows at the measured round trip. Failure deviceTrouble where that is none worth feeling.
 Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& device,
                              const ForceSettings& settings, const ForceLinkPace& pace) {
@@ -87,14 +95,14 @@ Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& dev
   double allowed = 0;
   if (stable) allowed = stabilityOf(stable->button, device, device.rate_Hz).least.allowed_N_per_mm;
   if (allowed < needed) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "answers after %.1f ms: the force would act %.1f ms late, where %.2g N/mm is the steepest "
-                  "that is steady; this button needs %.2g N/mm",
-                  1e3 * pace.roundTrip_s, 1e3 * device.delay_s, allowed, needed);
-    return Failure{FailureCode::deviceTrouble, device.name, "", text,
-                   "Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or "
-                   "--upload, so that the device runs the law"};
+    return Failure{
+        FailureCode::deviceTrouble, device.name, "",
+        Message("answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest "
+                "that is steady; this button needs %4 N/mm",
+                rounded(1e3 * pace.roundTrip_s, 3), rounded(1e3 * device.delay_s, 3), rounded(allowed, 2),
+                rounded(needed, 2)),
+        Message("Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or "
+                "--upload, so that the device runs the law")};
   }
   ForceDeviceProfile softened = device;
   softened.largestSlope_N_per_mm = std::min(device.largestSlope_N_per_mm, allowed);
@@ -132,8 +140,8 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   if (!fitted) return fitted;
   if (!opened.setPace(slow_s, answerOfSlowPeriod * slow_s)) {
     return Failure{FailureCode::deviceTrouble, settings.device.port, "",
-                   "does not take limits for a slow link",
-                   "Check that the firmware speaks docs/force-protocol.md"};
+                   Message("does not take limits for a slow link"),
+                   Message("Check that the firmware speaks docs/force-protocol.md")};
   }
   return fitted;
 }
@@ -205,8 +213,8 @@ class RunningForce : public ForcePlayer {
     to.homing = from.device == ForceDeviceState::homing;
     to.halt = from.halt;
     if (from.device == ForceDeviceState::fault || from.link.fault != 0)
-      to.fault = odriveErrorWords(from.link.fault);
-    if (from.link.clearedFault != 0) to.clearedFault = odriveErrorWords(from.link.clearedFault);
+      to.fault = english(odriveErrorWords(from.link.fault));
+    if (from.link.clearedFault != 0) to.clearedFault = english(odriveErrorWords(from.link.clearedFault));
     to.finished = from.finished;
     return to;
   }

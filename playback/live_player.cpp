@@ -173,11 +173,13 @@ class Player : public LivePlayer {
     const bool replaces = tracePlaying_;
     stopTrace();
     if (!sounding_) {
-      return Failure{FailureCode::wrongUsage, "press trace", "", "cannot be played without a sound device",
-                     "Start a player on a device"};
+      return Failure{FailureCode::wrongUsage, "press trace", "",
+                     Message("cannot be played without a sound device"),
+                     Message("Start a player on a device")};
     }
     if (trace.readings.empty()) {
-      return Failure{FailureCode::wrongUsage, "press trace", "", "holds no reading", "Give at least one"};
+      return Failure{FailureCode::wrongUsage, "press trace", "", Message("holds no reading"),
+                     Message("Give at least one")};
     }
     const double origin_s = std::min(0.0, trace.readings.front().time_s);
     std::vector<EngineInput> inputs = traceInputs(trace, origin_s);
@@ -208,8 +210,8 @@ class Player : public LivePlayer {
     receive();
     const std::lock_guard lock(controlMutex_);
     if (takes_.size() >= mostTakes || !sendTake(&take->taken)) {
-      return Failure{FailureCode::wrongUsage, "samples", "", "were asked for too often at once",
-                     "Wait until one has begun"};
+      return Failure{FailureCode::wrongUsage, "samples", "", Message("were asked for too often at once"),
+                     Message("Wait until one has begun")};
     }
     takes_.push_back(std::move(take));
     return Done{};
@@ -313,17 +315,18 @@ class Player : public LivePlayer {
   }
 
   std::optional<Failure> unplayable(const std::vector<float>& samples, double sampleRate_Hz) const {
-    const auto wrong = [](const char* problem, const char* remedy) {
-      return Failure{FailureCode::wrongUsage, "samples", "", problem, remedy};
+    const auto wrong = [](Message problem, const Message& remedy) {
+      return Failure{FailureCode::wrongUsage, "samples", "", std::move(problem), remedy};
     };
-    if (!sounding_) return wrong("cannot be played without a sound device", "Start a player on a device");
-    if (samples.empty()) return wrong("are none", "Give at least one");
+    if (!sounding_)
+      return wrong(Message("cannot be played without a sound device"), Message("Start a player on a device"));
+    if (samples.empty()) return wrong(Message("are none"), Message("Give at least one"));
     if (!(sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
           sampleRate_Hz <= HapticEngine::highestSampleRate_Hz))
-      return wrong("have a rate outside 8000..192000 Hz", "Choose another rate");
+      return wrong(Message("have a rate outside 8000..192000 Hz"), Message("Choose another rate"));
     const bool within =
         std::all_of(samples.begin(), samples.end(), [](float v) { return v >= -1 && v <= 1; });
-    if (!within) return wrong("pass full scale", "Give samples within -1 and 1");
+    if (!within) return wrong(Message("pass full scale"), Message("Give samples within -1 and 1"));
     return std::nullopt;
   }
 
@@ -379,8 +382,8 @@ class Player : public LivePlayer {
     rain_ = std::move(*rain);
     if (rain_->deviceName() != output_->deviceName()) return Done{};
     return Failure{FailureCode::wrongUsage, masking.device, "",
-                   "is the device of the vibration too: the masking noise would be felt",
-                   "Leave --noise-device out, or name the headphones' own"};
+                   Message("is the device of the vibration too: the masking noise would be felt"),
+                   Message("Leave --noise-device out, or name the headphones' own")};
   }
 
   std::int64_t streamFrame() {
@@ -687,8 +690,8 @@ Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings& sett
   if (!rate) return rate.failure();
   if (*rate < HapticEngine::lowestSampleRate_Hz || *rate > HapticEngine::highestSampleRate_Hz) {
     return Failure{FailureCode::wrongUsage, "sample rate", "",
-                   std::to_string(std::lround(*rate)) + " Hz lies outside 8000..192000",
-                   "Choose another rate"};
+                   Message("%1 Hz lies outside 8000..192000", std::lround(*rate)),
+                   Message("Choose another rate")};
   }
   auto player = std::make_unique<Player>(*rate, true);
   if (Result<Done> opened = player->open(settings, program, {}); !opened) return opened.failure();

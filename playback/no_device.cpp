@@ -7,8 +7,8 @@ namespace detent::playback {
 
 namespace {
 Failure withoutDevices() {
-  return {FailureCode::deviceTrouble, "live playback", "", "is not part of this build",
-          "Build with -DDETENT_WITH_DEVICE=ON, or use render"};
+  return {FailureCode::deviceTrouble, "live playback", "", Message("is not part of this build"),
+          Message("Build with -DDETENT_WITH_DEVICE=ON, or use render")};
 }
 }  // namespace
 

@@ -39,10 +39,10 @@ Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
   if (!device) return device.failure();
   const SerialForceInfo& info = (*device)->info();
   if (prepared.program.step_mm < info.step_mm * 0.999) {
-    return Failure{FailureCode::wrongUsage, choice.port, "",
-                   "the device has steps of " + std::to_string(1000 * info.step_mm) +
-                       " um; it was prepared for finer ones",
-                   "Give --step-mm " + std::to_string(info.step_mm)};
+    return Failure{
+        FailureCode::wrongUsage, choice.port, "",
+        Message("the device has steps of %1; it was prepared for finer ones", millimetres(info.step_mm)),
+        Message("Give --step-mm %1", info.step_mm)};
   }
   if (choice.uploadTable) {
     if (Result<Done> sent = (*device)->upload(prepared.program); !sent) return sent.failure();

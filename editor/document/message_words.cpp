@@ -40,6 +40,32 @@ constexpr int digits = 6;  // as a quantity field shows
     QT_TRANSLATE_NOOP("detent", "text of the clipboard"),
     QT_TRANSLATE_NOOP("detent", "fit options"),
     QT_TRANSLATE_NOOP("detent", "point spacing"),
+    QT_TRANSLATE_NOOP("detent", "samples"),
+    QT_TRANSLATE_NOOP("detent", "live playback"),
+    QT_TRANSLATE_NOOP("detent", "render"),
+    QT_TRANSLATE_NOOP("detent", "answer"),
+    QT_TRANSLATE_NOOP("detent", "playback setting"),
+    QT_TRANSLATE_NOOP("detent", "travel of the button"),
+    QT_TRANSLATE_NOOP("detent", "rate in Hz"),
+    QT_TRANSLATE_NOOP("detent", "mass of the device in kg"),
+    QT_TRANSLATE_NOOP("detent", "friction of the device in N"),
+    QT_TRANSLATE_NOOP("detent", "damping of the device in N·s/mm"),
+    QT_TRANSLATE_NOOP("detent", "encoder step in mm"),
+    QT_TRANSLATE_NOOP("detent", "delay of the device in s"),
+    QT_TRANSLATE_NOOP("detent", "motor lag of the device in s"),
+    QT_TRANSLATE_NOOP("detent", "steepest slope in N/mm"),
+    QT_TRANSLATE_NOOP("detent", "force limit in N"),
+    QT_TRANSLATE_NOOP("detent", "slew limit in N/s"),
+    QT_TRANSLATE_NOOP("detent", "speed limit in mm/s"),
+};
+
+// Words of the command line that stand in sentences (feedbackModes, levelQuantities, listenings of playback).
+[[maybe_unused]] constexpr const char* choiceNames[] = {
+    QT_TRANSLATE_NOOP("detent", "full"),       QT_TRANSLATE_NOOP("detent", "click-only"),
+    QT_TRANSLATE_NOOP("detent", "slope-only"), QT_TRANSLATE_NOOP("detent", "peak-force"),
+    QT_TRANSLATE_NOOP("detent", "event-size"), QT_TRANSLATE_NOOP("detent", "travel"),
+    QT_TRANSLATE_NOOP("detent", "snap"),       QT_TRANSLATE_NOOP("detent", "grain-strength"),
+    QT_TRANSLATE_NOOP("detent", "quiet"),      QT_TRANSLATE_NOOP("detent", "masked"),
 };
 
 QString inWords(const MessageValue& value, const DisplayUnits& units) {

@@ -1618,6 +1618,114 @@ Lizenz: %3</translation>
         <source>Pass units of one button</source>
         <translation>Exemplare eines Tasters wählen</translation>
     </message>
+    <message>
+        <source>samples</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>live playback</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>render</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>playback setting</source>
+        <translation>Einstellung der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>travel of the button</source>
+        <translation>Weg des Tasters</translation>
+    </message>
+    <message>
+        <source>rate in Hz</source>
+        <translation>Rate in Hz</translation>
+    </message>
+    <message>
+        <source>mass of the device in kg</source>
+        <translation>Masse des Geräts in kg</translation>
+    </message>
+    <message>
+        <source>friction of the device in N</source>
+        <translation>Reibung des Geräts in N</translation>
+    </message>
+    <message>
+        <source>damping of the device in N·s/mm</source>
+        <translation>Dämpfung des Geräts in N·s/mm</translation>
+    </message>
+    <message>
+        <source>encoder step in mm</source>
+        <translation>Schritt des Weggebers in mm</translation>
+    </message>
+    <message>
+        <source>delay of the device in s</source>
+        <translation>Verzögerung des Geräts in s</translation>
+    </message>
+    <message>
+        <source>motor lag of the device in s</source>
+        <translation>Trägheit des Motors in s</translation>
+    </message>
+    <message>
+        <source>steepest slope in N/mm</source>
+        <translation>größte Steigung in N/mm</translation>
+    </message>
+    <message>
+        <source>force limit in N</source>
+        <translation>Kraftgrenze in N</translation>
+    </message>
+    <message>
+        <source>slew limit in N/s</source>
+        <translation>Grenze des Kraftanstiegs in N/s</translation>
+    </message>
+    <message>
+        <source>speed limit in mm/s</source>
+        <translation>Grenze der Geschwindigkeit in mm/s</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>click-only</source>
+        <translation>nur Klicks</translation>
+    </message>
+    <message>
+        <source>slope-only</source>
+        <translation>nur Steigungen</translation>
+    </message>
+    <message>
+        <source>peak-force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>event-size</source>
+        <translation>Stärke der Sprünge</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>snap</source>
+        <translation>Schnappverhältnis</translation>
+    </message>
+    <message>
+        <source>grain-strength</source>
+        <translation>Stärke der Körner</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>still</translation>
+    </message>
+    <message>
+        <source>masked</source>
+        <translation>verdeckt</translation>
+    </message>
 </context>
 <context>
     <name>detent::Bending</name>
@@ -2757,14 +2865,6 @@ Lizenz: %3</translation>
     <message>
         <source>%1 is less than a hundredth. Meant: %2? Press Enter once more if not.</source>
         <translation>%1 ist weniger als ein Hundertstel. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
-    </message>
-    <message>
-        <source>cannot be made a folder: %1</source>
-        <translation>lässt sich nicht als Ordner anlegen: %1</translation>
-    </message>
-    <message>
-        <source>Choose another place or name</source>
-        <translation>Wählen Sie einen anderen Ort oder Namen</translation>
     </message>
 </context>
 <context>
@@ -10200,6 +10300,1580 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Choose another quantity, or a button with less of it</source>
         <translation>Eine andere Größe wählen, oder einen Taster mit weniger davon</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>See `detent-play devices` for what is there</source>
+        <translation>Was da ist, zeigt `detent-play devices`</translation>
+    </message>
+    <message>
+        <source>no sound output is there</source>
+        <translation>es gibt keinen Tonausgang</translation>
+    </message>
+    <message>
+        <source>no sound input is there</source>
+        <translation>es gibt keinen Toneingang</translation>
+    </message>
+    <message>
+        <source>Connect one, or start a JACK server</source>
+        <translation>Schließen Sie einen an oder starten Sie einen JACK-Server</translation>
+    </message>
+    <message>
+        <source>is not an output of this machine</source>
+        <translation>ist kein Ausgang dieses Rechners</translation>
+    </message>
+    <message>
+        <source>is not an input of this machine</source>
+        <translation>ist kein Eingang dieses Rechners</translation>
+    </message>
+    <message>
+        <source>See `detent-play devices`</source>
+        <translation>Siehe `detent-play devices`</translation>
+    </message>
+    <message>
+        <source>names several devices: %1</source>
+        <translation>nennt mehrere Geräte: %1</translation>
+    </message>
+    <message>
+        <source>Give a longer part of the name</source>
+        <translation>Geben Sie einen längeren Teil des Namens an</translation>
+    </message>
+    <message>
+        <source>cannot be started</source>
+        <translation>kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>cannot play and record at once</source>
+        <translation>kann nicht zugleich wiedergeben und aufnehmen</translation>
+    </message>
+    <message>
+        <source>stopped during the measurement</source>
+        <translation>blieb während der Messung stehen</translation>
+    </message>
+    <message>
+        <source>Check the device and try again</source>
+        <translation>Prüfen Sie das Gerät und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>has no firmware since it was switched on</source>
+        <translation>hat seit dem Einschalten keine Firmware</translation>
+    </message>
+    <message>
+        <source>Name its firmware file with --firmware FILE (docs/force-feedback.md)</source>
+        <translation>Nennen Sie seine Firmware-Datei mit --firmware DATEI (docs/force-feedback.md)</translation>
+    </message>
+    <message>
+        <source>does not take the firmware; tried %1 times</source>
+        <translation>nimmt die Firmware nicht an; %1-mal versucht</translation>
+    </message>
+    <message>
+        <source>Switch its power off and on, leave out hubs, and try again</source>
+        <translation>Schalten Sie es aus und wieder ein, lassen Sie Hubs weg und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>Name the firmware file that came with the Falcon&apos;s driver (docs/force-feedback.md)</source>
+        <translation>Nennen Sie die Firmware-Datei, die mit dem Treiber des Falcon kam (docs/force-feedback.md)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>is no firmware of a Falcon: it is too large</source>
+        <translation>ist keine Firmware eines Falcon: Sie ist zu groß</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>is no firmware of a Falcon: it is no boot image of its processor</source>
+        <translation>ist keine Firmware eines Falcon: Sie ist kein Startabbild seines Prozessors</translation>
+    </message>
+    <message>
+        <source>may not be used by you</source>
+        <translation>darf von Ihnen nicht benutzt werden</translation>
+    </message>
+    <message>
+        <source>Give yourself the right by a udev rule (docs/force-feedback.md), then plug it in again</source>
+        <translation>Geben Sie sich das Recht durch eine udev-Regel (docs/force-feedback.md) und stecken Sie es neu ein</translation>
+    </message>
+    <message>
+        <source>is in use by another program</source>
+        <translation>wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>End the other program</source>
+        <translation>Beenden Sie das andere Programm</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>Unplug it, switch its power off and on, plug it in again</source>
+        <translation>Ziehen Sie es ab, schalten Sie es aus und wieder ein und stecken Sie es neu ein</translation>
+    </message>
+    <message>
+        <source>is not part of this build</source>
+        <translation>gehört nicht zu diesem gebauten Programm</translation>
+    </message>
+    <message>
+        <source>Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON</source>
+        <translation>Bauen Sie mit libusb-1.0-0-dev und -DDETENT_WITH_FALCON=ON</translation>
+    </message>
+    <message>
+        <source>holds the force of one speed, and this button has graphs at %1</source>
+        <translation>fasst die Kraft einer Geschwindigkeit, und dieser Taster hat Graphen bei %1</translation>
+    </message>
+    <message>
+        <source>Leave the upload out: the host runs the law; or upload the button of one speed, which detent-graph convert --speed V writes</source>
+        <translation>Lassen Sie das Übertragen weg: Dann rechnet dieser Rechner die Kraft; oder übertragen Sie den Taster einer Geschwindigkeit, den detent-graph convert --speed V schreibt</translation>
+    </message>
+    <message>
+        <source>runs one state only, and this button has %1</source>
+        <translation>führt nur einen Zustand aus, und dieser Taster hat %1</translation>
+    </message>
+    <message>
+        <source>Leave the upload out: the host runs self-locking buttons</source>
+        <translation>Lassen Sie das Übertragen weg: Rastende Taster rechnet dieser Rechner</translation>
+    </message>
+    <message>
+        <source>cannot be listened on (%1)</source>
+        <translation>kann nicht abgehört werden (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another port</source>
+        <translation>Wählen Sie einen anderen Anschluss</translation>
+    </message>
+    <message>
+        <source>Give sim, sim:falcon, sim:rig, serial:PORT, odrive:PORT, falcon or falcon:N</source>
+        <translation>Geben Sie sim, sim:falcon, sim:rig, serial:ANSCHLUSS, odrive:ANSCHLUSS, falcon oder falcon:N an</translation>
+    </message>
+    <message>
+        <source>there is no such simulated device</source>
+        <translation>ein solches simuliertes Gerät gibt es nicht</translation>
+    </message>
+    <message>
+        <source>N counts Falcons from 0</source>
+        <translation>N zählt die Falcons ab 0</translation>
+    </message>
+    <message>
+        <source>there is no such device</source>
+        <translation>ein solches Gerät gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the port is missing, for example %1:/dev/ttyACM0</source>
+        <translation>der Anschluss fehlt, zum Beispiel %1:/dev/ttyACM0</translation>
+    </message>
+    <message>
+        <source>the place is not a number</source>
+        <translation>die Stelle ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Give it in mm with a point, for example hold=1.25</source>
+        <translation>Geben Sie sie in mm mit einem Punkt an, zum Beispiel hold=1.25</translation>
+    </message>
+    <message>
+        <source>the place lies more than 1 mm outside the travel of %1</source>
+        <translation>die Stelle liegt mehr als 1 mm außerhalb des Wegs von %1</translation>
+    </message>
+    <message>
+        <source>Give one inside the travel</source>
+        <translation>Geben Sie eine innerhalb des Wegs an</translation>
+    </message>
+    <message>
+        <source>the trace has no reading that is a number</source>
+        <translation>der Verlauf hat keinen Messwert, der eine Zahl ist</translation>
+    </message>
+    <message>
+        <source>Give a press trace with finite values</source>
+        <translation>Geben Sie einen Druckverlauf mit endlichen Werten an</translation>
+    </message>
+    <message>
+        <source>answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest that is steady; this button needs %4 N/mm</source>
+        <translation>antwortet nach %1 ms: Die Kraft käme %2 ms zu spät, und stabil sind dann höchstens %3 N/mm; dieser Taster braucht %4 N/mm</translation>
+    </message>
+    <message>
+        <source>Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or --upload, so that the device runs the law</source>
+        <translation>Machen Sie die Verbindung schneller: direktes USB, mehr --baud, ein FTDI-Latenzzähler von 1 ms; oder --upload, damit das Gerät die Kraft selbst rechnet</translation>
+    </message>
+    <message>
+        <source>does not take limits for a slow link</source>
+        <translation>nimmt keine Grenzen für eine langsame Verbindung an</translation>
+    </message>
+    <message>
+        <source>Check that the firmware speaks docs/force-protocol.md</source>
+        <translation>Prüfen Sie, ob die Firmware docs/force-protocol.md spricht</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>Wert %1</translation>
+    </message>
+    <message>
+        <source>its force is %1</source>
+        <translation>seine Kraft ist %1</translation>
+    </message>
+    <message>
+        <source>its displacement is %1</source>
+        <translation>sein Weg ist %1</translation>
+    </message>
+    <message>
+        <source>moves %1 in all, in steps of %2: too few of them</source>
+        <translation>bewegt sich um insgesamt %1, in Schritten von %2: zu wenige davon</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold this press: its strongest sample is %2 of full scale, and nothing would sound</source>
+        <translation>%1 kann diesen Druck nicht fassen: Der stärkste Wert ist %2 der Vollaussteuerung, und nichts wäre zu spüren</translation>
+    </message>
+    <message>
+        <source>Press deeper, raise the gain of the device profile, or choose package, which holds any press</source>
+        <translation>Drücken Sie tiefer, erhöhen Sie die Verstärkung des Geräteprofils oder wählen Sie package, das jeden Druck fasst</translation>
+    </message>
+    <message>
+        <source>%1 bits are no format of samples here</source>
+        <translation>%1 Bit sind hier kein Format für Werte</translation>
+    </message>
+    <message>
+        <source>Give 8 or 16</source>
+        <translation>Geben Sie 8 oder 16 an</translation>
+    </message>
+    <message>
+        <source>%1 samples a second are no rate of samples here</source>
+        <translation>%1 Werte je Sekunde sind hier keine Abtastrate</translation>
+    </message>
+    <message>
+        <source>Give 8000 to 192000</source>
+        <translation>Geben Sie 8000 bis 192000 an</translation>
+    </message>
+    <message>
+        <source>nothing of the button is felt under this press: %1 of its %2 readings are no numbers, out of range or not in the order of their times</source>
+        <translation>unter diesem Druck ist vom Taster nichts zu fühlen: %1 seiner %2 Messwerte sind keine Zahlen, außerhalb des Bereichs oder nicht in der Folge ihrer Zeiten</translation>
+    </message>
+    <message>
+        <source>Correct these readings</source>
+        <translation>Berichtigen Sie diese Messwerte</translation>
+    </message>
+    <message>
+        <source>nothing of the button is felt under this press</source>
+        <translation>unter diesem Druck ist vom Taster nichts zu fühlen</translation>
+    </message>
+    <message>
+        <source>Press harder or deeper, or choose a mode that plays something</source>
+        <translation>Drücken Sie stärker oder tiefer oder wählen Sie eine Art, die etwas wiedergibt</translation>
+    </message>
+    <message>
+        <source>the press lasts %1 s; an export holds at most %2 s</source>
+        <translation>der Druck dauert %1 s; ein Export fasst höchstens %2 s</translation>
+    </message>
+    <message>
+        <source>Give a shorter press</source>
+        <translation>Geben Sie einen kürzeren Druck an</translation>
+    </message>
+    <message>
+        <source>the parameter curve %1 is left out</source>
+        <translation>die Parameterkurve %1 wird weggelassen</translation>
+    </message>
+    <message>
+        <source>control points behind the %1th of a curve are left out, as Core Haptics does</source>
+        <translation>Stützpunkte hinter dem %1. einer Kurve werden weggelassen, wie Core Haptics es tut</translation>
+    </message>
+    <message>
+        <source>lies before the control point it follows</source>
+        <translation>liegt vor dem Stützpunkt, auf den er folgt</translation>
+    </message>
+    <message>
+        <source>Sort the curve&apos;s points by time</source>
+        <translation>Ordnen Sie die Punkte der Kurve nach der Zeit</translation>
+    </message>
+    <message>
+        <source>the parameter %1 is left out</source>
+        <translation>der Parameter %1 wird weggelassen</translation>
+    </message>
+    <message>
+        <source>events of the type %1 are left out</source>
+        <translation>Ereignisse der Art %1 werden weggelassen</translation>
+    </message>
+    <message>
+        <source>the event parameter %1 is left out</source>
+        <translation>der Ereignisparameter %1 wird weggelassen</translation>
+    </message>
+    <message>
+        <source>is %1: another version of AHAP than 1</source>
+        <translation>ist %1: eine andere Version von AHAP als 1</translation>
+    </message>
+    <message>
+        <source>Export it as version 1</source>
+        <translation>Exportieren Sie es als Version 1</translation>
+    </message>
+    <message>
+        <source>lies before the point it follows</source>
+        <translation>liegt vor dem Punkt, auf den er folgt</translation>
+    </message>
+    <message>
+        <source>Sort the points by time</source>
+        <translation>Ordnen Sie die Punkte nach der Zeit</translation>
+    </message>
+    <message>
+        <source>is %1: another version of .haptic than 1</source>
+        <translation>ist %1: eine andere Version von .haptic als 1</translation>
+    </message>
+    <message>
+        <source>Export it again as version 1</source>
+        <translation>Exportieren Sie es neu als Version 1</translation>
+    </message>
+    <message>
+        <source>is weaker than the point it stands on</source>
+        <translation>ist schwächer als der Punkt, auf dem es steht</translation>
+    </message>
+    <message>
+        <source>Give it at least that point&apos;s amplitude</source>
+        <translation>Geben Sie ihm mindestens die Amplitude dieses Punkts</translation>
+    </message>
+    <message>
+        <source>holds no point</source>
+        <translation>enthält keinen Punkt</translation>
+    </message>
+    <message>
+        <source>is %1, which is no base signal</source>
+        <translation>ist %1, was kein Grundsignal ist</translation>
+    </message>
+    <message>
+        <source>Give Sine, Square, Triangle, SawToothUp or SawToothDown</source>
+        <translation>Geben Sie Sine, Square, Triangle, SawToothUp oder SawToothDown an</translation>
+    </message>
+    <message>
+        <source>lies before the keyframe it follows</source>
+        <translation>liegt vor dem Schlüsselbild, auf das es folgt</translation>
+    </message>
+    <message>
+        <source>Sort the keyframes by relative_position</source>
+        <translation>Ordnen Sie die Schlüsselbilder nach relative_position</translation>
+    </message>
+    <message>
+        <source>bands of wavelets are left out</source>
+        <translation>Bänder aus Wavelets werden weggelassen</translation>
+    </message>
+    <message>
+        <source>is %1, which is no kind of band</source>
+        <translation>ist %1, was keine Art von Band ist</translation>
+    </message>
+    <message>
+        <source>Give Transient, Curve or VectorialWave</source>
+        <translation>Geben Sie Transient, Curve oder VectorialWave an</translation>
+    </message>
+    <message>
+        <source>curves of the type %1 are played as straight lines</source>
+        <translation>Kurven der Art %1 werden als gerade Linien wiedergegeben</translation>
+    </message>
+    <message>
+        <source>effects of the type %1 are left out</source>
+        <translation>Effekte der Art %1 werden weggelassen</translation>
+    </message>
+    <message>
+        <source>names no effect of the effect_library</source>
+        <translation>nennt keinen Effekt der effect_library</translation>
+    </message>
+    <message>
+        <source>Add the effect there</source>
+        <translation>Fügen Sie den Effekt dort ein</translation>
+    </message>
+    <message>
+        <source>is %1: another edition than those of 2023 and 2025</source>
+        <translation>ist %1: eine andere Ausgabe als die von 2023 und 2025</translation>
+    </message>
+    <message>
+        <source>Export it for one of these</source>
+        <translation>Exportieren Sie es für eine von diesen</translation>
+    </message>
+    <message>
+        <source>%1 channels are played together</source>
+        <translation>%1 Kanäle werden zusammen wiedergegeben</translation>
+    </message>
+    <message>
+        <source>Give an AHAP, .haptic or HJIF file, or a WAV</source>
+        <translation>Geben Sie eine AHAP-, .haptic- oder HJIF-Datei oder eine WAV an</translation>
+    </message>
+    <message>
+        <source>it passes full scale by a factor of %1 and is turned down</source>
+        <translation>es überschreitet die Vollaussteuerung um den Faktor %1 und wird leiser gestellt</translation>
+    </message>
+    <message>
+        <source>holds nothing that sounds</source>
+        <translation>enthält nichts, was zu spüren wäre</translation>
+    </message>
+    <message>
+        <source>Give a file with events</source>
+        <translation>Geben Sie eine Datei mit Ereignissen an</translation>
+    </message>
+    <message>
+        <source>lasts %1 s</source>
+        <translation>dauert %1 s</translation>
+    </message>
+    <message>
+        <source>Give one of at most %1 s</source>
+        <translation>Geben Sie eine von höchstens %1 s an</translation>
+    </message>
+    <message>
+        <source>holds events of %1 s, one on top of another</source>
+        <translation>enthält übereinander liegende Ereignisse von zusammen %1 s</translation>
+    </message>
+    <message>
+        <source>Give one whose events last %1 s together at most</source>
+        <translation>Geben Sie eine an, deren Ereignisse zusammen höchstens %1 s dauern</translation>
+    </message>
+    <message>
+        <source>is cut off</source>
+        <translation>ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Export or copy it again</source>
+        <translation>Exportieren oder kopieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>the mean of its %1 channels is played</source>
+        <translation>das Mittel ihrer %1 Kanäle wird wiedergegeben</translation>
+    </message>
+    <message>
+        <source>is JSON, but no haptic file</source>
+        <translation>ist JSON, aber keine haptische Datei</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MB</source>
+        <translation>ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>Give a shorter one</source>
+        <translation>Geben Sie eine kürzere an</translation>
+    </message>
+    <message>
+        <source>is not valid JSON: %1</source>
+        <translation>ist kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>Export it again: it may have been cut off</source>
+        <translation>Exportieren Sie sie neu: Sie kann abgeschnitten sein</translation>
+    </message>
+    <message>
+        <source>holds a number no double can hold: %1</source>
+        <translation>enthält eine Zahl, die als Gleitkommazahl nicht darstellbar ist: %1</translation>
+    </message>
+    <message>
+        <source>Correct the number</source>
+        <translation>Berichtigen Sie die Zahl</translation>
+    </message>
+    <message>
+        <source>is neither JSON nor a sound file that can be read</source>
+        <translation>ist weder JSON noch eine lesbare Tondatei</translation>
+    </message>
+    <message>
+        <source>the profile of a force device</source>
+        <translation>das Profil eines Kraftgeräts</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is not one number</source>
+        <translation>ist nicht eine Zahl</translation>
+    </message>
+    <message>
+        <source>lies outside %1 to %2</source>
+        <translation>liegt außerhalb %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>Measure the device with `detent-play identify-device`</source>
+        <translation>Messen Sie das Gerät mit `detent-play identify-device`</translation>
+    </message>
+    <message>
+        <source>a device profile</source>
+        <translation>ein Geräteprofil</translation>
+    </message>
+    <message>
+        <source>%1 starts with &quot;%2 %3&quot;</source>
+        <translation>%1 beginnt mit „%2 %3“</translation>
+    </message>
+    <message>
+        <source>written by a newer Detent (version %1)</source>
+        <translation>von einem neueren Detent geschrieben (Version %1)</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>See docs/device-profile.md</source>
+        <translation>Siehe docs/device-profile.md</translation>
+    </message>
+    <message>
+        <source>no = in the line</source>
+        <translation>kein = in der Zeile</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>Build with -DDETENT_WITH_DEVICE=ON, or use render</source>
+        <translation>Bauen Sie mit -DDETENT_WITH_DEVICE=ON oder benutzen Sie render</translation>
+    </message>
+    <message>
+        <source>the header is %1</source>
+        <translation>der Kopf lautet %1</translation>
+    </message>
+    <message>
+        <source>%1 has %2 fields, not 2</source>
+        <translation>%1 hat %2 Felder, nicht 2</translation>
+    </message>
+    <message>
+        <source>%1 is not a time</source>
+        <translation>%1 ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>no reading follows the header</source>
+        <translation>auf den Kopf folgt kein Messwert</translation>
+    </message>
+    <message>
+        <source>its times begin at %1 s</source>
+        <translation>seine Zeiten beginnen bei %1 s</translation>
+    </message>
+    <message>
+        <source>Take that off all of them, so that they begin at 0</source>
+        <translation>Ziehen Sie das von allen ab, damit sie bei 0 beginnen</translation>
+    </message>
+    <message>
+        <source>longer than a week</source>
+        <translation>länger als eine Woche</translation>
+    </message>
+    <message>
+        <source>Cut it into parts</source>
+        <translation>Zerlegen Sie ihn in Teile</translation>
+    </message>
+    <message>
+        <source>none of its %1 readings can be one: each is no number or out of range</source>
+        <translation>keiner seiner %1 Messwerte kann einer sein: jeder ist keine Zahl oder außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Give forces in N, as a finger presses</source>
+        <translation>Geben Sie Kräfte in N an, wie ein Finger drückt</translation>
+    </message>
+    <message>
+        <source>Give displacements in mm</source>
+        <translation>Geben Sie Wege in mm an</translation>
+    </message>
+    <message>
+        <source>%1 lies outside [%2, %3]</source>
+        <translation>%1 liegt außerhalb [%2; %3]</translation>
+    </message>
+    <message>
+        <source>Give a value inside</source>
+        <translation>Geben Sie einen Wert darin an</translation>
+    </message>
+    <message>
+        <source>sample rate in Hz</source>
+        <translation>Abtastrate in Hz</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>tail in s</source>
+        <translation>Nachlauf in s</translation>
+    </message>
+    <message>
+        <source>holds no reading</source>
+        <translation>enthält keinen Messwert</translation>
+    </message>
+    <message>
+        <source>is no sound file that can be read: its header is damaged</source>
+        <translation>ist keine lesbare Tondatei: Ihr Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is no sound file that can be read: %1</source>
+        <translation>ist keine lesbare Tondatei: %1</translation>
+    </message>
+    <message>
+        <source>Give a WAV</source>
+        <translation>Geben Sie eine WAV an</translation>
+    </message>
+    <message>
+        <source>has %1 samples a second</source>
+        <translation>hat %1 Werte je Sekunde</translation>
+    </message>
+    <message>
+        <source>has %1 channels</source>
+        <translation>hat %1 Kanäle</translation>
+    </message>
+    <message>
+        <source>holds no sample</source>
+        <translation>enthält keinen Wert</translation>
+    </message>
+    <message>
+        <source>Give a longer one</source>
+        <translation>Geben Sie eine längere an</translation>
+    </message>
+    <message>
+        <source>Export it again</source>
+        <translation>Exportieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>has a sample that is no number, the %1th</source>
+        <translation>hat einen Wert, der keine Zahl ist, den %1.</translation>
+    </message>
+    <message>
+        <source>times, force or sensor rate lie outside their ranges</source>
+        <translation>Zeiten, Kraft oder Sensorrate liegen außerhalb ihrer Bereiche</translation>
+    </message>
+    <message>
+        <source>Give positive times of together at most 600 s</source>
+        <translation>Geben Sie positive Zeiten von zusammen höchstens 600 s an</translation>
+    </message>
+    <message>
+        <source>the device has steps of %1; it was prepared for finer ones</source>
+        <translation>das Gerät hat Schritte von %1; vorbereitet wurde für feinere</translation>
+    </message>
+    <message>
+        <source>Give --step-mm %1</source>
+        <translation>Geben Sie --step-mm %1 an</translation>
+    </message>
+    <message>
+        <source>this build of Detent has no engine for browsers</source>
+        <translation>dieses gebaute Detent hat keine Wiedergabe für Browser</translation>
+    </message>
+    <message>
+        <source>Install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and libclang-rt-14-dev-wasm32, then configure and build anew</source>
+        <translation>Installieren Sie clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 und libclang-rt-14-dev-wasm32 und konfigurieren und bauen Sie neu</translation>
+    </message>
+    <message>
+        <source>a page holds 1 to %1 buttons, not %2</source>
+        <translation>eine Seite fasst 1 bis %1 Taster, nicht %2</translation>
+    </message>
+    <message>
+        <source>Name fewer buttons, or make several pages</source>
+        <translation>Nennen Sie weniger Taster oder machen Sie mehrere Seiten</translation>
+    </message>
+    <message>
+        <source>is %1</source>
+        <translation>ist %1</translation>
+    </message>
+    <message>
+        <source>Give one from %1 to %2</source>
+        <translation>Geben Sie einen Wert von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>A force device can render %1 to %2; scale the button (edit it, or convert its graph)</source>
+        <translation>Ein Kraftgerät kann %1 bis %2 darstellen; skalieren Sie den Taster (bearbeiten Sie ihn oder wandeln Sie seinen Graphen um)</translation>
+    </message>
+    <message>
+        <source>ends at %1; %2 reaches %3</source>
+        <translation>endet bei %1; %2 reicht bis %3</translation>
+    </message>
+    <message>
+        <source>Choose a device that reaches farther, or scale the button (edit it, or convert its graph)</source>
+        <translation>Wählen Sie ein Gerät, das weiter reicht, oder skalieren Sie den Taster (bearbeiten Sie ihn oder wandeln Sie seinen Graphen um)</translation>
+    </message>
+    <message>
+        <source>%1 lies outside (%2, %3]</source>
+        <translation>%1 liegt außerhalb (%2; %3]</translation>
+    </message>
+    <message>
+        <source>%1 bands, at most %2</source>
+        <translation>%1 Bänder, höchstens %2</translation>
+    </message>
+    <message>
+        <source>Keep the strongest bands</source>
+        <translation>Behalten Sie die stärksten Bänder</translation>
+    </message>
+    <message>
+        <source>the force falls while the reading rises</source>
+        <translation>die Kraft fällt, während der Messwert steigt</translation>
+    </message>
+    <message>
+        <source>Swap the sensor&apos;s two wires, or calibrate again</source>
+        <translation>Vertauschen Sie die beiden Drähte des Sensors oder kalibrieren Sie neu</translation>
+    </message>
+    <message>
+        <source>Calibrate the sensor again</source>
+        <translation>Kalibrieren Sie den Sensor neu</translation>
+    </message>
+    <message>
+        <source>has so little friction or damping that no button is stable on it</source>
+        <translation>hat so wenig Reibung oder Dämpfung, dass kein Taster darauf stabil ist</translation>
+    </message>
+    <message>
+        <source>Give its friction and damping, or choose another device</source>
+        <translation>Geben Sie Reibung und Dämpfung an oder wählen Sie ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>line 1</source>
+        <translation>Zeile 1</translation>
+    </message>
+    <message>
+        <source>is not a journal of a study</source>
+        <translation>ist kein Journal einer Studie</translation>
+    </message>
+    <message>
+        <source>Take it away</source>
+        <translation>Nehmen Sie es weg</translation>
+    </message>
+    <message>
+        <source>was cancelled</source>
+        <translation>wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>Start it again</source>
+        <translation>Beginnen Sie es neu</translation>
+    </message>
+    <message>
+        <source>presses by itself: a sensor would be a second finger</source>
+        <translation>drückt selbst: Ein Sensor wäre ein zweiter Finger</translation>
+    </message>
+    <message>
+        <source>Leave one of both out</source>
+        <translation>Lassen Sie eines von beiden weg</translation>
+    </message>
+    <message>
+        <source>would run the one button that was uploaded; a study exchanges buttons</source>
+        <translation>würde den einen Taster ausführen, der übertragen wurde; eine Studie tauscht Taster aus</translation>
+    </message>
+    <message>
+        <source>Choose it without uploading a table</source>
+        <translation>Wählen Sie es, ohne eine Tabelle zu übertragen</translation>
+    </message>
+    <message>
+        <source>renders forces; this study compares what only a vibration has</source>
+        <translation>stellt Kräfte dar; diese Studie vergleicht, was nur eine Vibration hat</translation>
+    </message>
+    <message>
+        <source>Leave it out, or make a study of the mode full</source>
+        <translation>Lassen Sie es weg oder machen Sie eine Studie der Art „Alles“</translation>
+    </message>
+    <message>
+        <source>has no consent text in &quot;%1&quot;</source>
+        <translation>hat keinen Einwilligungstext in „%1“</translation>
+    </message>
+    <message>
+        <source>Put %1 there, or choose another language</source>
+        <translation>Legen Sie %1 dorthin oder wählen Sie eine andere Sprache</translation>
+    </message>
+    <message>
+        <source>is broken (%1)</source>
+        <translation>ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>Restore the journal from a copy</source>
+        <translation>Stellen Sie das Journal aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>Restore the folder</source>
+        <translation>Stellen Sie den Ordner wieder her</translation>
+    </message>
+    <message>
+        <source>had a file &quot;%1&quot; beside it that is gone: whether its end was cut off cannot be told</source>
+        <translation>hatte eine Datei „%1“ neben sich, die fehlt: Ob das Ende abgeschnitten wurde, lässt sich nicht sagen</translation>
+    </message>
+    <message>
+        <source>Restore both from a copy</source>
+        <translation>Stellen Sie beide aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>does not say how long the journal was</source>
+        <translation>sagt nicht, wie lang das Journal war</translation>
+    </message>
+    <message>
+        <source>held %1 lines when it was last written, and these are not all there</source>
+        <translation>hatte %1 Zeilen, als es zuletzt geschrieben wurde, und die sind nicht alle da</translation>
+    </message>
+    <message>
+        <source>Give trial,press_s, one row for each press, in seconds behind the cue</source>
+        <translation>Geben Sie trial,press_s an, eine Zeile für jeden Druck, in Sekunden nach dem Zeichen</translation>
+    </message>
+    <message>
+        <source>does not name trial and press_s</source>
+        <translation>nennt trial und press_s nicht</translation>
+    </message>
+    <message>
+        <source>has too few fields</source>
+        <translation>hat zu wenige Felder</translation>
+    </message>
+    <message>
+        <source>holds no trial and time</source>
+        <translation>enthält keinen Durchgang mit Zeit</translation>
+    </message>
+    <message>
+        <source>holds no press</source>
+        <translation>enthält keinen Druck</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a way to answer</source>
+        <translation>„%1“ ist keine Art zu antworten</translation>
+    </message>
+    <message>
+        <source>Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, timing=PLACE,SPREAD or presses=FILE</source>
+        <translation>Geben Sie guess, perfect, errors=P mit P von 0 bis 1, threshold=T mit T von 0.001 bis 10, timing=STELLE,STREUUNG oder presses=DATEI an</translation>
+    </message>
+    <message>
+        <source>presses answer timing studies only</source>
+        <translation>Drücke beantworten nur Studien des Timings</translation>
+    </message>
+    <message>
+        <source>answers no timing study</source>
+        <translation>beantwortet keine Studie des Timings</translation>
+    </message>
+    <message>
+        <source>Give guess, perfect or errors=P</source>
+        <translation>Geben Sie guess, perfect oder errors=P an</translation>
+    </message>
+    <message>
+        <source>Give timing=PLACE,SPREAD or presses=FILE</source>
+        <translation>Geben Sie timing=STELLE,STREUUNG oder presses=DATEI an</translation>
+    </message>
+    <message>
+        <source>a place of tapping is the seconds between presses</source>
+        <translation>beim Tippen ist die Stelle die Zeit in Sekunden zwischen zwei Drücken</translation>
+    </message>
+    <message>
+        <source>Give 0.01 or more</source>
+        <translation>Geben Sie 0.01 oder mehr an</translation>
+    </message>
+    <message>
+        <source>a threshold answers threshold studies only</source>
+        <translation>eine Schwelle beantwortet nur Schwellenstudien</translation>
+    </message>
+    <message>
+        <source>Restore it from a copy, or plan anew before the first person comes</source>
+        <translation>Stellen Sie es aus einer Kopie wieder her oder planen Sie neu, bevor die erste Person kommt</translation>
+    </message>
+    <message>
+        <source>is not a plan this program knows</source>
+        <translation>ist kein Plan, den dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>Restore the file</source>
+        <translation>Stellen Sie die Datei wieder her</translation>
+    </message>
+    <message>
+        <source>holds no counts of version %1</source>
+        <translation>enthält keine Zählungen der Version %1</translation>
+    </message>
+    <message>
+        <source>knows a mode &quot;%1&quot; that does not exist</source>
+        <translation>nennt eine Art „%1“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>Restore the file as it was made</source>
+        <translation>Stellen Sie die Datei so wieder her, wie sie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>is not a study</source>
+        <translation>ist keine Studie</translation>
+    </message>
+    <message>
+        <source>Name a folder made by detent-play study new</source>
+        <translation>Nennen Sie einen Ordner, den detent-play study new gemacht hat</translation>
+    </message>
+    <message>
+        <source>is a study of version %1, this program knows 1 to %2</source>
+        <translation>ist eine Studie der Version %1, dieses Programm kennt 1 bis %2</translation>
+    </message>
+    <message>
+        <source>Use the program that made it</source>
+        <translation>Benutzen Sie das Programm, das sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>was shuffled by %1</source>
+        <translation>wurde von %1 gemischt</translation>
+    </message>
+    <message>
+        <source>knows a kind &quot;%1&quot; that does not exist</source>
+        <translation>nennt eine Studienart „%1“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>knows a quantity %1 that does not exist</source>
+        <translation>nennt eine Größe %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>knows a scale %1 that does not exist</source>
+        <translation>nennt eine Skala %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>knows a task %1 that does not exist</source>
+        <translation>nennt eine Aufgabe %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has levels of a button &quot;%1&quot; it does not hold</source>
+        <translation>hat Stufen eines Tasters „%1“, den sie nicht enthält</translation>
+    </message>
+    <message>
+        <source>has no levels of button &quot;%1&quot;</source>
+        <translation>hat keine Stufen des Tasters „%1“</translation>
+    </message>
+    <message>
+        <source>was changed after the study was made</source>
+        <translation>wurde geändert, nachdem die Studie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Restore it, or make a new study with the changed button</source>
+        <translation>Stellen Sie die Datei wieder her oder machen Sie eine neue Studie mit dem geänderten Taster</translation>
+    </message>
+    <message>
+        <source>Restore it, or make a new study</source>
+        <translation>Stellen Sie die Datei wieder her oder machen Sie eine neue Studie</translation>
+    </message>
+    <message>
+        <source>speaks of a button &quot;%1&quot; it does not hold</source>
+        <translation>nennt einen Taster „%1“, den sie nicht enthält</translation>
+    </message>
+    <message>
+        <source>does not say how button &quot;%1&quot; feels (%2)</source>
+        <translation>sagt nicht, wie sich Taster „%1“ anfühlt (%2)</translation>
+    </message>
+    <message>
+        <source>cannot be made (%1)</source>
+        <translation>kann nicht angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>Check the folder, its rights and the free space</source>
+        <translation>Prüfen Sie den Ordner, seine Rechte und den freien Platz</translation>
+    </message>
+    <message>
+        <source>Check the folder above it</source>
+        <translation>Prüfen Sie den Ordner darüber</translation>
+    </message>
+    <message>
+        <source>Make one with detent-play study new, or name its folder</source>
+        <translation>Machen Sie eine mit detent-play study new oder nennen Sie ihren Ordner</translation>
+    </message>
+    <message>
+        <source>Restore it from a copy</source>
+        <translation>Stellen Sie die Datei aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>button &quot;%1&quot; (%2) would feel different in this program (%3) than in the one that made the study (%4)</source>
+        <translation>Taster „%1“ (%2) würde sich in diesem Programm (%3) anders anfühlen als in dem, das die Studie gemacht hat (%4)</translation>
+    </message>
+    <message>
+        <source>Go on with that program, or begin a new study</source>
+        <translation>Machen Sie mit jenem Programm weiter oder beginnen Sie eine neue Studie</translation>
+    </message>
+    <message>
+        <source>has a participant already: lists made now could not be kept to</source>
+        <translation>hat schon eine Teilnehmerin oder einen Teilnehmer: Listen, die erst jetzt gemacht werden, ließen sich nicht einhalten</translation>
+    </message>
+    <message>
+        <source>Plan before the first person comes, or make a new study</source>
+        <translation>Planen Sie, bevor die erste Person kommt, oder machen Sie eine neue Studie</translation>
+    </message>
+    <message>
+        <source>Check the folder above it and its rights</source>
+        <translation>Prüfen Sie den Ordner darüber und seine Rechte</translation>
+    </message>
+    <message>
+        <source>it tells no error, and does not reach closed-loop control</source>
+        <translation>sie meldet keinen Fehler und erreicht die Regelung nicht</translation>
+    </message>
+    <message>
+        <source>invalid state</source>
+        <translation>ungültiger Zustand</translation>
+    </message>
+    <message>
+        <source>motor failed</source>
+        <translation>Motor gestört</translation>
+    </message>
+    <message>
+        <source>sensorless estimator failed</source>
+        <translation>sensorlose Schätzung gestört</translation>
+    </message>
+    <message>
+        <source>encoder failed</source>
+        <translation>Weggeber gestört</translation>
+    </message>
+    <message>
+        <source>controller failed</source>
+        <translation>Regler gestört</translation>
+    </message>
+    <message>
+        <source>watchdog timer expired</source>
+        <translation>Überwachungszeit abgelaufen</translation>
+    </message>
+    <message>
+        <source>end stop pressed (low)</source>
+        <translation>Endschalter gedrückt (unten)</translation>
+    </message>
+    <message>
+        <source>end stop pressed (high)</source>
+        <translation>Endschalter gedrückt (oben)</translation>
+    </message>
+    <message>
+        <source>emergency stop requested</source>
+        <translation>Nothalt verlangt</translation>
+    </message>
+    <message>
+        <source>homing without end stop</source>
+        <translation>Referenzfahrt ohne Endschalter</translation>
+    </message>
+    <message>
+        <source>over temperature</source>
+        <translation>zu heiß</translation>
+    </message>
+    <message>
+        <source>unknown position</source>
+        <translation>Position unbekannt</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>error %1 (%2)</source>
+        <translation>Fehler %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Check the folder, its rights and the free space, then try again</source>
+        <translation>Prüfen Sie den Ordner, seine Rechte und den freien Platz und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>state %1</source>
+        <translation>Zustand %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::AudioCapture::Recorder</name>
+    <message>
+        <source>cannot be started</source>
+        <translation>kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>cannot be recorded from</source>
+        <translation>kann nicht aufgenommen werden</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::AudioOutput::Stream</name>
+    <message>
+        <source>cannot be started</source>
+        <translation>kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>has one output: the masking noise would be felt</source>
+        <translation>hat nur einen Ausgang: Das verdeckende Rauschen wäre zu fühlen</translation>
+    </message>
+    <message>
+        <source>Give the headphones&apos; device as --noise-device</source>
+        <translation>Geben Sie das Gerät der Kopfhörer als --noise-device an</translation>
+    </message>
+    <message>
+        <source>cannot be opened at %1 Hz</source>
+        <translation>kann bei %1 Hz nicht geöffnet werden</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::FalconUsb</name>
+    <message>
+        <source>is not connected</source>
+        <translation>ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>Check its cable and its power supply, or try it without hardware: --device sim:falcon</source>
+        <translation>Prüfen Sie Kabel und Netzteil oder versuchen Sie es ohne Gerät: --device sim:falcon</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::JackStream</name>
+    <message>
+        <source>the JACK server does not answer</source>
+        <translation>der JACK-Server antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Start jackd</source>
+        <translation>Starten Sie jackd</translation>
+    </message>
+    <message>
+        <source>runs at another sample rate</source>
+        <translation>läuft mit einer anderen Abtastrate</translation>
+    </message>
+    <message>
+        <source>Leave --device-rate out</source>
+        <translation>Lassen Sie --device-rate weg</translation>
+    </message>
+    <message>
+        <source>runs at a rate outside 8000..192000 Hz</source>
+        <translation>läuft mit einer Rate außerhalb 8000 bis 192000 Hz</translation>
+    </message>
+    <message>
+        <source>Restart jackd at another rate</source>
+        <translation>Starten Sie jackd mit einer anderen Rate neu</translation>
+    </message>
+    <message>
+        <source>gives no more ports</source>
+        <translation>gibt keine weiteren Anschlüsse her</translation>
+    </message>
+    <message>
+        <source>Close another JACK program</source>
+        <translation>Schließen Sie ein anderes JACK-Programm</translation>
+    </message>
+    <message>
+        <source>refuses to start</source>
+        <translation>lässt sich nicht starten</translation>
+    </message>
+    <message>
+        <source>Restart jackd</source>
+        <translation>Starten Sie jackd neu</translation>
+    </message>
+    <message>
+        <source>has no inputs</source>
+        <translation>hat keine Eingänge</translation>
+    </message>
+    <message>
+        <source>Choose another output; `detent-play devices` lists them</source>
+        <translation>Wählen Sie einen anderen Ausgang; `detent-play devices` zählt sie auf</translation>
+    </message>
+    <message>
+        <source>is not part of this build</source>
+        <translation>gehört nicht zu diesem gebauten Programm</translation>
+    </message>
+    <message>
+        <source>Build with libjack-jackd2-dev</source>
+        <translation>Bauen Sie mit libjack-jackd2-dev</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::JsonPlace</name>
+    <message>
+        <source>has no %1</source>
+        <translation>hat kein %1</translation>
+    </message>
+    <message>
+        <source>is no list</source>
+        <translation>ist keine Liste</translation>
+    </message>
+    <message>
+        <source>is no number</source>
+        <translation>ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Correct it</source>
+        <translation>Berichtigen Sie das</translation>
+    </message>
+    <message>
+        <source>is %1</source>
+        <translation>ist %1</translation>
+    </message>
+    <message>
+        <source>Give a number from %1 to %2</source>
+        <translation>Geben Sie eine Zahl von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>ist kein Text</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::LineJournal</name>
+    <message>
+        <source>cannot be opened</source>
+        <translation>kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>cannot be locked</source>
+        <translation>kann nicht gesperrt werden</translation>
+    </message>
+    <message>
+        <source>is being written by another process</source>
+        <translation>wird gerade von einem anderen Prozess geschrieben</translation>
+    </message>
+    <message>
+        <source>End that session first, or give another participant&apos;s id</source>
+        <translation>Beenden Sie zuerst jene Sitzung oder geben Sie eine andere Kennung an</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>cannot be cut back to its last whole line</source>
+        <translation>lässt sich nicht auf die letzte ganze Zeile kürzen</translation>
+    </message>
+    <message>
+        <source>could not take one more line</source>
+        <translation>konnte keine weitere Zeile aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::LivePlayer</name>
+    <message>
+        <source>%1 Hz lies outside 8000..192000</source>
+        <translation>%1 Hz liegt außerhalb 8000 bis 192000</translation>
+    </message>
+    <message>
+        <source>Choose another rate</source>
+        <translation>Wählen Sie eine andere Rate</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::OdriveForceDevice</name>
+    <message>
+        <source>axis or travel per turn mean nothing</source>
+        <translation>Achse oder Weg je Umdrehung bedeuten nichts</translation>
+    </message>
+    <message>
+        <source>Give axis 0 or 1 and a travel that is not 0</source>
+        <translation>Geben Sie Achse 0 oder 1 an und einen Weg, der nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>no ODrive answers on axis %1</source>
+        <translation>auf Achse %1 antwortet kein ODrive</translation>
+    </message>
+    <message>
+        <source>Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)</source>
+        <translation>Prüfen Sie Strom, Kabel und Achse und ob das ASCII-Protokoll eingeschaltet ist (docs/force-feedback.md)</translation>
+    </message>
+    <message>
+        <source>axis %1 does not arm: %2</source>
+        <translation>Achse %1 lässt sich nicht aktivieren: %2</translation>
+    </message>
+    <message>
+        <source>Mend that with odrivetool (dump_errors), until closed-loop control runs</source>
+        <translation>Beheben Sie das mit odrivetool (dump_errors), bis die Regelung läuft</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::ParticipantSession</name>
+    <message>
+        <source>trial %1</source>
+        <translation>Durchgang %1</translation>
+    </message>
+    <message>
+        <source>is not the trial that is asked</source>
+        <translation>ist nicht der Durchgang, nach dem gefragt wird</translation>
+    </message>
+    <message>
+        <source>Answer the trial that is shown</source>
+        <translation>Beantworten Sie den Durchgang, der gezeigt wird</translation>
+    </message>
+    <message>
+        <source>does not lie on the scale</source>
+        <translation>liegt nicht auf der Skala</translation>
+    </message>
+    <message>
+        <source>gives no number</source>
+        <translation>gibt keine Zahl an</translation>
+    </message>
+    <message>
+        <source>Give a number above 0, at most a million</source>
+        <translation>Geben Sie eine Zahl über 0 an, höchstens eine Million</translation>
+    </message>
+    <message>
+        <source>Give 1, 2, 3, 4, 5, 6 or 7</source>
+        <translation>Geben Sie 1, 2, 3, 4, 5, 6 oder 7 an</translation>
+    </message>
+    <message>
+        <source>holds no press at a time that counts</source>
+        <translation>enthält keinen Druck zu einer Zeit, die zählt</translation>
+    </message>
+    <message>
+        <source>Press at the cue; in tapping, at least twice</source>
+        <translation>Drücken Sie beim Zeichen; beim Tippen mindestens zweimal</translation>
+    </message>
+    <message>
+        <source>is about something that was not felt</source>
+        <translation>betrifft etwas, das nicht gefühlt wurde</translation>
+    </message>
+    <message>
+        <source>Press X and what it is compared with to the end, then answer</source>
+        <translation>Drücken Sie X und das, womit es verglichen wird, bis zum Ende und antworten Sie dann</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::Player</name>
+    <message>
+        <source>cannot be played without a sound device</source>
+        <translation>kann ohne Tongerät nicht wiedergegeben werden</translation>
+    </message>
+    <message>
+        <source>Start a player on a device</source>
+        <translation>Starten Sie die Wiedergabe auf einem Gerät</translation>
+    </message>
+    <message>
+        <source>holds no reading</source>
+        <translation>enthält keinen Messwert</translation>
+    </message>
+    <message>
+        <source>Give at least one</source>
+        <translation>Geben Sie mindestens einen an</translation>
+    </message>
+    <message>
+        <source>were asked for too often at once</source>
+        <translation>wurden zu oft zugleich verlangt</translation>
+    </message>
+    <message>
+        <source>Wait until one has begun</source>
+        <translation>Warten Sie, bis eine begonnen hat</translation>
+    </message>
+    <message>
+        <source>are none</source>
+        <translation>sind keine</translation>
+    </message>
+    <message>
+        <source>have a rate outside 8000..192000 Hz</source>
+        <translation>haben eine Rate außerhalb 8000 bis 192000 Hz</translation>
+    </message>
+    <message>
+        <source>Choose another rate</source>
+        <translation>Wählen Sie eine andere Rate</translation>
+    </message>
+    <message>
+        <source>pass full scale</source>
+        <translation>überschreiten die Vollaussteuerung</translation>
+    </message>
+    <message>
+        <source>Give samples within -1 and 1</source>
+        <translation>Geben Sie Werte zwischen -1 und 1 an</translation>
+    </message>
+    <message>
+        <source>is the device of the vibration too: the masking noise would be felt</source>
+        <translation>ist auch das Gerät der Vibration: Das verdeckende Rauschen wäre zu fühlen</translation>
+    </message>
+    <message>
+        <source>Leave --noise-device out, or name the headphones&apos; own</source>
+        <translation>Lassen Sie --noise-device weg oder nennen Sie das der Kopfhörer</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::Reader</name>
+    <message>
+        <source>is given twice</source>
+        <translation>ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>holds something that is not a number</source>
+        <translation>enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>is none of newtons, linear, divider</source>
+        <translation>ist weder newtons noch linear noch divider</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>needs 1 to 4 numbers</source>
+        <translation>braucht 1 bis 4 Zahlen</translation>
+    </message>
+    <message>
+        <source>needs at most 4 numbers</source>
+        <translation>braucht höchstens 4 Zahlen</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::Reader::Action</name>
+    <message>
+        <source>needs %1 numbers, has %2</source>
+        <translation>braucht %1 Zahlen, hat %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::Replay</name>
+    <message>
+        <source>was changed by hand, or a line before it was</source>
+        <translation>wurde von Hand geändert oder eine Zeile davor</translation>
+    </message>
+    <message>
+        <source>Restore the journal from a copy; its answers are not used as they stand</source>
+        <translation>Stellen Sie das Journal aus einer Kopie wieder her; so, wie sie dastehen, werden seine Antworten nicht benutzt</translation>
+    </message>
+    <message>
+        <source>holds an event &quot;%1&quot; this program does not know</source>
+        <translation>enthält ein Ereignis „%1“, das dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>Use the program that wrote it</source>
+        <translation>Benutzen Sie das Programm, das es geschrieben hat</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>is not a journal of a study</source>
+        <translation>ist kein Journal einer Studie</translation>
+    </message>
+    <message>
+        <source>Take it away</source>
+        <translation>Nehmen Sie es weg</translation>
+    </message>
+    <message>
+        <source>is of version %1</source>
+        <translation>ist von Version %1</translation>
+    </message>
+    <message>
+        <source>is the journal of %1</source>
+        <translation>ist das Journal von %1</translation>
+    </message>
+    <message>
+        <source>Give the file its own name again</source>
+        <translation>Geben Sie der Datei wieder ihren eigenen Namen</translation>
+    </message>
+    <message>
+        <source>belongs to another study, or study.json was changed since</source>
+        <translation>gehört zu einer anderen Studie, oder study.json wurde seither geändert</translation>
+    </message>
+    <message>
+        <source>Restore study.json, or move the journal to its own study</source>
+        <translation>Stellen Sie study.json wieder her oder legen Sie das Journal zu seiner Studie</translation>
+    </message>
+    <message>
+        <source>knows a session that this program does not: %1, %2</source>
+        <translation>nennt eine Sitzung, die dieses Programm nicht kennt: %1, %2</translation>
+    </message>
+    <message>
+        <source>is an answer outside a session</source>
+        <translation>ist eine Antwort außerhalb einer Sitzung</translation>
+    </message>
+    <message>
+        <source>Restore the journal</source>
+        <translation>Stellen Sie das Journal wieder her</translation>
+    </message>
+    <message>
+        <source>answers trial %1 out of its turn</source>
+        <translation>beantwortet Durchgang %1 außer der Reihe</translation>
+    </message>
+    <message>
+        <source>does not fit the list of trials</source>
+        <translation>passt nicht zur Liste der Durchgänge</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::SerialForceDevice</name>
+    <message>
+        <source>gives %1; it was prepared for more</source>
+        <translation>gibt %1; vorbereitet wurde für mehr</translation>
+    </message>
+    <message>
+        <source>Give --max-N %1</source>
+        <translation>Geben Sie --max-N %1 an</translation>
+    </message>
+    <message>
+        <source>does not say back the limits it was given: nothing would hold its force if this program failed</source>
+        <translation>sagt die Grenzen, die es bekam, nicht zurück: Nichts hielte seine Kraft, wenn dieses Programm ausfiele</translation>
+    </message>
+    <message>
+        <source>Check that the firmware speaks docs/force-protocol.md and the baud rate is the same</source>
+        <translation>Prüfen Sie, ob die Firmware docs/force-protocol.md spricht und die Baudrate dieselbe ist</translation>
+    </message>
+    <message>
+        <source>answers with something that is no line of the protocol</source>
+        <translation>antwortet mit etwas, das keine Zeile des Protokolls ist</translation>
+    </message>
+    <message>
+        <source>speaks an older protocol, without a force limit of its own: flash samples/firmware/force1d anew</source>
+        <translation>spricht ein älteres Protokoll ohne eigene Kraftgrenze: Spielen Sie samples/firmware/force1d neu auf</translation>
+    </message>
+    <message>
+        <source>does not take the force table</source>
+        <translation>nimmt die Krafttabelle nicht an</translation>
+    </message>
+    <message>
+        <source>Check the firmware and the cable; without the upload the host runs the law</source>
+        <translation>Prüfen Sie Firmware und Kabel; ohne das Übertragen rechnet dieser Rechner die Kraft</translation>
+    </message>
+    <message>
+        <source>holds no force table</source>
+        <translation>fasst keine Krafttabelle</translation>
+    </message>
+    <message>
+        <source>Leave the upload out: the host runs the law</source>
+        <translation>Lassen Sie das Übertragen weg: Dann rechnet dieser Rechner die Kraft</translation>
+    </message>
+    <message>
+        <source>was opened for %1; the table has a limit of %2, or none</source>
+        <translation>wurde für %1 geöffnet; die Tabelle hat eine Grenze von %2 oder keine</translation>
+    </message>
+    <message>
+        <source>Prepare the button for the device&apos;s limit</source>
+        <translation>Bereiten Sie den Taster für die Grenze des Geräts vor</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::SerialLink</name>
+    <message>
+        <source>does not know %1 baud</source>
+        <translation>kennt %1 Baud nicht</translation>
+    </message>
+    <message>
+        <source>Give a usual rate of 1200 to 4000000: 9600, 115200, 230400, 921600, 1000000</source>
+        <translation>Geben Sie eine übliche Rate von 1200 bis 4000000 an: 9600, 115200, 230400, 921600, 1000000</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>Check the name, the cable and your right to use it (group dialout)</source>
+        <translation>Prüfen Sie den Namen, das Kabel und Ihr Recht darauf (Gruppe dialout)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::SignalSender</name>
+    <message>
+        <source>cannot be sent to (%1)</source>
+        <translation>nimmt nichts an (%1)</translation>
+    </message>
+    <message>
+        <source>Check host and port</source>
+        <translation>Prüfen Sie Rechner und Anschluss</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::StudyPlayer</name>
+    <message>
+        <source>sends no readings</source>
+        <translation>sendet keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Check the sensor, its cable and the port&apos;s speed</source>
+        <translation>Prüfen Sie den Sensor, sein Kabel und die Geschwindigkeit des Anschlusses</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::Summary</name>
+    <message>
+        <source>FLAC holds no float samples</source>
+        <translation>FLAC fasst keine Gleitkommawerte</translation>
+    </message>
+    <message>
+        <source>Give --bits 16 or 24, or a .wav</source>
+        <translation>Geben Sie --bits 16 oder 24 oder eine .wav an</translation>
+    </message>
+    <message>
+        <source>is neither .wav nor .flac</source>
+        <translation>ist weder .wav noch .flac</translation>
+    </message>
+    <message>
+        <source>Give one of these endings</source>
+        <translation>Geben Sie eine dieser Endungen an</translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -10210,6 +11884,22 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>is empty</source>
         <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>no press is named</source>
+        <translation>kein Druck ist genannt</translation>
+    </message>
+    <message>
+        <source>%1 is no press</source>
+        <translation>%1 ist kein Druck</translation>
+    </message>
+    <message>
+        <source>Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or time_s,displacement_mm</source>
+        <translation>Geben Sie standard, human:120ms mit 10 ms bis 10 s oder eine CSV mit time_s,force_N oder time_s,displacement_mm an</translation>
+    </message>
+    <message>
+        <source>A press trace has the header time_s,force_N or time_s,displacement_mm and two numbers per line</source>
+        <translation>Ein Druckverlauf hat den Kopf time_s,force_N oder time_s,displacement_mm und zwei Zahlen je Zeile</translation>
     </message>
 </context>
 </TS>

@@ -78,15 +78,15 @@ class Library {
   PaError error_;
 };
 
-Failure troubleOf(const std::string& device, const std::string& what, PaError error) {
+Failure troubleOf(const std::string& device, Message what, PaError error) {
   std::string text = Pa_GetErrorText(error);
   if (error == paUnanticipatedHostError) {
     const PaHostErrorInfo* info = Pa_GetLastHostErrorInfo();
     if (info != nullptr && info->errorText != nullptr && *info->errorText != '\0')
       text += std::string(": ") + info->errorText;
   }
-  return {FailureCode::deviceTrouble, device.empty() ? "default device" : device, "",
-          what + " (" + text + ")", "See `detent-play devices` for what is there"};
+  return {FailureCode::deviceTrouble, device.empty() ? Subject("default device") : Subject(device), "",
+          Message("%1 (%2)", std::move(what), text), Message("See `detent-play devices` for what is there")};
 }
 
 AudioDeviceInfo infoOf(PaDeviceIndex index) {
@@ -115,8 +115,8 @@ Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction)
     const PaDeviceIndex index = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
     if (index == paNoDevice) {
       return Failure{FailureCode::deviceTrouble, "default device", "",
-                     output ? "no sound output is there" : "no sound input is there",
-                     "Connect one, or start a JACK server"};
+                     output ? Message("no sound output is there") : Message("no sound input is there"),
+                     Message("Connect one, or start a JACK server")};
     }
     return index;
   }
@@ -135,12 +135,13 @@ Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction)
   const PaDeviceIndex standard = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
   if (std::find(partly.begin(), partly.end(), standard) != partly.end()) return standard;
   if (partly.empty()) {
-    return Failure{FailureCode::deviceTrouble, wanted, "",
-                   output ? "is not an output of this machine" : "is not an input of this machine",
-                   "See `detent-play devices`"};
+    return Failure{
+        FailureCode::deviceTrouble, wanted, "",
+        output ? Message("is not an output of this machine") : Message("is not an input of this machine"),
+        Message("See `detent-play devices`")};
   }
-  return Failure{FailureCode::wrongUsage, wanted, "", "names several devices: " + names,
-                 "Give a longer part of the name"};
+  return Failure{FailureCode::wrongUsage, wanted, "", Message("names several devices: %1", names),
+                 Message("Give a longer part of the name")};
 }
 
 }  // namespace
@@ -148,7 +149,8 @@ Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction)
 Result<std::vector<AudioDeviceInfo>> listAudioDevices() {
   const std::lock_guard lock(libraryMutex);
   const Library library;
-  if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
+  if (library.error() != paNoError)
+    return troubleOf("PortAudio", Message("cannot be started"), library.error());
   std::vector<AudioDeviceInfo> devices;
   for (PaDeviceIndex i = 0; i < Pa_GetDeviceCount(); ++i) devices.push_back(infoOf(i));
   return devices;
@@ -157,7 +159,8 @@ Result<std::vector<AudioDeviceInfo>> listAudioDevices() {
 Result<double> sampleRateFor(const AudioSettings& settings) {
   const std::lock_guard lock(libraryMutex);
   const Library library;
-  if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
+  if (library.error() != paNoError)
+    return troubleOf("PortAudio", Message("cannot be started"), library.error());
   Result<PaDeviceIndex> index = findDevice(settings.device, Direction::output);
   if (!index) return index.failure();
   const double own = infoOf(*index).sampleRate_Hz;
@@ -200,15 +203,16 @@ class AudioOutput::Stream {
     if (!jackTarget_.empty()) return openJack(jackTarget_, channels_);
     const std::lock_guard lock(libraryMutex);
     library_ = std::make_unique<Library>();
-    if (library_->error() != paNoError) return troubleOf("PortAudio", "cannot be started", library_->error());
+    if (library_->error() != paNoError)
+      return troubleOf("PortAudio", Message("cannot be started"), library_->error());
     Result<PaDeviceIndex> index = findDevice(settings_.device, Direction::output);
     if (!index) return index.failure();
     const AudioDeviceInfo info = infoOf(*index);
     channels_ = channelsOf(info);
     if (channels_.signal < std::min(1, settings_.channels))
       return Failure{FailureCode::deviceTrouble, info.fullName(), "",
-                     "has one output: the masking noise would be felt",
-                     "Give the headphones' device as --noise-device"};
+                     Message("has one output: the masking noise would be felt"),
+                     Message("Give the headphones' device as --noise-device")};
     const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
     if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {
       library_.reset();
@@ -252,12 +256,11 @@ class AudioOutput::Stream {
     if (error != paNoError) {
       stream_ = nullptr;
       return troubleOf(info.fullName(),
-                       "cannot be opened at " + std::to_string(std::lround(session_.sampleRate_Hz())) + " Hz",
-                       error);
+                       Message("cannot be opened at %1 Hz", std::lround(session_.sampleRate_Hz())), error);
     }
     renderer_.touch(now_s());
     error = Pa_StartStream(stream_);
-    if (error != paNoError) return troubleOf(info.fullName(), "cannot be started", error);
+    if (error != paNoError) return troubleOf(info.fullName(), Message("cannot be started"), error);
     const PaStreamInfo* const started = Pa_GetStreamInfo(stream_);
     latency_s_ = started != nullptr ? started->outputLatency : 0;
     const std::lock_guard lock(watchMutex_);
@@ -393,7 +396,8 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
                                 const std::vector<float>& samples, const std::function<bool()>& cancelled) {
   std::unique_lock lock(libraryMutex);
   const Library library;
-  if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
+  if (library.error() != paNoError)
+    return troubleOf("PortAudio", Message("cannot be started"), library.error());
   Result<PaDeviceIndex> out = findDevice(settings.device, Direction::output);
   if (!out) return out.failure();
   Result<PaDeviceIndex> in =
@@ -420,7 +424,7 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
   }
   if (error != paNoError) {
     if (stream != nullptr) Pa_CloseStream(stream);
-    return troubleOf(settings.device, "cannot play and record at once", error);
+    return troubleOf(settings.device, Message("cannot play and record at once"), error);
   }
   lock.unlock();  // minutes: others may list and open devices meanwhile
   const double deadline_s = now_s() + static_cast<double>(samples.size()) / rate + 5;
@@ -430,8 +434,8 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
   Pa_AbortStream(stream);
   Pa_CloseStream(stream);
   if (!complete)
-    return Failure{FailureCode::deviceTrouble, settings.device, "", "stopped during the measurement",
-                   "Check the device and try again"};
+    return Failure{FailureCode::deviceTrouble, settings.device, "", Message("stopped during the measurement"),
+                   Message("Check the device and try again")};
   recording.dropouts = duplex.dropouts;
   return recording;
 }
@@ -449,7 +453,8 @@ class AudioCapture::Recorder {
 
   std::optional<Failure> start(const std::string& device) {
     const std::lock_guard lock(libraryMutex);
-    if (library_.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library_.error());
+    if (library_.error() != paNoError)
+      return troubleOf("PortAudio", Message("cannot be started"), library_.error());
     Result<PaDeviceIndex> index = findDevice(device, Direction::input);
     if (!index) return index.failure();
     PaStreamParameters input{};
@@ -462,10 +467,10 @@ class AudioCapture::Recorder {
                                   &Recorder::callback, this);
     if (error != paNoError) {
       stream_ = nullptr;
-      return troubleOf(device, "cannot be recorded from", error);
+      return troubleOf(device, Message("cannot be recorded from"), error);
     }
     error = Pa_StartStream(stream_);
-    if (error != paNoError) return troubleOf(device, "cannot be started", error);
+    if (error != paNoError) return troubleOf(device, Message("cannot be started"), error);
     return {};
   }
 

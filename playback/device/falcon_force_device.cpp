@@ -98,16 +98,16 @@ Result<Started> startedFalcon(const FalconSettings& settings, const std::atomic<
   const std::string name = "Novint Falcon " + std::to_string(settings.number);
   if (running(*started.usb)) return started;
   if (settings.firmware.empty()) {
-    return Failure{FailureCode::deviceTrouble, name, "", "has no firmware since it was switched on",
-                   "Name its firmware file with --firmware FILE (docs/force-feedback.md)"};
+    return Failure{FailureCode::deviceTrouble, name, "", Message("has no firmware since it was switched on"),
+                   Message("Name its firmware file with --firmware FILE (docs/force-feedback.md)")};
   }
   while (started.uploads < uploadTries && started.usb->alive() && !cancelled) {
     ++started.uploads;
     if (uploaded(*started.usb, settings.firmware, cancelled) && running(*started.usb)) return started;
   }
   return Failure{FailureCode::deviceTrouble, name, "",
-                 "does not take the firmware; tried " + std::to_string(started.uploads) + " times",
-                 "Switch its power off and on, leave out hubs, and try again"};
+                 Message("does not take the firmware; tried %1 times", started.uploads),
+                 Message("Switch its power off and on, leave out hubs, and try again")};
 }
 
 class FalconForceDevice : public ForceDevice {

@@ -44,9 +44,9 @@ std::optional<FalconAnswer> answerOf(const FalconPacket& packet) {
   return answer;
 }
 
-Failure notReadable(const std::string& file, std::string problem) {
+Failure notReadable(const std::string& file, Message problem) {
   return {FailureCode::unreadableInput, file, "", std::move(problem),
-          "Name the firmware file that came with the Falcon's driver (docs/force-feedback.md)"};
+          Message("Name the firmware file that came with the Falcon's driver (docs/force-feedback.md)")};
 }
 
 }  // namespace
@@ -100,14 +100,15 @@ bool isFalconFirmware(std::span<const std::uint8_t> image) {
 Result<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return notReadable(file, "cannot be read (" + error.message() + ")");
-  if (size > largestFirmware_bytes) return notReadable(file, "is no firmware of a Falcon: it is too large");
+  if (error) return notReadable(file, Message("cannot be read (%1)", error.message()));
+  if (size > largestFirmware_bytes)
+    return notReadable(file, Message("is no firmware of a Falcon: it is too large"));
   std::vector<std::uint8_t> image(static_cast<std::size_t>(size));
   std::ifstream in(file, std::ios::binary);
   in.read(reinterpret_cast<char*>(image.data()), static_cast<std::streamsize>(image.size()));
-  if (!in) return notReadable(file, "cannot be read");
+  if (!in) return notReadable(file, Message("cannot be read"));
   if (!isFalconFirmware(image))
-    return notReadable(file, "is no firmware of a Falcon: it is no boot image of its processor");
+    return notReadable(file, Message("is no firmware of a Falcon: it is no boot image of its processor"));
   return image;
 }
 

@@ -59,16 +59,17 @@ std::string falconName(unsigned number) { return "Novint Falcon " + std::to_stri
 
 Failure troubleOf(unsigned number, int error) {
   if (error == LIBUSB_ERROR_ACCESS) {
-    return {FailureCode::deviceTrouble, falconName(number), "", "may not be used by you",
-            "Give yourself the right by a udev rule (docs/force-feedback.md), then plug it in again"};
+    return {
+        FailureCode::deviceTrouble, falconName(number), "", Message("may not be used by you"),
+        Message("Give yourself the right by a udev rule (docs/force-feedback.md), then plug it in again")};
   }
   if (error == LIBUSB_ERROR_BUSY) {
-    return {FailureCode::deviceTrouble, falconName(number), "", "is in use by another program",
-            "End the other program"};
+    return {FailureCode::deviceTrouble, falconName(number), "", Message("is in use by another program"),
+            Message("End the other program")};
   }
   return {FailureCode::deviceTrouble, falconName(number), "",
-          std::string("cannot be opened (") + libusb_strerror(static_cast<libusb_error>(error)) + ")",
-          "Unplug it, switch its power off and on, plug it in again"};
+          Message("cannot be opened (%1)", libusb_strerror(static_cast<libusb_error>(error))),
+          Message("Unplug it, switch its power off and on, plug it in again")};
 }
 
 }  // namespace
@@ -181,8 +182,9 @@ Result<std::unique_ptr<FalconUsb>> FalconUsb::open(unsigned number) {
   auto link = std::make_unique<Link>();
   const int error = link->start(number);
   if (error == LIBUSB_ERROR_NOT_FOUND || error == LIBUSB_ERROR_NO_DEVICE) {
-    return Failure{FailureCode::deviceTrouble, falconName(number), "", "is not connected",
-                   "Check its cable and its power supply, or try it without hardware: --device sim:falcon"};
+    return Failure{
+        FailureCode::deviceTrouble, falconName(number), "", Message("is not connected"),
+        Message("Check its cable and its power supply, or try it without hardware: --device sim:falcon")};
   }
   if (error != 0) return troubleOf(number, error);
   return std::unique_ptr<FalconUsb>(new FalconUsb(std::move(link)));

@@ -116,19 +116,21 @@ double JackStream::latency_s() const {
 
 Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels channels,
                                                      double wanted_Hz, StreamRenderer& renderer) {
-  const auto trouble = [&](const char* problem, const char* remedy) {
-    return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", problem, remedy};
+  const auto trouble = [&](Message problem, const Message& remedy) {
+    return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", std::move(problem), remedy};
   };
   jack_set_error_function(ignoreMessage);
   jack_set_info_function(ignoreMessage);
   auto client = std::make_unique<Client>(renderer);
   client->jack = jack_client_open("detent", JackNoStartServer, nullptr);
-  if (client->jack == nullptr) return trouble("the JACK server does not answer", "Start jackd");
+  if (client->jack == nullptr)
+    return trouble(Message("the JACK server does not answer"), Message("Start jackd"));
   const double rate_Hz = jack_get_sample_rate(client->jack);
   if (wanted_Hz > 0 && std::fabs(rate_Hz - wanted_Hz) > 1)
-    return trouble("runs at another sample rate", "Leave --device-rate out");
+    return trouble(Message("runs at another sample rate"), Message("Leave --device-rate out"));
   if (rate_Hz < HapticEngine::lowestSampleRate_Hz || rate_Hz > HapticEngine::highestSampleRate_Hz)
-    return trouble("runs at a rate outside 8000..192000 Hz", "Restart jackd at another rate");
+    return trouble(Message("runs at a rate outside 8000..192000 Hz"),
+                   Message("Restart jackd at another rate"));
   renderer.setSampleRate(rate_Hz);
   client->channels = static_cast<std::size_t>(std::clamp(channels.all(), 1, mostChannels));
   client->signalChannels = static_cast<std::size_t>(std::max(0, channels.signal));
@@ -136,17 +138,19 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
     const std::string name = "out_" + std::to_string(c + 1);
     client->ports[c] =
         jack_port_register(client->jack, name.c_str(), JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
-    if (client->ports[c] == nullptr) return trouble("gives no more ports", "Close another JACK program");
+    if (client->ports[c] == nullptr)
+      return trouble(Message("gives no more ports"), Message("Close another JACK program"));
   }
   jack_on_shutdown(client->jack, &Client::shutdown, client.get());
   jack_set_xrun_callback(client->jack, &Client::xrun, client.get());
   if (jack_set_process_callback(client->jack, &Client::process, client.get()) != 0 ||
       jack_activate(client->jack) != 0) {
-    return trouble("refuses to start", "Restart jackd");
+    return trouble(Message("refuses to start"), Message("Restart jackd"));
   }
   const std::vector<std::string> inputs = inputsOf(client->jack, target);
   if (inputs.empty())
-    return trouble("has no inputs", "Choose another output; `detent-play devices` lists them");
+    return trouble(Message("has no inputs"),
+                   Message("Choose another output; `detent-play devices` lists them"));
   for (std::size_t c = 0; c < std::min(client->channels, inputs.size()); ++c)
     jack_connect(client->jack, jack_port_name(client->ports[c]), inputs[c].c_str());
   jack_recompute_total_latencies(client->jack);  // known as soon as it is open

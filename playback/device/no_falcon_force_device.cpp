@@ -6,8 +6,8 @@
 namespace detent::playback {
 
 Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings&) {
-  return Failure{FailureCode::deviceTrouble, "Novint Falcon", "", "is not part of this build",
-                 "Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON"};
+  return Failure{FailureCode::deviceTrouble, "Novint Falcon", "", Message("is not part of this build"),
+                 Message("Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON")};
 }
 
 }  // namespace detent::playback

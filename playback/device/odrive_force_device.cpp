@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "playback/device/round_trips.h"
 #include "playback/device/sensor_line.h"
@@ -66,8 +67,9 @@ std::optional<double> positionIn(std::string_view line) {
 
 Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveSettings& settings) {
   if (settings.axis > 1 || settings.mmPerTurn == 0 || !std::isfinite(settings.mmPerTurn)) {
-    return Failure{FailureCode::wrongUsage, settings.port, "", "axis or travel per turn mean nothing",
-                   "Give axis 0 or 1 and a travel that is not 0"};
+    return Failure{FailureCode::wrongUsage, settings.port, "",
+                   Message("axis or travel per turn mean nothing"),
+                   Message("Give axis 0 or 1 and a travel that is not 0")};
   }
   Result<SerialLink> link = SerialLink::open(settings.port, settings.baud);
   if (!link) return link.failure();
@@ -76,42 +78,42 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
   std::optional<double> turns;
   for (int i = 0; i < tries && !turns; ++i) turns = device->feedback_turns(now_s() + answer_s);
   if (!turns) {
-    return Failure{FailureCode::deviceTrouble, settings.port, "",
-                   "no ODrive answers on axis " + std::to_string(settings.axis),
-                   "Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)"};
+    return Failure{
+        FailureCode::deviceTrouble, settings.port, "", Message("no ODrive answers on axis %1", settings.axis),
+        Message("Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)")};
   }
   if (!device->arm(arming_s)) {
     return Failure{
         FailureCode::deviceTrouble, settings.port, "",
-        "axis " + std::to_string(settings.axis) + " does not arm: " + odriveErrorWords(device->counts_.fault),
-        "Mend that with odrivetool (dump_errors), until closed-loop control runs"};
+        Message("axis %1 does not arm: %2", settings.axis, odriveErrorWords(device->counts_.fault)),
+        Message("Mend that with odrivetool (dump_errors), until closed-loop control runs")};
   }
   return device;
 }
 
-std::string odriveErrorWords(std::uint64_t error) {
-  constexpr std::pair<std::uint64_t, const char*> names[] = {
-      {0x1, "invalid state"},
-      {0x40, "motor failed"},
-      {0x80, "sensorless estimator failed"},
-      {0x100, "encoder failed"},
-      {0x200, "controller failed"},
-      {0x800, "watchdog timer expired"},
-      {0x1000, "end stop pressed (low)"},
-      {0x2000, "end stop pressed (high)"},
-      {0x4000, "emergency stop requested"},
-      {0x20000, "homing without end stop"},
-      {0x40000, "over temperature"},
-      {0x80000, "unknown position"},
+Message odriveErrorWords(std::uint64_t error) {
+  if (error == 0) return Message("it tells no error, and does not reach closed-loop control");
+  const std::pair<std::uint64_t, Message> names[] = {
+      {0x1, Message("invalid state")},
+      {0x40, Message("motor failed")},
+      {0x80, Message("sensorless estimator failed")},
+      {0x100, Message("encoder failed")},
+      {0x200, Message("controller failed")},
+      {0x800, Message("watchdog timer expired")},
+      {0x1000, Message("end stop pressed (low)")},
+      {0x2000, Message("end stop pressed (high)")},
+      {0x4000, Message("emergency stop requested")},
+      {0x20000, Message("homing without end stop")},
+      {0x40000, Message("over temperature")},
+      {0x80000, Message("unknown position")},
   };
-  std::string words;
-  for (const auto& [bit, name] : names) {
-    if ((error & bit) != 0) words += (words.empty() ? "" : ", ") + std::string(name);
-  }
-  if (error == 0) return "it tells no error, and does not reach closed-loop control";
+  std::vector<Message> words;
+  for (const auto& [bit, name] : names)
+    if ((error & bit) != 0) words.push_back(name);
   std::array<char, 32> number{};
-  std::snprintf(number.data(), number.size(), "error 0x%llX", static_cast<unsigned long long>(error));
-  return number.data() + (words.empty() ? "" : " (" + words + ")");
+  std::snprintf(number.data(), number.size(), "0x%llX", static_cast<unsigned long long>(error));
+  const std::string code = number.data();
+  return words.empty() ? Message("error %1", code) : Message("error %1 (%2)", code, std::move(words));
 }
 
 // "c 0 0.0125 *57\n": the checksum is decimal, over everything before the star.

@@ -68,6 +68,6 @@ class OdriveForceDevice : public ForceDevice {
 };
 
 /// Names of an axis's error bits: "watchdog timer expired"; the number alone where none is known.
-std::string odriveErrorWords(std::uint64_t error);
+Message odriveErrorWords(std::uint64_t error);
 
 }  // namespace detent::playback

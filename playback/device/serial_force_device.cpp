@@ -91,20 +91,21 @@ Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::st
   Result<SerialLink> link = SerialLink::open(port, baud);
   if (!link) return link.failure();
   std::unique_ptr<SerialForceDevice> device(new SerialForceDevice(*std::move(link), period_s, limits));
-  std::string problem = "does not answer";
+  Message problem("does not answer");
   for (const double deadline_s = now_s() + bootPause_s; now_s() < deadline_s;) {
     if (!device->hello(problem)) continue;
     if (device->info_.force_N < limits.force_N * 0.999) {
       return Failure{FailureCode::wrongUsage, port, "",
-                     "gives " + std::to_string(device->info_.force_N) + " N; it was prepared for more",
-                     "Give --max-N " + std::to_string(device->info_.force_N)};
+                     Message("gives %1; it was prepared for more", newtons(device->info_.force_N)),
+                     Message("Give --max-N %1", device->info_.force_N)};
     }
     if (device->limited()) return device;
-    problem =
-        "does not say back the limits it was given: nothing would hold its force if this program failed";
+    problem = Message(
+        "does not say back the limits it was given: nothing would hold its force if this program failed");
   }
-  return Failure{FailureCode::deviceTrouble, port, "", problem,
-                 "Check that the firmware speaks docs/force-protocol.md and the baud rate is the same"};
+  return Failure{
+      FailureCode::deviceTrouble, port, "", problem,
+      Message("Check that the firmware speaks docs/force-protocol.md and the baud rate is the same")};
 }
 
 void SerialForceDevice::send(std::string_view body) {
@@ -114,14 +115,14 @@ void SerialForceDevice::send(std::string_view body) {
   link_.send({line.data(), static_cast<std::size_t>(length)});
 }
 
-bool SerialForceDevice::hello(std::string& problem) {
+bool SerialForceDevice::hello(Message& problem) {
   send("?");
   for (const double deadline_s = now_s() + answer_s;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return false;
     const std::optional<std::string_view> body = forceLineBody(*line);
     if (!body) {
-      problem = "answers with something that is no line of the protocol";
+      problem = Message("answers with something that is no line of the protocol");
       continue;
     }
     const Fields f(*body);
@@ -133,8 +134,8 @@ bool SerialForceDevice::hello(std::string& problem) {
       continue;
     }
     if (f.count < 7 || !read(f[6], version) || version < protocol) {
-      problem =
-          "speaks an older protocol, without a force limit of its own: flash samples/firmware/force1d anew";
+      problem = Message(
+          "speaks an older protocol, without a force limit of its own: flash samples/firmware/force1d anew");
       continue;
     }
     info_.name = f[1];
@@ -191,34 +192,35 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
 
 std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::string& device) {
   if (program.states[0].speedCount > 1) {
-    return Failure{FailureCode::wrongUsage, device, "",
-                   "holds the force of one speed, and this button has graphs at " +
-                       std::to_string(program.states[0].speedCount),
-                   "Leave the upload out: the host runs the law; or upload the button of one speed, which "
-                   "detent-graph convert --speed V writes"};
+    return Failure{
+        FailureCode::wrongUsage, device, "",
+        Message("holds the force of one speed, and this button has graphs at %1",
+                program.states[0].speedCount),
+        Message("Leave the upload out: the host runs the law; or upload the button of one speed, which "
+                "detent-graph convert --speed V writes")};
   }
   if (program.stateCount != 1) {
     return Failure{FailureCode::wrongUsage, device, "",
-                   "runs one state only, and this button has " + std::to_string(program.stateCount),
-                   "Leave the upload out: the host runs self-locking buttons"};
+                   Message("runs one state only, and this button has %1", program.stateCount),
+                   Message("Leave the upload out: the host runs self-locking buttons")};
   }
   return {};
 }
 
 Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
-  Failure refused{FailureCode::deviceTrouble, info_.name, "", "does not take the force table",
-                  "Check the firmware and the cable; without the upload the host runs the law"};
+  Failure refused{FailureCode::deviceTrouble, info_.name, "", Message("does not take the force table"),
+                  Message("Check the firmware and the cable; without the upload the host runs the law")};
   if (std::optional<Failure> other = refusedAsTable(program, info_.name)) return *std::move(other);
   if (info_.tableRows < 2) {
-    return Failure{FailureCode::wrongUsage, info_.name, "", "holds no force table",
-                   "Leave the upload out: the host runs the law"};
+    return Failure{FailureCode::wrongUsage, info_.name, "", Message("holds no force table"),
+                   Message("Leave the upload out: the host runs the law")};
   }
   const double asked_N = program.limits.force_N;
   if (!(asked_N > 0) || asked_N > limits_.force_N * (1 + 1e-9)) {
     return Failure{FailureCode::wrongUsage, info_.name, "",
-                   "was opened for " + std::to_string(limits_.force_N) + " N; the table has a limit of " +
-                       std::to_string(asked_N) + " N, or none",
-                   "Prepare the button for the device's limit"};
+                   Message("was opened for %1; the table has a limit of %2, or none",
+                           newtons(limits_.force_N), newtons(asked_N)),
+                   Message("Prepare the button for the device's limit")};
   }
   table_ = forceTableLines(program, info_.tableRows);
   for (const std::string& line : table_) {

@@ -51,7 +51,7 @@ class SerialForceDevice : public ForceDevice {
 
  private:
   SerialForceDevice(SerialLink link, double period_s, const ForceLimits& limits);
-  bool hello(std::string& problem);
+  bool hello(Message& problem);
   bool limited();
   bool acknowledged(const std::string& line);
   void send(std::string_view body);

@@ -66,8 +66,8 @@ bool SerialLink::openPort() {
 
 Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, double reopenPause_s) {
   if (!speedOf(baud)) {
-    return Failure{FailureCode::wrongUsage, port, "", "does not know " + std::to_string(baud) + " baud",
-                   "Give a usual rate of 1200 to 4000000: 9600, 115200, 230400, 921600, 1000000"};
+    return Failure{FailureCode::wrongUsage, port, "", Message("does not know %1 baud", baud),
+                   Message("Give a usual rate of 1200 to 4000000: 9600, 115200, 230400, 921600, 1000000")};
   }
   SerialLink link;
   link.port_ = port;
@@ -76,9 +76,8 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
   link.received_.reserve(reserved);
   link.line_.reserve(reserved);
   if (link.openPort()) return link;
-  return Failure{FailureCode::deviceTrouble, port, "",
-                 std::string("cannot be opened (") + std::strerror(errno) + ")",
-                 "Check the name, the cable and your right to use it (group dialout)"};
+  return Failure{FailureCode::deviceTrouble, port, "", Message("cannot be opened (%1)", std::strerror(errno)),
+                 Message("Check the name, the cable and your right to use it (group dialout)")};
 }
 
 SerialLink::SerialLink(SerialLink&& other) noexcept { *this = std::move(other); }

@@ -167,7 +167,7 @@ Result<std::unique_ptr<SignalServer>> opened(const std::string& kind, UdpServer:
   auto server = std::make_unique<UdpServer>(parse, std::move(receiver));
   if (const int error = server->start(port, address); error != 0) {
     return Failure{FailureCode::deviceTrouble, kind + " port " + address + ":" + std::to_string(port), "",
-                   "cannot be listened on (" + systemWords(error) + ")", "Choose another port"};
+                   Message("cannot be listened on (%1)", systemWords(error)), Message("Choose another port")};
   }
   return std::unique_ptr<SignalServer>(std::move(server));
 }
@@ -210,7 +210,7 @@ Result<std::unique_ptr<SignalSender>> SignalSender::open(const std::string& host
   if (error != 0 || s->socket.descriptor() < 0) {
     const std::string why = error != 0 ? ::gai_strerror(error) : systemWords(errno);
     return Failure{FailureCode::deviceTrouble, host + ":" + std::to_string(port), "",
-                   "cannot be sent to (" + why + ")", "Check host and port"};
+                   Message("cannot be sent to (%1)", why), Message("Check host and port")};
   }
   std::memcpy(&s->target, found->ai_addr, sizeof s->target);
   ::freeaddrinfo(found);

@@ -19,10 +19,10 @@ namespace {
 constexpr std::string_view humanPress = "human:";
 
 Failure wrongPress(const std::string& name) {
-  return {
-      FailureCode::wrongUsage, Subject::option("--press"), "",
-      name.empty() ? Message("no press is named") : Message("%1 is no press", name),
-      "Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or time_s,displacement_mm"};
+  return {FailureCode::wrongUsage, Subject::option("--press"), "",
+          name.empty() ? Message("no press is named") : Message("%1 is no press", name),
+          Message("Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or "
+                  "time_s,displacement_mm")};
 }
 
 Reduction inFormat(const ExportSource& source, const ExportSettings& settings) {
@@ -69,7 +69,8 @@ Failure tooFaint(const PressPlan& plan, ExportFormat format) {
       FailureCode::wrongUsage, Subject::option("--format"), "",
       Message("%1 cannot hold this press: its strongest sample is %2 of full scale, and nothing would sound",
               std::string(exportFormats.word(format)), peak),
-      "Press deeper, raise the gain of the device profile, or choose package, which holds any press"};
+      Message(
+          "Press deeper, raise the gain of the device profile, or choose package, which holds any press")};
 }
 
 }  // namespace
@@ -134,12 +135,12 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
   if (settings.bits != 8 && settings.bits != 16)
     return Failure{FailureCode::wrongUsage, Subject::option("--bits"), "",
                    Message("%1 bits are no format of samples here", static_cast<std::size_t>(settings.bits)),
-                   "Give 8 or 16"};
+                   Message("Give 8 or 16")};
   if (settings.format == ExportFormat::pcm && !(settings.sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
                                                 settings.sampleRate_Hz <= HapticEngine::highestSampleRate_Hz))
     return Failure{FailureCode::wrongUsage, Subject::option("--rate"), "",
                    Message("%1 samples a second are no rate of samples here", settings.sampleRate_Hz),
-                   "Give 8000 to 192000"};
+                   Message("Give 8000 to 192000")};
   if (Result<Done> ok = checkRendering(trace, {}); !ok) return ok.failure();
   Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, {});
   if (!plan) return plan.failure();

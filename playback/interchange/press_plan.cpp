@@ -74,10 +74,10 @@ Failure nothingFelt(const ConditionerCounts& readings) {
                     "in the order of their times",
                     static_cast<std::size_t>(readings.rejected()),
                     static_cast<std::size_t>(readings.rejected() + readings.accepted)),
-            "Correct these readings"};
+            Message("Correct these readings")};
   return {FailureCode::wrongUsage, Subject::option("--press"), "",
-          "nothing of the button is felt under this press",
-          "Press harder or deeper, or choose a mode that plays something"};
+          Message("nothing of the button is felt under this press"),
+          Message("Press harder or deeper, or choose a mode that plays something")};
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ Result<PressPlan> planPress(const Button& button, const HapticProgram& program, 
   if (!(lasts_s <= longestExport_s))
     return Failure{FailureCode::wrongUsage, Subject::option("--press"), "",
                    Message("the press lasts %1 s; an export holds at most %2 s", lasts_s, longestExport_s),
-                   "Give a shorter press"};
+                   Message("Give a shorter press")};
   Result<RenderedPress> rendered = renderPress(program, trace, settings);
   if (!rendered) return rendered.failure();
   PressPlan plan;

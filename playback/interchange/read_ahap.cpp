@@ -76,7 +76,8 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
     }
     const double time_s = timeOf(point) + (patternTimes ? 0 : from_s);
     if (!points.empty() && time_s < points.back().first)
-      point.refuse("lies before the control point it follows", "Sort the curve's points by time");
+      point.refuse(Message("lies before the control point it follows"),
+                   Message("Sort the curve's points by time"));
     points.emplace_back(time_s, point.numberOr("ParameterValue", 0, -anyNumber, anyNumber));
   }
   control->add(std::move(points));
@@ -153,7 +154,7 @@ ReferenceWaves ahapWaves(const JsonPlace& file) {
   const double version = file.at("Version").number(0, anyNumber);
   if (!(version >= 1 && version < 2))
     file.at("Version").refuse(Message("is %1: another version of AHAP than 1", version),
-                              "Export it as version 1");
+                              Message("Export it as version 1"));
   ReferenceWaves result;
   Controls controls;
   std::vector<AhapEvent> events;

@@ -21,7 +21,7 @@ struct Breakpoint {
 Breakpoint breakpointOf(const JsonPlace& entry, const char* value, const std::vector<Breakpoint>& before) {
   const Breakpoint point{entry.at("time").number(0, longestReference_s), entry.at(value).number(0, 1)};
   if (!before.empty() && point.time_s < before.back().time_s)
-    entry.at("time").refuse("lies before the point it follows", "Sort the points by time");
+    entry.at("time").refuse(Message("lies before the point it follows"), Message("Sort the points by time"));
   return point;
 }
 
@@ -58,7 +58,7 @@ void refuseOtherVersions(const JsonPlace& version) {
   const double major = version.at("major").number(0, 1e9);
   if (major != 1)
     version.refuse(Message("is %1: another version of .haptic than 1", major),
-                   "Export it again as version 1");
+                   Message("Export it again as version 1"));
 }
 
 }  // namespace
@@ -75,14 +75,16 @@ ReferenceWaves hapticWaves(const JsonPlace& file) {
       const double amplitude = emphasis.at("amplitude").number(0, 1);
       const double frequency_Hz = frequencyOf(emphasis.at("frequency").number(0, 1));
       if (amplitude < point.value)
-        emphasis.refuse("is weaker than the point it stands on", "Give it at least that point's amplitude");
+        emphasis.refuse(Message("is weaker than the point it stands on"),
+                        Message("Give it at least that point's amplitude"));
       result.waves.push_back(
           {{{point.time_s, amplitude, frequency_Hz}, {point.time_s + transient_s, 0, frequency_Hz}}});
       point.value *= ducked * ducked;
     }
     amplitudes.push_back(point);
   }
-  if (amplitudes.empty()) envelopes.at("amplitude").refuse("holds no point", "Give at least one");
+  if (amplitudes.empty())
+    envelopes.at("amplitude").refuse(Message("holds no point"), Message("Give at least one"));
   if (envelopes.has("frequency"))
     for (const JsonPlace& entry : envelopes.at("frequency").elements()) {
       // Straight between the roots, as AHAP's curves are.

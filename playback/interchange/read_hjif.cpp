@@ -40,7 +40,7 @@ WaveShape shapeOf(const JsonPlace& effect) {
   if (name == "SawToothDown") return WaveShape::sawtoothDown;
   effect.at("base_signal")
       .refuse(Message("is %1, which is no base signal", name),
-              "Give Sine, Square, Triangle, SawToothUp or SawToothDown");
+              Message("Give Sine, Square, Triangle, SawToothUp or SawToothDown"));
 }
 
 std::vector<Keyframe> keyframesOf(const JsonPlace& effect, const Band& band) {
@@ -53,7 +53,8 @@ std::vector<Keyframe> keyframesOf(const JsonPlace& effect, const Band& band) {
                        keyframes.empty() ? 0 : keyframes.back().time_s * band.ticks_per_s, 0, mostTicks) /
         band.ticks_per_s;
     if (!keyframes.empty() && keyframe.time_s < keyframes.back().time_s)
-      entry.refuse("lies before the keyframe it follows", "Sort the keyframes by relative_position");
+      entry.refuse(Message("lies before the keyframe it follows"),
+                   Message("Sort the keyframes by relative_position"));
     if (entry.has("amplitude_modulation"))
       keyframe.amplitude = band.gain * entry.at("amplitude_modulation").number(-strongest, strongest);
     if (entry.has("frequency_modulation"))
@@ -147,12 +148,13 @@ void addEffect(const JsonPlace& effect, double from_s, const Band& band, Referen
 bool readBand(const JsonPlace& entry, Band& band, ReferenceWaves& result) {
   const std::string kind = entry.at("band_type").text();
   if (kind == "WaveletWave") {
-    result.note("bands of wavelets are left out");
+    result.note(Message("bands of wavelets are left out"));
     return false;
   }
   if (kind != "VectorialWave" && kind != "Transient" && kind != "Curve")
     entry.at("band_type")
-        .refuse(Message("is %1, which is no kind of band", kind), "Give Transient, Curve or VectorialWave");
+        .refuse(Message("is %1, which is no kind of band", kind),
+                Message("Give Transient, Curve or VectorialWave"));
   band.kind = kind == "Curve"       ? BandKind::curve
               : kind == "Transient" ? BandKind::transient
                                     : BandKind::vectorial;
@@ -182,7 +184,7 @@ void readEffect(const JsonPlace& effect, const Library& library, const Band& ban
   if (type != "Reference") return result.note(Message("effects of the type %1 are left out", type));
   const auto found = library.find(effect.at("id").number(-mostTicks, mostTicks));
   if (found == library.end())
-    effect.at("id").refuse("names no effect of the effect_library", "Add the effect there");
+    effect.at("id").refuse(Message("names no effect of the effect_library"), Message("Add the effect there"));
   addEffect(found->second, from_s, band, result);
 }
 
@@ -192,7 +194,7 @@ ReferenceWaves hjifWaves(const JsonPlace& file) {
   const std::string version = file.at("version").text();
   if (!version.starts_with("2023") && !version.starts_with("2025"))
     file.at("version").refuse(Message("is %1: another edition than those of 2023 and 2025", version),
-                              "Export it for one of these");
+                              Message("Export it for one of these"));
   const double ticks_per_s = file.numberOr("timescale", 1000, 1, 48000);
   ReferenceWaves result;
   std::size_t channels = 0;

@@ -23,7 +23,7 @@ Failure unreadable(const std::string& name, Message place, Message problem, cons
   return {FailureCode::unreadableInput, Subject(name), std::move(place), std::move(problem), remedy};
 }
 
-Message anyOfThem() { return "Give an AHAP, .haptic or HJIF file, or a WAV"; }
+Message anyOfThem() { return Message("Give an AHAP, .haptic or HJIF file, or a WAV"); }
 
 /// Notes are for people: a file's own words are kept short.
 std::string shortened(std::string text) {
@@ -53,7 +53,8 @@ Result<ReferenceSignal> played(const ReferenceWaves& read, ReferenceFormat forma
     end_s = std::fmax(end_s, wave.points.back().time_s);
     sounding_s += wave.points.back().time_s - wave.points.front().time_s;
   }
-  if (!(end_s > 0)) return unreadable(name, {}, "holds nothing that sounds", "Give a file with events");
+  if (!(end_s > 0))
+    return unreadable(name, {}, Message("holds nothing that sounds"), Message("Give a file with events"));
   if (end_s > longestReference_s)
     return unreadable(name, {}, Message("lasts %1 s", end_s),
                       Message("Give one of at most %1 s", longestReference_s));
@@ -87,7 +88,8 @@ bool isCutOff(const std::array<char, 12>& head, const std::filesystem::path& fil
 }
 
 Result<ReferenceSignal> soundReference(const std::array<char, 12>& head, const std::filesystem::path& file) {
-  if (isCutOff(head, file)) return unreadable(file.string(), {}, "is cut off", "Export or copy it again");
+  if (isCutOff(head, file))
+    return unreadable(file.string(), {}, Message("is cut off"), Message("Export or copy it again"));
   Result<SoundSamples> sound = readSoundFile(file, longestReference_s);
   if (!sound) return sound.failure();
   ReferenceSignal signal;
@@ -111,7 +113,7 @@ ReferenceSignal playedOrThrown(const nlohmann::json& json, const std::string& na
   if (file.has("Pattern")) return give(ahapWaves(file), ReferenceFormat::ahap);
   if (file.has("signals")) return give(hapticWaves(file), ReferenceFormat::haptic);
   if (file.has("perceptions")) return give(hjifWaves(file), ReferenceFormat::hjif);
-  file.refuse("is JSON, but no haptic file", anyOfThem());
+  file.refuse(Message("is JSON, but no haptic file"), anyOfThem());
 }
 
 }  // namespace
@@ -130,7 +132,7 @@ JsonPlace JsonPlace::at(const char* key) const {
 }
 
 std::vector<JsonPlace> JsonPlace::elements() const {
-  if (!value_.is_array()) refuse("is no list", anyOfThem());
+  if (!value_.is_array()) refuse(Message("is no list"), anyOfThem());
   std::vector<JsonPlace> list;
   list.reserve(value_.size());
   for (std::size_t i = 0; i < value_.size(); ++i)
@@ -139,7 +141,7 @@ std::vector<JsonPlace> JsonPlace::elements() const {
 }
 
 double JsonPlace::number(double low, double high) const {
-  if (!value_.is_number()) refuse("is no number", "Correct it");
+  if (!value_.is_number()) refuse(Message("is no number"), Message("Correct it"));
   const double number = value_.get<double>();
   if (!(number >= low && number <= high))
     refuse(Message("is %1", number), Message("Give a number from %1 to %2", low, high));
@@ -151,7 +153,7 @@ double JsonPlace::numberOr(const char* key, double otherwise, double low, double
 }
 
 std::string JsonPlace::text() const {
-  if (!value_.is_string()) refuse("is no text", "Correct it");
+  if (!value_.is_string()) refuse(Message("is no text"), Message("Correct it"));
   return shortened(value_.get<std::string>());
 }
 
@@ -165,7 +167,8 @@ void JsonPlace::refuse(Message problem, const Message& remedy) const {
 
 Result<ReferenceSignal> referenceFromText(std::string_view text, const std::string& name) {
   if (text.size() > largestText)
-    return unreadable(name, {}, Message("is larger than %1 MB", largestText >> 20), "Give a shorter one");
+    return unreadable(name, {}, Message("is larger than %1 MB", largestText >> 20),
+                      Message("Give a shorter one"));
   try {
     return playedOrThrown(nlohmann::json::parse(text.begin(), text.end()), name);
   } catch (const Failure& failure) {
@@ -173,10 +176,10 @@ Result<ReferenceSignal> referenceFromText(std::string_view text, const std::stri
   } catch (const nlohmann::json::parse_error& error) {
     return unreadable(name, placeOfByte(text, error.byte),
                       Message("is not valid JSON: %1", plainReason(error.what())),
-                      "Export it again: it may have been cut off");
+                      Message("Export it again: it may have been cut off"));
   } catch (const nlohmann::json::out_of_range& error) {
     return unreadable(name, {}, Message("holds a number no double can hold: %1", plainReason(error.what())),
-                      "Correct the number");
+                      Message("Correct the number"));
   }
 }
 
@@ -187,9 +190,10 @@ Result<ReferenceSignal> readReference(const std::filesystem::path& file) {
   Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
   const std::size_t first = text->find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return unreadable(file.string(), {}, "is empty", anyOfThem());
+  if (first == std::string::npos) return unreadable(file.string(), {}, Message("is empty"), anyOfThem());
   if (std::string_view(head.data(), 4) == "MIHS" || (*text)[first] != '{')
-    return unreadable(file.string(), {}, "is neither JSON nor a sound file that can be read", anyOfThem());
+    return unreadable(file.string(), {}, Message("is neither JSON nor a sound file that can be read"),
+                      anyOfThem());
   return referenceFromText(*text, file.string());
 }
 

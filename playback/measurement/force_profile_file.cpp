@@ -60,29 +60,30 @@ Result<ForceDeviceMeasurement> parseForceDevice(const std::string& text, const s
   ForceDeviceMeasurement device;
   const std::vector<Key> keys = keysOf(device);
   std::set<std::string, std::less<>> seen;
-  const ProfileKind kind{"detent-force-device", forceDeviceFileVersion, "the profile of a force device"};
+  const ProfileKind kind{"detent-force-device", forceDeviceFileVersion,
+                         Message("the profile of a force device")};
   Result<Done> read =
-      readProfileLines(text, name, kind, [&](std::string_view key, std::string_view value) -> std::string {
-        if (!seen.emplace(key).second) return "is given twice";
+      readProfileLines(text, name, kind, [&](std::string_view key, std::string_view value) -> Message {
+        if (!seen.emplace(key).second) return Message("is given twice");
         if (key == "name") {
           device.name = std::string(value);
-          return "";
+          return {};
         }
         const auto known =
             std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == key; });
-        if (known == keys.end()) return "is not known";
+        if (known == keys.end()) return Message("is not known");
         std::vector<double> numbers;
-        if (!numbersOf(value, numbers) || numbers.size() != 1) return "is not one number";
+        if (!numbersOf(value, numbers) || numbers.size() != 1) return Message("is not one number");
         if (!(numbers[0] >= known->least && numbers[0] <= known->most))
-          return "lies outside " + exact(known->least) + " to " + exact(known->most);
+          return Message("lies outside %1 to %2", exact(known->least), exact(known->most));
         *known->value = numbers[0];
-        return "";
+        return {};
       });
   if (!read) return read.failure();
   for (const Key& key : keys) {
     if (key.needed && !seen.contains(key.name)) {
-      return Failure{FailureCode::unreadableInput, name, "", std::string(key.name) + " is missing",
-                     "Measure the device with `detent-play identify-device`"};
+      return Failure{FailureCode::unreadableInput, name, "", Message("%1 is missing", key.name),
+                     Message("Measure the device with `detent-play identify-device`")};
     }
   }
   return device;

@@ -19,15 +19,15 @@ namespace {
 class Reader {
  public:
   /// What is wrong with the line; empty if nothing.
-  std::string line(std::string_view key, std::string_view value) {
+  Message line(std::string_view key, std::string_view value) {
     const bool repeats = key == "resonance" || key == "equalizer";
-    if (!repeats && !seen_.insert(std::string(key)).second) return "is given twice";
+    if (!repeats && !seen_.insert(std::string(key)).second) return Message("is given twice");
     if (key == "name") {
       profile.name = std::string(value);
-      return "";
+      return {};
     }
     if (key == "sensor.circuit") return circuit(value);
-    if (!numbersOf(value, n_)) return "holds something that is not a number";
+    if (!numbersOf(value, n_)) return Message("holds something that is not a number");
     if (key == "gain") return take(1, [&] { profile.gain = n_[0]; });
     if (key == "full_scale_dB") return take(1, [&] { profile.fullScale_dB = n_[0]; });
     if (key == "resonance") return take(3, [&] { profile.resonances.push_back({n_[0], n_[1], n_[2]}); });
@@ -43,21 +43,20 @@ class Reader {
 
  private:
   template <class Action>
-  std::string take(std::size_t count, Action action) {
-    if (n_.size() != count)
-      return "needs " + std::to_string(count) + " numbers, has " + std::to_string(n_.size());
+  Message take(std::size_t count, Action action) {
+    if (n_.size() != count) return Message("needs %1 numbers, has %2", count, n_.size());
     action();
-    return "";
+    return {};
   }
 
-  std::string circuit(std::string_view value) {
+  Message circuit(std::string_view value) {
     const auto circuit = sensorCircuits.value(value);
-    if (!circuit) return "is none of newtons, linear, divider";
+    if (!circuit) return Message("is none of newtons, linear, divider");
     profile.sensor.circuit = *circuit;
-    return "";
+    return {};
   }
 
-  std::string latency() {
+  Message latency() {
     return take(4, [&] {
       MeasuredLatency m;
       m.n = static_cast<std::size_t>(std::max(0.0, n_[0]));
@@ -68,23 +67,24 @@ class Reader {
     });
   }
 
-  std::string sensor(std::string_view key) {
+  Message sensor(std::string_view key) {
     SensorCalibration& s = profile.sensor;
     if (key == "sensor.full_scale_counts") {
-      if (n_.size() == 1 && !(n_[0] > 0)) return "must be above 0";
+      if (n_.size() == 1 && !(n_[0] > 0)) return Message("must be above 0");
       return take(1, [&] { s.fullScale_counts = n_[0]; });
     }
     if (key == "sensor.coefficients") {
-      if (n_.empty() || n_.size() > SensorCalibration::maxCoefficients) return "needs 1 to 4 numbers";
+      if (n_.empty() || n_.size() > SensorCalibration::maxCoefficients)
+        return Message("needs 1 to 4 numbers");
       s.coefficientCount = n_.size();
       s.coefficients = {};
       std::copy(n_.begin(), n_.end(), s.coefficients.begin());
-      return "";
+      return {};
     }
     if (key == "sensor.standard_errors") {
-      if (n_.size() > SensorCalibration::maxCoefficients) return "needs at most 4 numbers";
+      if (n_.size() > SensorCalibration::maxCoefficients) return Message("needs at most 4 numbers");
       std::copy(n_.begin(), n_.end(), s.standardErrors.begin());
-      return "";
+      return {};
     }
     if (key == "sensor.noise_N") return take(1, [&] { s.noise_N = n_[0]; });
     if (key == "sensor.residual_N") return take(1, [&] { s.residual_N = n_[0]; });
@@ -96,7 +96,7 @@ class Reader {
         s.highest_N = n_[1];
       });
     }
-    return "is not known";
+    return Message("is not known");
   }
 
   std::set<std::string> seen_;
@@ -107,7 +107,7 @@ class Reader {
 
 Result<DeviceProfile> parseDeviceProfile(const std::string& text, const std::string& name) {
   Reader reader;
-  const ProfileKind kind{"detent-device", deviceProfileVersion, "a device profile"};
+  const ProfileKind kind{"detent-device", deviceProfileVersion, Message("a device profile")};
   Result<Done> read = readProfileLines(text, name, kind, [&](std::string_view key, std::string_view value) {
     return reader.line(key, value);
   });

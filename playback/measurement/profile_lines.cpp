@@ -13,14 +13,14 @@ namespace detent::playback {
 namespace {
 
 /// What is wrong with the first line; empty if nothing.
-std::string wrongWithFirst(std::string_view line, const ProfileKind& kind) {
+Message wrongWithFirst(std::string_view line, const ProfileKind& kind) {
   std::vector<double> version;
   if (!line.starts_with(kind.magic) || !numbersOf(line.substr(kind.magic.size()), version) ||
       version.size() != 1) {
-    return kind.what + " starts with \"" + std::string(kind.magic) + " " + std::to_string(kind.version) +
-           "\"";
+    return Message("%1 starts with \"%2 %3\"", kind.what, kind.magic, kind.version);
   }
-  return version[0] > kind.version ? "written by a newer Detent (version " + exact(version[0]) + ")" : "";
+  if (version[0] <= kind.version) return {};
+  return Message("written by a newer Detent (version %1)", exact(version[0]));
 }
 
 }  // namespace
@@ -40,12 +40,12 @@ bool numbersOf(std::string_view text, std::vector<double>& numbers) {
 }
 
 Result<Done> readProfileLines(const std::string& text, const std::string& name, const ProfileKind& kind,
-                              const std::function<std::string(std::string_view, std::string_view)>& line) {
+                              const std::function<Message(std::string_view, std::string_view)>& line) {
   std::size_t number = 0;
   bool begun = false;
-  const auto bad = [&](std::string problem) {
-    return Failure{FailureCode::unreadableInput, name, "line " + std::to_string(number), std::move(problem),
-                   "See docs/device-profile.md"};
+  const auto bad = [&](Message problem) {
+    return Failure{FailureCode::unreadableInput, name, Message("line %1", number), std::move(problem),
+                   Message("See docs/device-profile.md")};
   };
   std::istringstream lines(text);
   for (std::string raw; std::getline(lines, raw);) {
@@ -53,18 +53,17 @@ Result<Done> readProfileLines(const std::string& text, const std::string& name, 
     const std::string_view content = trimmed(std::string_view(raw).substr(0, raw.find('#')));
     if (content.empty()) continue;
     if (!begun) {
-      if (std::string problem = wrongWithFirst(content, kind); !problem.empty())
-        return bad(std::move(problem));
+      if (Message problem = wrongWithFirst(content, kind); !problem.empty()) return bad(std::move(problem));
       begun = true;
       continue;
     }
     const std::size_t equals = content.find('=');
-    if (equals == std::string_view::npos) return bad("no = in the line");
+    if (equals == std::string_view::npos) return bad(Message("no = in the line"));
     const std::string_view key = trimmed(content.substr(0, equals));
-    const std::string problem = line(key, trimmed(content.substr(equals + 1)));
-    if (!problem.empty()) return bad(std::string(key) + " " + problem);
+    Message problem = line(key, trimmed(content.substr(equals + 1)));
+    if (!problem.empty()) return bad(Message("%1 %2", key, std::move(problem)));
   }
-  if (!begun) return bad("the file is empty");
+  if (!begun) return bad(Message("the file is empty"));
   return Done{};
 }
 

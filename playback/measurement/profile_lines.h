@@ -16,13 +16,13 @@ inline constexpr std::size_t largestProfile_bytes = 1 << 20;
 struct ProfileKind {
   std::string_view magic;  ///< first word of the first line
   int version = 1;         ///< newest that is read
-  std::string what;        ///< "a device profile"
+  Message what;            ///< "a device profile"
 };
 
 /// Comments (#) and blank lines are passed over. `line` gives what is wrong with a line, empty if nothing. Failure unreadableInput names the line.
 Result<Done> readProfileLines(
     const std::string& text, const std::string& name, const ProfileKind& kind,
-    const std::function<std::string(std::string_view key, std::string_view value)>& line);
+    const std::function<Message(std::string_view key, std::string_view value)>& line);
 
 /// All numbers of a value; false if something else stands there.
 bool numbersOf(std::string_view text, std::vector<double>& numbers);

@@ -10,32 +10,34 @@ namespace {
 
 constexpr std::size_t largestTrace_bytes = 1U << 30;
 
-Failure badTrace(const std::string& name, std::string place, std::string problem) {
-  return {FailureCode::unreadableInput, name, std::move(place), std::move(problem),
-          "A press trace has the header time_s,force_N or time_s,displacement_mm and two numbers per line"};
+Failure badTrace(const std::string& name, Message place, Message problem) {
+  return {
+      FailureCode::unreadableInput, name, std::move(place), std::move(problem),
+      Message(
+          "A press trace has the header time_s,force_N or time_s,displacement_mm and two numbers per line")};
 }
 
 }  // namespace
 
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name) {
   NumberTable table(text);
-  if (!table.next()) return badTrace(name, "", "is empty");
+  if (!table.next()) return badTrace(name, "", Message("is empty"));
   PressTrace trace;
   const std::vector<std::string_view>& fields = table.fields();
   const bool inForce = table.line().ends_with("force_N");
   if (fields.size() != 2 || fields[0] != "time_s" || fields[1] != (inForce ? "force_N" : "displacement_mm"))
-    return badTrace(name, table.place(), "the header is " + quotedBegin(table.line()));
+    return badTrace(name, table.place(), Message("the header is %1", quotedBegin(table.line())));
   trace.quantity = inForce ? PressTrace::Quantity::force_N : PressTrace::Quantity::displacement_mm;
   while (table.next()) {
     if (fields.size() != 2)
       return badTrace(name, table.place(),
-                      quotedBegin(table.line()) + " has " + std::to_string(fields.size()) + " fields, not 2");
+                      Message("%1 has %2 fields, not 2", quotedBegin(table.line()), fields.size()));
     const auto time_s = table.finite(0), value = numberFrom(fields[1]);
-    if (!time_s) return badTrace(name, table.place(), quotedBegin(fields[0]) + " is not a time");
-    if (!value) return badTrace(name, table.place(), quotedBegin(fields[1]) + " is not a number");
+    if (!time_s) return badTrace(name, table.place(), Message("%1 is not a time", quotedBegin(fields[0])));
+    if (!value) return badTrace(name, table.place(), Message("%1 is not a number", quotedBegin(fields[1])));
     trace.readings.push_back({*time_s, *value});
   }
-  if (trace.readings.empty()) return badTrace(name, table.place(), "no reading follows the header");
+  if (trace.readings.empty()) return badTrace(name, table.place(), Message("no reading follows the header"));
   return trace;
 }
 

@@ -62,12 +62,12 @@ Result<Summary> written(const std::filesystem::path& file, double sampleRate_Hz,
   const Container container = containerOf(file);
   info.format = formatOf(container, samplesIn(container, format), bytes);
   if (container == Container::flac && info.format == 0) {
-    return Failure{FailureCode::wrongUsage, file.string(), "", "FLAC holds no float samples",
-                   "Give --bits 16 or 24, or a .wav"};
+    return Failure{FailureCode::wrongUsage, file.string(), "", Message("FLAC holds no float samples"),
+                   Message("Give --bits 16 or 24, or a .wav")};
   }
   if (info.format == 0) {
-    return Failure{FailureCode::wrongUsage, file.string(), "", "is neither .wav nor .flac",
-                   "Give one of these endings"};
+    return Failure{FailureCode::wrongUsage, file.string(), "", Message("is neither .wav nor .flac"),
+                   Message("Give one of these endings")};
   }
   auto draft = StagedFile::beside(file);
   if (!draft) return draft.failure();
@@ -146,7 +146,7 @@ namespace {
 Message whyNotRead() {
   std::string why = sf_strerror(nullptr);
   if (why.find("nternal error") != std::string::npos)
-    return "is no sound file that can be read: its header is damaged";
+    return Message("is no sound file that can be read: its header is damaged");
   while (why.ends_with('.')) why.pop_back();
   return Message("is no sound file that can be read: %1", why);
 }
@@ -159,27 +159,28 @@ Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double lon
   };
   SF_INFO info{};
   SoundFile in(sf_open(file.c_str(), SFM_READ, &info));
-  if (!in) return refuse(whyNotRead(), "Give a WAV");
+  if (!in) return refuse(whyNotRead(), Message("Give a WAV"));
   if (info.samplerate < 8000 || info.samplerate > 192000)
-    return refuse(Message("has %1 samples a second", info.samplerate), "Give 8000 to 192000");
+    return refuse(Message("has %1 samples a second", info.samplerate), Message("Give 8000 to 192000"));
   if (info.channels < 1 || info.channels > mostChannels)
     return refuse(Message("has %1 channels", info.channels), Message("Give at most %1", mostChannels));
   const auto frames = static_cast<double>(info.frames);
-  if (!(frames >= 1)) return refuse("holds no sample", "Give a longer one");
+  if (!(frames >= 1)) return refuse(Message("holds no sample"), Message("Give a longer one"));
   if (frames > longest_s * info.samplerate)
     return refuse(Message("lasts %1 s", frames / info.samplerate),
                   Message("Give one of at most %1 s", longest_s));
   std::vector<float> interleaved(static_cast<std::size_t>(info.frames) *
                                  static_cast<std::size_t>(info.channels));
   if (sf_readf_float(in.get(), interleaved.data(), info.frames) != info.frames)
-    return refuse("is cut off", "Export it again");
+    return refuse(Message("is cut off"), Message("Export it again"));
   SoundSamples sound{static_cast<double>(info.samplerate), info.channels, {}};
   const auto channels = static_cast<std::size_t>(info.channels);
   for (std::size_t i = 0; i < interleaved.size(); i += channels) {
     double sum = 0;
     for (std::size_t c = 0; c < channels; ++c) sum += static_cast<double>(interleaved[i + c]);
     if (!(std::fabs(sum) < 1e9))
-      return refuse(Message("has a sample that is no number, the %1th", i / channels + 1), "Export it again");
+      return refuse(Message("has a sample that is no number, the %1th", i / channels + 1),
+                    Message("Export it again"));
     sound.samples.push_back(static_cast<float>(sum / static_cast<double>(channels)));
   }
   return sound;

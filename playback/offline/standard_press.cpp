@@ -44,8 +44,8 @@ Result<RenderedPress> renderStandardPress(const HapticProgram& program, double s
         press.sensor_Hz >= 10 && press.sensor_Hz <= 100000 &&
         press.press_s + press.hold_s + press.release_s <= 600)) {
     return Failure{FailureCode::wrongUsage, "standard press", "",
-                   "times, force or sensor rate lie outside their ranges",
-                   "Give positive times of together at most 600 s"};
+                   Message("times, force or sensor rate lie outside their ranges"),
+                   Message("Give positive times of together at most 600 s")};
   }
   RenderSettings settings;
   settings.sampleRate_Hz = sampleRate_Hz;

@@ -31,13 +31,13 @@ constexpr double mostFedShare = 0.02;
 // A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is about as drawn.
 constexpr double risenShare = 0.96;
 
-Failure outOfRange(const std::string& value, const std::string& problem, const std::string& remedy) {
-  return {FailureCode::wrongUsage, value, "", problem, remedy};
+Failure outOfRange(const Subject& value, Message place, Message problem, const Message& remedy) {
+  return {FailureCode::wrongUsage, value, std::move(place), std::move(problem), remedy};
 }
 
 Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
   const struct {
-    const char* name;
+    Subject name;
     double value, least, most;
   } rules[] = {{"rate in Hz", rate_Hz, slowest_Hz, fastest_Hz},
                {"mass of the device in kg", d.mass_kg, 1e-4, 100},
@@ -52,8 +52,8 @@ Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
                {"speed limit in mm/s", d.limits.speed_mm_per_s, 1, 1e5}};
   for (const auto& rule : rules) {
     if (rule.value >= rule.least && rule.value <= rule.most) continue;
-    return outOfRange(rule.name, "is " + shortestText(rule.value),
-                      "Give one from " + shortestText(rule.least) + " to " + shortestText(rule.most));
+    return outOfRange(rule.name, {}, Message("is %1", rule.value),
+                      Message("Give one from %1 to %2", rule.least, rule.most));
   }
   return Done{};
 }
@@ -274,7 +274,7 @@ class Preparation {
                     other, pressed, -worst.value, worst.at_mm, device_.name.c_str(), -worst.limit,
                     worst.fed_mJ);
     refused_ =
-        outOfRange(from.name.empty() ? "graphs at several speeds" : "graphs of state " + from.name, text,
+        outOfRange(from.name.empty() ? "graphs at several speeds" : "graphs of state " + from.name, {}, text,
                    "Draw the graphs closer together, give the button damping, or play one speed: "
                    "detent-graph convert --speed V");
   }
@@ -504,19 +504,20 @@ class Preparation {
 
 /// Beyond a device's reach every reading is absurd: a press to the bottom would lose its force on the way.
 Result<Done> checkTravel(const ButtonState& state, const ForceDeviceProfile& device) {
-  const std::string subject = "travel of " + (state.name.empty() ? "the button" : "state " + state.name);
-  const std::string remedy = "scale the button (edit it, or convert its graph)";
+  const Message place = state.name.empty() ? Message() : Message("state %1", state.name);
   const double travel_mm = state.graph.travel_mm(), end_mm = state.graph.press().end_mm(),
                reach_mm = device.limits.highest_mm;
   if (!(travel_mm >= shortestTravel_mm && travel_mm <= longestTravel_mm)) {
-    return outOfRange(subject, "is " + shortestText(travel_mm) + " mm",
-                      "A force device can render 0.1 to 100 mm; " + remedy);
+    return outOfRange(
+        "travel of the button", place, Message("is %1", millimetres(travel_mm)),
+        Message("A force device can render %1 to %2; scale the button (edit it, or convert its graph)",
+                millimetres(shortestTravel_mm), millimetres(longestTravel_mm)));
   }
   if (end_mm > reach_mm) {
-    return outOfRange(subject,
-                      "ends at " + shortestText(end_mm) + " mm; " + device.name + " reaches " +
-                          shortestText(reach_mm) + " mm",
-                      "Choose a device that reaches farther, or " + remedy);
+    return outOfRange(
+        "travel of the button", place,
+        Message("ends at %1; %2 reaches %3", millimetres(end_mm), device.name, millimetres(reach_mm)),
+        Message("Choose a device that reaches farther, or scale the button (edit it, or convert its graph)"));
   }
   return Done{};
 }

@@ -39,14 +39,14 @@ struct Bound {
   bool lowIncluded;
 };
 
-Result<Done> checkBounds(const char* subject, std::initializer_list<Bound> bounds) {
+Result<Done> checkBounds(const Subject& subject, std::initializer_list<Bound> bounds) {
   for (const Bound& b : bounds) {
     const bool inside = b.value <= b.high && (b.lowIncluded ? b.value >= b.low : b.value > b.low);
     if (inside) continue;  // false for a NaN
-    char problem[160];
-    std::snprintf(problem, sizeof problem, "%g lies outside %s%g, %g]", b.value, b.lowIncluded ? "[" : "(",
-                  b.low, b.high);
-    return Failure{FailureCode::wrongUsage, subject, b.name, problem, "Give a value inside"};
+    return Failure{FailureCode::wrongUsage, subject, b.name,
+                   b.lowIncluded ? Message("%1 lies outside [%2, %3]", b.value, b.low, b.high)
+                                 : Message("%1 lies outside (%2, %3]", b.value, b.low, b.high),
+                   Message("Give a value inside")};
   }
   return Done{};
 }
@@ -589,10 +589,9 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
       !gain)
     return gain;
   if (profile.equalizer.size() > maxEqualizerBands) {
-    return Failure{
-        FailureCode::wrongUsage, "device profile", "equalizer",
-        std::to_string(profile.equalizer.size()) + " bands, at most " + std::to_string(maxEqualizerBands),
-        "Keep the strongest bands"};
+    return Failure{FailureCode::wrongUsage, "device profile", "equalizer",
+                   Message("%1 bands, at most %2", profile.equalizer.size(), maxEqualizerBands),
+                   Message("Keep the strongest bands")};
   }
   for (const EqualizerBand& band : profile.equalizer) {
     if (Result<Done> ok =
@@ -619,12 +618,12 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
     const double low = 0.1 * sensor.fullScale_counts, high = 0.9 * sensor.fullScale_counts;
     if (sensor.coefficientCount > 1 && !(sensor.force_N(high) > sensor.force_N(low))) {
       return Failure{FailureCode::wrongUsage, "device profile", "sensor.coefficients",
-                     "the force falls while the reading rises",
-                     "Swap the sensor's two wires, or calibrate again"};
+                     Message("the force falls while the reading rises"),
+                     Message("Swap the sensor's two wires, or calibrate again")};
     }
   } else if (sensor.coefficientCount > 1 && !(sensor.coefficients[1] > 0)) {
     return Failure{FailureCode::wrongUsage, "device profile", "sensor.coefficients",
-                   "the force falls while the reading rises", "Calibrate the sensor again"};
+                   Message("the force falls while the reading rises"), Message("Calibrate the sensor again")};
   }
   const Transducer& t = profile.transducer;
   return checkBounds("device profile", {{"transducer power_W", t.power_W, 0, 1000, true},

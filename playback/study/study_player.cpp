@@ -90,22 +90,23 @@ std::string wordsOf(const SensorCalibration& c) {
 
 /// What a force device cannot do, or not with this study. Every button is one it can render.
 Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings) {
-  const auto wrong = [](const char* problem, const char* remedy) {
-    return Failure{FailureCode::wrongUsage, "force device", "", problem, remedy};
+  const auto wrong = [](Message problem, const Message& remedy) {
+    return Failure{FailureCode::wrongUsage, "force device", "", std::move(problem), remedy};
   };
   if (!settings.sensorPort.empty())
-    return wrong("presses by itself: a sensor would be a second finger", "Leave one of both out");
+    return wrong(Message("presses by itself: a sensor would be a second finger"),
+                 Message("Leave one of both out"));
   if (settings.force->uploadTable)
-    return wrong("would run the one button that was uploaded; a study exchanges buttons",
-                 "Choose it without uploading a table");
+    return wrong(Message("would run the one button that was uploaded; a study exchanges buttons"),
+                 Message("Choose it without uploading a table"));
   const bool modes = std::any_of(study.stimuli.begin(), study.stimuli.end(),
                                  [](const StudyStimulus& s) { return s.mode != FeedbackMode::full; });
   const LevelQuantity quantity = study.design.quantity;
   const bool vibration = study.design.kind == StudyKind::threshold &&
                          (quantity == LevelQuantity::eventSize || quantity == LevelQuantity::grainStrength);
   if (modes || vibration)
-    return wrong("renders forces; this study compares what only a vibration has",
-                 "Leave it out, or make a study of the mode full");
+    return wrong(Message("renders forces; this study compares what only a vibration has"),
+                 Message("Leave it out, or make a study of the mode full"));
   for (const StudyStimulus& stimulus : study.stimuli) {
     const Result<PreparedForce> prepared =
         prepareForce(study.buttons[stimulus.button].button, settings.force->profile);
@@ -360,8 +361,8 @@ Result<std::unique_ptr<StudyPlayer>> StudyPlayer::start(const Study& study,
   auto made = std::make_unique<Player>(study, *std::move(stimuli), *std::move(player), heard,
                                        std::move(force), settings);
   if (!made->runs())
-    return Failure{FailureCode::deviceTrouble, settings.sensorPort, "", "sends no readings",
-                   "Check the sensor, its cable and the port's speed"};
+    return Failure{FailureCode::deviceTrouble, settings.sensorPort, "", Message("sends no readings"),
+                   Message("Check the sensor, its cable and the port's speed")};
   return std::unique_ptr<StudyPlayer>(std::move(made));
 }
 

@@ -60,8 +60,8 @@ def check(file, root, lupdate, lag):
     with tempfile.TemporaryDirectory() as folder:
         updated = Path(folder) / file.name
         shutil.copy(file, updated)
-        subprocess.run([lupdate, "-silent", "-locations", "none", "-I", ".", "-tr-function-alias", "tr+=Message,tr+=words",
-                        "editor", "importer", "model", "playback/study/perception", "playback/study/trials", "-ts", updated], cwd=root, check=True, capture_output=True, timeout=300)
+        subprocess.run([lupdate, "-silent", "-extensions", "cpp,h", "-locations", "none", "-I", ".", "-tr-function-alias", "tr+=Message,tr+=words",
+                        "editor", "importer", "model", "playback", "-ts", updated], cwd=root, check=True, capture_output=True, timeout=300)
         messages = [m for m in ET.parse(updated).getroot().iter("message")]
     faults, missing = [], []
     for message in messages:
@@ -85,10 +85,11 @@ def words_of(literals):
 
 def sources_said_to_people(root):
     """Files whose failures a window shows; the programs speak English."""
-    for room in ("model", "importer", "editor"):
+    for room in ("model", "importer", "editor", "playback"):
         for file in sorted((root / room).rglob("*.cpp")):
             place = file.relative_to(root).as_posix()
-            if not re.search(r"/program/|/python/|main\.cpp$|^importer/(library|batch)/|^model/(file/|validation|number_table)", place):
+            if not re.search(r"/program/|/python/|main\.cpp$|^importer/(library|batch)/|^model/(file/|validation|number_table)|" +
+                             r"^playback/(identification|magnetic|performance|study/statistics)/|^playback/(measure_|.*(calibrate|sweep|spring_button|button_numbers|timing_tables)\.cpp)", place):
                 yield place, re.sub(r"//[^\n]*", "", file.read_text())
 
 

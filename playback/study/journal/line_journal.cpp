@@ -30,6 +30,12 @@ int writeWhole(int descriptor, const std::string& text) {
   return 0;
 }
 
+Failure journalTrouble(const std::filesystem::path& file, Message what, int error) {
+  return {FailureCode::unreadableInput, file.string(), "",
+          Message("%1 (%2)", std::move(what), std::strerror(error)),
+          Message("Check the folder, its rights and the free space, then try again")};
+}
+
 }  // namespace
 
 bool JournalText::isForeign() const {
@@ -37,8 +43,8 @@ bool JournalText::isForeign() const {
 }
 
 Failure notAJournal(const std::filesystem::path& file) {
-  return {FailureCode::unreadableInput, file.string(), "line 1", "is not a journal of a study",
-          "Take it away"};
+  return {FailureCode::unreadableInput, file.string(), Message("line 1"),
+          Message("is not a journal of a study"), Message("Take it away")};
 }
 
 JournalText splitJournal(const std::string& text) {
@@ -50,19 +56,14 @@ JournalText splitJournal(const std::string& text) {
   return journal;
 }
 
-Failure LineJournal::refused(const char* what, int error) const {
-  return {FailureCode::unreadableInput, file_.string(), "",
-          std::string(what) + " (" + std::strerror(error) + ")",
-          "Check the folder, its rights and the free space, then try again"};
-}
-
 Result<LineJournal> LineJournal::open(const std::filesystem::path& file) {
   LineJournal journal(file, ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, rights));
-  if (journal.descriptor_ < 0) return journal.refused("cannot be opened", errno);
+  if (journal.descriptor_ < 0) return journalTrouble(file, Message("cannot be opened"), errno);
   if (::flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK) return journal.refused("cannot be locked", errno);
-    return Failure{FailureCode::unreadableInput, file.string(), "", "is being written by another process",
-                   "End that session first, or give another participant's id"};
+    if (errno != EWOULDBLOCK) return journalTrouble(file, Message("cannot be locked"), errno);
+    return Failure{FailureCode::unreadableInput, file.string(), "",
+                   Message("is being written by another process"),
+                   Message("End that session first, or give another participant's id")};
   }
   writeFolderToDisk(file);
   if (Result<Done> ok = journal.readAndCut(); !ok) return ok.failure();
@@ -74,7 +75,7 @@ Result<Done> LineJournal::readAndCut() {
   for (std::string chunk(chunk_bytes, '\0');;) {
     const ssize_t got = ::read(descriptor_, chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return refused("cannot be read", errno);
+    if (got < 0) return journalTrouble(file_, Message("cannot be read"), errno);
     if (got == 0) break;
     text.append(chunk, 0, static_cast<std::size_t>(got));
   }
@@ -82,7 +83,7 @@ Result<Done> LineJournal::readAndCut() {
   if (opened_.isForeign()) return notAJournal(file_);
   length_bytes_ = static_cast<std::int64_t>(text.size() - opened_.unfinished.size());
   if (!opened_.unfinished.empty() && ::ftruncate(descriptor_, length_bytes_) != 0)
-    return refused("cannot be cut back to its last whole line", errno);
+    return journalTrouble(file_, Message("cannot be cut back to its last whole line"), errno);
   return Done{};
 }
 
@@ -95,7 +96,7 @@ Result<Done> LineJournal::append(const std::string& line) {
   }
   // Where even this is refused, the half line is cut off when the journal is opened again.
   if (::ftruncate(descriptor_, length_bytes_) == 0) ::fdatasync(descriptor_);
-  return refused("could not take one more line", error);
+  return journalTrouble(file_, Message("could not take one more line"), error);
 }
 
 LineJournal::~LineJournal() {

@@ -46,7 +46,6 @@ class LineJournal {
  private:
   LineJournal(std::filesystem::path file, int descriptor) : file_(std::move(file)), descriptor_(descriptor) {}
   Result<Done> readAndCut();
-  Failure refused(const char* what, int error) const;
 
   std::filesystem::path file_;
   int descriptor_ = -1;

@@ -101,7 +101,8 @@ Result<FeltButton> feel(const Button& button, const PerceptionSettings& settings
     felt.states.emplace_back();
     for (std::size_t i = 0; i < pressLengths_s.size(); ++i) {
       if (cancelled && cancelled())
-        return Failure{FailureCode::wrongUsage, button.name(), "", "was cancelled", "Start it again"};
+        return Failure{FailureCode::wrongUsage, button.name(), "", Message("was cancelled"),
+                       Message("Start it again")};
       Result<FeltPress> press = feelPress(program, i, settings);
       if (!press) return press.failure();
       feelForces(*press, button.states()[s].graph);

@@ -81,8 +81,8 @@ Result<ConsentText> consentIn(const fs::path& folder, const std::string& languag
   if (found) found->language = language;
   if (found || fs::exists(fileFor(folder, ""), error) || fs::exists(own, error)) return found;
   return Failure{FailureCode::unreadableInput, folder.string(), "",
-                 "has no consent text in \"" + language + "\"",
-                 "Put " + own.filename().string() + " there, or choose another language"};
+                 Message("has no consent text in \"%1\"", language),
+                 Message("Put %1 there, or choose another language", own.filename().string())};
 }
 
 Result<Done> recordDeclined(const fs::path& folder, const ConsentDecision& decision) {

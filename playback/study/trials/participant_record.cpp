@@ -99,8 +99,8 @@ class Replay {
     ++line_;
     const std::optional<SplitLine> split = splitLine(line);
     if (!split || chainOf(chain_, split->body) != split->chain)
-      return wrong("was changed by hand, or a line before it was",
-                   "Restore the journal from a copy; its answers are not used as they stand");
+      return wrong(Message("was changed by hand, or a line before it was"),
+                   Message("Restore the journal from a copy; its answers are not used as they stand"));
     chain_ = split->chain;
     const Json json = Json::parse(split->body);
     if (line_ == 1) return header(json);
@@ -110,28 +110,28 @@ class Replay {
     if (event == "answer") return answer(json);
     if (event == "interruption") return ++record_.interruptions, Done{};
     if (event == "end") return end(json);
-    return wrong("holds an event \"" + event + "\" this program does not know",
-                 "Use the program that wrote it");
+    return wrong(Message("holds an event \"%1\" this program does not know", event),
+                 Message("Use the program that wrote it"));
   }
 
   ParticipantRecord take() { return std::move(record_); }
   std::size_t line() const { return line_; }
-  Failure wrong(const std::string& problem, const std::string& remedy) const {
-    return {FailureCode::unreadableInput, file_, "line " + std::to_string(line_), problem, remedy};
+  Failure wrong(Message problem, const Message& remedy) const {
+    return {FailureCode::unreadableInput, file_, Message("line %1", line_), std::move(problem), remedy};
   }
 
  private:
   Result<Done> header(const Json& json) {
     if (json.at("format") != "detent-study-journal")
-      return wrong("is not a journal of a study", "Take it away");
+      return wrong(Message("is not a journal of a study"), Message("Take it away"));
     if (const int version = json.at("version"); version != journalVersion)
-      return wrong("is of version " + std::to_string(version), "Use the program that wrote it");
+      return wrong(Message("is of version %1", version), Message("Use the program that wrote it"));
     if (json.at("participant") != record_.participant)
-      return wrong("is the journal of " + jsonText(json.at("participant")),
-                   "Give the file its own name again");
+      return wrong(Message("is the journal of %1", jsonText(json.at("participant"))),
+                   Message("Give the file its own name again"));
     if (json.at("study_sha256") != study_.sha256)
-      return wrong("belongs to another study, or study.json was changed since",
-                   "Restore study.json, or move the journal to its own study");
+      return wrong(Message("belongs to another study, or study.json was changed since"),
+                   Message("Restore study.json, or move the journal to its own study"));
     record_.program = json.at("program");
     record_.begunBefore = json.value("begun_before", std::size_t{0});
     record_.place = json.value("place", record_.begunBefore);
@@ -150,9 +150,9 @@ class Replay {
     const auto kind = sessionKinds.value(json.at("kind").get<std::string>());
     const auto listening = listenings.value(json.at("listening").get<std::string>());
     if (!kind || !listening)
-      return wrong("knows a session that this program does not: " + jsonText(json.at("kind")) + ", " +
-                       jsonText(json.at("listening")),
-                   "Use the program that wrote it");
+      return wrong(Message("knows a session that this program does not: %1, %2", jsonText(json.at("kind")),
+                           jsonText(json.at("listening"))),
+                   Message("Use the program that wrote it"));
     s.kind = *kind;
     s.listening = *listening;
     s.route = routeFrom(json);
@@ -180,10 +180,12 @@ class Replay {
   }
 
   Result<Done> answer(const Json& json) {
-    if (record_.sessions.empty()) return wrong("is an answer outside a session", "Restore the journal");
+    if (record_.sessions.empty())
+      return wrong(Message("is an answer outside a session"), Message("Restore the journal"));
     const Trial* trial = record_.next();
     if (trial == nullptr || json.at("trial") != trial->number)
-      return wrong("answers trial " + jsonText(json.at("trial")) + " out of its turn", "Restore the journal");
+      return wrong(Message("answers trial %1 out of its turn", jsonText(json.at("trial"))),
+                   Message("Restore the journal"));
     takeLevel(json);
     const std::string chosen = json.at("answer");
     Answer a;
@@ -198,7 +200,7 @@ class Replay {
     }
     if (a.choice == trial->choices.size() || !ratingFits(study_, a.rating) || !timesFit(*trial, a, json) ||
         (hasRightAnswer(study_.design.kind) && json.at("x") != labelOf(study_, *trial, trial->target)))
-      return wrong("does not fit the list of trials", "Restore the journal");
+      return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
     a.replays = json.at("replays").get<std::vector<std::size_t>>();
     a.replaysX = json.at("replays_x");
     if (json.contains("felt")) {  // not in journals of version 0.2 and before
@@ -261,7 +263,8 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
     try {
       if (Result<Done> ok = replay.take(line); !ok) return ok.failure();
     } catch (const Json::exception& fault) {
-      return replay.wrong(std::string("is broken (") + fault.what() + ")", "Restore the journal from a copy");
+      return replay.wrong(Message("is broken (%1)", fault.what()),
+                          Message("Restore the journal from a copy"));
     }
   }
   ParticipantRecord record = replay.take();
@@ -357,7 +360,7 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
   }
   if (error)
     return Failure{FailureCode::unreadableInput, folder.string(), "",
-                   "cannot be read (" + error.message() + ")", "Restore the folder"};
+                   Message("cannot be read (%1)", error.message()), Message("Restore the folder")};
   std::vector<ParticipantRecord> records;
   for (const std::filesystem::path& file : files) {
     Result<ParticipantRecord> record = readParticipant(study, file.stem().string());
@@ -479,10 +482,11 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     if (!hadHead(lines)) return Done{};
-    return Failure{FailureCode::unreadableInput, journal.string(), "",
-                   "had a file \"" + file.filename().string() +
-                       "\" beside it that is gone: whether its end was cut off cannot be told",
-                   "Restore both from a copy"};
+    return Failure{
+        FailureCode::unreadableInput, journal.string(), "",
+        Message("had a file \"%1\" beside it that is gone: whether its end was cut off cannot be told",
+                file.filename().string()),
+        Message("Restore both from a copy")};
   }
   const Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
@@ -490,16 +494,15 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::size_t count = 0;
   std::string chain;
   if (!(head >> count))
-    return Failure{FailureCode::unreadableInput, file.string(), "", "does not say how long the journal was",
-                   "Restore both from a copy"};
+    return Failure{FailureCode::unreadableInput, file.string(), "",
+                   Message("does not say how long the journal was"), Message("Restore both from a copy")};
   head >> chain;
   if (count <= lines.size() &&
       chainAfter({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)}) == chain)
     return Done{};
-  return Failure{
-      FailureCode::unreadableInput, journal.string(), "",
-      "held " + std::to_string(count) + " lines when it was last written, and these are not all there",
-      "Restore the journal from a copy"};
+  return Failure{FailureCode::unreadableInput, journal.string(), "",
+                 Message("held %1 lines when it was last written, and these are not all there", count),
+                 Message("Restore the journal from a copy")};
 }
 
 std::string chainAfter(const std::vector<std::string>& lines) {

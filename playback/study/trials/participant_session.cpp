@@ -31,8 +31,9 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
   }
   if (!record.sessions.empty() && record.sessions.back().listening != start.listening)
     return Failure{FailureCode::wrongUsage, Subject::option("--condition"), record.participant,
-                   Message("has listened \"%1\" so far, not \"%2\"", nameOf(record.sessions.back().listening),
-                           nameOf(start.listening)),
+                   Message("has listened \"%1\" so far, not \"%2\"",
+                           Message::of(nameOf(record.sessions.back().listening), {}),
+                           Message::of(nameOf(start.listening), {})),
                    Message("Go on in the same condition, or give another id")};
   return Done{};
 }
@@ -125,20 +126,22 @@ Result<Done> ParticipantSession::append(const std::string& line, const std::stri
 Result<Done> ParticipantSession::record(const Answer& answer) {
   const Trial* shown = trial();
   if (shown == nullptr || answer.trial != shown->number || answer.choice >= shown->choices.size())
-    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
-                   "is not the trial that is asked", "Answer the trial that is shown"};
+    return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
+                   Message("is not the trial that is asked"), Message("Answer the trial that is shown")};
   if (!ratingFits(*study_, answer.rating))
-    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
-                   answer.rating ? "does not lie on the scale" : "gives no number",
-                   study_->design.scale == RatingScale::magnitude ? "Give a number above 0, at most a million"
-                                                                  : "Give 1, 2, 3, 4, 5, 6 or 7"};
+    return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
+                   answer.rating ? Message("does not lie on the scale") : Message("gives no number"),
+                   study_->design.scale == RatingScale::magnitude
+                       ? Message("Give a number above 0, at most a million")
+                       : Message("Give 1, 2, 3, 4, 5, 6 or 7")};
   if (!pressesFit(*study_, *shown, answer))
-    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
-                   "holds no press at a time that counts", "Press at the cue; in tapping, at least twice"};
+    return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
+                   Message("holds no press at a time that counts"),
+                   Message("Press at the cue; in tapping, at least twice")};
   if (record_.sessions.back().kind == SessionKind::real && !feltEnough(*study_, answer))
-    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
-                   "is about something that was not felt",
-                   "Press X and what it is compared with to the end, then answer"};
+    return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
+                   Message("is about something that was not felt"),
+                   Message("Press X and what it is compared with to the end, then answer")};
   std::string chain = chain_;
   const std::string line = answerLine(*study_, *shown, answer, chain);
   if (Result<Done> ok = append(line, chain); !ok) return ok;
@@ -291,21 +294,21 @@ Result<Simulation> pressesFrom(const std::string& file, const std::string& name)
   NumberTable table(*text);
   std::optional<std::vector<std::size_t>> columns;
   if (table.next()) columns = table.columns({"trial", "press_s"});
-  const auto refused = [&](const std::string& problem) {
-    return Failure{FailureCode::unreadableInput, file, table.place(), problem,
-                   "Give trial,press_s, one row for each press, in seconds behind the cue"};
+  const auto refused = [&](Message problem) {
+    return Failure{FailureCode::unreadableInput, file, table.place(), std::move(problem),
+                   Message("Give trial,press_s, one row for each press, in seconds behind the cue")};
   };
-  if (!columns) return refused("does not name trial and press_s");
+  if (!columns) return refused(Message("does not name trial and press_s"));
   Simulation simulation;
   simulation.name = name;
   while (table.next()) {
     const std::size_t last = std::max((*columns)[0], (*columns)[1]);
-    if (table.fields().size() <= last) return refused("has too few fields");
+    if (table.fields().size() <= last) return refused(Message("has too few fields"));
     const std::optional<double> trial = table.finite((*columns)[0]), press_s = table.finite((*columns)[1]);
-    if (!trial || !press_s || *trial < 1 || *trial > 1e6) return refused("holds no trial and time");
+    if (!trial || !press_s || *trial < 1 || *trial > 1e6) return refused(Message("holds no trial and time"));
     simulation.presses_s[static_cast<std::size_t>(*trial)].push_back(*press_s);
   }
-  if (simulation.presses_s.empty()) return refused("holds no press");
+  if (simulation.presses_s.empty()) return refused(Message("holds no press"));
   for (auto& [trial, presses] : simulation.presses_s) std::sort(presses.begin(), presses.end());
   return simulation;
 }
@@ -326,24 +329,28 @@ Result<Simulation> simulationNamed(const std::string& name) {
   }
   constexpr std::string_view ofFile = "presses=";
   if (name.starts_with(ofFile)) return pressesFrom(name.substr(ofFile.size()), name);
-  return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                 "\"" + name + "\" is not a way to answer",
-                 "Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, "
-                 "timing=PLACE,SPREAD or presses=FILE"};
+  return Failure{
+      FailureCode::wrongUsage, Subject::option("--simulate"), "",
+      Message("\"%1\" is not a way to answer", name),
+      Message("Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, "
+              "timing=PLACE,SPREAD or presses=FILE")};
 }
 
 Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
   const bool timed = simulation.timing || !simulation.presses_s.empty();
   if (timed != (study.design.kind == StudyKind::timing))
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                   timed ? "presses answer timing studies only" : "answers no timing study",
-                   timed ? "Give guess, perfect or errors=P" : "Give timing=PLACE,SPREAD or presses=FILE"};
+                   timed ? Message("presses answer timing studies only") : Message("answers no timing study"),
+                   timed ? Message("Give guess, perfect or errors=P")
+                         : Message("Give timing=PLACE,SPREAD or presses=FILE")};
   if (simulation.timing && study.design.task == TimingTask::tapping && simulation.timing->place < 0.01)
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                   "a place of tapping is the seconds between presses", "Give 0.01 or more"};
+                   Message("a place of tapping is the seconds between presses"),
+                   Message("Give 0.01 or more")};
   if (simulation.threshold == 0 || study.design.kind == StudyKind::threshold) return Done{};
   return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                 "a threshold answers threshold studies only", "Give guess, perfect or errors=P"};
+                 Message("a threshold answers threshold studies only"),
+                 Message("Give guess, perfect or errors=P")};
 }
 
 Answer simulatedAnswer(const Study& study, const std::string& participant, const Trial& trial,

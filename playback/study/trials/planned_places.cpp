@@ -18,9 +18,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* planFile = "plan.json";
 constexpr int planVersion = 1;
 
-Failure brokenPlan(const fs::path& file, const std::string& problem) {
-  return {FailureCode::unreadableInput, file.string(), "", problem,
-          "Restore it from a copy, or plan anew before the first person comes"};
+Failure brokenPlan(const fs::path& file, Message problem) {
+  return {FailureCode::unreadableInput, file.string(), "", std::move(problem),
+          Message("Restore it from a copy, or plan anew before the first person comes")};
 }
 
 }  // namespace
@@ -41,12 +41,12 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") != "detent-study-plan" || json.at("version") != planVersion)
-      return brokenPlan(file, "is not a plan this program knows");
+      return brokenPlan(file, Message("is not a plan this program knows"));
     PlannedPlaces places;
     for (const Json& id : json.at("participants")) places.participants.push_back(id.get<std::string>());
     return places;
   } catch (const Json::exception& fault) {
-    return brokenPlan(file, std::string("is broken (") + fault.what() + ")");
+    return brokenPlan(file, Message("is broken (%1)", fault.what()));
   }
 }
 

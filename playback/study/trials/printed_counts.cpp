@@ -106,15 +106,15 @@ bool holdsPrintedCounts(const std::filesystem::path& folder) {
 
 Result<StudyResults> readPrintedCounts(const std::filesystem::path& folder) {
   const std::string file = (folder / fileName).string();
-  const auto broken = [&](const std::string& problem) {
-    return Failure{FailureCode::unreadableInput, file, "", problem, "Restore the file"};
+  const auto broken = [&](Message problem) {
+    return Failure{FailureCode::unreadableInput, file, "", std::move(problem), Message("Restore the file")};
   };
   Result<std::string> text = readTextFile(file);
   if (!text) return text.failure();
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") != "detent-study-counts" || json.at("version") != countsVersion)
-      return broken("holds no counts of version " + std::to_string(countsVersion));
+      return broken(Message("holds no counts of version %1", countsVersion));
     StudyResults results;
     results.study = json.at("title");
     results.source = json.at("source");
@@ -130,7 +130,7 @@ Result<StudyResults> readPrintedCounts(const std::filesystem::path& folder) {
       results.groups.push_back(matchingFrom(json.at("matching"), results.warnings));
     return results;
   } catch (const Json::exception& fault) {
-    return broken(std::string("is broken (") + fault.what() + ")");
+    return broken(Message("is broken (%1)", fault.what()));
   }
 }
 

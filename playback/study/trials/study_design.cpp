@@ -84,7 +84,7 @@ Result<Done> checkLevelsDiffer(const Study& study) {
         return wrongOption(
             "--quantity",
             Message("\"%1\" (%2) feels the same with more of \"%3\"", study.buttons[level.reference].label,
-                    nameOf(mode), nameOf(study.design.quantity)),
+                    Message::of(nameOf(mode), {}), Message::of(nameOf(study.design.quantity), {})),
             Message("Choose another quantity, mode or button"));
   return Done{};
 }
@@ -133,51 +133,52 @@ Json jsonOf(const Study& study) {
 
 Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
   if (const auto mode = feedbackModes.value(name); mode && *mode != FeedbackMode::off) return *mode;
-  return unreadable(file, "knows a mode \"" + name + "\" that does not exist",
-                    "Restore the file as it was made");
+  return unreadable(file, Message("knows a mode \"%1\" that does not exist", name),
+                    Message("Restore the file as it was made"));
 }
 
 /// Everything study.json says; buttons without their files. Throws nlohmann's exceptions.
 Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")
-    return unreadable(file, "is not a study", "Name a folder made by detent-play study new");
+    return unreadable(file, Message("is not a study"),
+                      Message("Name a folder made by detent-play study new"));
   study.version = json.at("version");
   if (study.version < 1 || study.version > studyVersion)
-    return unreadable(file,
-                      "is a study of version " + std::to_string(study.version) +
-                          ", this program knows 1 to " + std::to_string(studyVersion),
-                      "Use the program that made it");
+    return unreadable(
+        file, Message("is a study of version %1, this program knows 1 to %2", study.version, studyVersion),
+        Message("Use the program that made it"));
   if (json.at("generator") != generatorName)
-    return unreadable(file, "was shuffled by " + jsonText(json.at("generator")),
-                      "Use the program that made it");
+    return unreadable(file, Message("was shuffled by %1", jsonText(json.at("generator"))),
+                      Message("Use the program that made it"));
   study.program = json.at("program");
   StudyDesign& d = study.design;
   const std::string kind = json.at("kind");
   const auto known = studyKinds.value(kind);
   if (!known)
-    return unreadable(file, "knows a kind \"" + kind + "\" that does not exist",
-                      "Restore the file as it was made");
+    return unreadable(file, Message("knows a kind \"%1\" that does not exist", kind),
+                      Message("Restore the file as it was made"));
   d.kind = *known;
   if (d.kind == StudyKind::threshold) {
     const auto quantity = levelQuantities.value(json.at("quantity").get<std::string>());
     if (!quantity)
-      return unreadable(file, "knows a quantity " + jsonText(json.at("quantity")) + " that does not exist",
-                        "Restore the file as it was made");
+      return unreadable(file,
+                        Message("knows a quantity %1 that does not exist", jsonText(json.at("quantity"))),
+                        Message("Restore the file as it was made"));
     d.quantity = *quantity;
   }
   if (d.kind == StudyKind::rating) {
     const auto scale = ratingScales.value(json.at("scale").get<std::string>());
     if (!scale)
-      return unreadable(file, "knows a scale " + jsonText(json.at("scale")) + " that does not exist",
-                        "Restore the file as it was made");
+      return unreadable(file, Message("knows a scale %1 that does not exist", jsonText(json.at("scale"))),
+                        Message("Restore the file as it was made"));
     d.scale = *scale;
   }
   if (d.kind == StudyKind::timing) {
     const auto task = timingTasks.value(json.at("task").get<std::string>());
     if (!task)
-      return unreadable(file, "knows a task " + jsonText(json.at("task")) + " that does not exist",
-                        "Restore the file as it was made");
+      return unreadable(file, Message("knows a task %1 that does not exist", jsonText(json.at("task"))),
+                        Message("Restore the file as it was made"));
     d.task = *task;
     if (d.task == TimingTask::tapping)
       d.run_s = json.at("run_s");
@@ -210,15 +211,15 @@ Result<Done> readLevels(Study& study, const Json& json) {
     while (reference < given && study.buttons[reference].label != label) ++reference;
     if (reference == given)
       return unreadable(study.folder / "study.json",
-                        "has levels of a button \"" + label + "\" it does not hold",
-                        "Restore the file as it was made");
+                        Message("has levels of a button \"%1\" it does not hold", label),
+                        Message("Restore the file as it was made"));
     if (Result<Done> ok = addLevel(study, reference, entry.at("increase")); !ok) return ok;
   }
   for (std::size_t reference = 0; reference < given; ++reference)
     if (increasesOf(study, reference).size() < 2)
       return unreadable(study.folder / "study.json",
-                        "has no levels of button \"" + study.buttons[reference].label + "\"",
-                        "Restore the file as it was made");
+                        Message("has no levels of button \"%1\"", study.buttons[reference].label),
+                        Message("Restore the file as it was made"));
   return Done{};
 }
 
@@ -231,8 +232,8 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!text) return text.failure();
     const std::string hash = sha256Hex(*text);
     if (entry.at("sha256") != hash)
-      return unreadable(file, "was changed after the study was made",
-                        "Restore it, or make a new study with the changed button");
+      return unreadable(file, Message("was changed after the study was made"),
+                        Message("Restore it, or make a new study with the changed button"));
     Result<Button> button = buttonFromJson(*text, file);
     if (!button) return button.failure();
     study.buttons.push_back({label, hash, *std::move(button)});
@@ -242,7 +243,8 @@ Result<Done> readParts(Study& study, const Json& json) {
     Result<std::string> text = readTextFile(file.string());
     if (!text) return text.failure();
     if (sha256Hex(*text) != study.profileSha256)
-      return unreadable(file, "was changed after the study was made", "Restore it, or make a new study");
+      return unreadable(file, Message("was changed after the study was made"),
+                        Message("Restore it, or make a new study"));
     Result<DeviceProfile> profile = parseDeviceProfile(*text, file.string());
     if (!profile) return profile.failure();
     study.profile = *std::move(profile);
@@ -255,8 +257,9 @@ Result<Done> readParts(Study& study, const Json& json) {
     Result<FeedbackMode> mode = modeNamed(entry.at("mode"), (study.folder / "study.json").string());
     if (!mode) return mode.failure();
     if (at == study.buttons.end())
-      return unreadable(study.folder / "study.json", "speaks of a button \"" + label + "\" it does not hold",
-                        "Restore the file as it was made");
+      return unreadable(study.folder / "study.json",
+                        Message("speaks of a button \"%1\" it does not hold", label),
+                        Message("Restore the file as it was made"));
     study.stimuli.push_back(
         {static_cast<std::size_t>(at - study.buttons.begin()), *mode, entry.at("sha256")});
   }
@@ -264,10 +267,10 @@ Result<Done> readParts(Study& study, const Json& json) {
     for (std::size_t b = 0; b < study.buttons.size(); ++b) {
       if (std::none_of(study.stimuli.begin(), study.stimuli.end(),
                        [&](const StudyStimulus& s) { return s.button == b && s.mode == mode; }))
-        return unreadable(
-            study.folder / "study.json",
-            "does not say how button \"" + study.buttons[b].label + "\" feels (" + nameOf(mode) + ")",
-            "Restore the file as it was made");
+        return unreadable(study.folder / "study.json",
+                          Message("does not say how button \"%1\" feels (%2)", study.buttons[b].label,
+                                  Message::of(nameOf(mode), {})),
+                          Message("Restore the file as it was made"));
     }
   }
   return Done{};
@@ -303,8 +306,8 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
     copy(files[i], folder / "buttons" / (study.buttons[i].label + buttonEnding));
   if (!profileFile.empty()) copy(profileFile, folder / "device.device");
   if (error)
-    return unreadable(folder, "cannot be made (" + error.message() + ")",
-                      "Check the folder, its rights and the free space");
+    return unreadable(folder, Message("cannot be made (%1)", error.message()),
+                      Message("Check the folder, its rights and the free space"));
   if (Result<Done> ok = writeConsents(folder, study.design.consents); !ok) return ok;
   return writeTextFileAtomically((folder / "study.json").string(), jsonText(jsonOf(study), 2) + "\n");
 }
@@ -470,7 +473,8 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
       writeFolderToDisk(folder);
       return openStudy(folder);
     }
-    written = unreadable(folder, "cannot be made (" + error.message() + ")", "Check the folder above it");
+    written = unreadable(folder, Message("cannot be made (%1)", error.message()),
+                         Message("Check the folder above it"));
   }
   fs::remove_all(draft, error);
   return written.failure();
@@ -481,7 +485,7 @@ Result<Study> openStudy(const fs::path& folder) {
   Result<std::string> text = readTextFile(file);
   if (!text)
     return unreadable(folder, Message("is not a study: study.json %1", text.failure().problem),
-                      "Make one with detent-play study new, or name its folder");
+                      Message("Make one with detent-play study new, or name its folder"));
   try {
     const Json json = Json::parse(*text);
     Result<Study> study = studyFrom(json, file);
@@ -492,10 +496,10 @@ Result<Study> openStudy(const fs::path& folder) {
     if (Result<Done> ok = readParts(*study, json); !ok) return ok.failure();
     if (Result<Done> ok = checkDesign(study->design, study->givenButtons()); !ok)
       return unreadable(file, Message("%1 %2", ok.failure().subject.name, ok.failure().problem),
-                        "Restore the file as it was made");
+                        Message("Restore the file as it was made"));
     return study;
   } catch (const Json::exception& fault) {
-    return unreadable(file, std::string("is broken (") + fault.what() + ")", "Restore it from a copy");
+    return unreadable(file, Message("is broken (%1)", fault.what()), Message("Restore it from a copy"));
   }
 }
 
@@ -507,11 +511,13 @@ Result<Done> checkStimuli(const Study& study) {
       return s.button == made.button && s.mode == made.mode;
     });
     if (same != now->end() && same->sha256 == made.sha256) continue;
-    return unreadable(study.folder,
-                      "button \"" + study.buttons[made.button].label + "\" (" + nameOf(made.mode) +
-                          ") would feel different in this program (" + version() +
-                          ") than in the one that made the study (" + study.program + ")",
-                      "Go on with that program, or begin a new study");
+    return unreadable(
+        study.folder,
+        Message("button \"%1\" (%2) would feel different in this program (%3) than in the one that "
+                "made the study (%4)",
+                study.buttons[made.button].label, Message::of(nameOf(made.mode), {}), version(),
+                study.program),
+        Message("Go on with that program, or begin a new study"));
   }
   return Done{};
 }

@@ -237,8 +237,8 @@ Result<Done> makeFolder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (!error) return Done{};
   return Failure{FailureCode::unreadableInput, folder.string(), "",
-                 "cannot be made (" + error.message() + ")",
-                 "Check the folder, its rights and the free space"};
+                 Message("cannot be made (%1)", error.message()),
+                 Message("Check the folder, its rights and the free space")};
 }
 
 /// 1 or 0; nothing where nothing is right or wrong.

@@ -511,12 +511,13 @@ Result<std::string> writeLists(const Study& study, const PlannedPlaces& places, 
   std::error_code error;
   if (!fs::is_empty(study.folder / "participants", error) && !error)
     return Failure{FailureCode::wrongUsage, study.folder.string(), "",
-                   "has a participant already: lists made now could not be kept to",
-                   "Plan before the first person comes, or make a new study"};
+                   Message("has a participant already: lists made now could not be kept to"),
+                   Message("Plan before the first person comes, or make a new study")};
   fs::create_directories(folder, error);
   if (error)
     return Failure{FailureCode::unreadableInput, folder.string(), "",
-                   "cannot be made (" + error.message() + ")", "Check the folder above it and its rights"};
+                   Message("cannot be made (%1)", error.message()),
+                   Message("Check the folder above it and its rights")};
   std::string all;
   for (std::size_t place = 0; place < places.participants.size(); ++place) {
     const std::string& id = places.participants[place];

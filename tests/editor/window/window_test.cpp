@@ -65,6 +65,8 @@
 #include "model/file/graph_program.h"
 #include "model/file/traced_project.h"
 #include "model/metrics.h"
+#include "playback/force_feedback.h"
+#include "playback/study.h"
 #include "tests/editor/window/scripted_prompts.h"
 
 using namespace detent;
@@ -1325,6 +1327,18 @@ class WindowTest : public QObject {
       if (action->objectName().startsWith("tool")) QVERIFY(!action->toolTip().contains("Click"));
     QCOMPARE(inWords(Message("cannot be written: %1", "x"), settings.units()),
              QString("lässt sich nicht schreiben: x"));
+    const auto inGerman = [&](const char* words) {
+      return inWords(Message::of(words, {}), settings.units()) != QString::fromUtf8(words);
+    };
+    for (const auto& mode : playback::feedbackModes.all)
+      if (mode.value != playback::FeedbackMode::off) QVERIFY2(inGerman(mode.word), mode.word);
+    for (const auto& quantity : playback::levelQuantities.all)
+      QVERIFY2(inGerman(quantity.word), quantity.word);
+    for (const auto& listening : playback::listenings.all) QVERIFY2(inGerman(listening.word), listening.word);
+    const auto device = playback::forceDeviceFrom("serial:");
+    QVERIFY2(
+        sentenceOf(device.failure(), settings.units()).contains(QString::fromUtf8("der Anschluss fehlt")),
+        qPrintable(sentenceOf(device.failure(), settings.units())));
   }
 
   // Corrections in the import dialogue survive a kill; Escape asks before it throws them away.

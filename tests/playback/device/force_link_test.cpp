@@ -702,7 +702,7 @@ TEST_CASE(
     lost = device->exchange({}).zero == ForceReading::Zero::lost || lost;
   }
   CHECK(device->state() == ForceDeviceState::fault);
-  CHECK(odriveErrorWords(device->counts().fault).find("encoder failed") != std::string::npos);
+  CHECK(english(odriveErrorWords(device->counts().fault)).find("encoder failed") != std::string::npos);
   ForceCommand command;
   command.force_N = 1;
   for (int i = 0; i < 3; ++i) lost = device->exchange(command).zero == ForceReading::Zero::lost || lost;
