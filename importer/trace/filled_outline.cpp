@@ -83,9 +83,9 @@ std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double max
   const auto aroundOf = [](const Polyline& line) {
     return lengthOf(line) + distance(line.back(), line.front());
   };
-  const double area = std::abs(twiceAreaOf(ring));
-  if (area > maxWidth_px * aroundOf(ring)) return std::nullopt;
-  ring = withoutSpikes(std::move(ring), area / aroundOf(ring));
+  const double area = std::abs(twiceAreaOf(ring)), outlined = aroundOf(ring);
+  if (area > maxWidth_px * outlined) return std::nullopt;
+  ring = withoutSpikes(std::move(ring), area / outlined);
   const double around = aroundOf(ring);
   const double width = std::abs(twiceAreaOf(ring)) / around;
   const double length = around / 2;

@@ -400,7 +400,7 @@ class Plot {
                  height = sized(32);
     double bestCost = std::numeric_limits<double>::infinity();
     Box best{};
-    for (int ring = 1; ring <= 6; ++ring)
+    for (int ring = 1; ring <= 10; ++ring)
       for (int direction = 0; direction < 12; ++direction) {
         const double angle = 2 * 3.14159265358979323846 * direction / 12;
         const Spot centre{at.x + std::cos(angle) * (sized(20) * ring + 0.5 * width),
