@@ -252,10 +252,14 @@ Drop largestDrop(const StrokePoints& stroke) {
   return largest;
 }
 
+double topOf(const StrokePoints& stroke, double CurvePoint::*coordinate) {
+  return (*std::ranges::max_element(stroke.points, {}, coordinate)).*coordinate;
+}
+
 /// Both drop by so much that where and how tells them apart.
 bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
   constexpr double leastDrop = 0.05;  // of the press' highest force
-  const double highest_N = std::ranges::max_element(press.points, {}, &CurvePoint::force_N)->force_N;
+  const double highest_N = topOf(press, &CurvePoint::force_N);
   return std::min(largestDrop(press).force_N, largestDrop(release).force_N) > leastDrop * highest_N;
 }
 
@@ -268,12 +272,16 @@ bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
          largestDrop(release).valley_mm - largestDrop(press).valley_mm > late * travel_mm;
 }
 
+/// What both strokes span together.
+double spanOfBoth(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
+  const double low = (*std::ranges::min_element(first.points, {}, coordinate)).*coordinate,
+               otherLow = (*std::ranges::min_element(second.points, {}, coordinate)).*coordinate;
+  return std::max(topOf(first, coordinate), topOf(second, coordinate)) - std::min(low, otherLow);
+}
+
 /// How much higher the first's largest value is than the second's, as a share of what both span together.
 double topsApart(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
-  const auto [low, high] = std::ranges::minmax_element(first.points, {}, coordinate);
-  const auto [otherLow, otherHigh] = std::ranges::minmax_element(second.points, {}, coordinate);
-  const double top = (*high).*coordinate, otherTop = (*otherHigh).*coordinate;
-  return (top - otherTop) / (std::max(top, otherTop) - std::min((*low).*coordinate, (*otherLow).*coordinate));
+  return (topOf(first, coordinate) - topOf(second, coordinate)) / spanOfBoth(first, second, coordinate);
 }
 
 /// A release starts where the press ended: one that reaches clearly less far was not followed to its end, or is another
@@ -288,20 +296,13 @@ bool reachApart(const StrokePoints& first, const StrokePoints& second) {
 double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   constexpr double lastShare = 0.03, steep = 0.1;  // of the travel; of the span, over that stretch
   constexpr std::size_t columns = 200;
-  const auto extentOf = [&](double CurvePoint::*coordinate) {
-    const auto [low, high] = std::ranges::minmax_element(first.points, {}, coordinate);
-    const auto [otherLow, otherHigh] = std::ranges::minmax_element(second.points, {}, coordinate);
-    return std::pair(std::min((*low).*coordinate, (*otherLow).*coordinate),
-                     std::max((*high).*coordinate, (*otherHigh).*coordinate));
-  };
-  const auto [from_mm, to_mm] = extentOf(&CurvePoint::displacement_mm);
-  const auto [low_N, high_N] = extentOf(&CurvePoint::force_N);
+  const double least_mm = lastShare * spanOfBoth(first, second, &CurvePoint::displacement_mm),
+               span_N = spanOfBoth(first, second, &CurvePoint::force_N);
   struct Tip {
     double rise_N = 0, force_N = 0;
   };
-  const auto tipOf = [&, least_mm = lastShare * (to_mm - from_mm)](const StrokePoints& stroke) {
-    const double end_mm =
-        std::ranges::max_element(stroke.points, {}, &CurvePoint::displacement_mm)->displacement_mm;
+  const auto tipOf = [&](const StrokePoints& stroke) {
+    const double end_mm = topOf(stroke, &CurvePoint::displacement_mm);
     std::vector<double> forces = meanForces(stroke, end_mm - least_mm, end_mm, columns);
     std::erase_if(forces, [](double force_N) { return !std::isfinite(force_N); });
     if (forces.empty()) return Tip{};
@@ -309,7 +310,6 @@ double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
     return Tip{*high - *low, forces.back()};
   };
   const Tip a = tipOf(first), b = tipOf(second);
-  const double span_N = high_N - low_N;
   if (!(span_N > 0) || std::max(a.rise_N, b.rise_N) > steep * span_N) return 0;
   return std::abs(a.force_N - b.force_N) / span_N;
 }
@@ -335,13 +335,8 @@ Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
 
 /// How far the far end of one line lies from the other line, of both ends the nearer one, as a share of what both span.
 double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
-  CurvePoint span;
-  for (double CurvePoint::*coordinate : {&CurvePoint::displacement_mm, &CurvePoint::force_N}) {
-    const auto [low, high] = std::ranges::minmax(first.points, {}, coordinate);
-    const auto [otherLow, otherHigh] = std::ranges::minmax(second.points, {}, coordinate);
-    span.*coordinate =
-        std::max(high.*coordinate, otherHigh.*coordinate) - std::min(low.*coordinate, otherLow.*coordinate);
-  }
+  const CurvePoint span{spanOfBoth(first, second, &CurvePoint::displacement_mm),
+                        spanOfBoth(first, second, &CurvePoint::force_N)};
   if (!(span.displacement_mm > 0 && span.force_N > 0)) return 0;
   const Polyline a = inShares(first, span), b = inShares(second, span);
   const auto gap = [](const Polyline& from, const Polyline& to) {
@@ -355,12 +350,10 @@ double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
 /// for the other scaled in force and moved along the travel: 1 for two samples of one shape.
 double sharedShape(const StrokePoints& first, const StrokePoints& second) {
   constexpr int cells = 200, mostMoved = 20;
-  const auto endOf = [](const StrokePoints& stroke) {
-    return std::ranges::max_element(stroke.points, {}, &CurvePoint::displacement_mm)->displacement_mm;
-  };
   const double from_mm =
       std::max(first.points.front().displacement_mm, second.points.front().displacement_mm);
-  const double to_mm = std::min(endOf(first), endOf(second));
+  const double to_mm =
+      std::min(topOf(first, &CurvePoint::displacement_mm), topOf(second, &CurvePoint::displacement_mm));
   if (!(to_mm > from_mm)) return 0;
   const std::vector<double> a = meanForces(first, from_mm, to_mm, cells),
                             b = meanForces(second, from_mm, to_mm, cells);
