@@ -13,47 +13,73 @@ namespace detent::importer {
 
 namespace {
 
+// Latin and Cyrillic words as `folded` writes them.
 constexpr std::array kPressWords = {
-    "press",       "pressing", "pressed",   "downstroke", "down",      "push",        "pushing",
-    "forward",     "loading",  "load",      "depress",    "actuate",   "actuation",   "in",
-    "hinweg",      "vorlauf",  "druecken",  "drücken",    "betätigen", "betaetigen",  "betätigung",
-    "betaetigung", "belasten", "belastung", "hinhub",     "appui",     "enfoncement", "aller",
-    "compression", "ida",      "andata",    "нажатие",    "Нажатие",   "нажим",       "Нажим"};
+    "press",      "pressing", "pressed",   "downstroke",  "down",      "push",      "pushing",
+    "forward",    "loading",  "load",      "depress",     "actuate",   "actuation", "in",
+    "make",       "compress", "hinweg",    "hin",         "vorlauf",   "drucken",   "betatigen",
+    "betatigung", "belasten", "belastung", "hinhub",      "appui",     "enfoncer",  "enfoncement",
+    "aller",      "descente", "charge",    "compression", "ida",       "pulsar",    "pulsado",
+    "bajada",     "carga",    "andata",    "pressione",   "indrukken", "heen",      "wcisniecie",
+    "nacisk",     "stisk",    "tryck",     "basma",       "нажатие",   "нажим",     "нагрузка",
+    "нагружение", "прямой"};
 constexpr std::array kReleaseWords = {
-    "release",    "releasing",    "released",      "upstroke",    "up",       "return",        "returning",
-    "backward",   "reverse",      "unloading",     "unload",      "reset",    "out",           "rückweg",
-    "rueckweg",   "rücklauf",     "ruecklauf",     "rückhub",     "rueckhub", "loslassen",     "entlasten",
-    "entlastung", "rückstellung", "rueckstellung", "relâchement", "retour",   "decompression", "vuelta",
-    "ritorno",    "отпускание",   "Отпускание",    "возврат",     "Возврат"};
-constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程",
-                                    "加载", "押下", "押す", "押し", "往路"};
-constexpr std::array kReleaseSigns = {"释放", "松开", "抬起", "回弹", "回程", "弹起",
-                                      "复位", "卸载", "解放", "戻り", "離す", "復路"};
+    "release",   "releasing",  "released",     "upstroke",    "up",       "return",     "returning",
+    "back",      "backward",   "reverse",      "unloading",   "unload",   "reset",      "out",
+    "break",     "decompress", "ruckweg",      "zuruck",      "rucklauf", "ruckhub",    "loslassen",
+    "entlasten", "entlastung", "ruckstellung", "relachement", "relacher", "remontee",   "decharge",
+    "retour",    "vuelta",     "soltar",       "liberacion",  "subida",   "descarga",   "decompression",
+    "ritorno",   "rilascio",   "volta",        "loslaten",    "terug",    "zwolnienie", "powrot",
+    "uvolneni",  "slapp",      "birakma",      "отпускание",  "возврат",  "разгрузка",  "обратный"};
+constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程", "加载",   "正程", "下行",
+                                    "押下", "押す", "押し", "押込", "往路", "プレス", "누름", "가압"};
+constexpr std::array kReleaseSigns = {"释放",     "松开", "抬起", "回弹", "回程", "弹起",
+                                      "复位",     "卸载", "反程", "上行", "解放", "戻り",
+                                      "リリース", "戻し", "離す", "復路", "복귀", "해제"};
 /// A text with one of these names a point on a curve, not the curve.
 constexpr std::array kPointWords = {"point",           "position",   "punkt", "schaltpunkt",
-                                    "rückschaltpunkt", "druckpunkt", "pos"};
+                                    "ruckschaltpunkt", "druckpunkt", "pos"};
 constexpr std::array kPointSigns = {"点", "點", "位置"};
 
-bool isLatinLetter(unsigned char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c >= 0x80; }
+bool isLetter(unsigned char c) { return (c >= 'a' && c <= 'z') || c >= 0x80; }
 
-/// Lower-case words; bytes above ASCII count as letters, "Ä Ö Ü" become small.
-std::vector<std::string> wordsOf(std::string_view utf8) {
-  std::vector<std::string> words;
-  std::string word;
-  for (std::size_t i = 0; i <= utf8.size(); ++i) {
-    const unsigned char c = i < utf8.size() ? static_cast<unsigned char>(utf8[i]) : 0;
-    if (i < utf8.size() && isLatinLetter(c)) {
-      const bool afterC3 = !word.empty() && static_cast<unsigned char>(word.back()) == 0xC3;
-      if (afterC3 && (c == 0x84 || c == 0x96 || c == 0x9C)) {
-        word += static_cast<char>(c + 0x20);
-      } else {
-        word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
-      }
-    } else if (!word.empty()) {
-      words.push_back(std::move(word));
-      word.clear();
+/// Small letters, Latin ones without their accents: what is said in one spelling, and what readers of pixels lose.
+std::string folded(std::string_view utf8) {
+  // U+00C0 to U+017F, 64 to a lead byte; a sign that is no letter stays itself.
+  constexpr std::array<std::string_view, 3> base{
+      "aaaaaaaceeeeiiiidnooooo ouuuuypsaaaaaaaceeeeiiiidnooooo ouuuuypy",
+      "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll",
+      "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs"};
+  std::string out;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto byte = [&](std::size_t k) {
+      return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0U;
+    };
+    const unsigned lead = byte(i), next = byte(i + 1);
+    const bool two = (next & 0xC0U) == 0x80U;
+    if (two && lead >= 0xC3 && lead <= 0xC5 && base[lead - 0xC3][next - 0x80] != ' ') {
+      out += base[lead - 0xC3][next - 0x80], ++i;
+    } else if (two && lead == 0xD0 && next >= 0x90 && next <= 0xAF) {  // Cyrillic capitals
+      const bool first = next < 0xA0;
+      out += static_cast<char>(first ? 0xD0 : 0xD1);
+      out += static_cast<char>(first ? next + 0x20 : next - 0x20), ++i;
+    } else {
+      out += lead >= 'A' && lead <= 'Z' ? static_cast<char>(lead - 'A' + 'a') : utf8[i];
     }
   }
+  return out;
+}
+
+/// Words as `folded` writes them; bytes above ASCII count as letters.
+std::vector<std::string> wordsOf(std::string_view utf8) {
+  std::vector<std::string> words(1);
+  for (const char c : folded(utf8)) {
+    if (isLetter(static_cast<unsigned char>(c)))
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
+  }
+  if (words.back().empty()) words.pop_back();
   return words;
 }
 
@@ -81,9 +107,9 @@ bool isStrokeWord(const std::string& word) {
 
 /// Words that name neither a stroke nor what every legend names: a switch's own name.
 std::vector<std::string> ownWords(std::string_view utf8) {
-  constexpr std::array kCommonWords = {"stroke", "curve",  "force", "travel", "key",     "switch",
-                                       "going",  "coming", "run",   "mesure", "messung", "the",
-                                       "of",     "on",     "hub",   "kraft"};
+  constexpr std::array kCommonWords = {"stroke", "curve", "force",  "travel",  "key", "switch", "going",
+                                       "coming", "run",   "mesure", "messung", "the", "of",     "on",
+                                       "hub",    "kraft", "csv",    "txt",     "dat", "ход",    "phase"};
   std::vector<std::string> own;
   for (std::string& word : wordsOf(utf8)) {
     if (!isStrokeWord(word) && !anyWord(std::vector{word}, kCommonWords)) own.push_back(std::move(word));
@@ -147,6 +173,26 @@ bool namesBothStrokes(std::string_view label) {
   const std::vector<std::string> words = wordsOf(label);
   const bool press = anyWord(words, kPressWords) || anySign(label, kPressSigns);
   return press && (anyWord(words, kReleaseWords) || anySign(label, kReleaseSigns));
+}
+
+bool isDefaultName(std::string_view utf8) {
+  constexpr std::array kSeries = {"data", "series", "serie",   "seria", "datenreihe", "datenreihen", "reihe",
+                                  "plot", "trace",  "dataset", "wave",  "ряд",        "系列",        "계열"};
+  constexpr std::array kColumns = {"column", "spalte", "colonne", "columna", "coluna"};
+  std::string name = folded(utf8);
+  std::erase(name, ' ');
+  // "'a.txt' using 1:2"
+  if (name.find("using") != std::string::npos && name.find(':') != std::string::npos) return true;
+  const auto isOf = [&](const auto& words, const auto& isRest) {
+    return std::ranges::any_of(words, [&](std::string_view word) {
+      return name.starts_with(word) && isRest(std::string_view(name).substr(word.size()));
+    });
+  };
+  const auto isNumber = [](std::string_view rest) {  // "l": a one in pixels
+    return rest == "l" || (!rest.empty() && rest.find_first_not_of("0123456789") == std::string_view::npos);
+  };
+  const auto isColumn = [](std::string_view rest) { return rest.size() == 1; };
+  return isOf(kSeries, isNumber) || isOf(kColumns, isColumn);
 }
 
 std::string switchNamedBy(std::string_view utf8) {

@@ -52,6 +52,14 @@ std::optional<std::pair<std::size_t, std::size_t>> loopOf(std::vector<CurveTrace
   return std::pair(loops.front().front(), loops.front().back());
 }
 
+/// The loops that curves close which bear the names that a program gives to what nobody named.
+std::vector<Indices> loopsWithoutNames(std::vector<CurveTrace> traces, const Indices& drawn) {
+  const auto isNameless = [&](std::size_t i) { return isDefaultName(traces[i].label) && !traces[i].stroke; };
+  if (!std::ranges::all_of(drawn, isNameless)) return {};
+  for (CurveTrace& trace : traces) trace.label.clear();
+  return closedLoops(traces, drawn);
+}
+
 /// The press and the release that were named, by hand or by the legend, beside curves that nothing is said of: marks and
 /// leaders. Where the legend calls one "press" and no more, the other's name may be misread.
 std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
@@ -255,7 +263,8 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
   if (apart.empty() && drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))
     return {switchOf(drawn, traces)};
 
-  std::vector<Indices> groups = partnered(traces, drawn);
+  std::vector<Indices> groups = loopsWithoutNames(traces, drawn);
+  if (groups.empty()) groups = partnered(traces, drawn);
   if (groups.empty()) groups = closedLoops(traces, drawn);
   if (groups.empty()) groups = apart;
   std::vector<PlotSwitch> switches;

@@ -166,7 +166,7 @@ constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9;
 
 /// How far from a word, in its heights, the first thing beside it ends: its sample stands nearer than the legend's box.
 double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster, Color3 paper) {
-  constexpr double kApart = 0.4, kBeyond = 0.1;  // between a sample and what is none; looked beyond it
+  constexpr double kApart = 0.4, beyond_px = 2.5;  // between a sample and what is none; looked beyond it
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
   const auto isInked = [&](int x) {
@@ -177,12 +177,16 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
         return true;
     return false;
   };
-  double last = 0;
+  double first = -1, last = 0;
+  // The minus of "-20" is the writing's own.
+  const auto isASign = [&] { return first < kApart * height && last - first < 0.6 * height; };
   for (int by = 0; by < kLength * height; ++by)
-    if (isInked(static_cast<int>(near) + direction * by))
+    if (isInked(static_cast<int>(near) + direction * by)) {
+      if (first < 0 || by - last > kApart * height) first = by;
       last = by;
-    else if (last > 0 && by - last > kApart * height)
-      return last / height + kBeyond;
+    } else if (last > 0 && by - last > kApart * height && !isASign()) {
+      return (last + beyond_px) / height;
+    }
   return kLength;
 }
 

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 using detent::Stroke;
+using detent::importer::isDefaultName;
 using detent::importer::mayBeOnePair;
 using detent::importer::namesBothStrokes;
 using detent::importer::namesOnePair;
@@ -28,6 +29,23 @@ TEST_CASE("One wrong letter of a long word is forgiven", "[legend]") {
   CHECK(strokeNamedBy("dwnstroke") == Stroke::press);
   CHECK(strokeNamedBy("upstrokee") == Stroke::release);
   CHECK(strokeNamedBy("prass") == std::nullopt);
+}
+
+TEST_CASE("Accents and capitals that a reader of pixels loses", "[legend]") {
+  for (const char* text :
+       {"Ruckweg", "RÜCKWEG", "Rickweg", "rueckweg", "décharge", "Zwolnienie", "BIRAKMA", "ОБРАТНЫЙ ход"})
+    CHECK(strokeNamedBy(text) == Stroke::release);
+  for (const char* text : {"wciśnięcie", "Drücken", "druecken", "Прямой ход", "Make", "Hin"})
+    CHECK(strokeNamedBy(text) == Stroke::press);
+}
+
+TEST_CASE("Names that programs give to what nobody named", "[legend]") {
+  for (const char* text : {"data1", "Series 2", "Seriesl", "Datenreihen1", "Série1", "Ряд2", "系列1",
+                           "trace 0", "Column B", "'run.txt' using 1:2"})
+    CHECK(isDefaultName(text));
+  for (const char* text :
+       {"", "data", "Series", "Series Red", "Sample 1", "Switch 1", "Run 2", "Series1 new", "Column 55"})
+    CHECK_FALSE(isDefaultName(text));
 }
 
 TEST_CASE("What names no stroke, both, or a point", "[legend]") {

@@ -101,6 +101,19 @@ TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[
   CHECK(chosenSwitch(switches, traces, "2").value() == 1);
 }
 
+TEST_CASE("Names that a program gives part no strokes of a loop, and join no curves that close none",
+          "[switches]") {
+  std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
+  traces[0].label = "data1", traces[1].label = "data2";
+  REQUIRE(switchesAmong(traces).size() == 1);
+  CHECK(switchesAmong(traces).front().traces == std::vector<std::size_t>{0, 1});
+  traces[1].label = "Sample 2";
+  CHECK(switchesAmong(traces).size() == 2);
+  traces[1].label = "data2";
+  for (Point& p : traces[1].points_px) p.y += 0.1 * p.x;
+  CHECK(namesOf(switchesAmong(traces)) == Names{"data1", "data2"});
+}
+
 TEST_CASE("Of several curves without names those that close a loop are one switch's", "[switches]") {
   std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
   const std::vector<CurveTrace> shorter = loop(70, 250, 15, 3);

@@ -1093,6 +1093,22 @@ TEST_CASE("Short names of a legend, and the places of those not read, come to it
   CHECK(ofColor(ofUnread, kBlue).labelBox_px == blue);
 }
 
+TEST_CASE("The minus of a short name is no sample, and a sample in small print is seen to its end",
+          "[trace]") {
+  Plot plot(1000, 600);
+  plot.grid(5, 5, kGrey);
+  plot.line(plot.at({{0, 0.05}, {0.5, 0.5}, {1, 0.9}}), 2, kRed);
+  plot.line(plot.at({{0, 0.02}, {0.5, 0.35}, {1, 0.7}}), 2, kBlue);
+  plot.line({{935, 100}, {960, 100}}, 2, kRed);
+  plot.line({{935, 120}, {960, 120}}, 2, kBlue);
+  const Box red{969, 95, 990, 105}, blue{973, 115, 994, 125};
+  plot.line({{968, 120}, {970, 120}}, 1, kBlack);
+  plot.sayOther("23 C", red), plot.sayOther("20 C", blue);
+  const auto traces = plot.trace().value();
+  CHECK(ofColor(traces, kRed).label == "23 C");
+  CHECK(ofColor(traces, kBlue).label == "20 C");
+}
+
 TEST_CASE("Nothing to trace is said in a sentence", "[trace]") {
   Plot empty(600, 400);
   empty.grid(5, 5, kGrey);
