@@ -189,9 +189,19 @@ double usualOf(const AxisLabels& labels, int readable) {
   return stray || low > farFromZero * (high - low) ? misreadAlike : 1;
 }
 
+/// Whether labels without ticks make a scale by themselves: a row of numbers that counts on without a gap, each within a fraction of a
+/// pixel of its even place, and the axis at its foot stands at one of its steps.
+bool isWholeRow(const Progression& p, double printed, double foot_px) {
+  constexpr int fewest = 4;
+  constexpr double even_px = 0.75, onLine_px = 2;
+  const double foot = p.value(foot_px), step = std::round(foot / p.step) * p.step;
+  return p.labels >= fewest && printed > 1 - 0.5 / p.labels && p.residual_px <= even_px &&
+         std::abs(p.position(step) - foot_px) <= onLine_px;
+}
+
 /// 1 if everything agrees; falls with labels that do not fit or cannot be read, few labels, a large residual.
-/// `length_px` of the axis.
-double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double length_px) {
+/// `foot_px`: where the axis begins.
+double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double foot_px, double length_px) {
   if (rangeGiven) return 1;
   const auto& p = *labels->progression;
   double agreed = 0, all = 0;
@@ -207,13 +217,17 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double l
   }
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
   const double residual_px = residualAtUsualSize_px(p.residual_px, length_px);
-  const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0) : 0.6;
+  const double printed = printedShare(*labels);
+  constexpr double ofRow = 0.85, ofSome = 0.6;
+  const double sharp = p.fromTicks                       ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0)
+                       : isWholeRow(p, printed, foot_px) ? ofRow
+                                                         : ofSome;
   // One label that was read with certainty may be a misprint; two or more make a scale that is not even.
   constexpr double uneven = 0.4;
   const bool contradicted = contradicting >= 2 && 5 * contradicting >= p.labels;
   // 0, 102 and 1017 count by threes: powers of ten, read as one number each, lie on a line by chance.
   constexpr double leastPrinted = 0.1;
-  const double even = contradicted || printedShare(*labels) < leastPrinted ? uneven : 1;
+  const double even = contradicted || printed < leastPrinted ? uneven : 1;
   return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even * usualOf(*labels, read);
 }
 
@@ -477,8 +491,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
 
   found.otherRightScale = hasOtherRightScale(r, yLabels);
   found.texts = allTexts(r, xLabels, yLabels);
-  found.calibration.confidence = sureOf(xLabels, xGiven.range(), r.box.width()) *
-                                 sureOf(yLabels, yGiven.range(), r.box.height()) *
+  found.calibration.confidence = sureOf(xLabels, xGiven.range(), corners[3].x, r.box.width()) *
+                                 sureOf(yLabels, yGiven.range(), corners[3].y, r.box.height()) *
                                  sureOfUnits(cal, found.texts);
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
   found.calibration.evidence = {evidenceOf(Axis::x, xLabels, xGiven.range()),

@@ -560,6 +560,25 @@ TEST_CASE("the document's own text is taken, not its pixels") {
   CHECK(axes->calibration.value.y.title == "Kraft [mN]");
 }
 
+TEST_CASE("a row of numbers without ticks makes a scale by itself where it is whole and even") {
+  PlotStyle s;
+  auto looked = lookWithoutInk(s);
+  looked.frame.xLines.clear(), looked.frame.yLines.clear();
+  writeBelow(looked.view, s), writeLeft(looked.view, s);
+  // Units by hand: what is certain here are the scales.
+  AxisHints units;
+  units.xUnit = LengthUnit::millimetre, units.yUnit = ForceUnit::newton;
+  const auto sure = [&] { return readAxes(looked.view, looked.frame, units)->calibration.confidence; };
+  REQUIRE(sure() > 0.6);
+  auto& texts = looked.view.texts;
+  SECTION("one stands aside") { texts[2].box.x0 += 4, texts[2].box.x1 += 4; }
+  SECTION("one is missing") { texts.erase(texts.begin() + 2); }
+  SECTION("the axis stands between two of their steps") {
+    looked.frame.corners[0].x += 12, looked.frame.corners[3].x += 12;
+  }
+  CHECK(sure() < 0.55);
+}
+
 TEST_CASE("a misread label is kept, marked as not used") {
   PlotStyle s;
   auto looked = lookWithoutInk(s);
