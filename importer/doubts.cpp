@@ -21,7 +21,8 @@ constexpr double contradicted = 0.2;  // the page says otherwise
 constexpr double unconfirmed = 0.4;   // the page does not say
 constexpr double inPart = 0.6;        // what is read is right, and is not all: said, not refused
 
-constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke, noise makes dozens
+constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke
+constexpr double leastTurn = 0.06;            // of the force span: a force meter's noise turns back by less
 constexpr double negativeShare = 0.05;  // of the stroke's span: a trace's start is noisier than its middle
 constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span, of the release
 constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // of the stroke's length
@@ -179,9 +180,18 @@ bool implausibleForce(double force_N) { return force_N > mostForce_N || force_N 
 bool wrongSide(const Extent& travel) { return travel.low < -negativeShare * travel.span(); }
 bool pulls(const Extent& force) { return force.low < -2 * negativeShare * force.span(); }
 
-std::size_t mostTactilePointsOf(const FittedStrokes& fitted) {
-  const std::size_t press = fitted.press.summary.tactilePoints.size();
-  return fitted.release ? std::max(press, fitted.release->summary.tactilePoints.size()) : press;
+std::size_t clearTactilePoints(const FittedStroke& fitted, const StrokePoints& stroke) {
+  const double least_N = leastTurn * forceOf(stroke).span();
+  return static_cast<std::size_t>(std::ranges::count_if(
+      fitted.summary.tactilePoints,
+      [&](const FittedTactilePoint& found) { return found.point.prominence_N >= least_N; }));
+}
+
+std::size_t mostTactilePointsOf(const FittedStrokes& fitted, const StrokePair& strokes) {
+  const std::size_t press = clearTactilePoints(fitted.press, strokes.press);
+  return fitted.release && strokes.release
+             ? std::max(press, clearTactilePoints(*fitted.release, *strokes.release))
+             : press;
 }
 
 bool touchesPictureEdge(const std::vector<Point>& line, const Raster& picture) {
@@ -322,7 +332,7 @@ class Doubts {
     if (strokes.release) along = std::max(along, shareAlongAnAxis(strokes.release->points_px));
     if (along > alongAxisShare) add(DoubtCode::alongAnAxis, unconfirmed, {}, helps);
     if (endsInAFall(strokes.press)) add(DoubtCode::endsInAFall, unconfirmed, {}, helps);
-    const std::size_t points = mostTactilePointsOf(findings_.fitted);
+    const std::size_t points = mostTactilePointsOf(findings_.fitted, strokes);
     if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
   }
 
@@ -686,7 +696,7 @@ std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStr
     add(DoubtCode::negativeTravel, contradicted, {{travel.low, Measure::displacement_mm}}, takeOut);
   if (pulls(force)) add(DoubtCode::negativeForce, contradicted, {{force.low, Measure::force_N}}, takeOut);
   if (endsInAFall(strokes.press)) add(DoubtCode::endsInAFall, unconfirmed, {}, takeOut);
-  if (const std::size_t points = mostTactilePointsOf(fitted); points > mostTactilePoints)
+  if (const std::size_t points = mostTactilePointsOf(fitted, strokes); points > mostTactilePoints)
     add(DoubtCode::manyTactilePoints, unconfirmed, {points}, takeOut);
   return doubts;
 }

@@ -401,6 +401,35 @@ bool anyLost(const std::vector<CurveTrace>& traces) {
   });
 }
 
+/// Whether a trace stops below the others' tops, as one does whose colour was lost on its wall.
+bool anyStopsLow(const std::vector<CurveTrace>& traces) {
+  constexpr double lower = 0.12;  // of the height of all traces
+  std::vector<double> tops;
+  double bottom = 0;
+  for (const CurveTrace& trace : traces) {
+    const auto [top, low] = std::ranges::minmax(trace.points_px, {}, &Point::y);
+    tops.push_back(top.y);
+    bottom = std::max(bottom, low.y);
+  }
+  const auto [highest, lowest] = std::ranges::minmax(tops);
+  return lowest > highest + lower * (bottom - highest);
+}
+
+/// Whether what a stroke has beyond its trace runs where no other trace does.
+bool goesOnAlone(const CurveTrace& stroke, const CurveTrace& its, const std::vector<CurveTrace>& traces) {
+  constexpr double apart_px = 3, alone = 0.25;  // of what it has beyond
+  const auto liesOn = [](Point p, const CurveTrace& trace) {
+    return std::ranges::any_of(trace.points_px, [&](Point q) { return distance(p, q) <= apart_px; });
+  };
+  double beyond = 0, shared = 0;
+  for (Point p : stroke.points_px) {
+    if (liesOn(p, its)) continue;
+    ++beyond;
+    shared += std::ranges::any_of(traces, [&](const CurveTrace& other) { return liesOn(p, other); }) ? 1 : 0;
+  }
+  return shared <= (1 - alone) * beyond;
+}
+
 /// Whether a stroke reaches the frame's top before its end: the frame is a part of the plot's.
 bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
   constexpr double touching_px = 2, endsWithin = 0.15;  // the last of the stroke's width
@@ -412,15 +441,19 @@ bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
                              [&](Point p) { return p.x < before && p.y < top + touching_px; });
 }
 
-/// In a small picture colours run into each other, and strokes that lie close have none of their own. Where one was lost
-/// by its colour both are followed in one ink, provided that what the colours told lies on them
-/// (docs/decisions/0408-small-labels-together.md). Not where a legend names the colours.
+/// In a small picture colours run into each other, and strokes that lie close have none of their own; in one of medium size
+/// steep thin lines lose theirs where colour is stored at half resolution. Where a stroke was lost by its colour both are
+/// followed in one ink, provided that what the colours told lies on them and that each name of a legend stays with one of
+/// them (docs/decisions/0408-small-labels-together.md).
 std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTrace>& traces,
                                                       const PlotInks& plot, const TraceOptions& options,
                                                       const Progress& progress) {
-  constexpr double smallFrame_px = 360, agreeing = 0.9;  // width; of a course that lies on a stroke
-  const bool named = std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); });
-  if (plot.area().frame.width() > smallFrame_px || traces.size() < 2 || named || !anyLost(traces)) return {};
+  constexpr double smallFrame_px = 360, mediumFrame_px = 720,
+                   agreeing = 0.9;  // widths; of a course that lies on a stroke
+  const double width_px = plot.area().frame.width();
+  if (traces.size() < 2 || width_px > mediumFrame_px) return {};
+  const bool small = width_px <= smallFrame_px && anyLost(traces);
+  if (!small && !anyStopsLow(traces)) return {};
   auto loop =
       traceLoop(plot.area(), coverageBy(darkness(plot), true, plot), traces.front().color, options, progress);
   if (!loop || loop->size() != 2 || loop->front().confidence < kCredibleLoop) return {};
@@ -433,9 +466,15 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
     const auto nearer = [&](const CurveTrace& a, const CurveTrace& b) {
       return shareOn(stroke, a) < shareOn(stroke, b);
     };
-    stroke.color = std::ranges::max_element(traces, nearer)->color;
+    const CurveTrace& its = *std::ranges::max_element(traces, nearer);
+    if (!small && !goesOnAlone(stroke, its, traces)) return {};
+    stroke.color = its.color, stroke.label = its.label, stroke.labelBox_px = its.labelBox_px;
     stroke.stroke.reset();  // which is which their places tell, as with colours
   }
+  const auto isKept = [&](const CurveTrace& trace) {
+    return trace.label.empty() || std::ranges::count(strokes, trace.label, &CurveTrace::label) == 1;
+  };
+  if (!std::ranges::all_of(traces, isKept)) return {};
   return strokes;
 }
 

@@ -303,6 +303,41 @@ TEST_CASE("Thin pale lines of a 300 px picture", "[trace]") {
   CHECK(apart(ofColor(*traces, {120, 170, 210}).points_px, up) < 0.2);
 }
 
+TEST_CASE(
+    "A wall that loses its colour to half resolution is followed to its tip, and named as its stroke is",
+    "[trace]") {
+  const Rgb sky{0, 128, 255}, rose{255, 0, 255};
+  for (const int quality : {75, 85, 92}) {
+    INFO("quality " << quality);
+    Plot plot(640, 480);
+    plot.grid(1, 1, kBlack);
+    Curve down, up;
+    for (double x = 0; x <= 0.85; x += 0.01) {
+      down.push_back({x, 0.8 * x * (1.6 - 1.3 * x)});
+      up.push_back({x, 0.45 * x * (1.6 - 1.3 * x)});
+    }
+    down.insert(down.end(), {{0.86, down.back().y + 0.02}, {0.91, 0.95}});
+    up.insert(up.end(), {{0.87, up.back().y + 0.02}, {0.91, 0.95}});
+    plot.line(plot.at(down), 1, sky, true);
+    plot.line(plot.at(up), 1, rose, true);
+    plot.line(plot.at({{0.1, 0.9}, {0.16, 0.9}}), 2, sky);
+    plot.line(plot.at({{0.1, 0.8}, {0.16, 0.8}}), 2, rose);
+    for (const auto& [words, y] : {std::pair("Press", 0.9), std::pair("Return", 0.8)}) {
+      plot.letters(words, 0.17, y - 0.01, 10, kBlack, 1);
+      const Point p = plot.at(0.17, y);
+      plot.say(words, {p.x, p.y - 6, p.x + 44, p.y + 6});
+    }
+    plot.storeAs(".jpg", quality);
+    const auto traces = plot.trace();
+    REQUIRE(traces.ok());
+    REQUIRE(traces->size() == 2);
+    CHECK(apart(ofColor(*traces, sky).points_px, plot.at(down)) < 0.5);
+    CHECK(apart(ofColor(*traces, rose).points_px, plot.at(up)) < 0.5);
+    CHECK(ofColor(*traces, sky).label == "Press");
+    CHECK(ofColor(*traces, rose).label == "Return");
+  }
+}
+
 TEST_CASE("Dark paper, light frame", "[trace]") {
   const Rgb paper{0, 43, 54};
   Plot plot(640, 480, paper);
