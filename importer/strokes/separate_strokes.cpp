@@ -381,6 +381,19 @@ bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
   return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
 }
 
+/// The way back of a key that locks: both lines end together, and the one that starts farther in comes down to the force at rest
+/// from which the other starts, below it all the way. Both by increasing displacement.
+bool locksAtFoot(const StrokePoints& press, const StrokePoints& release, double below) {
+  constexpr double farther = 0.15, together = 0.015, atRest = 0.1;  // of what both span
+  constexpr double mostBelow = 0.02;                                // of the shared travel
+  const double span_mm = spanOfBoth(press, release, &CurvePoint::displacement_mm),
+               rest_N = atRest * spanOfBoth(press, release, &CurvePoint::force_N);
+  const CurvePoint from = press.points.front(), to = release.points.front();
+  return to.displacement_mm - from.displacement_mm > farther * span_mm && below <= mostBelow &&
+         std::max(std::abs(from.force_N), std::abs(to.force_N)) < rest_N && !reachApart(press, release) &&
+         gapAtTheEnd(press, release) < together;
+}
+
 /// Press and release of one switch.
 Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second, const AxesFound& axes,
                                  bool swap) {
@@ -402,7 +415,10 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const bool apart = !byHand && !paired &&
                      (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen || twoOfOneShape(a, b) ||
                       (first.color != second.color && tipsCrossed(a, b)));
-  const double travel = apart ? std::min(ofApart, creditOfTravel(compared)) : creditOfTravel(compared);
+  const bool locks =
+      verdict.logOdds < 0 ? locksAtFoot(b, a, compared.above) : locksAtFoot(a, b, compared.below);
+  const double shared = locks ? 1 : creditOfTravel(compared);
+  const double travel = apart ? std::min(ofApart, shared) : shared;
   const double together = merged ? ofMergedTints : paired ? 1 : travel;
   found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;
   found.evidence = verdict.reasons;
@@ -458,22 +474,30 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   return true;
 }
 
-/// Whether `other` runs on from one end of `own` to where `own` is not seen any more: the rest of it lies under the other.
-bool hidesAnEndOf(const CurveTrace& own, const CurveTrace& other) {
-  constexpr double touching_px = 3, goesOnShare = 0.05;  // of the height that `own` spans
-  const auto [top, foot] = std::minmax_element(own.points_px.begin(), own.points_px.end(),
-                                               [](Point a, Point b) { return a.y < b.y; });
-  const auto [otherTop, otherFoot] = std::minmax_element(other.points_px.begin(), other.points_px.end(),
-                                                         [](Point a, Point b) { return a.y < b.y; });
-  const double further_px = goesOnShare * (foot->y - top->y);
-  const auto touches = [&](Point end) {
-    return std::any_of(other.points_px.begin(), other.points_px.end(),
-                       [&](Point p) { return distance(p, end) <= touching_px; });
+/// Whether `other` runs on from one end of `own`, its own way, to where `own` is not seen any more: the rest of it lies under
+/// the other. A line that crosses the end hides nothing of it.
+bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
+  constexpr double goesOnShare = 0.05, sameWay = 0.7;  // of the height that `own` spans; cosine
+  constexpr std::size_t look = 8;                      // points to either side
+  constexpr double most_px = 3;                        // between the middles of both lines
+  orient(own), orient(other);
+  const auto [top, foot] = std::ranges::minmax(own.points_px, {}, &Point::y);
+  const auto [otherTop, otherFoot] = std::ranges::minmax(other.points_px, {}, &Point::y);
+  const double further_px = goesOnShare * (foot.y - top.y);
+  const auto widthOf = [](const CurveTrace& t) { return t.width_px.empty() ? most_px : t.width_px.back(); };
+  const double touching_px = std::min(most_px, 0.5 * (widthOf(own) + widthOf(other) + 1));
+  const auto wayAt = [&](const Polyline& points, Polyline::const_iterator at) {
+    const auto i = static_cast<std::size_t>(at - points.begin());
+    return points[std::min(i + look, points.size() - 1)] - points[i - std::min(i, look)];
   };
-  const auto [left, right] =
-      std::minmax(own.points_px.front(), own.points_px.back(), [](Point a, Point b) { return a.x < b.x; });
-  return (right.y - otherTop->y > further_px && touches(right)) ||
-         (otherFoot->y - left.y > further_px && touches(left));
+  const auto covers = [&](Polyline::const_iterator end) {
+    const auto near =
+        std::ranges::min_element(other.points_px, {}, [&](Point p) { return distance(p, *end); });
+    const Point its = wayAt(own.points_px, end), others = wayAt(other.points_px, near);
+    return distance(*near, *end) <= touching_px && dot(its, others) >= sameWay * norm(its) * norm(others);
+  };
+  return (own.points_px.back().y - otherTop.y > further_px && covers(std::prev(own.points_px.end()))) ||
+         (otherFoot.y - own.points_px.front().y > further_px && covers(own.points_px.begin()));
 }
 
 Failure hiddenEnd() {

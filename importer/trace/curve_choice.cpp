@@ -91,10 +91,13 @@ Point tipOf(const CurveInk& curve) {
   return static_cast<double>(curve.pooling) * *std::ranges::max_element(curve.course.points, {}, &Point::x);
 }
 
-/// Whether a short curve ends where a long one does, as the way back of a key that latches does. Leaders are straight.
-bool leadsBackFrom(const CurveInk& press, const CurveInk& other) {
-  constexpr double near_px = 4;
-  return distance(tipOf(press), tipOf(other)) <= near_px + press.thickness_px + other.thickness_px &&
+/// Whether a short curve ends where a long one does, as the way back of a key that latches does; up a wall tips lie where what
+/// covers them lets them be seen. Leaders are straight.
+bool leadsBackFrom(const CurveInk& press, const CurveInk& other, const Box& frame) {
+  constexpr double near_px = 4, alongWall = 0.08;  // of the frame's height
+  const Point apart = tipOf(press) - tipOf(other);
+  const double within_px = near_px + press.thickness_px + other.thickness_px;
+  return std::abs(apart.x) <= within_px && std::abs(apart.y) <= within_px + alongWall * frame.height() &&
          !isStraight(other.course, other.thickness_px / other.pooling + 1);
 }
 
@@ -434,18 +437,21 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
     if (faint) continue;  // shading of an uneven paper
     const bool restOfSomething =
         !curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px;
-    if (restOfSomething && (curves.size() > 1 || !leadsBackFrom(curves.front(), curve))) continue;
+    if (restOfSomething && (curves.size() > 1 || !leadsBackFrom(curves.front(), curve, plot.area().frame)))
+      continue;
     if (!isSeam(plot, curve, curves, sizeOf(curve))) curves.push_back(std::move(curve));
   }
   const bool lone = curves.size() == 1 && curves.front().secondStrand <= plot.options.secondStrand;
   for (int k : neutral) {
     if (!lone && !(curves.size() > 1 && (endApart(curves) || hasSample(plot, k)))) continue;
     auto curve = curveOf(plot, k, true);
+    if (!curve) continue;
     // A lone coloured curve may have its partner in the ink of the frame; a leader or a callout is much
     // shorter. Beside several it is one more, which rises.
-    if (curve && curve->course.span_px >= 0.5 * curves.front().course.span_px &&
-        curve->course.gain_px >= 0.4 * curves.front().course.gain_px &&
-        (lone || (rises(*curve) && !isSeam(plot, *curve, curves, sizeOf(*curve))))) {
+    const bool isLong = curve->course.span_px >= 0.5 * curves.front().course.span_px &&
+                        curve->course.gain_px >= 0.4 * curves.front().course.gain_px;
+    if (lone ? isLong || leadsBackFrom(curves.front(), *curve, plot.area().frame)
+             : isLong && rises(*curve) && !isSeam(plot, *curve, curves, sizeOf(*curve))) {
       curves.push_back(std::move(*curve));
       break;
     }

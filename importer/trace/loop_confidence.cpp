@@ -132,14 +132,15 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
   e.explained = shareExplained(pair, structure, plane);
   e.fit = both ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);
   e.steadiness = worse([&](const std::vector<Point>& p) { return 1 - ramp(turning(p), 18, 45); });
-  e.reach = worse([&](const std::vector<Point>& p) {
+  const auto reachOf = [&](const std::vector<Point>& p) {
     return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.15, 0.55);
-  });
+  };
+  e.reach = pair.locked ? reachOf(pair.press) : worse(reachOf);
   const double side_px = std::min(plane.frame.width(), plane.frame.height()) * plane.scale;
   const double width_px =
       both ? std::max(refined.press.width_px, refined.release.width_px) : refined.press.width_px;
   e.thinness = 1 - ramp(width_px / side_px, 0.025, 0.035);
-  e.together = both ? ramp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
+  e.together = both && !pair.locked ? ramp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
   return e;
 }
 

@@ -314,10 +314,12 @@ constexpr double kMuch = 0.2;  // of the frame's width: ink left over that may b
 /// Of the frame's height, below the strokes' tops: other switches' walls have 0.23 at least, leaders 0.15 at most.
 constexpr double kWallBelow = 0.2;
 constexpr double kWallTop = 0.1;  // of it: the last of a wall, and how much lower than the strokes it may end
-constexpr double kWallRise = 1.8;   // of that, by its width, at least; leaders lean more, 1.5
-constexpr double kLeap = 0.05;      // of it: words' holes are narrower
-constexpr float kOffInk_px = 1.5F;  // from the nearest ink
-constexpr double kPiece = 0.04;     // of it: a piece of a curve between two crossings; less is lettering
+constexpr double kWallRise = 1.8;  // of that, by its width, at least; leaders lean more, 1.5
+constexpr double kLeap = 0.05;     // of it: words' holes are narrower
+constexpr double kLocked = 0.15, kLeftBeside = 0.1;  // of the width: a lock from the start; ink beside both
+constexpr double kAtFoot = 0.06;                     // of the height: what lies as low, what meets
+constexpr float kOffInk_px = 1.5F;                   // from the nearest ink
+constexpr double kPiece = 0.04;  // of it: a piece of a curve between two crossings; less is lettering
 
 /// One joint search for both strokes at one price of gaps.
 class PairSearch {
@@ -339,6 +341,7 @@ class PairSearch {
     const double longest = 4 * (plane_.frame.width() + plane_.frame.height());
     if (a_.size() < 2 || static_cast<double>(a_.size()) > longest) return false;
     b_ = follow(a_, anywhere);
+    if ((locked_ = endsLocked())) return true;
     const std::vector<Point> third = pieceLeftOut(anywhere);
     for (int round = 0; round < 2; ++round) {
       const PathLimits ends = endsFrom(third);
@@ -449,6 +452,7 @@ class PairSearch {
     pair.wallsCut = cutHangingDash(a_, structure_, stroke_);
     pair.wallsCut = cutHangingDash(b_, structure_, stroke_) || pair.wallsCut;
     pair.ownRelease_px = ownOfSecond();
+    pair.locked = locked_;
     if (pair.ownRelease_px < 0.05 * plane_.frame.width()) {
       pair.press = a_;
       for (const std::vector<Point>& piece : furtherPieces())
@@ -457,7 +461,7 @@ class PairSearch {
     }
     shareEnds(a_, b_, stroke_, plane_.frame);
     std::tie(pair.press, pair.release) = partUpperLower(a_, b_, std::max(0.75, 0.35 * stroke_));
-    startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
+    if (!locked_) startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
     for (const std::vector<Point>& piece : furtherPieces()) {
       pair.further_px += piece.back().x - piece.front().x;
       pair.wallLeftOver = pair.wallLeftOver || isWall(piece);
@@ -491,6 +495,15 @@ class PairSearch {
     return b_.size() > 1 ? ownInk(b_, rewardBeside(reward_, a_, stroke_ + 1)) : 0;
   }
 
+  /// Whether the second stroke comes back to the first one's foot farther in and both leave nothing over: a key that locks.
+  bool endsLocked() const {
+    if (b_.size() < 2) return false;
+    const double width = plane_.frame.width(), height = plane_.frame.height();
+    return b_.front().x - a_.front().x > kLocked * width &&
+           std::abs(b_.front().y - a_.front().y) < kAtFoot * height &&
+           distance(a_.back(), b_.back()) < kAtFoot * height && leftOver_px() < kLeftBeside * width;
+  }
+
   /// A long path that both leave out: the part of the loop that a leader or a latch branch cut off.
   std::vector<Point> pieceLeftOut(const PathLimits& anywhere) {
     const double enough = 0.15 * plane_.frame.width();
@@ -521,6 +534,7 @@ class PairSearch {
   Plane reward_;
   LiftedSearch search_;
   std::vector<Point> a_, b_;
+  bool locked_ = false;
 };
 
 }  // namespace
@@ -551,9 +565,9 @@ PlanePair findPair(const Structure& structure, const WorkPlane& plane) {
   PairSearch solid(structure, plane, GapPrice{}, 0.2F);
   if (!solid.run()) return {};
   PlanePair pair = solid.parted();
-  // One stroke alone and much ink left over: the other may be dashed, so that gaps must cost less.
+  // One stroke alone, or a way left over, and much ink: the other may be dashed, so that gaps must cost less.
   const double much = 0.15 * plane.frame.width();
-  if (!pair.release.empty() || solid.leftOver_px() < much) return pair;
+  if ((!pair.release.empty() && pair.further_px < much) || solid.leftOver_px() < much) return pair;
   PairSearch dashed(structure, plane, GapPrice{0.1F, 0.1F}, 0.05F);
   if (!dashed.run() || dashed.explained_px() < solid.explained_px() + much || !dashed.secondIsDashed())
     return pair;

@@ -15,6 +15,7 @@ struct PlanePair {
   std::vector<Point> press;    ///< plane px, x never falls, at most 1 px apart; empty if nothing was found
   std::vector<Point> release;  ///< the same order as press (not yet the order travelled); empty: press only
   bool dashed = false;         ///< gaps were taken as part of a stroke
+  bool locked = false;         ///< the release ends at the press' foot, farther in
   bool wallsCut = false;       ///< a stroke ends where its wall goes on in dashes
   double ownRelease_px = 0;    ///< length of ink that only the second stroke explains
   double further_px = 0;       ///< travel of the best curve in the ink that both leave over

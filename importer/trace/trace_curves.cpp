@@ -309,7 +309,15 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const P
   const auto firstBeside = [&](const Box& word, int direction) {
     return lengthOfFirstBeside(word, direction, view.raster, paper);
   };
-  labelByOtherLines(traces, textsBeside(axes.otherLines, inks, view, paper, firstBeside));
+  // The ink of frame and numbers may end beside a word in more than its sample.
+  std::vector<SeenText> lines = axes.otherLines;
+  std::ranges::copy_if(axes.texts, std::back_inserter(lines), [&](const SeenText& text) {
+    return std::ranges::any_of(traces, [&](const CurveTrace& trace) {
+      return !trace.labelBox_px.empty() && text.box.inLineWith(trace.labelBox_px) &&
+             trace.label.find(text.utf8) == std::string::npos;
+    });
+  });
+  labelByOtherLines(traces, textsBeside(lines, inks, view, paper, firstBeside));
 }
 
 Mask either(const Mask& a, const Mask& b) {
@@ -350,10 +358,10 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
   if (allOrNone && !std::ranges::all_of(curves, mayBeLoop)) return traces;
   std::vector<CurveTrace> all;
   for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {
-    const Ink& ink = plot.ink(curves[i].ink);
     const auto loop = [&]() -> Result<std::vector<CurveTrace>> {
       if (!mayBeLoop(curves[i])) return std::vector<CurveTrace>{};
-      return traceLoop(plot.area(), coverageBy(ink, false, plot), traces[i].color, options, progress);
+      const Plane& its = plot.coverage.ink[static_cast<std::size_t>(curves[i].ink)];
+      return traceLoop(plot.area(), its, traces[i].color, options, progress);
     }();
     if (!loop || loop->size() < 2 || loop->front().confidence < kCredibleLoop) {
       if (allOrNone) return traces;

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "importer/page/polyline.h"
 #include "importer/strokes/stroke_pair.h"
 
 using namespace detent;
@@ -332,6 +333,55 @@ TEST_CASE("A locked key's release covers part of the travel: the legend says tha
   traces[0].label = "Downstroke";
   traces[1].label = "Upstroke";
   CHECK(separate(traces)->confidence > 0.9);
+}
+
+TEST_CASE("A locked key's release comes down to the force at rest: no legend has to say whose it is",
+          "[strokes]") {
+  // From rest to 4 mm; the release leaves the wall and ends at the travel at which the key locks.
+  const auto through = [](std::vector<CurvePoint> drawn, Rgb ink) {
+    CurveTrace t;
+    for (const CurvePoint& p : drawn)
+      t.points_px.push_back({50 + 100 * p.displacement_mm, 450 - 200 * p.force_N});
+    t.color = ink;
+    t.confidence = 1;
+    return t;
+  };
+  const Rgb black{0, 0, 0}, red{255, 0, 0};
+  const CurveTrace press = through({{0, 0}, {0.1, 0.5}, {3.6, 0.8}, {4, 2}}, black);
+  const auto confidenceOf = [&](std::vector<CurvePoint> back) {
+    const auto found = separate({through(std::move(back), red), press});
+    REQUIRE(found.ok());
+    CHECK(found->value.press.points_px.front() == press.points_px.front());
+    return found->confidence;
+  };
+  CHECK(confidenceOf({{2.5, 0.05}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) > 0.9);
+  CHECK(confidenceOf({{2.5, 0.35}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) <
+        0.5);  // ends in the middle of its force
+  CHECK(confidenceOf({{2.5, 0.05}, {2.6, 0.4}, {3.7, 0.6}, {3.8, 1.0}}) < 0.5);  // and begins elsewhere
+}
+
+TEST_CASE("A curve that ends on another switch's way is hidden by it, one that ends across it is not",
+          "[strokes]") {
+  const auto named = [](const Polyline& points, Rgb ink, const std::string& name) {
+    CurveTrace t;
+    t.points_px = densified(points, 1);
+    t.color = ink;
+    t.confidence = 1;
+    t.label = name;
+    return t;
+  };
+  const CurveTrace other = named({{50, 450}, {100, 350}, {400, 320}, {440, 100}}, {255, 0, 0}, "Switch B");
+  StrokeHints hints;
+  hints.curve = "Switch A";
+  const auto chosen = [&](Polyline last) {
+    last.insert(last.begin(), {{50, 450}, {100, 380}, {300, 370}});
+    return separateStrokes({named(last, {0, 0, 255}, "Switch A"), other}, axes(), hints);
+  };
+  CHECK(chosen({{330, 327}}).ok());
+  CHECK(chosen({{280, 300}}).ok());
+  const auto hidden = chosen({{396, 345}, {404, 300}});
+  REQUIRE_FALSE(hidden.ok());
+  CHECK(hidden.failure().code == FailureCode::notCertain);
 }
 
 TEST_CASE("Traces that are hardly believed make no certain strokes", "[strokes]") {

@@ -1091,12 +1091,13 @@ TEST_CASE("The legend's words are put to the curve whose sample stands beside th
 
 TEST_CASE("A short way back that begins where the press ends is a curve, a leader there is none", "[trace]") {
   const Curve in{{0.02, 0.02}, {0.1, 0.3}, {0.5, 0.4}, {0.8, 0.5}, {0.9, 0.95}};
-  const Curve back{{0.9, 0.95}, {0.86, 0.4}, {0.8, 0.3}, {0.72, 0.28}}, leader{{0.9, 0.95}, {0.7, 0.7}};
+  const Curve back{{0.9, 0.95}, {0.86, 0.4}, {0.57, 0.25}, {0.55, 0.03}}, leader{{0.9, 0.95}, {0.7, 0.7}};
+  const Rgb ink = GENERATE(kRed, kBlack);
   for (const bool latches : {true, false}) {
     Plot plot(1000, 500);
     plot.grid(6, 6, kGrey);
     plot.line(plot.at(in), 2, kBlue, true);
-    plot.line(plot.at(latches ? back : leader), 2, kRed, true);
+    plot.line(plot.at(latches ? back : leader), 2, ink, true);
     const auto traces = plot.trace();
     REQUIRE(traces.ok());
     CHECK(traces->size() == (latches ? 2 : 1));
@@ -1111,7 +1112,8 @@ TEST_CASE("Short names of a legend, and the places of those not read, come to it
   plot.line(plot.at(press()), 2, kBlue, true);
   plot.line({{935, 100}, {955, 100}}, 2, kRed);
   plot.line({{935, 120}, {955, 120}}, 2, kBlue);
-  const Box red{960, 94, 996, 106}, blue{960, 114, 998, 126};
+  const double far = GENERATE(0.0, 6.0);  // from a sample to its word
+  const Box red{960 + far, 94, 996, 106}, blue{960 + far, 114, 998, 126};
   Plot one = plot, read = plot, unread = plot;
   one.sayOther("TS-10", red);
   read.sayOther("TS-10", red), read.sayOther("TS-12", blue);
@@ -1142,6 +1144,63 @@ TEST_CASE("The minus of a short name is no sample, and a sample in small print i
   const auto traces = plot.trace().value();
   CHECK(ofColor(traces, kRed).label == "23 C");
   CHECK(ofColor(traces, kBlue).label == "20 C");
+}
+
+TEST_CASE("The name of a curve in the frame's ink is found in line with the others", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(1, 1, kBlack);
+  const auto ending = [&](double end, double height) {
+    return plot.at({{0, 0}, {0.3 * end, height}, {0.8 * end, 0.7 * height}, {end, 0.9}});
+  };
+  plot.line(ending(0.55, 0.7), 2, kRed);
+  plot.line(ending(0.9, 0.5), 2, kBlue);
+  plot.line(ending(0.7, 0.3), 2, kBlack);
+  const double beside = plot.box().x0 + 74;  // as far as the longest sample is looked for
+  int row = 0;
+  for (const Rgb ink : {kRed, kBlue, kBlack}) {
+    const double y = 50 + 20 * row++;
+    plot.line({{beside - 25, y}, {beside - 5, y}}, 2, ink);
+    plot.say("KSC" + std::to_string(row), {beside, y - 6, beside + 30, y + 6});
+    plot.line({{plot.box().x0 - 8, y + 100}, {plot.box().x0, y + 100}}, 2,
+              kBlack);  // a tick beside its number
+    plot.say(std::to_string(row), {plot.box().x0 - 20, y + 94, plot.box().x0 - 12, y + 106});
+  }
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 3);
+  CHECK(ofColor(*traces, kRed).label == "KSC1");
+  CHECK(ofColor(*traces, kBlue).label == "KSC2");
+  CHECK(ofColor(*traces, kBlack).label == "KSC3");
+}
+
+TEST_CASE("Three switches, each a line and dashes in an ink of its own near the others'", "[trace]") {
+  // Violet lies between red and blue: their edges are no third line in it.
+  const Rgb red{226, 74, 51}, blue{52, 138, 189}, violet{152, 142, 213};
+  Plot plot(700, 500);
+  const auto strokeOf = [&](double end, double level) {
+    return plot.at({{0.01, 0},
+                    {0.04, level},
+                    {0.35 * end, 1.4 * level},
+                    {0.5 * end, level},
+                    {0.85 * end, 1.3 * level},
+                    {end, 0.95}});
+  };
+  const auto dashes = [&](const Curve& way, Rgb ink) {
+    const Curve points = densified(way, 1);
+    for (std::size_t i = 0; i + 7 < points.size(); i += 11)
+      plot.line({points.begin() + static_cast<std::ptrdiff_t>(i),
+                 points.begin() + static_cast<std::ptrdiff_t>(i + 7)},
+                2, ink);
+  };
+  for (const auto& [ink, end, level] :
+       {std::tuple(red, 0.8, 0.4), std::tuple(blue, 0.7, 0.5), std::tuple(violet, 0.9, 0.27)}) {
+    plot.line(strokeOf(end, level), 2, ink);
+    dashes(strokeOf(end, level - 0.1), ink);
+  }
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 6);
+  for (const CurveTrace& trace : *traces) CHECK(trace.stroke);
 }
 
 TEST_CASE("Nothing to trace is said in a sentence", "[trace]") {

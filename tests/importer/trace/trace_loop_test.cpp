@@ -362,6 +362,17 @@ TEST_CASE("loop: a latch branch is not part of the strokes", "[trace_loop]") {
   checkLoop(plot, loop, 0.6);
 }
 
+TEST_CASE("loop: the release of a key that locks ends at the foot in the middle of the travel",
+          "[trace_loop]") {
+  Plot plot(800, 600, 2);
+  plot.grid(8, 6, 0.5);
+  const Loop loop{through({{0.0, 0.0}, {0.02, 0.18}, {0.55, 0.32}, {0.66, 0.26}, {0.82, 0.34}, {0.88, 0.8}}),
+                  through({{0.58, 0.01}, {0.61, 0.18}, {0.83, 0.25}, {0.88, 0.8}})};
+  draw(plot, loop);
+  checkLoop(plot, loop, 0.6);
+  CHECK(plot.trace()->front().confidence > 0.8);
+}
+
 TEST_CASE("loop: two switches in one ink are refused, whatever two of their strokes would look like",
           "[trace_loop]") {
   Plot plot(800, 600, 2);
