@@ -257,6 +257,7 @@ class Doubts {
     shapes();
     leftOver();
     otherLine();
+    ownInkBeside();
     assumed();
     place();
     pageClass();
@@ -370,6 +371,46 @@ class Doubts {
              each.box_px.height() >= leastHeight * frame.height() && !outlinesABox(each) && liesApart(each);
     });
     if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::inkLeftOver, unconfirmed);
+  }
+
+  /// Of a switch chosen among several a press alone was followed, and ink of its colour runs on above or below it over a good part of its
+  /// travel: its release, or its press, is another line.
+  void ownInkBeside() {
+    constexpr double mostShare = 0.25;  // of its columns; a legend's sample takes less
+    constexpr double apart_px = 4;      // from what explains it
+    const StrokePair& strokes = findings_.strokes.value;
+    if (hints_.strokes.curve.empty() || strokes.release || findings_.graph.view.raster.rgb.empty()) return;
+    const Box frame = findings_.graph.frame.value.box();
+    const Rgb color = colorOf(strokes.press);
+    const auto [first, last] = std::ranges::minmax(strokes.press.points_px, {}, &Point::x);
+    const int from = static_cast<int>(first.x), columns = static_cast<int>(last.x) - from + 1;
+    std::vector<std::vector<Extent>> explained(static_cast<std::size_t>(std::max(0, columns)));
+    const auto explain = [&](Point p, Point q) {  // by columns
+      for (int x = std::max(from, static_cast<int>(std::min(p.x, q.x) - apart_px));
+           x <= std::min(from + columns - 1.0, std::max(p.x, q.x) + apart_px); ++x) {
+        const double share = q.x == p.x ? 0 : std::clamp((x - p.x) / (q.x - p.x), 0.0, 1.0);
+        const double reach =
+            apart_px +
+            (std::abs(q.x - p.x) > 1 ? std::abs((q.y - p.y) / (q.x - p.x)) * apart_px : std::abs(q.y - p.y));
+        const double y = std::lerp(p.y, q.y, share);
+        explained[static_cast<std::size_t>(x - from)].push_back({y - reach, y + reach});
+      }
+    };
+    for (const CurveTrace& trace : findings_.traces)
+      for (std::size_t i = 1; i < trace.points_px.size(); ++i)
+        explain(trace.points_px[i - 1], trace.points_px[i]);
+    std::vector<Point> beside;
+    for (int x = from; x < from + columns; ++x)
+      for (int y = static_cast<int>(frame.y0 + apart_px); y < frame.y1 - apart_px; ++y) {
+        const auto isThere = [&](const Extent& rows) { return y >= rows.low && y <= rows.high; };
+        if (!isInkOf(findings_.graph.view.raster, color, x, y) ||
+            std::ranges::any_of(explained[static_cast<std::size_t>(x - from)], isThere))
+          continue;
+        beside.push_back({static_cast<double>(x), static_cast<double>(y)});
+        break;
+      }
+    if (static_cast<double>(beside.size()) > mostShare * columns)
+      sayAt(beside[beside.size() / 2], DoubtCode::inkLeftOver, unconfirmed);
   }
 
   /// Most of it has no stroke above or below it: it is not the rim of a stroke's own line.

@@ -24,7 +24,9 @@ std::vector<double> positions(const std::vector<GridLine>& lines) {
   return out;
 }
 
+/// Words and nothing else: what has a long dash may be a legend's row, whose samples part it.
 bool ofUse(const SeenText& t) {
+  if (t.utf8.find("\xE2\x80\x94") != std::string::npos) return false;
   const auto letters = std::count_if(t.utf8.begin(), t.utf8.end(),
                                      [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
   return t.confidence >= 0.5 && letters >= 2;

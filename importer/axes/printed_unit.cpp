@@ -167,7 +167,7 @@ constexpr std::array otherWords{"time",         "zeit",      "cycles",      "fre
                                 "acceleration", "speed",     "velocity",    "stiffness", "energy",
                                 "wavelength",   "intensity", "probability", "price",     "month"};
 
-/// Full-width letters and brackets, and blanks of other widths, to plain ones.
+/// Full-width letters and brackets, angled ones, and blanks of other widths, to plain ones.
 std::string plainTitle(std::string_view s) {
   std::string out;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -187,6 +187,12 @@ std::string plainTitle(std::string_view s) {
     } else if (byte(0) == 0xC2 && byte(1) == 0xA0) {
       out += ' ';
       i += 1;
+    } else if (byte(0) == 0xE2 && byte(1) == 0x82 &&
+               byte(2) == 0xAC) {  // a bracket of a stroke font, as read
+      out += '(';
+      i += 2;
+    } else if (s[i] == '<' || (s[i] == '>' && out.rfind('(') + 1 > out.rfind(')') + 1)) {
+      out += s[i] == '<' ? '(' : ')';
     } else {
       out += s[i];
     }
@@ -196,8 +202,9 @@ std::string plainTitle(std::string_view s) {
 
 struct Piece {
   std::string text;
-  double sure;        // of being a unit by where it stands
-  bool last = false;  // nothing but blanks sets it apart from the words before it
+  double sure;           // of being a unit by where it stands
+  bool last = false;     // nothing but blanks sets it apart from the words before it
+  bool shorter = false;  // the piece before it, its first letter taken for a bracket
 };
 
 std::string withoutBrackets(std::string_view s) {
@@ -257,6 +264,12 @@ std::vector<std::string> bracketed(const std::string& t) {
   return out;
 }
 
+/// "lbF": the letter of a force, written large.
+std::string withSmallF(std::string text) {
+  if (text.size() > 1 && text.back() == 'F') text.back() = 'f';
+  return text;
+}
+
 /// "Iegf]": the opening bracket was read as a letter.
 void addUnopened(const std::string& t, std::vector<Piece>& out) {
   for (std::size_t i = 1; i < t.size(); ++i) {
@@ -266,7 +279,8 @@ void addUnopened(const std::string& t, std::vector<Piece>& out) {
     const std::string inside = withoutBrackets(std::string_view(t).substr(open, i - open));
     if (inside.empty()) continue;
     out.push_back({inside, 0.9});
-    if (likeBrackets.find(inside.front()) != std::string_view::npos) out.push_back({inside.substr(1), 0.7});
+    if (likeBrackets.find(inside.front()) != std::string_view::npos)
+      out.push_back({inside.substr(1), 0.7, false, true});
   }
 }
 
@@ -317,8 +331,10 @@ std::optional<PrintedUnit<Unit>> unitIn(std::string_view title,
   const auto offer = [&](Unit unit, double sure) {
     if (!best || sure > best->sure) best = PrintedUnit<Unit>{unit, sure};
   };
-  for (const Piece& piece : pieces(plainTitle(title))) {
+  for (Piece& piece : pieces(plainTitle(title))) {
+    piece.text = withSmallF(std::move(piece.text));
     const auto unit = fromSymbol(piece.text);
+    if (piece.shorter && unit && best && best->unit != *unit) return {};  // "CN]": of "[N]" or of "cN]"
     if (unit && mayBeUnit(piece) && std::ranges::find(unprinted, *unit) == unprinted.end())
       offer(*unit, piece.sure);
     // "Load Ibf": a last word that no language has.

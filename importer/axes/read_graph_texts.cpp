@@ -10,6 +10,7 @@
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
 #include "importer/page/quantile.h"
+#include "importer/page/same_ink.h"
 
 namespace detent::importer {
 namespace {
@@ -36,6 +37,46 @@ int gridInk(const cv::Mat& d, const PlotFrame& frame) {
 double overlapShare(const Box& a, const Box& b) {
   const Box common = a.common(b);
   return common.empty() ? 0 : common.area() / std::max(1e-9, a.area());
+}
+
+/// The colour of a mark's ink: of its pixel that is farthest from the paper.
+Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
+  cv::Point darkest;
+  const cv::Rect whole(0, 0, darkness.cols, darkness.rows);
+  const cv::Rect at = cv::Rect(cv::Point(static_cast<int>(mark.x0 + 0.5), static_cast<int>(mark.y0 + 0.5)),
+                               cv::Point(static_cast<int>(mark.x1 + 1.5), static_cast<int>(mark.y1 + 1.5))) &
+                      whole;
+  if (at.empty()) return {};
+  cv::minMaxLoc(darkness(at), nullptr, nullptr, nullptr, &darkest);
+  const std::uint8_t* const p = raster.at(at.x + darkest.x, at.y + darkest.y);
+  return {p[0], p[1], p[2]};
+}
+
+/// Entries of a legend that stand in one row: parted at the samples between them, dashes too long for writing or of another
+/// ink than the letters.
+std::vector<TextLine> entriesOf(const TextLine& line, const Raster& raster, const cv::Mat& darkness) {
+  constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9;  // of a letter's height
+  constexpr double otherInk = 60;                                    // colour levels
+  std::vector<double> heights;
+  for (const auto& g : line.glyphs)
+    if (g.height() > dashHeight * g.width()) heights.push_back(g.height());
+  if (heights.empty()) return {line};
+  const double usual = medianOf(heights);
+  std::vector<TextLine> entries(1);
+  for (const auto& g : line.glyphs) {
+    const bool dash = g.height() < dashHeight * usual && g.width() > anyDash * usual;
+    TextLine& entry = entries.back();
+    if (dash && !entry.glyphs.empty() &&
+        (g.width() > longDash * usual ||
+         colorDistance(colorOf(raster, darkness, g), colorOf(raster, darkness, entry.glyphs.back())) >
+             otherInk)) {
+      entries.emplace_back();
+    } else {
+      entry.box = entry.glyphs.empty() ? g : entry.box.joined(g);
+      entry.glyphs.push_back(g);
+    }
+  }
+  return entries;
 }
 
 /// The line without samples of a legend, leaders and arrowheads that stand beside its letters.
@@ -103,8 +144,9 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
                    box.y1 + 0.35 * box.height()};
-  auto lines = groupedLines(glyphsIn(glyphBoxes(ink, 2, largest), around, largest), 1.1);
-  for (auto& line : lines) line = lettersOnly(line);
+  std::vector<TextLine> lines;
+  for (const auto& row : groupedLines(glyphsIn(glyphBoxes(ink, 2, largest), around, largest), 1.1))
+    for (const auto& entry : entriesOf(row, view.raster, d)) lines.push_back(lettersOnly(entry));
   std::erase_if(lines, [&](const TextLine& line) {
     return !looksWritten(line) || std::any_of(axes.texts.begin(), axes.texts.end(), [&](const SeenText& t) {
       return overlapShare(line.box, t.box) > 0.4;

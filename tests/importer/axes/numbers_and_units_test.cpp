@@ -184,12 +184,17 @@ TEST_CASE("a unit is read behind any words, a comma and an arrow, and in Cyrilli
     return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
   };
   CHECK(force(": Force, Ibf") == "lbf");
+  CHECK(force("Load [IbF]") == "lbf");
+  CHECK(force("Force <gf>") == "gf");
+  CHECK(force("HRED CN]") == "none");  // of "[N]" or of "cN]"
+  CHECK(force("HRED Igf]") == "gf");
   CHECK(force("Load Ibf") == "lbf");
   CHECK(force("Yeunnue, H") == "N");                        // Усилие, Н
   CHECK(force("Ycunue Haxatua [r]") == "gf");               // Усилие нажатия [г]
   CHECK(force("Cuna (rc)") == "gf");                        // Сила (гс)
   CHECK(length("Xog (MKM) \xE2\x80\x94>") == "\xC2\xB5m");  // Ход (мкм) →
   CHECK(length("Travel, in") == "in");
+  CHECK(length("\xE2\x82\xACmm>") == "mm");  // a bracket of a stroke font
   CHECK(length("Displacement / mm \xE2\x86\x92") == "mm");
   CHECK(length("Depth pm") == "\xC2\xB5m");
   for (const char* none : {"Load of", "Force H", "Type r", "Play of force"}) CHECK(force(none) == "none");

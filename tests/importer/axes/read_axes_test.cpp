@@ -618,6 +618,23 @@ TEST_CASE("callouts and legend are read where they stand") {
   CHECK_FALSE(at("Press").empty());
 }
 
+TEST_CASE("a legend's row is parted at its samples") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.height = 640;
+  Canvas c(s.width, s.height, 255);
+  drawInto(c, s);
+  for (const double from : {300.0, 416.0}) c.row(600, from, from + 40, 2, 60);
+  c.text("Press", 378, 600, 0, 0.6);
+  c.text("Release", 505, 600, 0, 0.6);
+  const auto looked = look(c.grey());
+  auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  readGraphTexts(looked.view, looked.frame, *axes);
+  for (const char* word : {"Press", "Release"})
+    CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
+}
+
 TEST_CASE("words are read in any quarter turn") {
   if (skipWithoutEngine()) return;
   Canvas c(300, 300, 255);

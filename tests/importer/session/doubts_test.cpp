@@ -183,6 +183,35 @@ TEST_CASE(
   CHECK(import.weighed(DoubtCode::curveWithoutInk));
 }
 
+TEST_CASE(
+    "a switch chosen among others whose own ink runs on beside its press has a release that was not "
+    "followed") {
+  Import import;
+  Raster& picture = import.graph.view.raster;
+  picture.rgb.assign(3UL * 700 * 600, 255);
+  CurveTrace stroke;
+  stroke.color = {200, 0, 0};
+  for (double mm = 0; mm < 3.2; mm += 0.01) stroke.points_px.push_back(inView({mm, 0.5}));
+  stroke.points_px.front() = inView(import.press.front()),
+  stroke.points_px.back() = inView(import.press.back());
+  import.traces = {stroke};
+  import.hints.strokes.curve = "1";
+  const auto paint = [&](double force_N, double to_mm) {
+    for (double mm = 0; mm < to_mm; mm += 0.01) {
+      const Point p = inView({mm, force_N});
+      std::uint8_t* at = picture.rgb.data() + 3 * (700 * static_cast<int>(p.y) + static_cast<int>(p.x));
+      at[0] = 200, at[1] = at[2] = 0;
+    }
+  };
+  paint(0.5, 3.2);
+  paint(3, 0.5);  // its sample in the legend
+  CHECK(import.doubts().empty());
+  paint(0.3, 1.2);
+  CHECK(import.weighed(DoubtCode::inkLeftOver).value_or(1) < confidenceBar);
+  import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
+  CHECK(import.doubts().empty());
+}
+
 TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that no ink does") {
   Import import;
   Remainder left;
