@@ -80,7 +80,64 @@ std::string withoutComments(std::string_view css) {
   return out;
 }
 
-void addStyleSheet(std::string_view source, std::vector<Rule>& rules) {
+/// Properties that a document names itself ("--ink: #333") are put aside; the first of a name counts: later ones are of dark screens.
+void takeVariables(Declarations& from, Declarations& variables) {
+  for (auto each = from.lower_bound("--"); each != from.end() && each->first.starts_with("--");) {
+    std::string_view value = each->second;
+    constexpr std::string_view either = "light-dark(";
+    if (value.starts_with(either)) {
+      int depth = 0;
+      const auto ends = [&](char c) { return (depth += (c == '(') - (c == ')')) == 0 && c == ','; };
+      value.remove_prefix(either.size());
+      value = value.substr(0, static_cast<std::size_t>(std::ranges::find_if(value, ends) - value.begin()));
+    }
+    variables.emplace(each->first, value);
+    each = from.erase(each);
+  }
+}
+
+/// "var(--ink, black)" as what the document says it is.
+std::string withVariables(std::string text, const Declarations& variables) {
+  constexpr std::string_view call = "var(";
+  constexpr int mostCalls = 16;  // one may name another, and itself
+  for (int i = 0; i < mostCalls; ++i) {
+    const std::size_t at = text.rfind(call), end = at == std::string::npos ? at : text.find(')', at);
+    if (end == std::string::npos) break;
+    const std::string inside = text.substr(at + call.size(), end - at - call.size());
+    const std::size_t comma = std::min(inside.find(','), inside.size());
+    const auto known = variables.find(trimmed(std::string_view(inside).substr(0, comma)));
+    const std::string_view other =
+        trimmed(std::string_view(inside).substr(std::min(comma + 1, inside.size())));
+    text.replace(at, end + 1 - at, known != variables.end() ? known->second : std::string(other));
+  }
+  return text;
+}
+
+/// A size of letters in pixels: MuPDF knows parts of another size nowhere but in attributes. Empty for words ("larger").
+std::optional<double> pixelsOf(const std::string& length, double outer_px) {
+  constexpr double root_px = 16;
+  const char* end = length.c_str();
+  const double value = std::strtod(length.c_str(), const_cast<char**>(&end));
+  const std::string_view unit = end;
+  if (end == length.c_str() || !std::isfinite(value)) return {};
+  if (unit == "rem") return root_px * value;
+  if (unit == "em") return outer_px * value;
+  if (unit == "%") return outer_px * value / 100;
+  if (unit.empty() || unit == "px") return value;
+  return {};
+}
+
+/// A colour that says how much of it covers: MuPDF draws such a one black. Without the last number, which is given back.
+std::optional<std::string> takeAlpha(std::string& color) {
+  if (color == "transparent") color = "rgba(0,0,0,0)";
+  const std::size_t last = color.rfind(',');
+  if (!color.starts_with("rgba(") || last == std::string::npos || color.back() != ')') return {};
+  std::string alpha = color.substr(last + 1, color.size() - last - 2);
+  color = "rgb(" + color.substr(5, last - 5) + ")";
+  return alpha;
+}
+
+void addStyleSheet(std::string_view source, std::vector<Rule>& rules, Declarations& variables) {
   const std::string text = withoutComments(source);
   std::string_view css = text;
   for (const std::string_view wrapper : {"<![CDATA[", "<!--"})
@@ -92,6 +149,7 @@ void addStyleSheet(std::string_view source, std::vector<Rule>& rules) {
     std::string_view selectors = trimmed(css.substr(0, open));
     Declarations declarations;
     addDeclarations(css.substr(open + 1, close - open - 1), declarations);
+    takeVariables(declarations, variables);
     css.remove_prefix(std::min(css.size(), close + 1));
     if (!selectors.empty() && selectors.front() == '@') continue;
     while (!selectors.empty()) {
@@ -366,6 +424,7 @@ class Preparer {
     Weight weight;
     std::optional<Affine> toRoot = Affine{};  ///< nothing where the way is turned or unknown
     std::optional<Box> clip;                  ///< of this and the outer elements, in the root's plane
+    double fontSize_px = 16;
   };
 
   void readClipPaths() {
@@ -438,7 +497,7 @@ class Preparer {
          at = svg_.find("<style", at + 1)) {
       const std::size_t begin = svg_.find('>', at), end = svg_.find("</style", at);
       if (begin == std::string_view::npos || end == std::string_view::npos || end < begin) continue;
-      addStyleSheet(svg_.substr(begin + 1, end - begin - 1), rules_);
+      addStyleSheet(svg_.substr(begin + 1, end - begin - 1), rules_, variables_);
     }
     std::stable_sort(rules_.begin(), rules_.end(),
                      [](const Rule& a, const Rule& b) { return a.specificity < b.specificity; });
@@ -509,13 +568,15 @@ class Preparer {
   bool enter(Tag& tag) {
     const std::string name(withoutPrefix(tag.name));
     restyle(tag, name);
+    Open opened;
+    if (!open_.empty()) opened.fontSize_px = open_.back().fontSize_px;
+    makePlain(tag, opened);
     for (Attribute& attribute : tag.attributes) {
       if (attribute.name == "points") attribute.value = soundPoints(withoutReferences(attribute.value));
       if (attribute.name == "d" || attribute.name == "transform")
         attribute.value = withoutPlus(withoutReferences(attribute.value));
     }
     const std::string* anchor = tag.find("text-anchor");
-    Open opened;
     opened.name = name;
     opened.anchor = anchor ? *anchor : open_.empty() ? std::string() : open_.back().anchor;
     if (name == "text" && !anchor && !opened.anchor.empty()) tag.set("text-anchor", opened.anchor);
@@ -573,7 +634,7 @@ class Preparer {
   }
 
   /// Cascade: presentation attributes, then rules by specificity, then the style attribute.
-  void restyle(Tag& tag, const std::string& name) const {
+  void restyle(Tag& tag, const std::string& name) {
     Declarations merged;
     for (const Rule& rule : rules_)
       if (matches(rule, tag, name))
@@ -581,6 +642,7 @@ class Preparer {
     const std::string* own = tag.find("style");
     if (merged.empty() && !own) return;
     if (own) addDeclarations(*own, merged);
+    takeVariables(merged, variables_);
     std::string style;
     for (const auto& [property, value] : merged) {
       if (!style.empty()) style += ';';
@@ -592,9 +654,42 @@ class Preparer {
     if (!style.empty()) tag.attributes.push_back({"style", style});
   }
 
+  /// What MuPDF does not know of a style is said in its words: variables, sizes of other sizes, colours that cover in part.
+  void makePlain(Tag& tag, Open& opened) const {
+    Declarations plain, style;
+    for (Attribute& attribute : tag.attributes)
+      if (attribute.value.find("var(") != std::string::npos)
+        attribute.value = withVariables(std::move(attribute.value), variables_);
+    if (const std::string* own = tag.find("style")) addDeclarations(*own, style);
+    for (const char* name : {"fill", "stroke", "font-size"}) {
+      const std::string before = property(tag, name);
+      std::string value = before;
+      if (std::string_view(name) == "font-size") {
+        if (const auto size_px = pixelsOf(value, opened.fontSize_px)) {
+          opened.fontSize_px = *size_px;
+          char text[32];
+          std::snprintf(text, sizeof text, "%.6gpx", *size_px);
+          value = text;
+        }
+      } else if (const auto alpha = takeAlpha(value)) {
+        plain[std::string(name) + "-opacity"] = *alpha;
+      }
+      if (value != before) plain[name] = value;
+    }
+    if (plain.empty()) return;
+    for (const auto& [name, value] : plain) {
+      style[name] = value;
+      tag.set(name, value);
+    }
+    std::string text;
+    for (const auto& [name, value] : style) text += (text.empty() ? "" : ";") + name + ":" + value;
+    tag.set("style", text);
+  }
+
   std::string_view svg_;
   double maxElements_;
   std::vector<Rule> rules_;
+  Declarations variables_;
   std::map<std::string, Box> clips_;  ///< upright boxes, in the plane of the element that uses them
   std::vector<Open> open_;
   std::map<std::string, Weight> named_;

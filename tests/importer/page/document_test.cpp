@@ -441,6 +441,31 @@ TEST_CASE("style sheets cascade: rules over attributes, ids over classes over ty
     CHECK(out.text.find(expected) != std::string::npos);
 }
 
+TEST_CASE("variables, sizes of other sizes and colours that cover in part are said in plain words") {
+  const PreparedSvg out = prepareSvg(
+      "<svg style='font-size:2rem'><style>:root{--ink:#123456;--line:light-dark(rgb(1,2,3), white)}"
+      "@media (prefers-color-scheme: dark){:root{--ink:white}}</style>"
+      "<path id='a' fill='var(--none, var(--ink))'/><path id='b' style='stroke:var(--line)'/>"
+      "<path id='c' stroke='rgba(9,8,7,0.25)'/><path id='d' fill='transparent'/>"
+      "<text id='e' style='font-size:0.5em'>1<tspan id='f' font-size='50%'>2</tspan></text></svg>",
+      1e6);
+  CHECK(out.problem.empty());
+  const auto tagOf = [&](const std::string& id) {
+    const std::size_t at = out.text.find("id='" + id + "'");
+    return out.text.substr(at, out.text.find('>', at) - at);
+  };
+  const auto has = [&](const std::string& id, const std::string& words) {
+    return tagOf(id).find(words) != std::string::npos;
+  };
+  CHECK(has("a", "fill='#123456'"));
+  CHECK(has("b", "stroke:rgb(1,2,3)"));
+  CHECK(has("c", "stroke='rgb(9,8,7)'"));
+  CHECK(has("c", "stroke-opacity=\"0.25\""));
+  CHECK(has("d", "fill-opacity=\"0\""));
+  CHECK(has("e", "font-size:16px"));
+  CHECK(has("f", "font-size='8px'"));
+}
+
 TEST_CASE("what a style sheet quotes stays inside of its attribute") {
   const PreparedSvg out = prepareSvg(
       "<svg><style><![CDATA[text{font-family:'Arial',\"O'Neil\";stroke:url(<a>)}]]></style>"
