@@ -332,11 +332,12 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   const auto words = inkedLabelWords(r, band, axis);
   auto inked = tryRows(r, axis, words, lines, TextKind::number);
   if (inked && (!best || agreed(*inked) > agreed(*best))) best = std::move(inked);
-  if (best && agreed(*best) >= 2) return best;
-  if (!x) {
+  if (best && agreed(*best) >= 3) return best;
+  if (!x) {  // digits of numbers that read upwards make a scale by twos
     auto upwards = readUpwardLabels(r, band, lines);
     if (upwards && agreed(*upwards) >= 3) return upwards;
   }
+  if (best && agreed(*best) >= 2) return best;
   // "20gf" read as digits alone is nonsense: once more with letters.
   auto lettered = tryRows(r, axis, words, lines, TextKind::words);
   return lettered && (!best || agreed(*lettered) > agreed(*best)) ? lettered : best;

@@ -148,7 +148,9 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
     const auto words = numberBoxes(upright);
     const Box box = turned(r.box, turns);
     const auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
-    const auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
+    auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
+    if (below.regular >= 3 && (left.regular < 3 || !sameSize(below, left)))
+      left = labelsUpwards(words, box, turnedPositions(r, turns, false));
     const double share = uprightShare(below, left, upright);
     if (std::min(below.regular, left.regular) < 3 || !sameSize(below, left) || share < 0.3) continue;
     // Graphs stand upright, lie on their side on sideways sheets, and hardly ever stand on their head.

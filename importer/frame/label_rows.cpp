@@ -116,4 +116,36 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
   return best;
 }
 
+LabelRow labelsUpwards(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
+  constexpr double aligned = 0.25, joined = 0.8;  // of a digit's height, which is the width here
+  const auto isAligned = [&](const Box& w, const Box& seed) {
+    const double off = aligned * seed.width() + 1.5;
+    return std::abs(w.x0 - seed.x0) <= off && std::abs(w.x1 - seed.x1) <= off;
+  };
+  LabelRow best;
+  for (const auto& seed : words) {
+    const Box lying{0, 0, seed.height(), seed.width()};
+    if (!couldBeNumber(lying, r.height()) || seed.x1 > r.x0 ||
+        seed.x1 < r.x0 - farthest(lying) - 0.03 * r.width())
+      continue;
+    std::vector<Box> digits;
+    for (const auto& w : words)
+      if (isAligned(w, seed) && w.y1 >= r.y0 - 0.12 * r.height() && w.y0 <= r.y1 + 0.12 * r.height())
+        digits.push_back(w);
+    std::sort(digits.begin(), digits.end(), [](const Box& a, const Box& b) { return a.y0 < b.y0; });
+    LabelRow column;
+    for (const auto& digit : digits)
+      if (!column.words.empty() && digit.y0 - column.words.back().y1 <= joined * seed.width())
+        column.words.back() = column.words.back().joined(digit);
+      else
+        column.words.push_back(digit);
+    std::vector<double> places;
+    for (const auto& w : column.words) places.push_back(w.middle().y);
+    column.regular = regularity(places, lines, seed.width(), r.height());
+    column.height_px = seed.width();
+    if (column.regular > best.regular) best = std::move(column);
+  }
+  return best;
+}
+
 }  // namespace detent::importer

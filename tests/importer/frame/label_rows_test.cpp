@@ -48,3 +48,16 @@ TEST_CASE("three labels are better than nothing", "[label rows]") {
   const auto labels = column(3, 90, 220, 16, 11, 108);
   CHECK(labelsLeft(labels, kPlot, {}).words == labels);
 }
+
+TEST_CASE("Digits of numbers that read upwards, one above the other, make a column") {
+  // 15, 10, 5 and 0 at even distances, 11 px a digit, and a title's letters farther out.
+  std::vector<Box> digits;
+  const auto digit = [&](double x, double y) { digits.push_back({x, y - 5, x + 14, y + 5}); };
+  for (const double y : {94.0, 106.0, 194.0, 206.0, 300.0, 400.0}) digit(kPlot.x0 - 30, y);
+  for (double y = 210; y < 300; y += 11) digit(kPlot.x0 - 60, y);
+  const LabelRow column = labelsUpwards(digits, kPlot, {100, 200, 300, 400});
+  CHECK(column.regular == 4);
+  CHECK(column.height_px == 14);
+  REQUIRE(column.words.size() == 4);
+  CHECK(column.words.front().height() == 22);
+}
