@@ -98,10 +98,20 @@ bool anySign(std::string_view text, const List& list) {
                      [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
 }
 
+/// The stroke of a word whose beginning the legend's sample hid, by its end: "leasing". Nothing where both have such words.
+std::optional<Stroke> endOfStrokeWord(const std::string& word) {
+  constexpr std::size_t fewest = 5;
+  const auto isEnd = [&](std::string_view known) { return known.ends_with(word); };
+  const bool press = std::ranges::any_of(kPressWords, isEnd),
+             release = std::ranges::any_of(kReleaseWords, isEnd);
+  if (word.size() < fewest || press == release) return {};
+  return press ? Stroke::press : Stroke::release;
+}
+
 bool isStrokeWord(const std::string& word) {
   const std::vector<std::string> one{word};
   const auto isOne = [&](std::string_view sign) { return word == sign; };
-  return anyWord(one, kPressWords) || anyWord(one, kReleaseWords) ||
+  return anyWord(one, kPressWords) || anyWord(one, kReleaseWords) || endOfStrokeWord(word) ||
          std::ranges::any_of(kPressSigns, isOne) || std::ranges::any_of(kReleaseSigns, isOne);
 }
 
@@ -223,7 +233,7 @@ std::optional<Stroke> strokeNamedBy(std::string_view utf8) {
   if (anyWord(words, kPointWords) || anySign(utf8, kPointSigns)) return {};
   const bool press = anyWord(words, kPressWords) || anySign(utf8, kPressSigns);
   const bool release = anyWord(words, kReleaseWords) || anySign(utf8, kReleaseSigns);
-  if (press == release) return {};
+  if (press == release) return press || words.size() != 1 ? std::nullopt : endOfStrokeWord(words.front());
   return press ? Stroke::press : Stroke::release;
 }
 

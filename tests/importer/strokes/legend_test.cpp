@@ -39,6 +39,14 @@ TEST_CASE("Accents and capitals that a reader of pixels loses", "[legend]") {
     CHECK(strokeNamedBy(text) == Stroke::press);
 }
 
+TEST_CASE("Words whose beginning a sample hides are known by their ends", "[legend]") {
+  CHECK(strokeNamedBy("ssing") == Stroke::press);
+  CHECK(strokeNamedBy("leasing") == Stroke::release);
+  CHECK(mayBeOnePair("ssing", "leasing"));
+  for (const char* text : {"stroke", "sing", "asten", "leasing Red"})
+    CHECK(strokeNamedBy(text) == std::nullopt);
+}
+
 TEST_CASE("Names that programs give to what nobody named", "[legend]") {
   for (const char* text : {"data1", "Series 2", "Seriesl", "Datenreihen1", "Série1", "Ряд2", "系列1",
                            "trace 0", "Column B", "'run.txt' using 1:2"})
