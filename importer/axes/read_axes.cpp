@@ -218,7 +218,7 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double f
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
   const double residual_px = residualAtUsualSize_px(p.residual_px, length_px);
   const double printed = printedShare(*labels);
-  constexpr double ofRow = 0.85, ofSome = 0.6;
+  constexpr double ofRow = 0.85, ofSome = 0.6;  // shares of certainty
   const double sharp = p.fromTicks                       ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0)
                        : isWholeRow(p, printed, foot_px) ? ofRow
                                                          : ofSome;
