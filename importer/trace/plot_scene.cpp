@@ -23,12 +23,12 @@ constexpr float kUnevenPaper = 8;      // a tile's paper that differs by this mu
 /// centre of mass.
 class ModeOfColors {
  public:
-  ModeOfColors() : count_(4096, 0), mean_(4096) {}
+  ModeOfColors() : count_(4096, 0), sum_(4096) {}
 
   void add(Color3 c) {
     const std::size_t cell = cellOf(c);
-    ++count_[cell];  // a sum of a million would be off by levels
-    mean_[cell] = mean_[cell] + (1.0F / static_cast<float>(count_[cell])) * (c - mean_[cell]);
+    ++count_[cell];
+    sum_[cell] = sum_[cell] + c;
     ++total_;
   }
   /// The fullest cell joined with its neighbours, so that a colour on a cell's border is not halved.
@@ -37,7 +37,7 @@ class ModeOfColors {
         static_cast<std::size_t>(std::max_element(count_.begin(), count_.end()) - count_.begin());
     const int r = static_cast<int>(best >> 8), g = static_cast<int>((best >> 4) & 15),
               b = static_cast<int>(best & 15);
-    const Color3 centre = mean_[best];
+    const Color3 centre = count_[best] ? (1.0F / static_cast<float>(count_[best])) * sum_[best] : Color3{};
     Color3 sum;
     double n = 0;
     for (int i = std::max(0, r - 1); i <= std::min(15, r + 1); ++i)
@@ -45,8 +45,9 @@ class ModeOfColors {
         for (int k = std::max(0, b - 1); k <= std::min(15, b + 1); ++k) {
           const std::size_t cell = static_cast<std::size_t>((i << 8) | (j << 4) | k);
           if (count_[cell] == 0) continue;
-          if (norm(mean_[cell] - centre) > 10) continue;
-          sum = sum + static_cast<float>(count_[cell]) * mean_[cell];
+          const Color3 mean = (1.0F / static_cast<float>(count_[cell])) * sum_[cell];
+          if (norm(mean - centre) > 10) continue;
+          sum = sum + sum_[cell];
           n += count_[cell];
         }
     if (share) *share = total_ > 0 ? n / total_ : 0;
@@ -59,7 +60,7 @@ class ModeOfColors {
     return (level(c.r) << 8) | (level(c.g) << 4) | level(c.b);
   }
   std::vector<int> count_;
-  std::vector<Color3> mean_;
+  std::vector<Color3> sum_;
   double total_ = 0;
 };
 

@@ -1173,14 +1173,6 @@ TEST_CASE("The name of a curve in the frame's ink is found in line with the othe
   CHECK(ofColor(*traces, kBlack).label == "KSC3");
 }
 
-TEST_CASE("The paper of a large picture is as it is, to a tenth of a level", "[trace]") {
-  const Plot plot(1900, 1200, {253, 252, 248});
-  const auto paper = plot.scene().paper();
-  CHECK(paper.r == Approx(253).margin(0.1));
-  CHECK(paper.g == Approx(252).margin(0.1));
-  CHECK(paper.b == Approx(248).margin(0.1));
-}
-
 TEST_CASE("Three switches, each a line and dashes in an ink of its own near the others'", "[trace]") {
   // Violet lies between red and blue: their edges are no third line in it.
   const Rgb red{226, 74, 51}, blue{52, 138, 189}, violet{152, 142, 213};
