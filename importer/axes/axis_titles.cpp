@@ -117,10 +117,6 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   if (!best.unit) consider(best, r.readLinesOfParts(below, 0, towards, 2), lengthUnitIn);
   if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
   if (!best.unit) considerAgain(best, r, withBracket(readBeside), lengthUnitIn);
-  if (!best.unit) {
-    r.partFromRules();
-    consider(best, r.readLines(below, 0, towards, 2), lengthUnitIn);
-  }
   if (!best.unit || best.unit->sure < surePlace)
     best.other = otherQuantity(nearby, towards, besides(best, forceUnitIn));
   return best;
@@ -163,10 +159,6 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
     if (downwards.unit && downwards.unit->sure >= surePlace) best = std::move(downwards);
   }
   if (!best.unit) considerAgain(best, r, read, forceUnitIn);
-  if (!best.unit) {
-    r.partFromRules();
-    consider(best, r.readLines(left, 90, towards, 2), forceUnitIn);
-  }
   if (!best.unit || best.unit->sure < surePlace)
     best.other = otherQuantity(upwards, towards, besides(best, lengthUnitIn));
   return best;

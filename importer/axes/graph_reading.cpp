@@ -5,8 +5,6 @@
 #include <cctype>
 #include <cmath>
 
-#include <opencv2/imgproc.hpp>
-
 #include "importer/axes/printed_unit.h"
 #include "importer/axes/small_units.h"
 #include "importer/axes/text_lines.h"
@@ -85,18 +83,6 @@ GraphReading::GraphReading(const PageView& v, const PlotFrame& f)
     : view(v), frame(f), box(f.box()), darkness(darknessOf(v.raster, f.paper)), reader(v) {
   ink = inkOf(darkness);
   glyphs = glyphBoxes(withoutFrameInk(ink, box, positions(frame.xLines), positions(frame.yLines)), 1,
-                      largestGlyph_px());
-}
-
-void GraphReading::partFromRules() {
-  const int length = static_cast<int>(3 * largestGlyph_px());
-  cv::Mat rest = ink.clone();
-  for (const cv::Size along : {cv::Size(length, 1), cv::Size(1, length)}) {
-    cv::Mat rules;
-    cv::morphologyEx(ink, rules, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, along));
-    rest.setTo(0, rules);
-  }
-  glyphs = glyphBoxes(withoutFrameInk(rest, box, positions(frame.xLines), positions(frame.yLines)), 1,
                       largestGlyph_px());
 }
 

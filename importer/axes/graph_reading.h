@@ -39,9 +39,6 @@ class GraphReading {
   /// Labels that were read take part in no other line of writing.
   void setAside(const std::vector<Box>& words);
 
-  /// Takes long lines out of the ink that glyphs are found in: letters that touch a panel's edge or a table's line stand alone.
-  void partFromRules();
-
   /// The document's own texts whose middle lies in the region.
   std::vector<SeenText> ownTexts(const Box& region) const;
 

@@ -258,21 +258,6 @@ TEST_CASE("a plot without units says which ones it took") {
   }
 }
 
-TEST_CASE("a title that touches a panel's edge is read") {
-  if (skipWithoutEngine()) return;
-  PlotStyle s;
-  s.yTitle = "";
-  Canvas c(s.width, s.height, s.paperGrey);
-  drawInto(c, s);
-  c.text("Force [cN]", 30, 270, 0, 0.5, 1);
-  cv::Mat title = c.grey()(cv::Rect(10, 150, 40, 240)).clone();
-  cv::Rect letters = cv::boundingRect(cv::Mat(title < 128));
-  c.column(10 + letters.x, 4, s.height - 4, 2, 0);  // along the tops of its letters
-  const auto axes = read(c.grey());
-  CHECK(axes.calibration.value.y.unitFound);
-  CHECK(axes.calibration.value.y.unit == "cN");
-}
-
 TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
