@@ -377,13 +377,15 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
   return all;
 }
 
+bool liesOn(Point p, const CurveTrace& trace, double within_px) {
+  return std::ranges::any_of(trace.points_px, [&](Point q) { return distance(p, q) <= within_px; });
+}
+
 /// Share of a trace's points that lie on another one.
 double shareOn(const CurveTrace& trace, const CurveTrace& other) {
   constexpr double within_px = 1.5;
-  const auto lies = [&](Point p) {
-    return std::ranges::any_of(other.points_px, [&](Point q) { return distance(p, q) <= within_px; });
-  };
-  const auto on = std::ranges::count_if(trace.points_px, lies);
+  const auto on =
+      std::ranges::count_if(trace.points_px, [&](Point p) { return liesOn(p, other, within_px); });
   return static_cast<double>(on) / static_cast<double>(std::max<std::size_t>(1, trace.points_px.size()));
 }
 
@@ -415,6 +417,7 @@ bool anyStopsLow(const std::vector<CurveTrace>& traces) {
   std::vector<double> tops;
   double bottom = 0;
   for (const CurveTrace& trace : traces) {
+    if (trace.points_px.empty()) return false;  // a colour without a way says nothing of a wall
     const auto [top, low] = std::ranges::minmax(trace.points_px, {}, &Point::y);
     tops.push_back(top.y);
     bottom = std::max(bottom, low.y);
@@ -426,14 +429,13 @@ bool anyStopsLow(const std::vector<CurveTrace>& traces) {
 /// Whether what a stroke has beyond its trace runs where no other trace does.
 bool goesOnAlone(const CurveTrace& stroke, const CurveTrace& its, const std::vector<CurveTrace>& traces) {
   constexpr double apart_px = 3, alone = 0.25;  // of what it has beyond
-  const auto liesOn = [](Point p, const CurveTrace& trace) {
-    return std::ranges::any_of(trace.points_px, [&](Point q) { return distance(p, q) <= apart_px; });
-  };
   double beyond = 0, shared = 0;
   for (Point p : stroke.points_px) {
-    if (liesOn(p, its)) continue;
+    if (liesOn(p, its, apart_px)) continue;
     ++beyond;
-    shared += std::ranges::any_of(traces, [&](const CurveTrace& other) { return liesOn(p, other); }) ? 1 : 0;
+    shared += std::ranges::any_of(traces, [&](const CurveTrace& other) { return liesOn(p, other, apart_px); })
+                  ? 1
+                  : 0;
   }
   return shared <= (1 - alone) * beyond;
 }
