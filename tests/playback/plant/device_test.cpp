@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -267,9 +268,15 @@ Exchanged exchanged(const std::string& from, const std::string& to, double reply
   e.worst_N = 0;
   for (std::size_t i = 0; i < got.rows.size(); ++i) {
     const double at_mm = got.first_mm + got.spacing_mm * static_cast<double>(i);
-    const auto row = static_cast<std::size_t>(std::lround((at_mm - told.first_mm) / told.spacing_mm));
-    e.worst_N = std::max({e.worst_N, std::abs(got.rows[i].press_N - told.rows[row].press_N),
-                          std::abs(got.rows[i].release_N - told.rows[row].release_N)});
+    const long row = std::lround((at_mm - told.first_mm) / told.spacing_mm);
+    // The device may still hold the table of `from`, whose travel is another.
+    if (row < 0 || row >= static_cast<long>(told.rowCount)) {
+      e.worst_N = std::numeric_limits<double>::infinity();
+      break;
+    }
+    const playback::ForceRow& expected = told.rows[static_cast<std::size_t>(row)];
+    e.worst_N = std::max({e.worst_N, std::abs(got.rows[i].press_N - expected.press_N),
+                          std::abs(got.rows[i].release_N - expected.release_N)});
   }
   return e;
 }
