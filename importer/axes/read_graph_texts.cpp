@@ -3,6 +3,8 @@
 #include <cctype>
 #include <cmath>
 
+#include <opencv2/core.hpp>
+
 #include "importer/axes/axis_calibration.h"
 #include "importer/axes/equal_digits.h"
 #include "importer/axes/read_text.h"
