@@ -66,7 +66,8 @@ class ExplainedPlot {
       if (curve.points_px.size() < 2) continue;
       Drawn drawn{{}, 1, curve.color, curve.fromVector};
       for (const Point& p : curve.points_px) drawn.points.push_back(area_.fromView(p));
-      const double seen = scene.inkOf(curve.color).thicknessAlong(drawn.points);
+      // A document's straight stretch has two points.
+      const double seen = scene.inkOf(curve.color).thicknessAlong(densified(drawn.points, 1));
       drawn.thickness_px = std::max(1.0, seen);
       drawn_.push_back(std::move(drawn));
     }

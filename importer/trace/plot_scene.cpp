@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "importer/trace/settled_chroma.h"
+#include "importer/trace/tinted_areas.h"
 
 namespace detent::importer::trace {
 
@@ -23,44 +24,49 @@ constexpr float kUnevenPaper = 8;      // a tile's paper that differs by this mu
 /// centre of mass.
 class ModeOfColors {
  public:
-  ModeOfColors() : count_(4096, 0), sum_(4096) {}
+  ModeOfColors() : cells_(4096) {}
 
   void add(Color3 c) {
-    const std::size_t cell = cellOf(c);
-    ++count_[cell];
-    sum_[cell] = sum_[cell] + c;
+    cells_[cellOf(c)].add(c);
     ++total_;
   }
   /// The fullest cell joined with its neighbours, so that a colour on a cell's border is not halved.
   Color3 mode(double* share = nullptr) const {
-    const std::size_t best =
-        static_cast<std::size_t>(std::max_element(count_.begin(), count_.end()) - count_.begin());
-    const int r = static_cast<int>(best >> 8), g = static_cast<int>((best >> 4) & 15),
-              b = static_cast<int>(best & 15);
-    const Color3 centre = count_[best] ? (1.0F / static_cast<float>(count_[best])) * sum_[best] : Color3{};
-    Color3 sum;
-    double n = 0;
+    const auto fullest = std::ranges::max_element(cells_, {}, &Sum::count);
+    const int best = static_cast<int>(fullest - cells_.begin());
+    const int r = best >> 8, g = (best >> 4) & 15, b = best & 15;
+    const Color3 centre = fullest->mean();
+    Sum near;
     for (int i = std::max(0, r - 1); i <= std::min(15, r + 1); ++i)
       for (int j = std::max(0, g - 1); j <= std::min(15, g + 1); ++j)
-        for (int k = std::max(0, b - 1); k <= std::min(15, b + 1); ++k) {
-          const std::size_t cell = static_cast<std::size_t>((i << 8) | (j << 4) | k);
-          if (count_[cell] == 0) continue;
-          const Color3 mean = (1.0F / static_cast<float>(count_[cell])) * sum_[cell];
-          if (norm(mean - centre) > 10) continue;
-          sum = sum + sum_[cell];
-          n += count_[cell];
-        }
-    if (share) *share = total_ > 0 ? n / total_ : 0;
-    return n > 0 ? static_cast<float>(1 / n) * sum : centre;
+        for (int k = std::max(0, b - 1); k <= std::min(15, b + 1); ++k)
+          if (const Sum& cell = cells_[static_cast<std::size_t>((i << 8) | (j << 4) | k)];
+              norm(cell.mean() - centre) <= 10)
+            near.add(cell);
+    if (share) *share = total_ > 0 ? near.count / total_ : 0;
+    return near.mean();
   }
 
  private:
+  /// Of colours; in double precision, as a million of them leave no level to be told in single.
+  struct Sum {
+    double count = 0, r = 0, g = 0, b = 0;
+
+    void add(Color3 c) {
+      ++count;
+      r += static_cast<double>(c.r), g += static_cast<double>(c.g), b += static_cast<double>(c.b);
+    }
+    void add(const Sum& other) { count += other.count, r += other.r, g += other.g, b += other.b; }
+    Color3 mean() const {
+      if (count <= 0) return {};
+      return {static_cast<float>(r / count), static_cast<float>(g / count), static_cast<float>(b / count)};
+    }
+  };
   static std::size_t cellOf(Color3 c) {
     const auto level = [](float v) { return static_cast<std::size_t>(std::clamp(v, 0.0F, 255.0F)) >> 4; };
     return (level(c.r) << 8) | (level(c.g) << 4) | level(c.b);
   }
-  std::vector<int> count_;
-  std::vector<Color3> sum_;
+  std::vector<Sum> cells_;
   double total_ = 0;
 };
 
@@ -170,6 +176,11 @@ PlotScene::PlotScene(const Raster& view, const PlotFrame& frame, const std::vect
   if (empty()) return;
   paper_ = paperOf(area_.raster);
   if (settleChroma(area_.raster, rgbOf(paper_))) paper_ = paperOf(area_.raster);
+  const auto lines = [this] {
+    measureLines();
+    return lineDirection_;
+  };
+  if (liftTintedAreas(area_.raster, paper_, lines)) paper_ = paperOf(area_.raster);
   measureShading();
   measureNoise();
   measureLines();
@@ -251,6 +262,7 @@ void PlotScene::measureLines() {
   const int y1 = std::min(r.height_px - 1, static_cast<int>(std::ceil(area_.frame.y1)));
   rows_.assign(static_cast<std::size_t>(r.height_px), {});
   columns_.assign(static_cast<std::size_t>(r.width_px), {});
+  lineDirection_ = {};
   const int stepX = std::max(1, (x1 - x0) / kMaxSamplesPerLine),
             stepY = std::max(1, (y1 - y0) / kMaxSamplesPerLine);
   LineColor line(8 + 2 * noise_);

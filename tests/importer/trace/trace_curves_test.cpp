@@ -124,6 +124,23 @@ class Plot {
         view_.raster.rgb[3 * i + k] = static_cast<std::uint8_t>(std::lround(c * ink[k] + (1 - c) * under));
       }
   }
+  /// What lies between a curve and the plot's foot, as programs fill it; `opacity` at the top and at the foot.
+  void area(const Curve& points, Rgb color, double opacity, double atFoot) {
+    Raster& r = view_.raster;
+    const double ink[3] = {double(color.r), double(color.g), double(color.b)};
+    for (std::size_t i = 1; i < points.size(); ++i)
+      for (double x = std::ceil(points[i - 1].x); x < points[i].x; ++x) {
+        const double t = (x - points[i - 1].x) / (points[i].x - points[i - 1].x);
+        const double from = std::max(box_.y0, std::lerp(points[i - 1].y, points[i].y, t));
+        for (int y = static_cast<int>(from); y < box_.y1; ++y) {
+          const double c =
+              std::min(1.0, y + 1 - from) * std::lerp(opacity, atFoot, (y - box_.y0) / (box_.y1 - box_.y0));
+          std::uint8_t* pixel = r.rgb.data() + 3 * (y * r.width_px + static_cast<int>(x));
+          for (std::size_t k = 0; k < 3; ++k)
+            pixel[k] = static_cast<std::uint8_t>(std::lround(c * ink[k] + (1 - c) * pixel[k]));
+        }
+      }
+  }
   void grid(int columns, int rows, Rgb color, double width = 1) {
     for (int i = 0; i <= columns; ++i)
       line(at({{double(i) / columns, 0}, {double(i) / columns, 1}}), width, color);
@@ -288,6 +305,34 @@ TEST_CASE("A tolerance band around a curve is no second stroke", "[trace]") {
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 1);
   CHECK(apart(traces->front().points_px, clippedAtTop(plot, down)) < 0.3);
+}
+
+TEST_CASE("Areas under both curves are taken off the paper: even, fading, compressed, on dark paper",
+          "[trace]") {
+  struct Look {
+    double opacity, atFoot;
+    const char* storedAs;
+    Rgb paper, grid;
+  };
+  const Look look =
+      GENERATE(Look{0.3, 0.3, "", kWhite, {225, 225, 225}}, Look{0.5, 0.5, "", kWhite, {225, 225, 225}},
+               Look{0.6, 0, "", kWhite, {225, 225, 225}}, Look{0.3, 0.3, ".jpg", kWhite, {225, 225, 225}},
+               Look{0.4, 0.4, "", {20, 22, 30}, {60, 62, 70}});
+  CAPTURE(look.opacity, look.atFoot, look.storedAs);
+  Plot plot(900, 550, look.paper);
+  plot.grid(8, 10, look.grid);
+  const Rgb red{228, 60, 50}, sky{60, 150, 230};
+  const Curve down = clippedAtTop(plot, plot.at(press())), up = plot.at(release());
+  plot.area(down, red, look.opacity, look.atFoot);
+  plot.line(down, 2, red, true);
+  plot.area(up, sky, look.opacity, look.atFoot);
+  plot.line(up, 2, sky, true);
+  if (*look.storedAs) plot.storeAs(look.storedAs, 85);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, red).points_px, down) < 0.6);
+  CHECK(apart(ofColor(*traces, sky).points_px, up) < 0.6);
 }
 
 TEST_CASE("Thin pale lines of a 300 px picture", "[trace]") {
@@ -705,6 +750,14 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     thin.line(thin.at({{0.75, loop.press.back().y}, {0.75, 0.95}}), 1, kBlue, false, 0.7);
     REQUIRE_FALSE(left().empty());
     CHECK(left().front().likeness > 0.9);
+  }
+  SECTION("thick lines of a document, straight between few points") {
+    Plot thick(700, 430);
+    press.points_px = thick.at({{0, 0.2}, {0.7, 0.5}, {0.72, 0.9}});
+    press.fromVector = true;
+    thick.line(press.points_px, 9, kBlue);
+    const auto left = explain(thick.scene(), {press}).left;
+    CHECK((left.empty() || left.front().likeness < 0.2));
   }
   SECTION("a straight leader") {
     plot.line(plot.at({{0.2, 0.9}, {0.35, 0.42}}), 3, kBlue);
@@ -1171,6 +1224,14 @@ TEST_CASE("The name of a curve in the frame's ink is found in line with the othe
   CHECK(ofColor(*traces, kRed).label == "KSC1");
   CHECK(ofColor(*traces, kBlue).label == "KSC2");
   CHECK(ofColor(*traces, kBlack).label == "KSC3");
+}
+
+TEST_CASE("The paper of a large picture is as it is, to a tenth of a level", "[trace]") {
+  const Plot plot(1900, 1200, {253, 252, 248});
+  const auto paper = plot.scene().paper();
+  CHECK(paper.r == Approx(253).margin(0.1));
+  CHECK(paper.g == Approx(252).margin(0.1));
+  CHECK(paper.b == Approx(248).margin(0.1));
 }
 
 TEST_CASE("Three switches, each a line and dashes in an ink of its own near the others'", "[trace]") {
