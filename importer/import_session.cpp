@@ -875,7 +875,10 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
     if (refined && refined->shape != SheetShape::asRead) {
       refinedGraph = *read;
       refinedGraph->axes.calibration.value = refined->calibration;
-      if (wider) refinedGraph->axes.calibration.value.x.max = wider->graph.axes.calibration.value.x.max;
+      if (wider) {
+        refinedGraph->axes.calibration.value.x.max = wider->graph.axes.calibration.value.x.max;
+        refinedGraph->axes.calibration.value.y.max = wider->graph.axes.calibration.value.y.max;
+      }
       moveTo(refined->calibration, graph.axes.calibration.value, strokes->value.press);
       if (strokes->value.release)
         moveTo(refined->calibration, graph.axes.calibration.value, *strokes->value.release);

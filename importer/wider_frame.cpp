@@ -13,31 +13,54 @@ namespace {
 
 constexpr std::size_t tail = 12;  // points of a curve that say where it leads
 
-/// Column in which a curve's ink ends beyond the frame's right edge; empty where it does not end within `most_px` of it.
-std::optional<int> inkEndsAt(const CurveTrace& curve, const Box& frame, double most_px,
-                             const Raster& picture) {
+/// How far the ink of a curve reaches.
+struct Reach {
+  int right_px = 0, top_px = 0;
+};
+
+/// Where the ink that begins on a curve, its own or that of others which cover it, ends beyond the frame's right edge, and beyond its upper one where `most_px.y` is more than nothing; empty where it
+/// does not end within `most_px` of them.
+std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveTrace>& all, const Box& frame,
+                               Point most_px, const Raster& picture) {
   constexpr int reach = 2;  // over what a line's edge or a pale gridline takes out of it
-  const int last = static_cast<int>(std::min(frame.x1 + most_px, picture.width_px - 2.0));
-  const int first = static_cast<int>(frame.x1) - 3;
-  const int top = static_cast<int>(frame.y0), foot = static_cast<int>(frame.y1);
+  const int last = static_cast<int>(std::min(frame.x1 + most_px.x, picture.width_px - 2.0));
+  const int first = static_cast<int>(frame.x1) - 3, below = static_cast<int>(frame.y0) + 3;
+  const bool upwards = most_px.y > 0;
+  const int top = static_cast<int>(upwards ? std::max(frame.y0 - most_px.y, 1.0) : frame.y0);
+  const int foot = static_cast<int>(frame.y1);
+  const auto isBeyond = [&](int x, int y) { return x >= first || (upwards && y <= below); };
   std::set<std::pair<int, int>> seen;
   std::vector<std::pair<int, int>> open;
   const auto visit = [&](int x, int y) {
-    if (x < first || y < top || y > foot || !isInkOf(picture, curve.color, x, y)) return;
+    if (!isBeyond(x, y) || y < top || y > foot) return;
+    if (std::ranges::none_of(all, [&](const CurveTrace& each) { return isInkOf(picture, each.color, x, y); }))
+      return;
     if (seen.emplace(x, y).second) open.emplace_back(x, y);
   };
   for (const Point& p : curve.points_px)
-    if (p.x >= first) visit(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
-  int end = first;
+    visit(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+  Reach ends{first, static_cast<int>(frame.y0)};
   while (!open.empty()) {
     const auto [x, y] = open.back();
     open.pop_back();
-    end = std::max(end, x);
-    if (end >= last) return {};
+    ends.right_px = std::max(ends.right_px, x), ends.top_px = std::min(ends.top_px, y);
+    if (x >= last || (upwards && (y <= top || x <= frame.x0))) return {};
     for (int v = y - reach; v <= y + reach; ++v)
       for (int u = x - reach; u <= x + reach; ++u) visit(u, v);
   }
-  return end;
+  return ends;
+}
+
+/// Pixels from one number of an axis to the next, the least there is; 0 where fewer than two were read.
+double stepOf(const AxisReading& axis) {
+  std::vector<double> at;
+  for (const TickLabel& tick : axis.ticks)
+    if (tick.used) at.push_back(tick.position_px);
+  std::ranges::sort(at);
+  double step = 0;
+  for (std::size_t i = 1; i < at.size(); ++i)
+    if (step <= 0 || at[i] - at[i - 1] < step) step = at[i] - at[i - 1];
+  return step;
 }
 
 bool standsLevel(const PlotFrame& frame) {
@@ -56,8 +79,11 @@ bool isContradicted(const LocatedGraph& graph) {
 
 bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& picture) {
   constexpr int reach = 2;
-  if (curve.size() <= tail) return false;
-  const Point end = curve.back(), before = curve[curve.size() - 1 - tail];
+  if (curve.size() < 2) return false;
+  // A document's points lie as far apart as they may.
+  std::size_t from = curve.size() - 1;
+  while (from > 0 && distance(curve[from], curve.back()) < tail) --from;
+  const Point end = curve.back(), before = curve[from];
   const double run = distance(end, before);
   if (!(run > 0)) return false;
   for (const double beyond_px : {5.0, 7.0, 9.0}) {
@@ -75,32 +101,45 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
                                                const std::vector<CurveTrace>& curves) {
   constexpr double atEdge_px = 2, mostShare = 0.2, roomShare = 0.01, leastRoom_px = 3;  // shares of the width
   constexpr double wallAlongEdge_px = 5;  // half of the thickest line
+  constexpr double farBeyond_px = 9;
   const PlotFrame& frame = graph.frame.value;
   const Box box = frame.box();
   const Raster& picture = graph.view.raster;
   if (picture.empty() || !standsLevel(frame) || isContradicted(graph)) return {};
+  const AxisCalibration& axes = graph.axes.calibration.value;
+  // A range cut at what it shows ends before the next number, which is not there.
+  const Point most_px{std::max(mostShare * box.width(), stepOf(axes.x)), stepOf(axes.y)};
+  const double room_px = std::max(leastRoom_px, roomShare * box.width());
   bool leaves = false;
-  double edge_px = box.x1;
+  Box wide = box;
   for (const CurveTrace& curve : curves) {
     if (curve.points_px.size() < 2) continue;
     std::vector<Point> line = curve.points_px;
     if (line.front().x > line.back().x) std::ranges::reverse(line);
-    if (line.back().x < box.x1 - atEdge_px) continue;
-    const auto end = inkEndsAt(curve, box, mostShare * box.width(), picture);
+    const bool atRight = line.back().x >= box.x1 - atEdge_px, atTop = line.back().y <= box.y0 + atEdge_px;
+    if (!atRight && !atTop) continue;
+    auto end = inkEndsAt(curve, curves, box, most_px, picture);
+    if (!end && atRight) end = inkEndsAt(curve, curves, box, {most_px.x, 0}, picture);
     if (!end) return {};
     // A wall along the edge goes on upwards, over the frame's own line.
     const double rightwards_px = line.back().x - line[line.size() - std::min(line.size(), tail + 1)].x;
-    const bool alongEdge = rightwards_px < 2 && *end <= box.x1 + wallAlongEdge_px;
-    leaves = leaves || (!alongEdge && goesOnBeyond(line, curve.color, picture));
-    edge_px = std::max(edge_px, *end + std::max(leastRoom_px, roomShare * box.width()));
+    const bool alongEdge =
+        atRight && rightwards_px < 2 && end->right_px <= box.x1 + wallAlongEdge_px && end->top_px >= box.y0;
+    const bool drawnBeyond = line.back().x > box.x1 + farBeyond_px;  // a document's path, whole
+    leaves = leaves || drawnBeyond || (!alongEdge && goesOnBeyond(line, curve.color, picture));
+    if (atRight || end->right_px > box.x1) wide.x1 = std::max(wide.x1, end->right_px + room_px);
+    if (end->top_px < box.y0 - atEdge_px) wide.y0 = std::min(wide.y0, end->top_px - room_px);
   }
-  edge_px = std::min(edge_px, picture.width_px - 1.0);
-  if (!leaves || edge_px <= box.x1) return {};
+  wide.x1 = std::min(wide.x1, picture.width_px - 1.0), wide.y0 = std::max(wide.y0, 0.0);
+  if (!leaves || (wide.x1 <= box.x1 && wide.y0 >= box.y0)) return {};
   LocatedGraph wider = graph;
-  const double by_px = edge_px - box.x1;
-  wider.frame.value.corners[1].x += by_px, wider.frame.value.corners[2].x += by_px;
-  AxisReading& x = wider.axes.calibration.value.x;
-  x.max += (x.max - x.min) * by_px / box.width();
+  auto& [topLeft, topRight, bottomRight, bottomLeft] = wider.frame.value.corners;
+  const double right_px = wide.x1 - box.x1, up_px = box.y0 - wide.y0;
+  topRight.x += right_px, bottomRight.x += right_px;
+  topLeft.y -= up_px, topRight.y -= up_px;
+  AxisReading &x = wider.axes.calibration.value.x, &y = wider.axes.calibration.value.y;
+  x.max += (x.max - x.min) * right_px / box.width();
+  y.max += (y.max - y.min) * up_px / box.height();
   return wider;
 }
 

@@ -239,16 +239,23 @@ std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoint
 /// A stroke's largest drop of force over increasing displacement.
 struct Drop {
   double force_N = 0;
-  double valley_mm = 0;  ///< where it ends
+  double valley_mm =
+      0;  ///< where it is over: on the level floor of a valley noise alone says where the lowest point is
 };
 
 Drop largestDrop(const StrokePoints& stroke) {
+  constexpr double over = 0.95;  // of the drop
   Drop largest;
-  double peak_N = stroke.points.front().force_N;
-  for (const CurvePoint& p : stroke.points) {
-    peak_N = std::max(peak_N, p.force_N);
-    if (peak_N - p.force_N > largest.force_N) largest = {peak_N - p.force_N, p.displacement_mm};
+  auto peak = stroke.points.begin(), from = peak;
+  for (auto p = stroke.points.begin(); p != stroke.points.end(); ++p) {
+    if (p->force_N > peak->force_N) peak = p;
+    if (peak->force_N - p->force_N > largest.force_N)
+      largest.force_N = peak->force_N - p->force_N, from = peak;
   }
+  const auto valley = std::find_if(from, stroke.points.end(), [&](CurvePoint p) {
+    return from->force_N - p.force_N >= over * largest.force_N;
+  });
+  if (valley != stroke.points.end()) largest.valley_mm = valley->displacement_mm;
   return largest;
 }
 
@@ -474,6 +481,31 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   return true;
 }
 
+/// A release begins where the press ends: one of the two whose far end lies on the other, which goes on up from there by a small
+/// share of the travel, runs under it to its end. True where it was led there.
+bool leadUpUnder(CurveTrace& own, CurveTrace other) {
+  constexpr double least = 0.05, most = 0.1;  // of its height, of its width
+  constexpr double onwards = 0.7;             // cosine
+  constexpr std::size_t look = 8;             // points
+  if (own.fromVector || own.points_px.size() <= look || other.points_px.size() <= look) return false;
+  orient(own), orient(other);
+  const auto [top, foot] = std::ranges::minmax(own.points_px, {}, &Point::y);
+  const Point end = own.points_px.back(), tip = other.points_px.back();
+  const auto near = std::ranges::min_element(other.points_px, {}, [&](Point p) { return distance(p, end); });
+  const auto widthOf = [](const CurveTrace& t) { return t.width_px.empty() ? 1 : t.width_px.back(); };
+  if (distance(*near, end) > 0.5 * (widthOf(own) + widthOf(other)) + 0.5) return false;
+  if (near + 1 >= other.points_px.end() || end.y - tip.y <= least * (foot.y - top.y)) return false;
+  if (tip.x - end.x > most * (end.x - own.points_px.front().x)) return false;
+  const auto at = static_cast<std::size_t>(near - other.points_px.begin());
+  const Point its = end - own.points_px[own.points_px.size() - 1 - look],
+              others = other.points_px[std::min(at + look, other.points_px.size() - 1)] - *near;
+  if (dot(its, others) < onwards * norm(its) * norm(others)) return false;
+  // The tip itself stays the other's: by their ends strokes are known to be of their traces.
+  own.points_px.insert(own.points_px.end(), near + 1, other.points_px.end() - 1);
+  if (!own.width_px.empty()) own.width_px.resize(own.points_px.size(), own.width_px.back());
+  return true;
+}
+
 /// Whether `other` runs on from one end of `own`, its own way, to where `own` is not seen any more: the rest of it lies under
 /// the other. A line that crosses the end hides nothing of it.
 bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
@@ -535,6 +567,8 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
       for (CurveTrace& stroke : strokes)
         if (&other != &switches[*chosen]) led = leadDownUnder(stroke, traces[t]) || led;
   if (led) assumed.push_back({EvidenceCode::footUnderAnother});
+  if (strokes.size() == 2 && strokes[0].color != strokes[1].color && !leadUpUnder(strokes[0], strokes[1]))
+    leadUpUnder(strokes[1], strokes[0]);
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();

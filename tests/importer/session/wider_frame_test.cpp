@@ -52,6 +52,26 @@ TEST_CASE("a frame is widened to where its curve's ink ends, and the scale goes 
   CHECK(axes.x.max == Approx(axes.toUnits(wider->frame.value.corners[1]).x));
 }
 
+TEST_CASE("a frame is widened by as much as a step of its numbers, to the right and upwards") {
+  Plot plot(620);
+  AxisCalibration& axes = plot.graph.axes.calibration.value;
+  axes.y.min = 0, axes.y.max = 4;
+  for (double at = 100; at <= 500; at += 200) {
+    axes.x.ticks.emplace_back().position_px = at;
+    axes.y.ticks.emplace_back().position_px = at;
+  }
+  CHECK(plot.isWidened());
+  plot.graph.frame.value.corners[0].y = plot.graph.frame.value.corners[1].y = 250;  // where the curve ends
+  plot.graph.frame.value.corners[1].x = plot.graph.frame.value.corners[2].x = 560;
+  const auto wider = widenedToItsCurves(plot.graph, plot.curves);
+  REQUIRE(wider);
+  const Box box = wider->frame.value.box();
+  CHECK(box.x1 == Approx(626).margin(4));
+  CHECK(box.y0 == Approx(186).margin(4));
+  axes.y.ticks.clear();  // nothing says how far a step is
+  CHECK_FALSE(plot.isWidened());
+}
+
 TEST_CASE("a frame stays where no curve leaves it") {
   CHECK_FALSE(Plot(450).isWidened());
   CHECK_FALSE(Plot(502).isWidened());  // a line's own end

@@ -186,6 +186,46 @@ TEST_CASE("A release that drops later than the press is another switch's", "[str
   CHECK(separate(traces).ok());
 }
 
+TEST_CASE("On the level floor of a dome's valley noise does not say where the drop is over", "[strokes]") {
+  const auto dome = [](double peak_mm, double peak_N, double floor_mm, double floor_N, double lowest_mm) {
+    CurveTrace t;
+    t.confidence = 1;
+    for (double mm = 0; mm <= 4; mm += 0.01) {
+      const double force = mm < peak_mm    ? peak_N * mm / peak_mm
+                           : mm < floor_mm ? std::lerp(peak_N, floor_N, (mm - peak_mm) / (floor_mm - peak_mm))
+                           : mm < 3.4      ? floor_N - (std::abs(mm - lowest_mm) < 0.02 ? 0.004 : 0)
+                                           : std::lerp(floor_N, 2, (mm - 3.4) / 0.6);
+      t.points_px.push_back({50 + 100 * mm, 450 - 200 * force});
+    }
+    return t;
+  };
+  CurveTrace press = dome(2, 1.8, 2.8, 1, 2.85), release = dome(1.8, 1.2, 2.6, 0.8, 3.3);
+  press.color = {255, 0, 0}, release.color = {0, 0, 255};
+  const auto found = separate({press, release});
+  REQUIRE(found.ok());
+  CHECK(found->confidence > 0.9);
+}
+
+TEST_CASE("A stroke whose wall lies under the other's goes up it; one that ends across the other does not",
+          "[strokes]") {
+  CurveTrace press = traced(0.1, {255, 0, 0}), release = traced(-0.05, {0, 0, 255});
+  for (CurveTrace* stroke : {&press, &release}) stroke->width_px.assign(stroke->points_px.size(), 4);
+  const auto whole_N = separate({press, release})->value.release->points.front().force_N;
+  const auto cutAt = [&](double highest_N) {
+    CurveTrace cut = release;
+    while (cut.points_px.back().y < 450 - 200 * highest_N) cut.points_px.pop_back(), cut.width_px.pop_back();
+    return cut;
+  };
+  const auto led = separate({press, cutAt(0.8)});
+  REQUIRE(led.ok());
+  CHECK(led->value.release->points.front().force_N == Approx(whole_N).margin(0.03));
+  CHECK(separate({cutAt(0.8), press})->value.release->points.front().force_N == Approx(whole_N).margin(0.03));
+  CurveTrace across = cutAt(0.69);  // comes to the wall's foot levelly
+  across.points_px.push_back({press.points_px.back().x, across.points_px.back().y});
+  across.width_px.push_back(4);
+  CHECK(separate({press, across})->value.release->points.front().force_N < whole_N - 0.3);
+}
+
 TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
   const auto found = separate({traced(0.05), traced(0.05, {255, 0, 0})});
   REQUIRE_FALSE(found.ok());
