@@ -124,6 +124,17 @@ StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, co
   return found;
 }
 
+/// Dots and dashes along a line of their own ink are its markers.
+bool areMarkersOn(const StyledStroke& line, const StyledStroke& dotted) {
+  constexpr double beside_px = 1.5, nearlyAll = 0.95;
+  if (line.style.dashed || !dotted.style.dashed || line.style.color != dotted.style.color) return false;
+  const auto& places = dotted.stroke.points;
+  const auto on = std::ranges::count_if(places, [&](Point p) {
+    return distance(nearestOn(line.stroke.points, p), p) <= beside_px + 0.5 * line.stroke.width_px;
+  });
+  return static_cast<double>(on) >= nearlyAll * static_cast<double>(places.size());
+}
+
 struct LegendSample {
   Box box;
   LineStyle style;
@@ -229,6 +240,9 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     std::ranges::move(found.strokes, std::back_inserter(strokes));
     if (found.shortOne) shortOnes.push_back({style, std::move(*found.shortOne)});
   }
+  std::erase_if(strokes, [&, lines = strokes](const StyledStroke& each) {
+    return std::ranges::any_of(lines, [&](const StyledStroke& line) { return areMarkersOn(line, each); });
+  });
   if (strokes.size() == 1) {
     std::erase_if(shortOnes, [&](const StyledStroke& each) {
       return !leadsBackFrom(strokes.front().stroke, each.stroke, plane);

@@ -252,6 +252,24 @@ TEST_CASE("dashes and dots turned into outlines are one curve, however steeply a
   CHECK(std::abs(std::min(back.front().x, back.back().x) - line.front().x) < 12);
 }
 
+TEST_CASE("markers on a line are no line of their own, dots beside it are") {
+  Drawing drawing;
+  drawing.color = {200, 30, 30};
+  drawing.stroke(curve(pressForce));
+  const auto mark = [&](double from_v) {
+    for (const Point& p : curve(pressForce, 0.01, 0.94, 60)) {
+      Polyline ring;
+      for (int i = 0; i < 16; ++i)
+        ring.push_back({p.x + 3 * std::cos(i * M_PI / 8), p.y - from_v + 3 * std::sin(i * M_PI / 8)});
+      drawing.fill(ring);
+    }
+  };
+  mark(0);
+  CHECK(drawing.traced().size() == 1);
+  mark(-40);
+  CHECK(drawing.traced().size() == 2);
+}
+
 TEST_CASE("a line broken off where a word stands goes on behind it") {
   for (const bool both : {true, false}) {
     Drawing drawing;
