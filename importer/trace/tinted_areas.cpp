@@ -139,7 +139,7 @@ class TintedAreas {
 
   /// Whether ink stands out of an area, over it or beside it, as much as a line along half of it has.
   bool hasLines(const cv::Mat& area, const cv::Rect& box, Color3 tint) const {
-    constexpr double leastOfLength = 0.5;
+    constexpr double leastOfLength = 0.5;  // of the longer side of an area, px of ink per px
     constexpr int beside_px = 6;
     const cv::Rect around =
         ((box + cv::Size(2 * beside_px, 2 * beside_px)) - cv::Point(beside_px, beside_px)) &

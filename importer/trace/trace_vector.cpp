@@ -126,7 +126,7 @@ StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, co
 
 /// Dots and dashes along a line of their own ink are its markers.
 bool areMarkersOn(const StyledStroke& line, const StyledStroke& dotted) {
-  constexpr double beside_px = 1.5, nearlyAll = 0.95;
+  constexpr double beside_px = 1.5, nearlyAll = 0.95;  // of the points
   if (line.style.dashed || !dotted.style.dashed || line.style.color != dotted.style.color) return false;
   const auto& places = dotted.stroke.points;
   const auto on = std::ranges::count_if(places, [&](Point p) {
