@@ -15,14 +15,39 @@ namespace {
 constexpr double agree_px = 1.6;        // a tick may be snapped to whole pixels at either end
 constexpr double agreeOfPitch = 0.035;  // pictures that were scaled without smoothing have uneven grids
 
-/// Greatest common divisor of the differences of decimal numbers; 0 if all are equal.
-double commonStep(const std::vector<double>& values) {
+/// Of decimal numbers, the smallest unit they are whole in: of their last printed digit.
+double lastDigitOf(const std::vector<double>& values) {
   double scale = 1;
   const auto whole = [&](double v) { return std::abs(v * scale - std::round(v * scale)) < 1e-6; };
   while (scale < 1e6 && !std::all_of(values.begin(), values.end(), whole)) scale *= 10;
+  return 1 / scale;
+}
+
+/// Greatest common divisor of the differences of decimal numbers; 0 if all are equal.
+double exactStep(const std::vector<double>& values) {
+  const double lastDigit = lastDigitOf(values);
   long long step = 0;
-  for (const double v : values) step = std::gcd(step, std::llround((v - values.front()) * scale));
-  return static_cast<double>(std::abs(step)) / scale;
+  for (const double v : values) step = std::gcd(step, std::llround((v - values.front()) / lastDigit));
+  return static_cast<double>(std::abs(step)) * lastDigit;
+}
+
+/// The number that five values and more count by, each of them off by no more than the rounding of its last printed digit:
+/// programs that part an axis evenly print 0.2137, 0.4273, 0.6410. 0 if they do not.
+double roundedStep(std::vector<double> values) {
+  constexpr std::size_t fewest = 5;
+  constexpr double leastDigits = 10;  // of a step, in last digits: below it much counts on evenly
+  if (values.size() < fewest) return 0;
+  const double lastDigit = lastDigitOf(values);
+  std::ranges::sort(values);
+  const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(values[i] - values.front() - static_cast<double>(i) * step) > 1.001 * lastDigit) return 0;
+  return step >= leastDigits * lastDigit ? step : 0;
+}
+
+/// What decimal numbers count by; 0 if all are equal.
+double commonStep(const std::vector<double>& values) {
+  return std::max(exactStep(values), roundedStep(values));
 }
 
 /// 1, 2, 2.5, 4, 5 × 10^k are steps people draw axes with; others are rarer.
@@ -143,8 +168,7 @@ void dropStrayReadings(const std::vector<LabelPlace>& labels, Trial& t) {
     Trial others = t;
     others.reading[i] = -1;
     if (agreeing(others) < 3) continue;
-    if (commonStep(agreedValues(labels, others)) >= muchFiner * commonStep(agreedValues(labels, t)))
-      t = others;
+    if (exactStep(agreedValues(labels, others)) >= muchFiner * exactStep(agreedValues(labels, t))) t = others;
   }
 }
 

@@ -126,6 +126,24 @@ TEST_CASE("a label that alone would need a far finer step is misread") {
   CHECK(fitProgression(fine.labels, fine.ticks, true)->labels == 5);
 }
 
+TEST_CASE("numbers that count by one same number but for their rounding are even") {
+  const auto axis = drawnAxis({"0", "0.2137", "0.4273", "0.6410", "0.8546"}, 60, 90);
+  const auto p = fitProgression(axis.labels, axis.ticks, true);
+  REQUIRE(p);
+  CHECK(p->labels == 5);
+  CHECK(p->step == Approx(0.21365));
+  CHECK(p->value(60 + 4 * 90) == Approx(0.8546).epsilon(1e-4));
+  // Even from line to line, and not by their numbers: each may be another scale's.
+  const auto uneven = drawnAxis({"0", "0.2137", "0.4273", "0.6428", "0.8546"}, 60, 90);
+  const auto q = fitProgression(uneven.labels, uneven.ticks, true);
+  REQUIRE(q);
+  CHECK(q->step < 0.001);
+  // So coarse that much counts on evenly.
+  const auto coarse = drawnAxis({"0", "3", "5", "8", "10"}, 60, 90);
+  const auto c = fitProgression(coarse.labels, coarse.ticks, true);
+  CHECK((!c || c->step == Approx(1) || c->labels < 5));
+}
+
 TEST_CASE("a stray mark near a line does not move it") {
   auto axis = drawnAxis({"0", "1", "2", "3", "4"}, 100, 120);
   axis.ticks.insert(axis.ticks.begin() + 1, {102.6, 2, false});
