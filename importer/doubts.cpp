@@ -470,6 +470,10 @@ class Doubts {
       else if (item.code == EvidenceCode::footUnderAnother)
         add(DoubtCode::assumed, inPart, {messageOf(item)},
             {{RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}});
+    for (const EvidenceItem& item : findings_.graph.axes.calibration.evidence)
+      if (item.code == EvidenceCode::unitsOfHeading)
+        add(DoubtCode::assumed, inPart, {messageOf(item)},
+            {{RemedyKind::giveXUnit, {}}, {RemedyKind::giveYUnit, {}}});
   }
 
   void place() {

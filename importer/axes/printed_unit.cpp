@@ -347,6 +347,29 @@ std::optional<PrintedUnit<Unit>> unitIn(std::string_view title,
   return best;
 }
 
+/// What stands where a heading names units: the parts of its brackets, without any what stands behind "in". `perLength`: "N/mm" in a
+/// bracket are two.
+std::vector<std::string> headingTokens(const std::string& heading, bool perLength) {
+  std::vector<std::string> tokens;
+  const auto add = [&](std::string_view token) { tokens.push_back(withSmallF(withoutBrackets(token))); };
+  for (auto open = heading.find_first_of("[("); open != std::string::npos;
+       open = heading.find_first_of("[(", open + 1)) {
+    const auto close = std::min(heading.find_first_of(")]", open), heading.size());
+    for (std::size_t from = open + 1; from <= close;) {
+      const auto to = std::min(heading.find_first_of(perLength ? ",;/|" : ",;|", from), close);
+      add(std::string_view(heading).substr(from, to - from));
+      from = to + 1;
+    }
+  }
+  if (!tokens.empty()) return tokens;
+  constexpr std::string_view in = " in ";
+  for (auto at = heading.find(in); at != std::string::npos; at = heading.find(in, at + 1)) {
+    const auto from = at + in.size(), to = std::min(heading.find(' ', from), heading.size());
+    add(std::string_view(heading).substr(from, to - from));
+  }
+  return tokens;
+}
+
 }  // namespace
 
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title) {
@@ -357,6 +380,23 @@ std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title) {
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title) {
   return unitIn(title, lengthMisreadings, unprintedLengths, hasWord(lowered(plainTitle(title)), lengthWords),
                 lengthUnitFrom);
+}
+
+std::optional<HeadingUnits> headingUnitsIn(std::string_view heading) {
+  const std::string t = plainTitle(heading), low = lowered(t);
+  const bool namesBoth = hasWord(low, forceWords) && hasWord(low, lengthWords);
+  if (std::ranges::any_of(otherWords, [&](const char* word) { return low.find(word) != std::string::npos; }))
+    return {};
+  const std::vector<std::string> units = headingTokens(t, namesBoth);
+  if (units.size() != 2) return {};
+  for (const auto& [ofForce, ofLength] : {std::pair(units[0], units[1]), std::pair(units[1], units[0])}) {
+    const auto force = forceUnitFrom(ofForce);
+    const auto length = lengthUnitFrom(ofLength);
+    if (force && length && std::ranges::find(unprintedForces, *force) == unprintedForces.end() &&
+        std::ranges::find(unprintedLengths, *length) == unprintedLengths.end())
+      return HeadingUnits{*force, *length};
+  }
+  return {};
 }
 
 std::string otherQuantityIn(std::string_view title) {

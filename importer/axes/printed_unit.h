@@ -22,6 +22,16 @@ struct PrintedUnit {
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title);
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title);
 
+/// The units that a page's heading names for both axes.
+struct HeadingUnits {
+  ForceUnit force{};
+  LengthUnit length{};
+};
+
+/// Where a heading names a unit of force and one of length and no other, in brackets or behind "in": "Key force vs travel (cN, mm)",
+/// "Force in gf against travel in mm". "(N/mm)" are two only in a heading that names both quantities, and else a stiffness.
+std::optional<HeadingUnits> headingUnitsIn(std::string_view heading);
+
 /// What a title measures that is neither a force nor a way, as printed: "kPa", "N/mm", "x10 gf", "Temperature". Empty if
 /// it measures one of the two or does not say.
 std::string otherQuantityIn(std::string_view title);

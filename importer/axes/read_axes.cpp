@@ -360,8 +360,10 @@ bool sameForces(const Progression& a, const Progression& b, double frameHeight_p
 
 bool hasOtherRightScale(GraphReading& r, const std::optional<AxisLabels>& left) {
   if (!hasProgression(left)) return false;
+  constexpr double leastReach =
+      0.4;  // of the frame's height: "PB-01" to "PB-04" in a legend count on as well
   const auto right = readRightLabels(r);
-  if (!right || right->numbers() < 3) return false;
+  if (!right || right->numbers() < 3 || right->extent.height() < leastReach * r.box.height()) return false;
   return !right->progression || !sameForces(*left->progression, *right->progression, r.box.height());
 }
 
@@ -386,14 +388,6 @@ Box labelsIn(const AxisReading& axis, const Homography& toView, const Box& edge,
   return boxes.empty() ? edge : joined(boxes);
 }
 
-template <class Unit>
-void takeUnit(AxisReading& axis, const AxisTitle<Unit>& title) {
-  axis.unit = symbolOf(title.unit->unit);
-  axis.unitFound = true;
-  axis.title = title.text;
-  axis.otherQuantity.clear();
-}
-
 void forget(std::vector<Remark>& remarks, std::initializer_list<RemarkCode> codes) {
   std::erase_if(remarks, [&](const Remark& remark) {
     return std::find(codes.begin(), codes.end(), remark.code) != codes.end();
@@ -403,6 +397,64 @@ void forget(std::vector<Remark>& remarks, std::initializer_list<RemarkCode> code
 /// One coordinate of the map, times a factor.
 void scaleRow(Homography& map, std::size_t row, double factor) {
   for (std::size_t k = 3 * row; k < 3 * row + 3; ++k) map.m[k] *= factor;
+}
+
+/// A unit found takes the stated default's place, in the scale as well.
+void takeUnit(AxesFound& axes, LengthUnit unit) {
+  AxisCalibration& cal = axes.calibration.value;
+  scaleRow(cal.viewToUnits, 0, millimetresPer(unit) / millimetresPer(*lengthUnitFrom(cal.x.unit)));
+  cal.x.unit = symbolOf(unit);
+  cal.x.unitFound = true;
+  forget(axes.remarks, {RemarkCode::lengthUnitAssumed});
+}
+
+void takeUnit(AxesFound& axes, ForceUnit unit) {
+  AxisCalibration& cal = axes.calibration.value;
+  scaleRow(cal.viewToUnits, 1, newtonsPer(unit) / newtonsPer(*forceUnitFrom(cal.y.unit)));
+  cal.y.unit = symbolOf(unit);
+  cal.y.unitFound = true;
+  forget(axes.remarks, {RemarkCode::smallForcesTakenAsNewton, RemarkCode::largeForcesTakenAsGram});
+}
+
+template <class Unit>
+void takeTitle(AxisReading& axis, const AxisTitle<Unit>& title) {
+  axis.title = title.text;
+  axis.otherQuantity.clear();
+}
+
+/// Whether an axis' own title or numbers say something of its unit, read or not: no heading speaks for it then. The heading
+/// itself may have been taken for its title.
+bool saysItsUnit(const AxisReading& axis, const std::string& heading) {
+  const auto unit = axis.title.find_first_of("([/,%");
+  const auto isBare = [](const TickLabel& tick) {
+    return !tick.used || printedNumber(tick.text).has_value();
+  };
+  return !axis.otherQuantity.empty() || !std::ranges::all_of(axis.ticks, isBare) ||
+         (unit != std::string::npos && !heading.starts_with(axis.title.substr(0, unit)));
+}
+
+/// The units of a heading over the plot for axes that name none, unless either axis contradicts. Said as a doubt.
+void takeHeadingUnits(AxesFound& axes, GraphReading& r) {
+  constexpr std::size_t fewLines = 4;
+  AxisCalibration& cal = axes.calibration.value;
+  if (cal.x.unitFound && cal.y.unitFound) return;
+  const Box& b = r.box;
+  const Box over{b.x0 - 0.2 * b.width(), b.y0 - 0.6 * b.height(), b.x1 + 0.2 * b.width(), b.y0 - 1};
+  std::vector<SeenText> lines = r.ownTexts(over);
+  if (lines.empty()) lines = r.readLines(over, 0, {0.5 * (b.x0 + b.x1), b.y0}, fewLines);
+  for (const SeenText& line : lines) {
+    const auto units = headingUnitsIn(line.utf8);
+    if (!units) continue;
+    if (saysItsUnit(cal.x, line.utf8) || saysItsUnit(cal.y, line.utf8)) return;
+    if (cal.x.unitFound && lengthUnitFrom(cal.x.unit) != units->length) return;
+    if (cal.y.unitFound && forceUnitFrom(cal.y.unit) != units->force) return;
+    const double before = sureOfUnits(cal, axes.texts);
+    if (!cal.x.unitFound) takeUnit(axes, units->length);
+    if (!cal.y.unitFound) takeUnit(axes, units->force);
+    axes.calibration.confidence *= sureOfUnits(cal, axes.texts) / before;
+    axes.calibration.evidence.push_back({EvidenceCode::unitsOfHeading, {line.utf8}});
+    return;
+  }
 }
 
 /// How far an axis of a button reaches, mm or N.
@@ -439,18 +491,16 @@ void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& fr
   const Box xLabels = labelsIn(cal.x, toWide, below, r), yLabels = labelsIn(cal.y, toWide, left, r);
   if (!cal.x.unitFound)
     if (const auto title = readXTitle(r, xLabels); title.unit) {
-      scaleRow(cal.viewToUnits, 0,
-               millimetresPer(title.unit->unit) / millimetresPer(*lengthUnitFrom(cal.x.unit)));
-      takeUnit(cal.x, title);
-      forget(axes.remarks, {RemarkCode::lengthUnitAssumed});
+      takeUnit(axes, title.unit->unit);
+      takeTitle(cal.x, title);
     }
   if (!cal.y.unitFound)
     if (const auto title = readYTitle(r, yLabels); title.unit) {
-      scaleRow(cal.viewToUnits, 1, newtonsPer(title.unit->unit) / newtonsPer(*forceUnitFrom(cal.y.unit)));
-      takeUnit(cal.y, title);
-      forget(axes.remarks, {RemarkCode::smallForcesTakenAsNewton, RemarkCode::largeForcesTakenAsGram});
+      takeUnit(axes, title.unit->unit);
+      takeTitle(cal.y, title);
     }
   axes.calibration.confidence *= sureOfUnits(cal, axes.texts) / before;
+  takeHeadingUnits(axes, r);
 }
 
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints,
@@ -502,6 +552,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
       found.remarks.push_back({RemarkCode::axisWithoutTicks, {nameOf(axis)}});
     remarkContradictions(*labels, axis, found.remarks);
   }
+  takeHeadingUnits(found, r);
   return found;
 }
 

@@ -53,6 +53,8 @@ Wording wordingOf(EvidenceCode code) {
       return {"name-nearly", words("no name is \"%1\", one that was read as \"%2\" is near to it")};
     case EvidenceCode::footUnderAnother:
       return {"foot-under-another", words("a stroke's foot lies under another curve and is taken from that")};
+    case EvidenceCode::unitsOfHeading:
+      return {"units-of-heading", words("only the heading names the units: \"%1\"")};
   }
   return {"", ""};
 }

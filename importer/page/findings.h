@@ -38,7 +38,8 @@ enum class EvidenceCode {
   numbersAlone,      ///< numbers in a row, numbers in a column; no rectangle of lines
   widenedToNumbers,  ///< the labels count on beyond the rectangle of lines
   nameNearly,        ///< asked for, read
-  footUnderAnother   ///< a stroke's foot lies under another curve and runs down with that
+  footUnderAnother,  ///< a stroke's foot lies under another curve and runs down with that
+  unitsOfHeading     ///< what stands above the plot and names units that an axis does not
 };
 
 struct EvidenceItem {

@@ -227,3 +227,19 @@ TEST_CASE("three digits behind a sign are thousands where whole numbers stand be
   CHECK(readTogether({"1,000", "2,000", "3,000"}, ThousandsSign::possible)[0].front().value == 1);
   CHECK(readTogether({"0", "1.000", "2.000"}, ThousandsSign::possible)[1].front().value == 1);
 }
+
+TEST_CASE("a heading that names a unit of force and one of length in one bracket") {
+  const auto in = [](const char* heading) {
+    const auto units = headingUnitsIn(heading);
+    return units ? std::string(symbolOf(units->force)) + " " + std::string(symbolOf(units->length)) : "none";
+  };
+  CHECK(in("Key force vs travel (cN, mm)") == "cN mm");
+  CHECK(in("B3F-L [mm; N]") == "N mm");
+  CHECK(in("Force over travel [gf / mm]") == "gf mm");
+  CHECK(in("Force [N] vs. travel [mm]") == "N mm");
+  CHECK(in("Button force in gf against travel in mm") == "gf mm");
+  for (const char* none : {"Spring rate (N/mm)", "Key force (cN)", "Force vs travel (cN, mm, s)",
+                           "Force vs travel (cN, V)", "Force and time (N, mm)", "Force (N) vs travel (mm, N)",
+                           "Force vs travel cN, mm", "Force in N, travel in percent"})
+    CHECK(in(none) == "none");
+}

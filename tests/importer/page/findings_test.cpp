@@ -30,7 +30,7 @@ void everyCodeHasItsOwnNameAndWords(Code last, const auto& messageOfCode) {
 
 TEST_CASE("every finding has a name for scripts and words for people") {
   const std::vector<MessageValue> values{"a", "b", "c", "d"};
-  everyCodeHasItsOwnNameAndWords(EvidenceCode::footUnderAnother, [&](EvidenceCode c) {
+  everyCodeHasItsOwnNameAndWords(EvidenceCode::unitsOfHeading, [&](EvidenceCode c) {
     return messageOf(EvidenceItem{c, values});
   });
   everyCodeHasItsOwnNameAndWords(DoubtCode::assumed, [&](DoubtCode c) {

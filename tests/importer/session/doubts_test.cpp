@@ -259,6 +259,9 @@ TEST_CASE("what a step took for granted is said") {
   CHECK(import.doubts().empty());
   import.assumed = {{EvidenceCode::nameNearly, { "Tactile", "Tactlle" }}, { EvidenceCode::footUnderAnother }};
   CHECK(import.doubts() == std::vector{DoubtCode::assumed, DoubtCode::assumed});
+  import.assumed.clear();
+  import.graph.axes.calibration.evidence.push_back({EvidenceCode::unitsOfHeading, { "(cN, mm)" }});
+  CHECK(import.doubts() == std::vector{DoubtCode::assumed});
 }
 
 TEST_CASE("travel and force below zero") {
