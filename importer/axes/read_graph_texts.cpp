@@ -54,35 +54,81 @@ Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
   return {p[0], p[1], p[2]};
 }
 
-/// Entries of a legend that stand in one row: parted at the samples between them, dashes too long for writing or of another
-/// ink than the letters.
-std::vector<TextLine> entriesOf(const TextLine& line, const Raster& raster, const cv::Mat& darkness) {
-  constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9;  // of a letter's height
-  constexpr double otherInk = 60;                                    // colour levels
+/// Share of a mark's box that is ink.
+double filledShare(const cv::Mat& ink, const Box& mark) {
+  const cv::Rect whole(0, 0, ink.cols, ink.rows);
+  const cv::Rect at = cv::Rect(cv::Point(static_cast<int>(mark.x0 + 0.5), static_cast<int>(mark.y0 + 0.5)),
+                               cv::Point(static_cast<int>(mark.x1 + 0.5), static_cast<int>(mark.y1 + 0.5))) &
+                      whole;
+  return at.empty() ? 0 : static_cast<double>(cv::countNonZero(ink(at))) / at.area();
+}
+
+/// What a line of writing is looked at on.
+struct Inked {
+  const Raster& raster;
+  const cv::Mat& darkness;
+  const cv::Mat& ink;
+};
+
+/// Whether a mark beside a letter is a legend's sample: a dash too long for writing, or in another ink than the letter a shorter
+/// one, a filled square or disc, a line with its marker. `usual_px`: height of the letters.
+bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& on) {
+  constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wide = 0.6,
+                   highest = 3.2;  // of a letter's height
+  constexpr double otherInk = 60;  // colour levels
+  constexpr double filled = 0.7;   // of its box
+  const bool dash = mark.height() < dashHeight * usual_px;
+  if (dash && mark.width() > longDash * usual_px) return true;
+  if (mark.width() < (dash ? anyDash : wide) * usual_px || mark.height() > highest * usual_px) return false;
+  if (colorDistance(colorOf(on.raster, on.darkness, mark), colorOf(on.raster, on.darkness, letter)) <=
+      otherInk)
+    return false;
+  return dash || mark.width() > longDash * usual_px || filledShare(on.ink, mark) >= filled;
+}
+
+/// Entries of a legend that stand in one row, parted at the samples between them and without them.
+std::vector<TextLine> entriesOf(const TextLine& line, const Inked& on) {
+  constexpr double notFlat = 0.4;  // height of its width
   std::vector<double> heights;
   for (const auto& g : line.glyphs)
-    if (g.height() > dashHeight * g.width()) heights.push_back(g.height());
+    if (g.height() > notFlat * g.width()) heights.push_back(g.height());
   if (heights.empty()) return {line};
   const double usual = medianOf(heights);
   std::vector<TextLine> entries(1);
-  for (const auto& g : line.glyphs) {
-    const bool dash = g.height() < dashHeight * usual && g.width() > anyDash * usual;
+  for (std::size_t i = 0; i < line.glyphs.size(); ++i) {
+    const Box& g = line.glyphs[i];
     TextLine& entry = entries.back();
-    if (dash && !entry.glyphs.empty() &&
-        (g.width() > longDash * usual ||
-         colorDistance(colorOf(raster, darkness, g), colorOf(raster, darkness, entry.glyphs.back())) >
-             otherInk)) {
-      entries.emplace_back();
+    const Box* const beside = !entry.glyphs.empty()        ? &entry.glyphs.back()
+                              : i + 1 < line.glyphs.size() ? &line.glyphs[i + 1]
+                                                           : nullptr;
+    if (beside != nullptr && isSample(g, *beside, usual, on)) {
+      if (!entry.glyphs.empty()) entries.emplace_back();
     } else {
       entry.box = entry.glyphs.empty() ? g : entry.box.joined(g);
       entry.glyphs.push_back(g);
     }
   }
+  if (entries.back().glyphs.empty()) entries.pop_back();
   return entries;
 }
 
+/// Whether a level line runs all through a mark: a legend's sample with its marker, a leader with its head. Letters that touch
+/// have none.
+bool isLineLike(const Box& mark, const cv::Mat& ink) {
+  constexpr double nearlyAll = 0.9;  // of its columns
+  const int left = std::max(0, static_cast<int>(std::ceil(mark.x0))),
+            right = std::min(ink.cols - 1, static_cast<int>(mark.x1));
+  for (int y = std::max(0, static_cast<int>(mark.y0)); y <= std::min(ink.rows - 1, static_cast<int>(mark.y1));
+       ++y) {
+    int inked = 0;
+    for (int x = left; x <= right; ++x) inked += ink.at<std::uint8_t>(y, x) != 0;
+    if (inked >= nearlyAll * (right - left + 1)) return true;
+  }
+  return false;
+}
+
 /// The line without samples of a legend, leaders and arrowheads that stand beside its letters.
-TextLine lettersOnly(const TextLine& line) {
+TextLine lettersOnly(const TextLine& line, const cv::Mat& ink) {
   std::vector<double> heights;
   for (const auto& g : line.glyphs)
     if (g.height() > 0.4 * g.width()) heights.push_back(g.height());
@@ -92,7 +138,7 @@ TextLine lettersOnly(const TextLine& line) {
   for (const auto& g : line.glyphs) {
     const bool dash = g.height() < 0.4 * usual && g.width() > 0.9 * usual;
     const bool atEnd = &g == &line.glyphs.front() || &g == &line.glyphs.back();
-    const bool sample = atEnd && line.glyphs.size() > 3 && g.width() > 2.2 * usual;
+    const bool sample = atEnd && line.glyphs.size() > 3 && g.width() > 2.2 * usual && isLineLike(g, ink);
     if (dash || sample || g.height() > 1.8 * usual) continue;
     kept.box = kept.glyphs.empty() ? g : kept.box.joined(g);
     kept.glyphs.push_back(g);
@@ -112,19 +158,52 @@ bool looksWritten(const TextLine& line) {
   return usual >= 0.4 * line.box.height() && 10 * letters >= 6 * static_cast<long>(heights.size());
 }
 
+/// Whether letters stand beside a legend's sample, be they one or two: "A", "V2".
+bool isBesideSample(const TextLine& line, const std::vector<Box>& marks, const Inked& on) {
+  constexpr double least_px = 5, apart = 2.2, level = 0.4;  // of the letters' height
+  const double height = line.box.height();
+  if (line.glyphs.empty() || height < least_px) return false;
+  return std::ranges::any_of(marks, [&](const Box& mark) {
+    const double gap = std::max(mark.x0 - line.box.x1, line.box.x0 - mark.x1);
+    return gap > 0 && gap < apart * height &&
+           std::abs(mark.middle().y - line.box.middle().y) < level * height &&
+           isSample(mark, line.glyphs.front(), height, on);
+  });
+}
+
 int lettersIn(const std::string& text) {
   return static_cast<int>(std::count_if(
       text.begin(), text.end(), [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }));
 }
 
-/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N".
-bool isShortName(const SeenText& seen) {
+/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N", beside a sample also "A".
+bool isShortName(const SeenText& seen, bool besideSample) {
   constexpr double sure = 0.6;  // confidence
   const auto digits = std::count_if(seen.utf8.begin(), seen.utf8.end(),
                                     [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
   const int letters = lettersIn(seen.utf8);
-  return seen.confidence >= sure && digits > 0 && letters > 0 && letters < minLetters &&
-         digits + letters >= 3;
+  return seen.confidence >= sure && letters > 0 && letters < minLetters &&
+         (besideSample || (digits > 0 && digits + letters >= 3));
+}
+
+/// What a name is made of, digits as zeros: "3.5 N" is "0.0N".
+std::string shapeOf(const std::string& name) {
+  std::string shape;
+  for (const char c : name)
+    if (c != ' ') shape += std::isdigit(static_cast<unsigned char>(c)) != 0 ? '0' : c;
+  return shape;
+}
+
+/// Short names that were read with doubt count where others of the same make stand in line with them, as in a legend.
+void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubted) {
+  for (const SeenText& name : doubted) {
+    const auto own = std::ranges::find(lines, name.box, &SeenText::box);
+    const bool hasLike = std::ranges::any_of(lines, [&](const SeenText& other) {
+      return !other.utf8.empty() && other.box.inLineWith(name.box) &&
+             shapeOf(other.utf8) == shapeOf(name.utf8);
+    });
+    if (own != lines.end() && hasLike) own->utf8 = name.utf8;
+  }
 }
 
 /// Callouts and titles inside first, then a legend beside, then what stands above and below.
@@ -146,32 +225,54 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
                    box.y1 + 0.35 * box.height()};
+  const Inked on{view.raster, d, ink};
+  const std::vector<Box> marks = glyphsIn(glyphBoxes(ink, 2, largest), around, largest);
+  constexpr std::size_t mostLetters = 2,
+                        mostOfAName = 5;  // of a name beside a sample that is shorter than writing; of any
   std::vector<TextLine> lines;
-  for (const auto& row : groupedLines(glyphsIn(glyphBoxes(ink, 2, largest), around, largest), 1.1))
-    for (const auto& entry : entriesOf(row, view.raster, d)) lines.push_back(lettersOnly(entry));
-  std::erase_if(lines, [&](const TextLine& line) {
-    return !looksWritten(line) || std::any_of(axes.texts.begin(), axes.texts.end(), [&](const SeenText& t) {
-      return overlapShare(line.box, t.box) > 0.4;
+  for (const auto& row : groupedLines(marks, 1.1)) {
+    const std::vector<TextLine> entries = entriesOf(row, on);
+    // A legend's row below the plot may have been read as one line when titles were looked for.
+    std::erase_if(axes.texts, [&](const SeenText& seen) {
+      return std::ranges::count_if(entries, [&](const TextLine& entry) {
+               return static_cast<int>(entry.glyphs.size()) >= minLetters &&
+                      overlapShare(entry.box, seen.box) > 0.4;
+             }) > 1;
     });
+    for (const auto& entry : entries) lines.push_back(lettersOnly(entry, ink));
+  }
+  std::erase_if(lines, [&](const TextLine& line) {
+    const bool isName = line.glyphs.size() <= mostLetters && isBesideSample(line, marks, on);
+    return (!looksWritten(line) && !isName) ||
+           std::any_of(axes.texts.begin(), axes.texts.end(),
+                       [&](const SeenText& t) { return overlapShare(line.box, t.box) > 0.4; });
   });
   std::stable_sort(lines.begin(), lines.end(), [&](const TextLine& a, const TextLine& b) {
     return importance(a.box, box) < importance(b.box, box);
   });
   if (lines.size() > maxLines) lines.resize(maxLines);
   TextReader reader(view);
+  std::vector<SeenText> doubted;
   const std::vector<LetterShape> digits = digitsOf(d, ink, axes.calibration.value);
   for (const auto& line : lines) {
     if (progress.isCancelled()) return;
-    auto seen = reader.readLine(line.box, TextKind::words);
+    const bool besideSample = isBesideSample(line, marks, on);
+    auto seen = besideSample && line.glyphs.size() <= mostOfAName
+                    ? reader.readLineCarefully(line.box, TextKind::words)
+                    : reader.readLine(line.box, TextKind::words);
     if (!digits.empty()) seen.utf8 = withKnownDigits(seen.utf8, lettersOf(ink, line.box), digits);
     if (seen.confidence >= minConfidence && lettersIn(seen.utf8) >= minLetters) {
       axes.texts.push_back(std::move(seen));
       continue;
     }
-    if (!isShortName(seen)) seen.utf8.clear();
     seen.box = line.box;
+    if (!isShortName(seen, besideSample)) {
+      if (besideSample && !seen.utf8.empty()) doubted.push_back(seen);
+      seen.utf8.clear();
+    }
     axes.otherLines.push_back(std::move(seen));
   }
+  keepAlike(axes.otherLines, doubted);
 }
 
 }  // namespace detent::importer

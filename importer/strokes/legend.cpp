@@ -15,22 +15,25 @@ namespace {
 
 // Latin and Cyrillic words as `folded` writes them.
 constexpr std::array kPressWords = {
-    "press",      "pressing", "pressed",   "downstroke",  "down",      "push",      "pushing",
-    "forward",    "loading",  "load",      "depress",     "actuate",   "actuation", "in",
-    "make",       "compress", "hinweg",    "hin",         "vorlauf",   "drucken",   "betatigen",
-    "betatigung", "belasten", "belastung", "hinhub",      "appui",     "enfoncer",  "enfoncement",
-    "aller",      "descente", "charge",    "compression", "ida",       "pulsar",    "pulsado",
-    "bajada",     "carga",    "andata",    "pressione",   "indrukken", "heen",      "wcisniecie",
-    "nacisk",     "stisk",    "tryck",     "basma",       "нажатие",   "нажим",     "нагрузка",
-    "нагружение", "прямой"};
+    "press",      "pressing", "pressed",    "downstroke",  "down",        "push",      "pushing",
+    "forward",    "loading",  "load",       "depress",     "actuate",     "actuation", "in",
+    "make",       "compress", "hinweg",     "hin",         "vorlauf",     "drucken",   "betatigen",
+    "betatigung", "belasten", "belastung",  "hinhub",      "appui",       "enfoncer",  "enfoncement",
+    "aller",      "descente", "charge",     "compression", "ida",         "pulsar",    "pulsado",
+    "bajada",     "carga",    "andata",     "pressione",   "indrukken",   "heen",      "wcisniecie",
+    "avance",     "premuto",  "pressao",    "pulsacion",   "acionamento", "vorhub",    "abwarts",
+    "tryk",       "trykk",    "nacisk",     "stisk",       "tryck",       "basma",     "нажатие",
+    "нажим",      "нагрузка", "нагружение", "прямой"};
 constexpr std::array kReleaseWords = {
-    "release",   "releasing",  "released",     "upstroke",    "up",       "return",     "returning",
-    "back",      "backward",   "reverse",      "unloading",   "unload",   "reset",      "out",
-    "break",     "decompress", "ruckweg",      "zuruck",      "rucklauf", "ruckhub",    "loslassen",
-    "entlasten", "entlastung", "ruckstellung", "relachement", "relacher", "remontee",   "decharge",
-    "retour",    "vuelta",     "soltar",       "liberacion",  "subida",   "descarga",   "decompression",
-    "ritorno",   "rilascio",   "volta",        "loslaten",    "terug",    "zwolnienie", "powrot",
-    "uvolneni",  "slapp",      "birakma",      "отпускание",  "возврат",  "разгрузка",  "обратный"};
+    "release",       "releasing",  "released",     "upstroke",    "up",          "return",     "returning",
+    "back",          "backward",   "reverse",      "unloading",   "unload",      "reset",      "out",
+    "break",         "decompress", "ruckweg",      "zuruck",      "rucklauf",    "ruckhub",    "loslassen",
+    "entlasten",     "entlastung", "ruckstellung", "relachement", "relacher",    "remontee",   "decharge",
+    "retour",        "vuelta",     "soltar",       "liberacion",  "liberacao",   "subida",     "descarga",
+    "decompression", "ritorno",    "rilascio",     "volta",       "loslaten",    "terug",      "zwolnienie",
+    "powrot",        "uvolneni",   "slapp",        "birakma",     "retorno",     "retroceso",  "rilasciato",
+    "retur",         "tillbaka",   "aufwarts",     "relache",     "losgelassen", "отпускание", "возврат",
+    "разгрузка",     "обратный"};
 constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程", "加载",   "正程", "下行",
                                     "押下", "押す", "押し", "押込", "往路", "プレス", "누름", "가압"};
 constexpr std::array kReleaseSigns = {"释放",     "松开", "抬起", "回弹", "回程", "弹起",
@@ -42,33 +45,6 @@ constexpr std::array kPointWords = {"point",           "position",   "punkt", "s
 constexpr std::array kPointSigns = {"点", "點", "位置"};
 
 bool isLetter(unsigned char c) { return (c >= 'a' && c <= 'z') || c >= 0x80; }
-
-/// Small letters, Latin ones without their accents: what is said in one spelling, and what readers of pixels lose.
-std::string folded(std::string_view utf8) {
-  // U+00C0 to U+017F, 64 to a lead byte; a sign that is no letter stays itself.
-  constexpr std::array<std::string_view, 3> base{
-      "aaaaaaaceeeeiiiidnooooo ouuuuypsaaaaaaaceeeeiiiidnooooo ouuuuypy",
-      "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll",
-      "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs"};
-  std::string out;
-  for (std::size_t i = 0; i < utf8.size(); ++i) {
-    const auto byte = [&](std::size_t k) {
-      return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0U;
-    };
-    const unsigned lead = byte(i), next = byte(i + 1);
-    const bool two = (next & 0xC0U) == 0x80U;
-    if (two && lead >= 0xC3 && lead <= 0xC5 && base[lead - 0xC3][next - 0x80] != ' ') {
-      out += base[lead - 0xC3][next - 0x80], ++i;
-    } else if (two && lead == 0xD0 && next >= 0x90 && next <= 0xAF) {  // Cyrillic capitals
-      const bool first = next < 0xA0;
-      out += static_cast<char>(first ? 0xD0 : 0xD1);
-      out += static_cast<char>(first ? next + 0x20 : next - 0x20), ++i;
-    } else {
-      out += lead >= 'A' && lead <= 'Z' ? static_cast<char>(lead - 'A' + 'a') : utf8[i];
-    }
-  }
-  return out;
-}
 
 /// Words as `folded` writes them; bytes above ASCII count as letters.
 std::vector<std::string> wordsOf(std::string_view utf8) {
@@ -168,6 +144,32 @@ std::string withoutStrokeWords(std::string_view utf8) {
 }
 
 }  // namespace
+
+std::string folded(std::string_view utf8) {
+  // U+00C0 to U+017F, 64 to a lead byte; a sign that is no letter stays itself.
+  constexpr std::array<std::string_view, 3> base{
+      "aaaaaaaceeeeiiiidnooooo ouuuuypsaaaaaaaceeeeiiiidnooooo ouuuuypy",
+      "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll",
+      "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs"};
+  std::string out;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto byte = [&](std::size_t k) {
+      return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0U;
+    };
+    const unsigned lead = byte(i), next = byte(i + 1);
+    const bool two = (next & 0xC0U) == 0x80U;
+    if (two && lead >= 0xC3 && lead <= 0xC5 && base[lead - 0xC3][next - 0x80] != ' ') {
+      out += base[lead - 0xC3][next - 0x80], ++i;
+    } else if (two && lead == 0xD0 && next >= 0x90 && next <= 0xAF) {  // Cyrillic capitals
+      const bool first = next < 0xA0;
+      out += static_cast<char>(first ? 0xD0 : 0xD1);
+      out += static_cast<char>(first ? next + 0x20 : next - 0x20), ++i;
+    } else {
+      out += lead >= 'A' && lead <= 'Z' ? static_cast<char>(lead - 'A' + 'a') : utf8[i];
+    }
+  }
+  return out;
+}
 
 bool namesACurve(std::string_view utf8) {  // a callout beside its leader names a point, not a curve
   const std::vector<std::string> words = wordsOf(utf8);

@@ -24,6 +24,9 @@ bool mayBeOnePair(std::string_view a, std::string_view b);
 /// and release is the same, numbers included, and those words differ ("Switch A" and "Switch A release").
 bool namesOnePair(std::string_view a, std::string_view b);
 
+/// Small letters, Latin ones without their accents: what is said in one spelling, and what readers of pixels lose.
+std::string folded(std::string_view utf8);
+
 /// Whether a text names a curve at all: it has words and is no point's name.
 bool namesACurve(std::string_view utf8);
 

@@ -79,6 +79,15 @@ std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vecto
   return std::pair(named[0], named[1]);
 }
 
+/// Whether a trace has the place of a name that could not be read, where all others have theirs and none of them names a stroke.
+bool isUnreadName(std::size_t its, const std::vector<CurveTrace>& traces, const Indices& drawn) {
+  constexpr std::size_t fewest = 3;
+  if (drawn.size() < fewest || !traces[its].label.empty() || traces[its].labelBox_px.empty()) return false;
+  return std::ranges::all_of(drawn, [&](std::size_t i) {
+    return !namedStroke(traces[i]) && (i == its || namesACurve(traces[i].label));
+  });
+}
+
 /// Each trace's partner: itself for a press alone. Empty where one has several or where a release stands alone.
 std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   std::vector<Indices> groups;
@@ -87,8 +96,8 @@ std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indi
     for (const std::size_t j : drawn)
       if (j != i && (shareAnInk(traces[i], traces[j]) || namesOnePair(traces[i].label, traces[j].label)))
         partners.push_back(j);
-    const bool alone =
-        partners.empty() && namesACurve(traces[i].label) && namedStroke(traces[i]) != Stroke::release;
+    const bool hasName = namesACurve(traces[i].label) || isUnreadName(i, traces, drawn);
+    const bool alone = partners.empty() && hasName && namedStroke(traces[i]) != Stroke::release;
     if (partners.size() > 1 || (partners.empty() && !alone)) return {};
     if (alone) groups.push_back({i});
     if (!partners.empty() && i < partners.front()) groups.push_back({i, partners.front()});
@@ -151,10 +160,10 @@ std::string listOf(const std::vector<PlotSwitch>& switches) {
   return list;
 }
 
-/// Lower case, letters and digits only; bytes above ASCII stay.
+/// Lower case without accents, letters and digits only; other bytes above ASCII stay.
 std::string bare(std::string_view name) {
   std::string out;
-  for (const char c : name) {
+  for (const char c : folded(name)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte >= 0x80 || std::isalnum(byte)) out += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
   }
@@ -199,7 +208,7 @@ Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::str
 /// Words of letters and digits, lower case; bytes above ASCII are letters.
 std::vector<std::string> wordsOf(std::string_view name) {
   std::vector<std::string> words(1);
-  for (const char c : name) {
+  for (const char c : folded(name)) {
     const std::string letter = bare({&c, 1});
     if (!letter.empty())
       words.back() += letter;

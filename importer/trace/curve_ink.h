@@ -45,6 +45,8 @@ struct Ink {
   Color3 difference() const { return strength * direction; }
 };
 
+inline constexpr double kSameInkAngle = 0.985;  // cosine between two colours of one ink, seen from the paper
+
 /// The ink of a colour on paper of another.
 Ink inkOfColor(Rgb color, Color3 paper);
 

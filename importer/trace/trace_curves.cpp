@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
 
-#include "importer/page/mirrored.h"
 #include "importer/trace/centre_line.h"
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/foot_line.h"
+#include "importer/trace/legend_words.h"
 #include "importer/trace/line_ends.h"
 #include "importer/trace/plot_scene.h"
 #include "importer/trace/trace_loop.h"
@@ -28,8 +27,7 @@ namespace {
 
 using namespace trace;
 
-constexpr double kCredibleLoop = 0.5;    // below: another ink may hold the curves
-constexpr double kSameInkAngle = 0.985;  // cosine between a given colour and an ink found
+constexpr double kCredibleLoop = 0.5;  // below: another ink may hold the curves
 
 Failure noCurve(Message why) {
   return {FailureCode::noForceGraph,
@@ -152,172 +150,6 @@ Ink darkness(const PlotInks& plot) {
   dark.strength = std::max(1.0F, norm(light ? paper : Color3{255, 255, 255} - paper));
   dark.direction = (1 / dark.strength) * (light ? Color3{} - paper : Color3{255, 255, 255} - paper);
   return dark;
-}
-
-/// Where and how much of each trace's ink lies in a box of the view.
-struct InkSeen {
-  double inside_px = 0;   ///< full pixels within the middle band
-  double outside_px = 0;  ///< above and below it
-  bool runsOut = false;   ///< touches the far end of the box
-};
-
-// A strip beside a word, in letter heights.
-constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9;
-
-/// How far from a word, in its heights, the first thing beside it ends: its sample stands nearer than the legend's box.
-double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster, Color3 paper) {
-  constexpr double kApart = 0.4, beyond_px = 2.5;  // between a sample and what is none; looked beyond it
-  const double height = word.height(), middle = word.middle().y;
-  const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
-  const auto isInked = [&](int x) {
-    for (int y = static_cast<int>(middle - kBand * height); y <= static_cast<int>(middle + kBand * height);
-         ++y)
-      if (x >= 0 && y >= 0 && x < raster.width_px && y < raster.height_px &&
-          norm(colorAt(raster, x, y) - paper) >= 24)
-        return true;
-    return false;
-  };
-  double first = -1, last = 0;
-  // The minus of "-20" is the writing's own.
-  const auto isASign = [&] { return first < kApart * height && last - first < 0.6 * height; };
-  for (int by = 0; by < kLength * height; ++by)
-    if (isInked(static_cast<int>(near) + direction * by)) {
-      if (first < 0 || by - last > kApart * height) first = by;
-      last = by;
-    } else if (last > 0 && by - last > kApart * height && !isASign()) {
-      return (last + beyond_px) / height;
-    }
-  return kLength;
-}
-
-/// Looks beside a word, in a strip as long as a legend's sample may be; `direction` -1: left of it, +1:
-/// right.
-std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
-                                const Raster& raster, Color3 paper, double heights) {
-  const double height = word.height(), middle = word.middle().y;
-  const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
-  const double far = near + direction * heights * height;
-  const int x0 = std::max(0, static_cast<int>(std::min(near, far)));
-  const int x1 = std::min(raster.width_px - 1, static_cast<int>(std::max(near, far)));
-  const int y0 = std::max(0, static_cast<int>(middle - kAround * height));
-  const int y1 = std::min(raster.height_px - 1, static_cast<int>(middle + kAround * height));
-  std::vector<InkSeen> seen(inks.size());
-  for (int y = y0; y <= y1; ++y)
-    for (int x = x0; x <= x1; ++x) {
-      const Color3 difference = colorAt(raster, x, y) - paper;
-      const float length = norm(difference);
-      if (length < 24) continue;
-      for (std::size_t k = 0; k < inks.size(); ++k) {
-        if (dot(difference, inks[k].direction) <= static_cast<float>(kSameInkAngle) * length) continue;
-        const double full = static_cast<double>(length / inks[k].strength);
-        (std::abs(y - middle) <= kBand * height ? seen[k].inside_px : seen[k].outside_px) += full;
-        if (std::abs(x - far) < 1.5) seen[k].runsOut = true;
-      }
-    }
-  return seen;
-}
-
-/// How far to look for a sample beside a word, in its heights; the direction as in lookBeside.
-using StripLength = std::function<double(const Box& word, int direction)>;
-
-/// Which trace's sample stands beside a word: level, ended, and of one ink only.
-std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const PageView& view,
-                                        Color3 paper, const StripLength& lengthOf) {
-  const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // as people write, sample first
-  for (int direction : {before, -before}) {
-    const std::vector<InkSeen> seen =
-        lookBeside(word, direction, inks, view.raster, paper, lengthOf(word, direction));
-    std::optional<std::size_t> found;
-    bool several = false;
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-      if (seen[k].runsOut || seen[k].inside_px < 0.8 * word.height()) continue;
-      if (seen[k].outside_px > 0.3 * seen[k].inside_px) continue;
-      several = several || found.has_value();
-      found = k;
-    }
-    if (found && !several) return found;
-  }
-  return {};
-}
-
-using LegendTexts = std::vector<std::vector<SeenText>>;  // per trace
-
-/// Of several texts beside an ink those that stand in line with another ink's, if any does: a fringe of a letter
-/// elsewhere on the page has an ink's colour by chance.
-std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
-  if (all[of].size() < 2) return all[of];
-  std::vector<SeenText> inLine;
-  for (const SeenText& text : all[of])
-    for (std::size_t k = 0; k < all.size(); ++k)
-      if (k != of && std::any_of(all[k].begin(), all[k].end(),
-                                 [&](const SeenText& t) { return t.box.inLineWith(text.box); })) {
-        inLine.push_back(text);
-        break;
-      }
-  return inLine.empty() ? all[of] : inLine;
-}
-
-/// The texts beside each trace's legend sample.
-LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
-                        const PageView& view, Color3 paper, const StripLength& lengthOf) {
-  LegendTexts beside(inks.size());
-  for (const SeenText& text : texts) {
-    if (std::abs(text.angle_deg) > 20 || text.box.empty()) continue;
-    if (const auto trace = sampledTrace(text.box, inks, view, paper, lengthOf))
-      beside[*trace].push_back(text);
-  }
-  return beside;
-}
-
-/// What words gave no name gets its legend's short one, or the place of one that was not read, if all such traces have theirs.
-void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& beside) {
-  const auto isNameless = [](const CurveTrace& trace) { return trace.label.empty(); };
-  if (traces.size() < 2) return;
-  std::vector<SeenText> names(traces.size());
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    if (!isNameless(traces[i])) continue;
-    const std::vector<SeenText> its = inLegend(beside, i);
-    if (its.size() != 1) return;
-    names[i] = its.front();
-  }
-  const bool allRead = std::ranges::none_of(names, [&](const SeenText& name) {
-    return isNameless(traces[static_cast<std::size_t>(&name - names.data())]) && name.utf8.empty();
-  });
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    if (!isNameless(traces[i])) continue;
-    traces[i].labelBox_px = names[i].box;
-    if (allRead) traces[i].label = names[i].utf8;
-  }
-}
-
-/// Gives each trace the words that its legend sample stands beside; several texts of one ink parted by " / ".
-void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
-                 const PlotScene& scene) {
-  const Color3 paper = scene.paper();
-  std::vector<Ink> inks;
-  for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, paper));
-  LegendTexts beside = textsBeside(axes.texts, inks, view, paper, [](const Box&, int) { return kLength; });
-  for (std::vector<SeenText>& texts : beside)
-    std::erase_if(texts, [](const SeenText& text) { return text.utf8.empty(); });
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    CurveTrace& named = traces[i];
-    for (const SeenText& text : inLegend(beside, i)) {
-      named.labelBox_px = named.label.empty() ? text.box : named.labelBox_px.joined(text.box);
-      named.label += (named.label.empty() ? "" : " / ") + text.utf8;
-    }
-  }
-  const auto firstBeside = [&](const Box& word, int direction) {
-    return lengthOfFirstBeside(word, direction, view.raster, paper);
-  };
-  // The ink of frame and numbers may end beside a word in more than its sample.
-  std::vector<SeenText> lines = axes.otherLines;
-  std::ranges::copy_if(axes.texts, std::back_inserter(lines), [&](const SeenText& text) {
-    return std::ranges::any_of(traces, [&](const CurveTrace& trace) {
-      return !trace.labelBox_px.empty() && text.box.inLineWith(trace.labelBox_px) &&
-             trace.label.find(text.utf8) == std::string::npos;
-    });
-  });
-  labelByOtherLines(traces, textsBeside(lines, inks, view, paper, firstBeside));
 }
 
 Mask either(const Mask& a, const Mask& b) {
@@ -533,6 +365,25 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   return withLoopsParted(traces, curves, finalPlot, options, progress);
 }
 
+/// Curves of a drawing whose legend shows no lines get their names as in a picture, by its filled squares and its letters. Of an
+/// ink both strokes have the same.
+void labelDrawn(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
+                const PlotScene& scene) {
+  if (scene.empty() || std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); }))
+    return;
+  std::vector<CurveTrace> inks;
+  for (const CurveTrace& trace : traces) {
+    const bool isNew = std::ranges::find(inks, trace.color, &CurveTrace::color) == inks.end();
+    if (!isNew && !trace.stroke) return;  // the dashes of a line tell it from another of its colour
+    if (isNew) inks.push_back(trace);
+  }
+  labelTraces(inks, axes, view, scene);
+  for (CurveTrace& trace : traces) {
+    const CurveTrace& its = *std::ranges::find(inks, trace.color, &CurveTrace::color);
+    trace.label = its.label, trace.labelBox_px = its.labelBox_px;
+  }
+}
+
 }  // namespace
 
 std::string nameOf(Rgb color) {
@@ -550,6 +401,7 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
   std::vector<CurveTrace> exact = traceVector(view, scene.plotFrame(), axes, hints);
   if (!exact.empty()) {
     addLostWalls(exact, scene);
+    labelDrawn(exact, axes, view, scene);
     return exact;
   }
   if (scene.empty()) return noCurve(Message("lies outside the picture or has no area"));

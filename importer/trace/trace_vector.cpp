@@ -161,23 +161,41 @@ std::vector<LegendSample> legendSamples(const PageView& view, const PlotPlane& p
   return samples;
 }
 
-/// The words beside the legend sample drawn in this style; null if there are none.
-const SeenText* legendWords(const std::vector<LegendSample>& samples, const LineStyle& style,
-                            const std::vector<SeenText>& texts) {
-  const SeenText* words = nullptr;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const LegendSample& sample : samples) {
-    if (colorDistance(sample.style.color, style.color) > 6 || sample.style.dashed != style.dashed) continue;
-    for (const SeenText& text : texts) {
-      const double height = text.box.height(), middle = text.box.middle().y;
-      if (std::abs(text.angle_deg) > 1 || std::abs(middle - sample.box.y0) > 0.6 * height) continue;
-      const double gap = std::max(text.box.x0 - sample.box.x1, sample.box.x0 - text.box.x1);
-      if (gap < -height || gap > 3 * height || std::abs(gap) >= nearest) continue;
-      nearest = std::abs(gap);
-      words = &text;
-    }
+bool isOf(const LegendSample& sample, const LineStyle& style) {
+  return colorDistance(sample.style.color, style.color) <= 6 && sample.style.dashed == style.dashed;
+}
+
+struct LegendWords {
+  const SeenText* text = nullptr;  ///< null if there are none
+  double gap_px = std::numeric_limits<double>::infinity();
+};
+
+/// The nearest words level with a legend's sample on one side of it.
+LegendWords wordsBeside(const LegendSample& sample, const std::vector<SeenText>& texts, bool after) {
+  LegendWords words;
+  for (const SeenText& text : texts) {
+    const double height = text.box.height(), middle = text.box.middle().y;
+    if (std::abs(text.angle_deg) > 1 || std::abs(middle - sample.box.y0) > 0.6 * height) continue;
+    const double gap = after ? text.box.x0 - sample.box.x1 : sample.box.x0 - text.box.x1;
+    if (gap < -height || gap > 3 * height || std::abs(gap) >= words.gap_px) continue;
+    words = {&text, std::abs(gap)};
   }
   return words;
+}
+
+/// Each legend sample's words: all behind their samples, as people write, or all before them, on the side where more have some. In a
+/// row a sample stands between its own words and its neighbour's.
+std::vector<LegendWords> wordsBesideAll(const std::vector<LegendSample>& samples,
+                                        const std::vector<SeenText>& texts) {
+  std::vector<LegendWords> behind, before;
+  for (const LegendSample& sample : samples) {
+    behind.push_back(wordsBeside(sample, texts, true));
+    before.push_back(wordsBeside(sample, texts, false));
+  }
+  const auto unread = [](const std::vector<LegendWords>& words) {
+    return std::ranges::count_if(words, [](const LegendWords& each) { return each.text == nullptr; });
+  };
+  return unread(behind) <= unread(before) ? behind : before;
 }
 
 bool isGiven(Rgb color, const std::optional<Rgb>& given) {
@@ -250,7 +268,12 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     std::ranges::move(shortOnes, std::back_inserter(strokes));
   }
 
-  const std::vector<LegendSample> samples = legendSamples(view, plane);
+  std::vector<LegendSample> samples = legendSamples(view, plane);
+  std::erase_if(samples, [&](const LegendSample& sample) {
+    return std::ranges::none_of(strokes,
+                                [&](const StyledStroke& stroke) { return isOf(sample, stroke.style); });
+  });
+  const std::vector<LegendWords> words = wordsBesideAll(samples, axes.texts);
   std::vector<CurveTrace> traces;
   for (StyledStroke& stroke : strokes) {
     CurveTrace trace;
@@ -258,10 +281,10 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     trace.color = stroke.style.color;
     trace.fromVector = true;
     trace.confidence = stroke.confidence;
-    if (const SeenText* words = legendWords(samples, stroke.style, axes.texts)) {
-      trace.label = words->utf8;
-      trace.labelBox_px = words->box;
-    }
+    LegendWords its;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (isOf(samples[i], stroke.style) && words[i].gap_px < its.gap_px) its = words[i];
+    if (its.text != nullptr) trace.label = its.text->utf8, trace.labelBox_px = its.text->box;
     traces.push_back(std::move(trace));
   }
   if (!hasAllGiven(traces, hints)) return {};

@@ -639,6 +639,77 @@ TEST_CASE("a legend's row is parted at its samples") {
     CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
 }
 
+TEST_CASE("a legend's row is parted at filled squares of another ink") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.height = 640;
+  Canvas c(s.width, s.height, 255);
+  drawInto(c, s);
+  for (const double from : {300.0, 400.0}) c.fill(from, 592, from + 22, 608, 150);
+  c.text("Press", 360, 600, 0, 0.6);
+  c.text("Release", 470, 600, 0, 0.6);
+  const auto looked = look(c.grey());
+  auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  readGraphTexts(looked.view, looked.frame, *axes);
+  for (const char* word : {"Press", "Release"})
+    CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
+}
+
+TEST_CASE("names of two letters are read beside a legend's sample alone") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.width = 1100;
+  const bool sampled = GENERATE(true, false);
+  Canvas c(s.width, s.height, 255);
+  drawInto(c, s);
+  for (const double y : {200.0, 230.0}) {
+    if (sampled) c.row(y, 900, 930, 2, 120);
+    c.text(y < 210 ? "K1" : "K2", 955, y, 0, 0.6);
+  }
+  const auto looked = look(c.grey());
+  auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  readGraphTexts(looked.view, looked.frame, *axes);
+  const auto isBeside = [](const SeenText& t) { return t.box.middle().x > 940; };
+  const auto isRead = [&](const SeenText& t) { return isBeside(t) && t.utf8.starts_with("K"); };
+  CHECK(std::ranges::count_if(axes->otherLines, isBeside) == (sampled ? 2 : 0));
+  CHECK(std::ranges::count_if(axes->otherLines, isRead) == (sampled ? 2 : 0));
+}
+
+TEST_CASE("names that count on in a legend are no second scale") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.width = 1100;
+  const double apart_px = GENERATE(24.0, 80.0);
+  Canvas c(s.width, s.height, s.paperGrey);
+  drawInto(c, s);
+  for (int k = 0; k < 5; ++k) c.text(shown(30 + 5 * k), s.right + 30, s.top + 40 + apart_px * k, s.textGrey);
+  CHECK(read(c.grey()).otherRightScale == (apart_px > 50));
+}
+
+TEST_CASE("units that only the heading names, said and not contradicted") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.top = 100, s.xTitle = "Travel", s.yTitle = "Force";
+  bool taken = true;
+  std::string heading = "Key force vs travel (cN, mm)";
+  SECTION("both") {}
+  SECTION("an axis that names another unit") { s.yTitle = "Force [N]", taken = false; }
+  SECTION("an axis that measures something else") { s.xTitle = "Time (s)", taken = false; }
+  SECTION("a stiffness") { heading = "Spring rates (cN/mm)", taken = false; }
+  Canvas c(s.width, s.height, s.paperGrey);
+  drawInto(c, s);
+  c.text(heading, 0.5 * (s.left + s.right), 40, s.textGrey, 0.8);
+  const auto axes = read(c.grey());
+  const AxisCalibration& cal = axes.calibration.value;
+  CHECK((cal.x.unitFound && cal.y.unit == "cN") == taken);
+  CHECK(std::ranges::any_of(axes.calibration.evidence, [](const EvidenceItem& item) {
+          return item.code == EvidenceCode::unitsOfHeading;
+        }) == taken);
+  if (taken) CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
+}
+
 TEST_CASE("words are read in any quarter turn") {
   if (skipWithoutEngine()) return;
   Canvas c(300, 300, 255);

@@ -12,14 +12,25 @@ using detent::importer::strokeNamedBy;
 using detent::importer::switchNamedBy;
 
 TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
-  for (const char* text :
-       {"Press", "downstroke", "DOWNSTROKE", "Downstroke (press)", "down stroke", "Loading", "Hinweg",
-        "Betätigung", "BETÄTIGUNG", "按压", "下压力曲线", "押し込み", "Нажатие", "Harimau housing downstroke",
-        "going down", "mesure aller", "Compression", "Ida", "Andata"})
+  for (const char* text : {"Press",       "downstroke",
+                           "DOWNSTROKE",  "Downstroke (press)",
+                           "down stroke", "Loading",
+                           "Hinweg",      "Betätigung",
+                           "BETÄTIGUNG",  "按压",
+                           "下压力曲线",  "押し込み",
+                           "Нажатие",     "Harimau housing downstroke",
+                           "going down",  "mesure aller",
+                           "Compression", "Ida",
+                           "Andata",      "Avance",
+                           "Premuto",     "abwärts"})
     CHECK(strokeNamedBy(text) == Stroke::press);
-  for (const char* text : {"Release", "upstroke", "Upstroke (release)", "Unloading", "Rückhub", "RÜCKLAUF",
-                           "return", "释放", "回弹", "戻り", "Отпускание", "T1 housing upstroke", "coming up",
-                           "mesure retour", "Decompression", "Vuelta", "Ritorno"})
+  for (const char* text : {"Release",    "upstroke",      "Upstroke (release)",
+                           "Unloading",  "Rückhub",       "RÜCKLAUF",
+                           "return",     "释放",          "回弹",
+                           "戻り",       "Отпускание",    "T1 housing upstroke",
+                           "coming up",  "mesure retour", "Decompression",
+                           "Vuelta",     "Ritorno",       "Retroceso",
+                           "Rilasciato", "aufwärts"})
     CHECK(strokeNamedBy(text) == Stroke::release);
 }
 

@@ -49,6 +49,25 @@ std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, st
 
 }  // namespace
 
+TEST_CASE("A name is found without its accents", "[switches]") {
+  const std::vector<CurveTrace> traces{traced("Boton A", 10, 1), traced("Boton B", 60, 2, 1)};
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 2);
+  CHECK(switches[chosenSwitch(switches, traces, "Botón B").value()].name == "Boton B");
+  CHECK(isNamed(switches, 1, traces, "Botón B"));
+}
+
+TEST_CASE("Where one of several names was not read its place says that it is a switch's", "[switches]") {
+  std::vector<CurveTrace> traces{traced("1.6 N", 10, 1), traced("2.6 N", 60, 2, 1), traced("", 90, 3, 2)};
+  CHECK(switchesAmong(traces).size() != 3);  // a curve beside them that no legend lists
+  traces[2].labelBox_px = {400, 50, 460, 62};
+  const auto switches = switchesAmong(traces);
+  CHECK(namesOf(switches) == Names{"1.6 N", "2.6 N", ""});
+  CHECK(chosenSwitch(switches, traces, "3").value() == 2);
+  traces[1].label = "1.6 N release";  // then it may be a stroke of either
+  CHECK(switchesAmong(traces).size() != 3);
+}
+
 TEST_CASE("Two curves that no legend parts are one switch's strokes", "[switches]") {
   for (const char* label : {"", "press", "Switch A"}) {
     const std::vector<CurveTrace> traces{traced("", 10, 1), traced(label, 60, 2)};

@@ -175,6 +175,10 @@ class Plot {
   /// A line of writing that is no word: a short name, or none that was read.
   void sayOther(std::string text, Box box) { axes_.otherLines.push_back({std::move(text), box, 0.9, 0}); }
   void say(const std::string& words, const Box& box) { axes_.texts.push_back({words, box, 1, 0}); }
+  void sayTick(const std::string& number, const Box& box) {
+    say(number, box);
+    axes_.calibration.value.y.ticks.push_back({box.middle().y, 0, number, box});
+  }
 
   Result<std::vector<CurveTrace>> trace(const TraceHints& hints = {}, const TraceOptions& options = {},
                                         const Progress& progress = {}) const {
@@ -1181,6 +1185,70 @@ TEST_CASE("Short names of a legend, and the places of those not read, come to it
   }
   CHECK(ofColor(ofUnread, kRed).labelBox_px == red);
   CHECK(ofColor(ofUnread, kBlue).labelBox_px == blue);
+}
+
+TEST_CASE("A filled square beside a name is its curve's sample", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(6, 6, kGrey);
+  plot.line(plot.at(release()), 2, kRed, true);
+  plot.line(plot.at(press()), 2, kBlue, true);
+  const double half = GENERATE(6.0, 20.0);  // of its height; letters are 12 px high
+  const double apart = 2 * half + 8;
+  plot.line({{940, 100}, {956, 100}}, 2 * half, kRed);
+  plot.line({{940, 100 + apart}, {956, 100 + apart}}, 2 * half, kBlue);
+  plot.say("Old", {972, 94, 996, 106});
+  plot.say("New", {972, 94 + apart, 996, 106 + apart});
+  const auto traces = plot.trace().value();
+  // A bar much higher than the letters is something else beside them.
+  CHECK(ofColor(traces, kRed).label == (half < 10 ? "Old" : ""));
+  CHECK(ofColor(traces, kBlue).label == (half < 10 ? "New" : ""));
+}
+
+TEST_CASE("A number of the axis level with a legend's sample names no curve", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(6, 6, kGrey);
+  plot.line(plot.at(release()), 2, kRed, true);
+  plot.line(plot.at(press()), 2, kBlue, true);
+  const Point red = plot.at(0.02, 0.95);
+  plot.line({red, {red.x + 20, red.y}}, 2, kRed);
+  const Box number{plot.box().x0 - 14, red.y - 6, plot.box().x0 - 4, red.y + 6};
+  const bool isTick = GENERATE(true, false);
+  if (isTick)
+    plot.sayTick("2", number);
+  else
+    plot.say("2", number);
+  CHECK(ofColor(plot.trace().value(), kRed).label == (isTick ? "" : "2"));
+}
+
+TEST_CASE("Where a legend has no samples its letters' inks are the key", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(6, 6, kGrey);
+  plot.line(plot.at(release()), 2, kRed, true);
+  plot.line(plot.at(press()), 2, kBlue, true);
+  const bool oneInInk = GENERATE(false, true);
+  plot.letters("Old", 0.05, 0.9, 14, kRed);
+  plot.letters("New", 0.05, 0.84, 14, oneInInk ? kBlack : kBlue);
+  const Point first = plot.at(0.05, 0.9), second = plot.at(0.05, 0.84);
+  plot.say("Old", {first.x - 1, first.y - 15, first.x + 34, first.y + 1});
+  plot.say("New", {second.x - 1, second.y - 15, second.x + 38, second.y + 1});
+  const auto traces = plot.trace().value();
+  REQUIRE(traces.size() == 2);
+  CHECK(ofColor(traces, kRed).label == (oneInInk ? "" : "Old"));  // all of them or none
+  CHECK(ofColor(traces, kBlue).label == (oneInInk ? "" : "New"));
+}
+
+TEST_CASE("Names that stand at their curves' ends", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(5, 5, kGrey);
+  plot.line(plot.at({{0, 0.05}, {0.5, 0.5}, {0.7, 0.9}}), 2, kRed);
+  plot.line(plot.at({{0, 0.02}, {0.5, 0.35}, {0.8, 0.7}}), 2, kBlue);
+  const Point red = plot.at(0.7, 0.9), blue = plot.at(0.8, 0.7);
+  const double away = GENERATE(0.0, 60.0);  // from where the second curve ends
+  plot.say("Heron", {red.x + 6, red.y - 6, red.x + 50, red.y + 6});
+  plot.say("Kite", {blue.x + 6, blue.y - 6 + away, blue.x + 40, blue.y + 6 + away});
+  const auto traces = plot.trace().value();
+  CHECK(ofColor(traces, kRed).label == (away > 0 ? "" : "Heron"));
+  CHECK(ofColor(traces, kBlue).label == (away > 0 ? "" : "Kite"));
 }
 
 TEST_CASE("The minus of a short name is no sample, and a sample in small print is seen to its end",

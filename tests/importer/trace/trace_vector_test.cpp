@@ -190,6 +190,20 @@ TEST_CASE("two colours: exact points, each in its colour, legend words beside th
   CHECK_FALSE(red.stroke);
 }
 
+TEST_CASE("words of a legend's row are their own sample's alone") {
+  Drawing drawing;
+  drawing.color = {228, 26, 28};
+  drawing.stroke(press);
+  drawing.stroke({{500, 80}, {540, 80}});
+  drawing.color = {55, 126, 184};
+  drawing.stroke(release);
+  drawing.stroke({{606, 80}, {646, 80}});  // its own words were not read
+  drawing.axes.texts = {{"Old", {545, 72, 580, 88}, 1, 0}};
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 2);
+  for (const CurveTrace& trace : traces) CHECK(trace.label == (trace.color == Rgb{228, 26, 28} ? "Old" : ""));
+}
+
 TEST_CASE("a tick with its number is no legend") {
   Drawing drawing;
   drawing.stroke(press);

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/legend_words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <optional>
+
+#include "importer/page/mirrored.h"
+
+namespace detent::importer::trace {
+namespace {
+
+/// Where and how much of each trace's ink lies in a box of the view.
+struct InkSeen {
+  double inside_px = 0;   ///< full pixels within the middle band
+  double outside_px = 0;  ///< above and below it
+  bool runsOut = false;   ///< touches the far end of the box
+  bool runsOver = false;  ///< touches its upper or lower edge
+  int pixels = 0, left = 0, right = 0, top = 0,
+      foot = 0;  ///< how many, and where they lie; tints count whole
+
+  void add(int x, int y) {
+    left = pixels > 0 ? std::min(left, x) : x, right = pixels > 0 ? std::max(right, x) : x;
+    top = pixels > 0 ? std::min(top, y) : y, foot = pixels > 0 ? std::max(foot, y) : y;
+    ++pixels;
+  }
+  /// A square, bar or disc, as legends of areas, bars and boxes have it: filled, or outlined around a fill of another tint.
+  bool isSwatch() const {
+    constexpr double filled = 0.75, outlined = 0.8;  // of its box; of the box' edges
+    const int width = right - left + 1, height = foot - top + 1;
+    return !runsOver && (pixels >= filled * width * height || pixels >= outlined * 2 * (width + height));
+  }
+};
+
+// A strip beside a word, in letter heights.
+constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9, kHighest = 1.25;
+
+/// How far from a word, in its heights, the first thing beside it ends: its sample stands nearer than the legend's box.
+double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster, Color3 paper) {
+  constexpr double kApart = 0.4, beyond_px = 2.5;  // between a sample and what is none; looked beyond it
+  const double height = word.height(), middle = word.middle().y;
+  const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
+  const auto isInked = [&](int x) {
+    for (int y = static_cast<int>(middle - kBand * height); y <= static_cast<int>(middle + kBand * height);
+         ++y)
+      if (x >= 0 && y >= 0 && x < raster.width_px && y < raster.height_px &&
+          norm(colorAt(raster, x, y) - paper) >= 24)
+        return true;
+    return false;
+  };
+  double first = -1, last = 0;
+  // The minus of "-20" is the writing's own.
+  const auto isASign = [&] { return first < kApart * height && last - first < 0.6 * height; };
+  for (int by = 0; by < kLength * height; ++by)
+    if (isInked(static_cast<int>(near) + direction * by)) {
+      if (first < 0 || by - last > kApart * height) first = by;
+      last = by;
+    } else if (last > 0 && by - last > kApart * height && !isASign()) {
+      return (last + beyond_px) / height;
+    }
+  return kLength;
+}
+
+/// Looks beside a word, in a strip as long as a legend's sample may be; `direction` -1: left of it, +1:
+/// right.
+std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
+                                const Raster& raster, Color3 paper, double heights) {
+  const double height = word.height(), middle = word.middle().y;
+  const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
+  const double far = near + direction * heights * height;
+  const int x0 = std::max(0, static_cast<int>(std::min(near, far)));
+  const int x1 = std::min(raster.width_px - 1, static_cast<int>(std::max(near, far)));
+  const int y0 = std::max(0, static_cast<int>(middle - kHighest * height));
+  const int y1 = std::min(raster.height_px - 1, static_cast<int>(middle + kHighest * height));
+  std::vector<InkSeen> seen(inks.size());
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
+      const Color3 difference = colorAt(raster, x, y) - paper;
+      const float length = norm(difference);
+      if (length < 24) continue;
+      for (std::size_t k = 0; k < inks.size(); ++k) {
+        if (dot(difference, inks[k].direction) <= static_cast<float>(kSameInkAngle) * length) continue;
+        const double full = static_cast<double>(length / inks[k].strength);
+        const double off = std::abs(y - middle);
+        if (off <= kAround * height) (off <= kBand * height ? seen[k].inside_px : seen[k].outside_px) += full;
+        if (std::abs(x - far) < 1.5 && off <= kAround * height) seen[k].runsOut = true;
+        if (y == y0 || y == y1) seen[k].runsOver = true;
+        seen[k].add(x, y);
+      }
+    }
+  return seen;
+}
+
+/// How far to look for a sample beside a word, in its heights; the direction as in lookBeside.
+using StripLength = std::function<double(const Box& word, int direction)>;
+
+/// Which trace's sample stands beside a word: level, ended, and of one ink only.
+std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const PageView& view,
+                                        Color3 paper, const StripLength& lengthOf) {
+  const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // as people write, sample first
+  for (int direction : {before, -before}) {
+    const std::vector<InkSeen> seen =
+        lookBeside(word, direction, inks, view.raster, paper, lengthOf(word, direction));
+    std::optional<std::size_t> found;
+    bool several = false;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      if (seen[k].runsOut || seen[k].inside_px < 0.8 * word.height()) continue;
+      // Behind a name stands the next one's square.
+      const bool swatch = direction == before && seen[k].isSwatch();
+      if (seen[k].outside_px > 0.3 * seen[k].inside_px && !swatch) continue;
+      several = several || found.has_value();
+      found = k;
+    }
+    if (found && !several) return found;
+  }
+  return {};
+}
+
+using LegendTexts = std::vector<std::vector<SeenText>>;  // per trace
+
+/// Of several texts beside an ink those that stand in line with another ink's, if any does: a fringe of a letter
+/// elsewhere on the page has an ink's colour by chance.
+std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
+  if (all[of].size() < 2) return all[of];
+  std::vector<SeenText> inLine;
+  for (const SeenText& text : all[of])
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (k != of && std::any_of(all[k].begin(), all[k].end(),
+                                 [&](const SeenText& t) { return t.box.inLineWith(text.box); })) {
+        inLine.push_back(text);
+        break;
+      }
+  return inLine.empty() ? all[of] : inLine;
+}
+
+bool isTickLabel(const SeenText& text, const AxesFound& axes) {
+  const AxisCalibration& cal = axes.calibration.value;
+  const auto isIn = [&](const AxisReading& axis) {
+    return std::ranges::find(axis.ticks, text.box, &TickLabel::box) != axis.ticks.end();
+  };
+  return isIn(cal.x) || isIn(cal.y);
+}
+
+/// The texts beside each trace's legend sample.
+LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
+                        const PageView& view, Color3 paper, const StripLength& lengthOf) {
+  LegendTexts beside(inks.size());
+  for (const SeenText& text : texts) {
+    if (std::abs(text.angle_deg) > 20 || text.box.empty()) continue;
+    if (const auto trace = sampledTrace(text.box, inks, view, paper, lengthOf))
+      beside[*trace].push_back(text);
+  }
+  return beside;
+}
+
+/// What words gave no name gets its legend's short one, or the place of one that was not read, if all such traces have theirs:
+/// where one was not read the others' names count if all stand in line, as no callouts do.
+void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& beside) {
+  const auto isNameless = [](const CurveTrace& trace) { return trace.label.empty(); };
+  if (traces.size() < 2) return;
+  std::vector<SeenText> names(traces.size());
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (!isNameless(traces[i])) continue;
+    const std::vector<SeenText> its = inLegend(beside, i);
+    if (its.size() != 1) return;
+    names[i] = its.front();
+  }
+  std::vector<Box> places;
+  for (const SeenText& name : names)
+    if (!name.box.empty()) places.push_back(name.box);
+  const bool allRead = std::ranges::none_of(names, [&](const SeenText& name) {
+    return isNameless(traces[static_cast<std::size_t>(&name - names.data())]) && name.utf8.empty();
+  });
+  const bool inLine = places.size() > 2 && std::ranges::all_of(places, [&](const Box& place) {
+                        return place.inLineWith(&place == &places.front() ? places.back() : places.front());
+                      });
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (!isNameless(traces[i])) continue;
+    traces[i].labelBox_px = names[i].box;
+    if (allRead || inLine) traces[i].label = names[i].utf8;
+  }
+}
+
+/// The trace in whose ink alone a text is written.
+std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink>& inks, const Raster& raster,
+                                          Color3 paper) {
+  constexpr double nearlyAll = 0.8, full = 0.5;  // of a text's ink; of the ink's strength, at its darkest
+  std::vector<double> its(inks.size(), 0);
+  std::vector<float> darkest(inks.size(), 0);
+  double all = 0;
+  for (int y = std::max(0, static_cast<int>(word.y0));
+       y <= std::min<int>(raster.height_px - 1, static_cast<int>(word.y1)); ++y)
+    for (int x = std::max(0, static_cast<int>(word.x0));
+         x <= std::min<int>(raster.width_px - 1, static_cast<int>(word.x1)); ++x) {
+      const Color3 difference = colorAt(raster, x, y) - paper;
+      const float length = norm(difference);
+      if (length < 24) continue;
+      all += static_cast<double>(length);
+      for (std::size_t k = 0; k < inks.size(); ++k)
+        if (dot(difference, inks[k].direction) > static_cast<float>(kSameInkAngle) * length)
+          its[k] += static_cast<double>(length), darkest[k] = std::max(darkest[k], length);
+    }
+  std::optional<std::size_t> found;
+  for (std::size_t k = 0; k < inks.size(); ++k) {
+    if (its[k] < nearlyAll * all || darkest[k] < static_cast<float>(full) * inks[k].strength) continue;
+    if (found) return {};
+    found = k;
+  }
+  return found;
+}
+
+/// Level words and short names that may name curves: no titles of the axes.
+std::vector<SeenText> namesOn(const AxesFound& axes) {
+  constexpr double level_deg = 20;
+  const auto isLetter = [](unsigned char c) { return c >= 0x80 || std::isalpha(c) != 0; };
+  const AxisCalibration& cal = axes.calibration.value;
+  std::vector<SeenText> names;
+  for (const auto* texts : {&axes.texts, &axes.otherLines})
+    std::ranges::copy_if(*texts, std::back_inserter(names), [&](const SeenText& text) {
+      return std::ranges::any_of(text.utf8, isLetter) && !text.box.empty() &&
+             std::abs(text.angle_deg) < level_deg && text.utf8 != cal.x.title && text.utf8 != cal.y.title;
+    });
+  return names;
+}
+
+/// Each trace's one text, or nothing where one has none or several, or two have the same.
+std::optional<std::vector<SeenText>> oneEach(const LegendTexts& all) {
+  std::vector<SeenText> each;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::vector<SeenText> its = inLegend(all, i);
+    if (its.size() != 1) return {};
+    if (std::ranges::find(each, its.front().box, &SeenText::box) != each.end()) return {};
+    each.push_back(its.front());
+  }
+  return each;
+}
+
+/// Names that stand in line as a legend's do, each written in its curve's ink.
+std::optional<std::vector<SeenText>> lettersInInks(const std::vector<SeenText>& names,
+                                                   const std::vector<std::optional<std::size_t>>& inkOf,
+                                                   std::size_t traces) {
+  LegendTexts all(traces);
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (inkOf[n]) all[*inkOf[n]].push_back(names[n]);
+  auto each = oneEach(all);
+  const auto isInLine = [&](const SeenText& text) {
+    return std::ranges::any_of(
+        *each, [&](const SeenText& other) { return &other != &text && other.box.inLineWith(text.box); });
+  };
+  return each && std::ranges::all_of(*each, isInLine) ? each : std::nullopt;
+}
+
+/// Names that stand at their curves' right ends, in the curve's ink or in one that is no curve's.
+std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& names,
+                                                 const std::vector<std::optional<std::size_t>>& inkOf,
+                                                 const std::vector<CurveTrace>& traces) {
+  constexpr double beside = 3, over = 0.5,
+                   level = 0.9;  // of the word's height: from the end, onto it, above or below
+  LegendTexts all(traces.size());
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (traces[i].points_px.empty()) return {};
+    const Point end = *std::ranges::max_element(traces[i].points_px, {}, &Point::x);
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      const Box& word = names[n].box;
+      const double height = word.height();
+      if (inkOf[n].value_or(i) == i && word.x0 > end.x - over * height && word.x0 < end.x + beside * height &&
+          std::abs(word.middle().y - end.y) < level * height)
+        all[i].push_back(names[n]);
+    }
+  }
+  return oneEach(all);
+}
+
+/// Where no trace has a sample beside a name, letters in the curves' inks are the key, or the names' places at the curves' ends:
+/// all of them have their name so, or none.
+void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes, const std::vector<Ink>& inks,
+                         const PageView& view, Color3 paper) {
+  const auto hasNone = [](const CurveTrace& trace) {
+    return trace.label.empty() && trace.labelBox_px.empty();
+  };
+  if (traces.size() < 2 || !std::ranges::all_of(traces, hasNone)) return;
+  const std::vector<SeenText> names = namesOn(axes);
+  std::vector<std::optional<std::size_t>> inkOf;
+  for (const SeenText& name : names) inkOf.push_back(traceOfLetters(name.box, inks, view.raster, paper));
+  auto each = lettersInInks(names, inkOf, traces.size());
+  if (!each) each = namesAtEnds(names, inkOf, traces);
+  for (std::size_t i = 0; each && i < traces.size(); ++i)
+    traces[i].label = (*each)[i].utf8, traces[i].labelBox_px = (*each)[i].box;
+}
+
+}  // namespace
+
+void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
+                 const PlotScene& scene) {
+  const Color3 paper = scene.paper();
+  std::vector<Ink> inks;
+  for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, paper));
+  std::vector<SeenText> texts = axes.texts;
+  std::erase_if(texts, [&](const SeenText& text) { return isTickLabel(text, axes); });
+  LegendTexts beside = textsBeside(texts, inks, view, paper, [](const Box&, int) { return kLength; });
+  for (std::vector<SeenText>& its : beside)
+    std::erase_if(its, [](const SeenText& text) { return text.utf8.empty(); });
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    CurveTrace& named = traces[i];
+    for (const SeenText& text : inLegend(beside, i)) {
+      named.labelBox_px = named.label.empty() ? text.box : named.labelBox_px.joined(text.box);
+      named.label += (named.label.empty() ? "" : " / ") + text.utf8;
+    }
+  }
+  const auto firstBeside = [&](const Box& word, int direction) {
+    return lengthOfFirstBeside(word, direction, view.raster, paper);
+  };
+  // The ink of frame and numbers may end beside a word in more than its sample.
+  std::vector<SeenText> lines = axes.otherLines;
+  std::ranges::copy_if(axes.texts, std::back_inserter(lines), [&](const SeenText& text) {
+    return std::ranges::any_of(traces, [&](const CurveTrace& trace) {
+      return !trace.labelBox_px.empty() && text.box.inLineWith(trace.labelBox_px) &&
+             trace.label.find(text.utf8) == std::string::npos;
+    });
+  });
+  labelByOtherLines(traces, textsBeside(lines, inks, view, paper, firstBeside));
+  labelWithoutSamples(traces, axes, inks, view, paper);
+}
+
+}  // namespace detent::importer::trace
