@@ -1196,8 +1196,8 @@ TEST_CASE("A filled square beside a name is its curve's sample", "[trace]") {
   const double apart = 2 * half + 8;
   plot.line({{940, 100}, {956, 100}}, 2 * half, kRed);
   plot.line({{940, 100 + apart}, {956, 100 + apart}}, 2 * half, kBlue);
-  plot.say("Old", {972, 94, 996, 106});
-  plot.say("New", {972, 94 + apart, 996, 106 + apart});
+  plot.say("Old", {980, 94, 999, 106});
+  plot.say("New", {980, 94 + apart, 999, 106 + apart});
   const auto traces = plot.trace().value();
   // A bar much higher than the letters is something else beside them.
   CHECK(ofColor(traces, kRed).label == (half < 10 ? "Old" : ""));
