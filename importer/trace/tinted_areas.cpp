@@ -240,27 +240,18 @@ class TintedAreas {
     return paper_ + share * (core - paper_);
   }
 
-  /// A colour as it would be without a film of this tint over the paper: light paper shines through it, to dark paper it adds its light.
-  Color3 withoutFilm(Color3 pixel, Color3 tint) const {
-    return eachChannel(
-        [this](float p, float t, float its) {
-          return light_ ? p * its / std::max(1.0F, t)
-                        : 255 - (255 - p) * (255 - its) / std::max(1.0F, 255 - t);
-        },
-        pixel, tint);
-  }
+  /// A colour as it would be without a film of this tint over the paper.
+  Color3 withoutFilm(Color3 pixel, Color3 tint) const { return onOtherGround(pixel, tint, paper_); }
   /// A colour under such a film.
-  Color3 underFilm(Color3 pixel, Color3 tint) const {
-    return eachChannel(
-        [this](float p, float t, float its) {
-          return light_ ? p * t / std::max(1.0F, its)
-                        : 255 - (255 - p) * (255 - t) / std::max(1.0F, 255 - its);
-        },
-        pixel, tint);
-  }
-  template <class OfChannel>
-  Color3 eachChannel(OfChannel of, Color3 p, Color3 tint) const {
-    return {of(p.r, tint.r, paper_.r), of(p.g, tint.g, paper_.g), of(p.b, tint.b, paper_.b)};
+  Color3 underFilm(Color3 pixel, Color3 tint) const { return onOtherGround(pixel, paper_, tint); }
+
+  /// A colour over one ground as it would be over another: a light ground shines through it, a dark one adds its light.
+  Color3 onOtherGround(Color3 pixel, Color3 from, Color3 to) const {
+    const auto channel = [this](float p, float its, float other) {
+      return light_ ? p * other / std::max(1.0F, its)
+                    : 255 - (255 - p) * (255 - other) / std::max(1.0F, 255 - its);
+    };
+    return {channel(pixel.r, from.r, to.r), channel(pixel.g, from.g, to.g), channel(pixel.b, from.b, to.b)};
   }
 
   void put(int x, int y, Color3 c) {
