@@ -176,6 +176,13 @@ bool endsInAFall(const StrokePoints& press) {
 bool implausibleTravel(double travel_mm) { return travel_mm > mostTravel_mm || travel_mm < leastTravel_mm; }
 bool implausibleForce(double force_N) { return force_N > mostForce_N || force_N < leastForce_N; }
 
+/// A unit does not say that the numbers beside it were read right: one that was given and leaves the size as it is answers
+/// nothing, and the axis is what is left to ask for.
+Remedies sizeRemedies(bool unitGiven, RemedyKind giveUnit, RemedyKind giveAxis) {
+  const Remedy axis{giveAxis, "if it is"};
+  return unitGiven ? Remedies(axis) : Remedies{{giveUnit, "if it is another"}, axis};
+}
+
 /// A press that begins or pulls on the wrong side of zero by more than noise does.
 bool wrongSide(const Extent& travel) { return travel.low < -negativeShare * travel.span(); }
 bool pulls(const Extent& force) { return force.low < -2 * negativeShare * force.span(); }
@@ -294,14 +301,13 @@ class Doubts {
     const AxisHints& given = hints_.axes;
     const double travel_mm = travelOf(findings_.strokes.value.press).high;
     const double force_N = forceOf(findings_.strokes.value.press).high;
-    const bool travelGiven = given.xUnit || (given.xMin && given.xMax),
-               forceGiven = given.yUnit || given.yMin;
+    const bool travelGiven = given.xMin && given.xMax;
     if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, false))
       add(DoubtCode::implausibleTravel, unconfirmed, {{travel_mm, Measure::displacement_mm}},
-          {{RemedyKind::giveXUnit, {}}, {RemedyKind::giveXAxis, "if it is"}});
-    if (implausibleForce(force_N) && !forceGiven && !confirmedBySpec(checks_, true))
+          sizeRemedies(given.xUnit.has_value(), RemedyKind::giveXUnit, RemedyKind::giveXAxis));
+    if (implausibleForce(force_N) && !given.yMin && !confirmedBySpec(checks_, true))
       add(DoubtCode::implausibleForce, unconfirmed, {{force_N, Measure::force_N}},
-          {{RemedyKind::giveYUnit, {}}, {RemedyKind::giveYAxis, "if it is"}});
+          sizeRemedies(given.yUnit.has_value(), RemedyKind::giveYUnit, RemedyKind::giveYAxis));
   }
 
   void signs() {

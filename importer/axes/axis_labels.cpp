@@ -189,6 +189,38 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
   }
 }
 
+/// "00" as wide as two digits, where the scale has its zero, is a "0.0" that lost its point: the print has decimals, and its
+/// other numbers of two digits without a point have lost theirs. Small print reads 0.0, 0.5, 1.0 as 00, 5, 10.
+void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& places, const std::vector<GridLine>& ticks,
+                   Axis axis, double angle_deg) {
+  constexpr double asWide = 0.8;  // of the usual width of a digit
+  if (!found.progression) return;
+  const auto isBare = [&](std::size_t i) {
+    const std::string& text = found.words[i].utf8;
+    return text.size() > 1 && digitsOf(text) == text;
+  };
+  const auto isZero = [&](std::size_t i) {
+    return found.words[i].utf8.find_first_not_of('0') == std::string::npos;
+  };
+  std::vector<double> perDigit;
+  for (const SeenText& word : found.words)
+    perDigit.push_back(widthOf(word.box, angle_deg) / std::max(0.6, digitsWide(word.utf8)));
+  const double least = asWide * medianOf(perDigit);
+  bool lost = false;
+  for (std::size_t i = 0; i < found.words.size(); ++i)
+    lost |= isBare(i) && isZero(i) && found.progression->reading[i] >= 0 && perDigit[i] >= least;
+  if (!lost) return;
+  for (std::size_t i = 0; i < found.words.size(); ++i) {
+    auto& readings = found.readings[i];
+    if (!isBare(i) || isZero(i)) continue;
+    const double whole = std::stod(found.words[i].utf8);
+    std::erase_if(readings, [whole](const NumberReading& reading) { return reading.value == whole; });
+    for (NumberReading& reading : readings) reading.weight = 1;
+    places[i].readings = readings;
+  }
+  found.progression = fitProgression(places, ticks, axis == Axis::x);
+}
+
 /// Numbers that fall to the right or upwards are believed where all of a row agree, four at least, each at its tick.
 std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& places,
                                               const std::vector<GridLine>& ticks, Axis axis) {
@@ -230,6 +262,7 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];
   if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places, angle_deg);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
+  if (kind == TextKind::number) putPointsBack(found, places, ticks, axis, angle_deg);
   if (!found.progression || found.progression->labels < 3)
     if (auto falling = fallingProgression(places, ticks, axis)) found.progression = std::move(falling);
   const bool settled = agreed(found) == static_cast<int>(found.words.size());

@@ -195,6 +195,24 @@ TEST_CASE("a number of which only a digit was read makes no scale") {
   CHECK_FALSE(readAxes(view, looked.frame).ok());
 }
 
+TEST_CASE("a zero with two digits' room lost its point, and so did the numbers that count on from it") {
+  PlotStyle s;
+  auto looked = lookWithoutInk(s);
+  auto& view = looked.view;
+  writeBelow(view, s);
+  const auto [zeroFrom_px, most] = GENERATE(std::pair(68.0, 3.0), std::pair(80.0, 30.0));
+  const std::vector<std::string> texts{"00", "5", "10", "15", "20", "25", "30"};
+  for (int k = 0; k <= s.ySteps; ++k) {
+    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+    const std::string& text = texts[static_cast<std::size_t>(k)];
+    const double from_px = k == 0 ? zeroFrom_px : 90 - 11.0 * static_cast<double>(text.size());
+    view.texts.push_back({text, {from_px, y - 8, 90, y + 8}, 0});
+  }
+  const auto axes = readAxes(view, looked.frame);
+  if (!axes.ok()) FAIL(axes.failure().sentence());
+  CHECK(axes->calibration.value.y.max == Approx(most));
+}
+
 TEST_CASE("numbers at the ticks make the scale, not more of them that count on farther out") {
   PlotStyle s;
   auto looked = lookWithoutInk(s);

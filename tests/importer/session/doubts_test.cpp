@@ -133,15 +133,22 @@ TEST_CASE("thousands that may be decimals stay in doubt, whatever the unit") {
   CHECK(import.doubted(DoubtCode::thousandsUnclear));
 }
 
-TEST_CASE("sizes no button has are said twice or doubted") {
+TEST_CASE(
+    "sizes no button has are said by the axis or doubted, and a unit that changes nothing answers nothing") {
   Import import;
   for (CurvePoint& p : import.press) p.force_N *= 1000;
   CHECK(import.doubted(DoubtCode::implausibleForce));
   import.hints.axes.yUnit = ForceUnit::newton;
+  CHECK(import.doubted(DoubtCode::implausibleForce));
+  import.hints.axes.yMin = 0, import.hints.axes.yMax = 4000;
   CHECK_FALSE(import.doubted(DoubtCode::implausibleForce));
   Import wide;
   for (CurvePoint& p : wide.press) p.displacement_mm *= 10;
   CHECK(wide.doubted(DoubtCode::implausibleTravel));
+  wide.hints.axes.xUnit = LengthUnit::millimetre;
+  CHECK(wide.doubted(DoubtCode::implausibleTravel));
+  wide.hints.axes.xMin = 0, wide.hints.axes.xMax = 40;
+  CHECK_FALSE(wide.doubted(DoubtCode::implausibleTravel));
 }
 
 TEST_CASE(
