@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "importer/axes/axis_calibration.h"
+#include "importer/axes/cyrillic_look.h"
 #include "importer/axes/equal_digits.h"
 #include "importer/axes/read_text.h"
 #include "importer/axes/text_lines.h"
@@ -262,6 +263,7 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
                     : reader.readLine(line.box, TextKind::words);
     if (!digits.empty()) seen.utf8 = withKnownDigits(seen.utf8, lettersOf(ink, line.box), digits);
     if (seen.confidence >= minConfidence && lettersIn(seen.utf8) >= minLetters) {
+      seen.utf8 = withCyrillicWords(seen.utf8);
       axes.texts.push_back(std::move(seen));
       continue;
     }

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "importer/axes/cyrillic_look.h"
 #include "importer/axes/printed_number.h"
 #include "importer/axes/printed_unit.h"
 #include "importer/axes/word_match.h"
@@ -213,6 +214,15 @@ std::vector<std::vector<NumberReading>> readTogether(const std::vector<std::stri
 }
 
 }  // namespace
+
+TEST_CASE("words of strokes in Cyrillic are known by the Latin letters they look like, one of them wrong") {
+  CHECK(withCyrillicWords("HaxaTue") == "Нажатие");
+  CHECK(withCyrillicWords("Bo3Bpat, 2") == "Возврат, 2");
+  CHECK(withCyrillicWords("OtnyckaHMe") == "Отпускание");
+  CHECK(withCyrillicWords("npamon xog") == "прямой xog");
+  for (const char* other : {"Release", "harpy", "BoxPat", "Return 23", "Prägung"})
+    CHECK(withCyrillicWords(other) == other);
+}
 
 TEST_CASE("three digits behind a sign are thousands where whole numbers stand beside them") {
   CHECK(readTogether({"0", "500", "1,000", "1,500"}, ThousandsSign::certain)[2].front().value == 1000);
