@@ -63,6 +63,15 @@ double stepOf(const AxisReading& axis) {
   return step;
 }
 
+/// The last number that was read above the frame, of its line; the frame's edge where none was. Writing over the plot hides
+/// gridlines and curves, the numbers beside them stand.
+double lastNumberAbove_px(const AxisReading& y, const Box& frame) {
+  double last_px = frame.y0;
+  for (const TickLabel& tick : y.ticks)
+    if (tick.used) last_px = std::min(last_px, tick.position_px);
+  return last_px;
+}
+
 bool standsLevel(const PlotFrame& frame) {
   constexpr double most_px = 1.5;  // an area cut out along rows and columns takes no more
   const auto& [topLeft, topRight, bottomRight, bottomLeft] = frame.corners;
@@ -102,13 +111,16 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
   constexpr double atEdge_px = 2, mostShare = 0.2, roomShare = 0.01, leastRoom_px = 3;  // shares of the width
   constexpr double wallAlongEdge_px = 5;  // half of the thickest line
   constexpr double farBeyond_px = 9;
+  constexpr double lineEnd_px = 5;  // beyond the line that it ends on
   const PlotFrame& frame = graph.frame.value;
   const Box box = frame.box();
   const Raster& picture = graph.view.raster;
   if (picture.empty() || !standsLevel(frame) || isContradicted(graph)) return {};
   const AxisCalibration& axes = graph.axes.calibration.value;
   // A range cut at what it shows ends before the next number, which is not there.
-  const Point most_px{std::max(mostShare * box.width(), stepOf(axes.x)), stepOf(axes.y)};
+  const double last_px = lastNumberAbove_px(axes.y, box);
+  const Point most_px{std::max(mostShare * box.width(), stepOf(axes.x)),
+                      std::max(stepOf(axes.y), box.y0 - last_px + lineEnd_px)};
   const double room_px = std::max(leastRoom_px, roomShare * box.width());
   bool leaves = false;
   Box wide = box;
@@ -126,7 +138,9 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
     const bool alongEdge =
         atRight && rightwards_px < 2 && end->right_px <= box.x1 + wallAlongEdge_px && end->top_px >= box.y0;
     const bool drawnBeyond = line.back().x > box.x1 + farBeyond_px;  // a document's path, whole
-    leaves = leaves || drawnBeyond || (!alongEdge && goesOnBeyond(line, curve.color, picture));
+    const bool goesOn = !alongEdge && goesOnBeyond(line, curve.color, picture);
+    leaves = leaves || drawnBeyond || goesOn;
+    if (atTop && goesOn && last_px < box.y0) wide.y0 = std::min(wide.y0, last_px - leastRoom_px);
     if (atRight || end->right_px > box.x1) wide.x1 = std::max(wide.x1, end->right_px + room_px);
     if (end->top_px < box.y0 - atEdge_px) wide.y0 = std::min(wide.y0, end->top_px - room_px);
   }

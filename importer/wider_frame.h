@@ -16,7 +16,7 @@ bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& pict
 
 /// The graph with its right and upper edges where the ink of its curves ends, and the scales drawn on to there. Empty where no curve
 /// leaves the frame there, where the frame does not stand level or a label contradicts its scale, and where the ink does not end within the picture and a
-/// fifth of the frame's width or a step of the axis' numbers (upwards such a step alone). Whether the curves could be followed there is the caller's question.
+/// fifth of the frame's width or a step of the axis' numbers (upwards such a step, or up to the last number of the axis, to which the frame goes in any case). Whether the curves could be followed there is the caller's question.
 std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
                                                const std::vector<CurveTrace>& curves);
 

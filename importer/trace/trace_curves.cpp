@@ -283,6 +283,19 @@ bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
                              [&](Point p) { return p.x < before && p.y < top + touching_px; });
 }
 
+/// Whether a stroke runs on to the right of all that its colours told: a colour is lost on a wall, not along a level line, which
+/// is the plot's own.
+bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& traces, double frame_px) {
+  constexpr double most = 0.04;  // of the frame's width
+  const auto rightOf = [](const CurveTrace& trace) {
+    return std::ranges::max(trace.points_px, {}, &Point::x).x;
+  };
+  double told_px = std::numeric_limits<double>::lowest();
+  for (const CurveTrace& trace : traces)
+    if (!trace.points_px.empty()) told_px = std::max(told_px, rightOf(trace));
+  return rightOf(stroke) > told_px + most * frame_px;
+}
+
 /// In a small picture colours run into each other, and strokes that lie close have none of their own; in one of medium size
 /// steep thin lines lose theirs where colour is stored at half resolution. Where a stroke was lost by its colour both are
 /// followed in one ink, provided that what the colours told lies on them and that each name of a legend stays with one of
@@ -301,7 +314,7 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
   if (!loop || loop->size() != 2 || loop->front().confidence < kCredibleLoop) return {};
   std::vector<CurveTrace> strokes = std::move(loop).value();
   for (const CurveTrace& stroke : strokes)
-    if (leavesByTheTop(stroke, plot.area())) return {};
+    if (leavesByTheTop(stroke, plot.area()) || outrunsColours(stroke, traces, width_px)) return {};
   for (const CurveTrace& trace : traces)
     if (std::max(shareOn(trace, strokes[0]), shareOn(trace, strokes[1])) < agreeing) return {};
   for (CurveTrace& stroke : strokes) {

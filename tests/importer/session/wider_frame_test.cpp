@@ -3,6 +3,7 @@
 
 #include "importer/wider_frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -70,6 +71,24 @@ TEST_CASE("a frame is widened by as much as a step of its numbers, to the right 
   CHECK(box.y0 == Approx(186).margin(4));
   axes.y.ticks.clear();  // nothing says how far a step is
   CHECK_FALSE(plot.isWidened());
+}
+
+TEST_CASE(
+    "a frame that a curve leaves upwards goes to the last number above it, through writing that hides the "
+    "curve") {
+  Plot plot(300);
+  AxisCalibration& axes = plot.graph.axes.calibration.value;
+  axes.y.min = 0, axes.y.max = 2;
+  for (double at = 300; at <= 500; at += 20) axes.y.ticks.emplace_back().position_px = at;
+  plot.graph.frame.value.corners[0].y = plot.graph.frame.value.corners[1].y = 400;
+  std::erase_if(plot.curves.front().points_px, [](Point p) { return p.y < 400; });
+  for (int y = 370; y < 385; ++y) {  // letters
+    std::uint8_t* row = plot.graph.view.raster.rgb.data() + 3 * 700 * y;
+    std::fill(row + 3 * 200, row + 3 * 290, std::uint8_t{0});
+  }
+  const auto wider = widenedToItsCurves(plot.graph, plot.curves);
+  REQUIRE(wider);
+  CHECK(wider->frame.value.box().y0 == Approx(297).margin(2));
 }
 
 TEST_CASE("a frame stays where no curve leaves it") {

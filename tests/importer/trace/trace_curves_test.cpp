@@ -387,6 +387,29 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("A wall that hides the other stroke's ends no stroke along a gridline", "[trace]") {
+  const Rgb blue{37, 92, 148}, lime{190, 223, 58};
+  Plot plot(614, 413);
+  plot.grid(9, 24, {120, 120, 120});
+  Curve down{{0.004, 0.3}, {0.01, 0.36}}, up{{0.01, 0.1}, {0.02, 0.25}};
+  for (double x = 0.02; x <= 0.73; x += 0.01) {
+    down.push_back({x, 0.37 + 0.18 * x + 0.004 * std::sin(60 * x)});
+    up.push_back({x, 0.26 + 0.18 * x + 0.004 * std::sin(50 * x) + (x > 0.6 ? 0.8 * (x - 0.6) : 0)});
+  }
+  down.insert(down.end(), {{0.738, 0.52}, {0.744, 0.999}});
+  up.insert(up.end(), {{0.738, 0.5}, {0.7405, 0.56}});
+  plot.line(plot.at(up), 2, lime, true);
+  plot.line(plot.at(down), 2, blue, true);
+  plot.letters("Heading over lines", 0.015, 0.917, 20, kBlack,
+               3);  // on the gridline that a stroke could run along
+  const Point p = plot.at(0.015, 0.917);
+  plot.say("Heading over lines", {p.x, p.y - 20, p.x + 270, p.y + 6});
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  for (const CurveTrace& trace : *traces)
+    CHECK(std::ranges::max(trace.points_px, {}, &Point::x).x < plot.at(0.78, 0).x);
+}
+
 TEST_CASE("Dark paper, light frame", "[trace]") {
   const Rgb paper{0, 43, 54};
   Plot plot(640, 480, paper);
