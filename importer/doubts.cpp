@@ -79,8 +79,8 @@ double coincidingShare(const StrokePair& strokes, double within_px) {
   return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
 }
 
-/// Whether ink of this colour stands in nearly every column beyond a frame's right side, the plot's own lines left out: the
-/// frame was cut short.
+/// Whether ink of this colour stands in or beside nearly every column beyond a frame's right side, the plot's own lines left
+/// out: the frame was cut short. A thin line between two rows has its colour in every second column or so.
 bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   constexpr double farShare = 0.04, nearlyAll = 0.9;  // of the frame's width; of the columns
   constexpr double apart_px = 3;                      // from a line of the plot
@@ -93,7 +93,8 @@ bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   for (int x = static_cast<int>(box.x1 + apart_px); x < box.x1 + apart_px + farShare * box.width(); ++x) {
     bool any = false;
     for (int y = static_cast<int>(box.y0 + apart_px); y < box.y1 - apart_px && !any; ++y)
-      any = isInkOf(picture, color, x, y) && !isLine(y);
+      any = !isLine(y) && (isInkOf(picture, color, x, y) || isInkOf(picture, color, x + 1, y) ||
+                           isInkOf(picture, color, x - 1, y));
     ++columns, inked += any ? 1 : 0;
   }
   return columns > 0 && inked >= nearlyAll * columns;
