@@ -151,7 +151,8 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
     auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
     if (below.regular >= 3 && (left.regular < 3 || !sameSize(below, left)))
       left = labelsUpwards(words, box, turnedPositions(r, turns, false));
-    const double share = uprightShare(below, left, upright);
+    // Numbers beside the plot may read upwards: their digits lie, and say nothing of how those below stand.
+    const double share = std::max(uprightShare(below, left, upright), uprightShare(below, below, upright));
     if (std::min(below.regular, left.regular) < 3 || !sameSize(below, left) || share < 0.3) continue;
     // Graphs stand upright, lie on their side on sideways sheets, and hardly ever stand on their head.
     const int handicap = turns == 0 ? 0 : turns == 2 ? 12 : 4;

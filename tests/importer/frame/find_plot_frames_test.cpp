@@ -45,6 +45,22 @@ void requireCorners(const PlotFrame& f, const PlotStyle& s, double within) {
 
 }  // namespace
 
+TEST_CASE("few numbers below stand for themselves where those beside the plot read upwards") {
+  PlotStyle s;
+  s.width = 560, s.height = 420, s.left = 60, s.top = 60, s.right = 530, s.bottom = 340;
+  s.xSteps = 3, s.xStep = 1, s.labels = s.grid = false, s.xTitle = s.yTitle = "";
+  Canvas c(s.width, s.height, s.paperGrey);
+  drawInto(c, s);
+  for (int k = 0; k <= s.xSteps; ++k)
+    c.text(shown(k), s.left + (s.right - s.left) * k / s.xSteps, s.bottom + 24, 0, 0.4);
+  for (const auto& [text, k] :
+       {std::pair("0.0", 0), std::pair("0.5", 1), std::pair("1.0", 2), std::pair("1.5", 3)})
+    c.text(text, s.left - 20, s.bottom - (s.bottom - s.top) * k / 3, 0, 0.4, 1);
+  const Seen seen = lookAt(c.grey());
+  REQUIRE(seen.frames.size() == 1);
+  requireCorners(seen.frames[0], s, 0.6);
+}
+
 TEST_CASE("frames of many styles are found where they were drawn") {
   PlotStyle s;
   SECTION("box and light grid") {}
