@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,8 @@ constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
 // What springs back does so until nothing is left: a release that gives out on the way, near the press, was lost there.
 constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;  // shares of the travel, of the press' force
+// What locks comes to rest on the way, and says by its names in a drawing that this is the whole of it.
+constexpr double atRest = 0.1;  // share of the press' force there
 
 bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
   return std::any_of(checks.begin(), checks.end(),
@@ -77,6 +80,55 @@ double shareOn(const std::vector<Point>& other, const std::vector<Point>& line, 
 double coincidingShare(const StrokePair& strokes, double within_px) {
   const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
   return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
+}
+
+/// The rows of a line at so many columns, NaN where it does not run.
+std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns) {
+  std::vector<double> rows(static_cast<std::size_t>(columns), std::nan(""));
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const auto [a, b] = std::minmax(line[i - 1], line[i], [](Point p, Point q) { return p.x < q.x; });
+    for (int x = std::max(from, static_cast<int>(std::ceil(a.x))); x <= std::min(from + columns - 1.0, b.x);
+         ++x)
+      rows[static_cast<std::size_t>(x - from)] = std::lerp(a.y, b.y, b.x > a.x ? (x - a.x) / (b.x - a.x) : 0);
+  }
+  return rows;
+}
+
+/// Whether a stroke goes over to the other one, runs on it and steps back: where a third line covered it, it was led along what
+/// was to be seen. A key that snaps lets one stroke step onto the other, and the other away from it.
+bool stepsOverAndBack(const StrokePair& strokes) {
+  constexpr double together_px = 1.5;
+  constexpr double stepShare = 0.04, within = 0.03;  // of the strokes' height, in so much of their travel
+  constexpr double leastShare = 0.05;                // of their travel, on the other
+  const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
+  if (press.size() < 2 || release.size() < 2) return false;
+  const auto [left, right] = std::ranges::minmax(press, {}, &Point::x);
+  const auto [top, foot] = std::ranges::minmax(press, {}, &Point::y);
+  const int from = static_cast<int>(left.x), columns = static_cast<int>(right.x) - from + 1;
+  const double step_px = stepShare * (foot.y - top.y);
+  const auto aside = std::max(3, static_cast<int>(within * columns));
+  const std::vector<double> ofPress = rowsOf(press, from, columns),
+                            ofRelease = rowsOf(release, from, columns);
+  const auto apart = [&](int x) {
+    const auto i = static_cast<std::size_t>(x);
+    return std::abs(ofPress[i] - ofRelease[i]);
+  };
+  const auto pressSteps = [&](int a, int b) {
+    const auto moved = [&](const std::vector<double>& rows) {
+      return std::abs(rows[static_cast<std::size_t>(a)] - rows[static_cast<std::size_t>(b)]);
+    };
+    return moved(ofPress) > moved(ofRelease);
+  };
+  for (int x = aside; x + aside < columns; ++x) {
+    if (!(apart(x) <= together_px)) continue;
+    int to = x;
+    while (to + 1 < columns && apart(to + 1) <= together_px) ++to;
+    if (to - x >= leastShare * columns && to + aside < columns && apart(x - aside) >= step_px &&
+        apart(to + aside) >= step_px && pressSteps(x - aside, x) == pressSteps(to, to + aside))
+      return true;
+    x = to;
+  }
+  return false;
 }
 
 /// Whether ink of this colour stands in or beside nearly every column beyond a frame's right side, the plot's own lines left
@@ -219,8 +271,8 @@ double sharedTravel(const StrokePair& strokes) {
   return either > 0 ? std::max(0.0, both / either) : 1;
 }
 
-/// Where a release gives out, the share of the press' force there that it still has; 0 where the press is not.
-double forceLeft(const StrokePair& strokes) {
+/// Where a release gives out, the share of the press' force there that it still has; nothing where the press is not.
+std::optional<double> forceLeft(const StrokePair& strokes) {
   const auto earlier = [](CurvePoint a, CurvePoint b) { return a.displacement_mm < b.displacement_mm; };
   const auto& release = strokes.release->points;
   const CurvePoint end = *std::min_element(release.begin(), release.end(), earlier);
@@ -228,11 +280,11 @@ double forceLeft(const StrokePair& strokes) {
   const auto across = std::adjacent_find(press.begin(), press.end(), [&](CurvePoint a, CurvePoint b) {
     return a.displacement_mm <= end.displacement_mm && end.displacement_mm < b.displacement_mm;
   });
-  if (across == press.end()) return 0;
+  if (across == press.end()) return {};
   const double share =
       (end.displacement_mm - across->displacement_mm) / (across[1].displacement_mm - across->displacement_mm);
   const double force_N = std::lerp(across->force_N, across[1].force_N, share);
-  return force_N > 0 ? end.force_N / force_N : 0;
+  return force_N > 0 ? std::optional(end.force_N / force_N) : std::nullopt;
 }
 
 /// Whether ink leads downwards from left to right all the way.
@@ -330,10 +382,13 @@ class Doubts {
     const Box frame = findings_.graph.frame.value.box();
     if (strokes.release) {
       const double within_px = std::max(0.6, sameLineShare * std::min(frame.width(), frame.height()));
-      if (!drawnAndNamedApart() && coincidingShare(strokes, within_px) > sameLineLength)
+      if ((!drawnAndNamedApart() && coincidingShare(strokes, within_px) > sameLineLength) ||
+          stepsOverAndBack(strokes))
         add(DoubtCode::strokesCoincide, unconfirmed, {}, helps);
       const double shared = sharedTravel(strokes);
-      if (shared < leastSharedTravel || (shared < wholeTravel && forceLeft(strokes) > forceLeftAtEnd))
+      const std::optional<double> left = forceLeft(strokes);
+      const bool locks = left && *left < atRest && drawnAndNamedApart();
+      if ((shared < leastSharedTravel && !locks) || (shared < wholeTravel && left && *left > forceLeftAtEnd))
         add(DoubtCode::strokeInPart, unconfirmed, {{shared, Measure::share}}, helps);
     }
     double along = shareAlongAnAxis(strokes.press.points_px);

@@ -42,29 +42,71 @@ void addDeclarations(std::string_view block, Declarations& to) {
   }
 }
 
+/// What one element is asked for: "text.major"; empty: any.
+struct Compound {
+  std::string type;
+  std::vector<std::string> ids, classes;
+  bool isChild = false;  ///< stands in the element before it, nothing between
+
+  bool fits(std::string_view name, std::string_view id, std::string_view itsClasses) const {
+    const auto has = [&](const std::string& wanted) {
+      for (std::string_view rest = itsClasses; !(rest = trimmed(rest)).empty();) {
+        const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
+        if (rest.substr(0, end) == wanted) return true;
+        rest.remove_prefix(end);
+      }
+      return false;
+    };
+    return (type.empty() || type == name) && std::ranges::all_of(classes, has) &&
+           std::ranges::all_of(ids, [&](const std::string& wanted) { return wanted == id; });
+  }
+};
+
 struct Rule {
-  std::string type, className, id;  ///< empty: any
+  std::vector<Compound> path;  ///< outermost first; the last is the element itself
   int specificity = 0;
   Declarations declarations;
 };
 
-std::optional<Rule> ruleOf(std::string_view selector) {
-  selector = trimmed(selector);
-  const std::size_t last = selector.find_last_of(" \t\r\n>+~");
-  if (last != std::string_view::npos) selector.remove_prefix(last + 1);
-  if (selector.empty() || selector.find_first_of("[:") != std::string_view::npos) return std::nullopt;
-  Rule rule;
-  const std::size_t mark = std::min(selector.find_first_of(".#"), selector.size());
-  rule.type = std::string(selector.substr(0, mark));
-  if (rule.type == "*") rule.type.clear();
-  if (mark < selector.size()) {
-    const std::string name(selector.substr(mark + 1));
-    if (name.find_first_of(".#") != std::string::npos) return std::nullopt;
-    (selector[mark] == '.' ? rule.className : rule.id) = name;
+std::optional<Compound> compoundOf(std::string_view selector) {
+  if (selector.empty() || selector.find_first_of("[:") != std::string_view::npos) return {};
+  Compound compound;
+  std::size_t mark = std::min(selector.find_first_of(".#"), selector.size());
+  compound.type = std::string(selector.substr(0, mark));
+  if (compound.type == "*") compound.type.clear();
+  while (mark < selector.size()) {
+    const std::size_t next = std::min(selector.find_first_of(".#", mark + 1), selector.size());
+    (selector[mark] == '.' ? compound.classes : compound.ids)
+        .emplace_back(selector.substr(mark + 1, next - mark - 1));
+    mark = next;
   }
-  rule.specificity =
-      (rule.id.empty() ? 0 : 4) + (rule.className.empty() ? 0 : 2) + (rule.type.empty() ? 0 : 1);
-  return rule;
+  return compound;
+}
+
+/// Of elements beside another (+, ~) only what stands last is known.
+std::optional<Rule> ruleOf(std::string_view selector) {
+  constexpr int ofId = 10000, ofClass = 100;  // types; no selector of a chart has so many
+  Rule rule;
+  bool isChild = false;
+  while (!(selector = trimmed(selector)).empty()) {
+    if (const char joint = selector.front(); joint == '>' || joint == '+' || joint == '~') {
+      isChild = joint == '>';
+      if (!isChild) rule.path.clear();
+      selector.remove_prefix(1);
+      continue;
+    }
+    const std::size_t end = std::min(selector.find_first_of(" \t\r\n>+~"), selector.size());
+    auto compound = compoundOf(selector.substr(0, end));
+    if (!compound) return {};
+    compound->isChild = isChild;
+    isChild = false;
+    rule.specificity += ofId * static_cast<int>(compound->ids.size()) +
+                        ofClass * static_cast<int>(compound->classes.size()) +
+                        (compound->type.empty() ? 0 : 1);
+    rule.path.push_back(std::move(*compound));
+    selector.remove_prefix(end);
+  }
+  return rule.path.empty() ? std::nullopt : std::optional(std::move(rule));
 }
 
 std::string withoutComments(std::string_view css) {
@@ -138,7 +180,9 @@ std::optional<std::string> takeAlpha(std::string& color) {
 }
 
 void addStyleSheet(std::string_view source, std::vector<Rule>& rules, Declarations& variables) {
-  const std::string text = withoutComments(source);
+  std::string text = withoutComments(source);
+  for (std::size_t at = text.find("&gt;"); at != std::string::npos; at = text.find("&gt;", at))
+    text.replace(at, 4, ">");
   std::string_view css = text;
   for (const std::string_view wrapper : {"<![CDATA[", "<!--"})
     if (trimmed(css).substr(0, wrapper.size()) == wrapper) css = trimmed(css).substr(wrapper.size());
@@ -406,6 +450,7 @@ class Preparer {
   PreparedSvg run() {
     readStyleSheets();
     readClipPaths();
+    readGradients();
     PreparedSvg out;
     if (!rewrite(out)) out.text.clear();
     if (out.truncated || !out.problem.empty()) return out;
@@ -420,11 +465,27 @@ class Preparer {
 
  private:
   struct Open {
-    std::string name, anchor, id, fill;
+    std::string name, anchor, id, classes, fill, strokeWidth;
     Weight weight;
     std::optional<Affine> toRoot = Affine{};  ///< nothing where the way is turned or unknown
     std::optional<Box> clip;                  ///< of this and the outer elements, in the root's plane
     double fontSize_px = 16;
+  };
+
+  struct Gradient {
+    std::string color = "black", other;  ///< of what covers most; the gradient whose colours it has
+    int stops = 0;
+
+    void add(const Tag& stop) {
+      const std::string its = property(stop, "stop-opacity"), ink = property(stop, "stop-color");
+      const double covers = its.empty() ? 1 : std::clamp(std::strtod(its.c_str(), nullptr), 0.0, 1.0);
+      if (stops == 0 || covers > most_) most_ = covers, color = ink.empty() ? "black" : ink;
+      covered_ += covers, ++stops;
+    }
+    double opacity() const { return covered_ / std::max(1, stops); }
+
+   private:
+    double most_ = 0, covered_ = 0;
   };
 
   void readClipPaths() {
@@ -440,6 +501,62 @@ class Preparer {
       const auto shape = readTag(svg_, ++child);
       if (const auto box = shape ? boxOf(*shape) : std::nullopt) clips_[*id] = *box;
     }
+  }
+
+  /// Every gradient as one colour that covers as it does on the average: MuPDF knows none and draws black.
+  void readGradients() {
+    for (const std::string_view kind : {"linearGradient", "radialGradient"})
+      for (std::size_t at = svg_.find("<" + std::string(kind)); at != std::string_view::npos;
+           at = svg_.find("<" + std::string(kind), at)) {
+        const auto tag = readTag(svg_, ++at);
+        if (!tag) return;
+        const std::string* id = tag->find("id");
+        if (!id) continue;
+        Gradient& gradient = gradients_[*id];
+        for (const char* link : {"href", "xlink:href"})
+          if (const std::string* other = tag->find(link); other && other->starts_with('#'))
+            gradient.other = other->substr(1);
+        const std::size_t end =
+            tag->selfClosing ? at : std::min(svg_.find("</" + std::string(kind), at), svg_.size());
+        for (std::size_t child = svg_.find("<stop", at); child < end; child = svg_.find("<stop", child))
+          if (const auto stop = readTag(svg_, ++child)) gradient.add(*stop);
+      }
+  }
+
+  /// Nothing where it is none, or has no colours.
+  const Gradient* gradientOf(const std::string& paint) const {
+    constexpr int mostOthers = 8;  // one may have another's colours, and its own
+    auto found = gradients_.find(urlTarget(paint));
+    for (int i = 0; i < mostOthers && found != gradients_.end(); ++i) {
+      if (found->second.stops > 0) return &found->second;
+      found = gradients_.find(found->second.other);
+    }
+    return nullptr;
+  }
+
+  static void setProperties(Tag& tag, const Declarations& plain) {
+    Declarations style;
+    if (const std::string* own = tag.find("style")) addDeclarations(*own, style);
+    for (const auto& [name, value] : plain) {
+      style[name] = value;
+      tag.set(name, value);
+    }
+    std::string text;
+    for (const auto& [name, value] : style) text += (text.empty() ? "" : ";") + name + ":" + value;
+    tag.set("style", text);
+  }
+
+  /// A line that is as wide as it says however its plane is scaled: MuPDF scales it.
+  static void keepWidth(Tag& tag, const Open& opened) {
+    if (!opened.toRoot || property(tag, "vector-effect") != "non-scaling-stroke") return;
+    const Affine& to = *opened.toRoot;
+    const double scale = std::sqrt(std::abs(to.a * to.d - to.b * to.c));
+    const char* const text = opened.strokeWidth.c_str();
+    const double width = opened.strokeWidth.empty() ? 1 : std::strtod(text, nullptr);
+    if (!(scale > 0) || !std::isfinite(width / scale)) return;
+    char plain[32];
+    std::snprintf(plain, sizeof plain, "%.6g", width / scale);
+    setProperties(tag, {{"stroke-width", plain}});
   }
 
   /// A property as the attribute or the (already merged) style states it.
@@ -581,13 +698,17 @@ class Preparer {
     opened.anchor = anchor ? *anchor : open_.empty() ? std::string() : open_.back().anchor;
     if (name == "text" && !anchor && !opened.anchor.empty()) tag.set("text-anchor", opened.anchor);
     if (const std::string* id = tag.find("id")) opened.id = *id;
+    if (const std::string* classes = tag.find("class")) opened.classes = *classes;
     if (!open_.empty()) {
       opened.toRoot = open_.back().toRoot;
       opened.clip = open_.back().clip;
       opened.fill = open_.back().fill;
+      opened.strokeWidth = open_.back().strokeWidth;
     }
+    if (const std::string width = property(tag, "stroke-width"); !width.empty()) opened.strokeWidth = width;
     if (const std::string fill = property(tag, "fill"); !fill.empty()) opened.fill = fill;
     applyTransform(tag, opened);
+    keepWidth(tag, opened);
     applyClip(tag, opened);
     if ((name == "path" || name == "polyline") && tag.selfClosing) cutLines(tag, opened);
     opened.weight.elements = 1;
@@ -615,22 +736,24 @@ class Preparer {
     if (!done.id.empty()) named_[done.id] = std::move(done.weight);
   }
 
+  /// Each outer part of a rule is looked for at the nearest element that fits.
   bool matches(const Rule& rule, const Tag& tag, const std::string& name) const {
-    if (!rule.type.empty() && rule.type != name) return false;
-    if (!rule.id.empty()) {
-      const std::string* id = tag.find("id");
-      if (!id || *id != rule.id) return false;
+    const auto valueOf = [&](const char* attribute) {
+      const std::string* value = tag.find(attribute);
+      return value ? std::string_view(*value) : std::string_view();
+    };
+    if (!rule.path.back().fits(name, valueOf("id"), valueOf("class"))) return false;
+    auto outer = open_.rbegin();
+    for (std::size_t k = rule.path.size() - 1; k > 0; --k) {
+      const auto fits = [&](const Open& each) {
+        return rule.path[k - 1].fits(each.name, each.id, each.classes);
+      };
+      const auto last = rule.path[k].isChild && outer != open_.rend() ? outer + 1 : open_.rend();
+      outer = std::find_if(outer, last, fits);
+      if (outer == last) return false;
+      ++outer;
     }
-    if (rule.className.empty()) return true;
-    const std::string* classes = tag.find("class");
-    if (!classes) return false;
-    std::string_view rest = *classes;
-    while (!(rest = trimmed(rest)).empty()) {
-      const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
-      if (rest.substr(0, end) == rule.className) return true;
-      rest.remove_prefix(end);
-    }
-    return false;
+    return true;
   }
 
   /// Cascade: presentation attributes, then rules by specificity, then the style attribute.
@@ -656,11 +779,10 @@ class Preparer {
 
   /// What MuPDF does not know of a style is said in its words: variables, sizes of other sizes, colours that cover in part.
   void makePlain(Tag& tag, Open& opened) const {
-    Declarations plain, style;
+    Declarations plain;
     for (Attribute& attribute : tag.attributes)
       if (attribute.value.find("var(") != std::string::npos)
         attribute.value = withVariables(std::move(attribute.value), variables_);
-    if (const std::string* own = tag.find("style")) addDeclarations(*own, style);
     for (const char* name : {"fill", "stroke", "font-size"}) {
       const std::string before = property(tag, name);
       std::string value = before;
@@ -671,19 +793,17 @@ class Preparer {
           std::snprintf(text, sizeof text, "%.6gpx", *size_px);
           value = text;
         }
+      } else if (const Gradient* gradient = gradientOf(value)) {
+        const std::string opacity = std::string(name) + "-opacity", own = property(tag, opacity);
+        value = gradient->color;
+        plain[opacity] =
+            std::to_string((own.empty() ? 1 : std::strtod(own.c_str(), nullptr)) * gradient->opacity());
       } else if (const auto alpha = takeAlpha(value)) {
         plain[std::string(name) + "-opacity"] = *alpha;
       }
       if (value != before) plain[name] = value;
     }
-    if (plain.empty()) return;
-    for (const auto& [name, value] : plain) {
-      style[name] = value;
-      tag.set(name, value);
-    }
-    std::string text;
-    for (const auto& [name, value] : style) text += (text.empty() ? "" : ";") + name + ":" + value;
-    tag.set("style", text);
+    if (!plain.empty()) setProperties(tag, plain);
   }
 
   std::string_view svg_;
@@ -691,6 +811,7 @@ class Preparer {
   std::vector<Rule> rules_;
   Declarations variables_;
   std::map<std::string, Box> clips_;  ///< upright boxes, in the plane of the element that uses them
+  std::map<std::string, Gradient, std::less<>> gradients_;
   std::vector<Open> open_;
   std::map<std::string, Weight> named_;
   Weight whole_;

@@ -15,15 +15,15 @@ namespace {
 
 // Latin and Cyrillic words as `folded` writes them.
 constexpr std::array kPressWords = {
-    "press",      "pressing", "pressed",    "downstroke",  "down",        "push",      "pushing",
-    "forward",    "loading",  "load",       "depress",     "actuate",     "actuation", "in",
-    "make",       "compress", "hinweg",     "hin",         "vorlauf",     "drucken",   "betatigen",
-    "betatigung", "belasten", "belastung",  "hinhub",      "appui",       "enfoncer",  "enfoncement",
-    "aller",      "descente", "charge",     "compression", "ida",         "pulsar",    "pulsado",
-    "bajada",     "carga",    "andata",     "pressione",   "indrukken",   "heen",      "wcisniecie",
-    "avance",     "premuto",  "pressao",    "pulsacion",   "acionamento", "vorhub",    "abwarts",
-    "tryk",       "trykk",    "nacisk",     "stisk",       "tryck",       "basma",     "нажатие",
-    "нажим",      "нагрузка", "нагружение", "прямой"};
+    "press",      "pressing", "pressed",   "downstroke",  "down",      "push",        "pushing",
+    "forward",    "loading",  "load",      "depress",     "actuate",   "actuation",   "in",
+    "make",       "compress", "hinweg",    "hin",         "vorlauf",   "drucken",     "betatigen",
+    "betatigung", "belasten", "belastung", "hinhub",      "appui",     "enfoncer",    "enfoncement",
+    "aller",      "descente", "charge",    "compression", "ida",       "pulsar",      "pulsado",
+    "bajada",     "carga",    "andata",    "pressione",   "presion",   "indrukken",   "heen",
+    "wcisniecie", "avance",   "premuto",   "pressao",     "pulsacion", "acionamento", "vorhub",
+    "abwarts",    "tryk",     "trykk",     "nacisk",      "stisk",     "tryck",       "basma",
+    "нажатие",    "нажим",    "нагрузка",  "нагружение",  "прямой"};
 constexpr std::array kReleaseWords = {
     "release",       "releasing",  "released",     "upstroke",    "up",          "return",     "returning",
     "back",          "backward",   "reverse",      "unloading",   "unload",      "reset",      "out",
@@ -59,11 +59,20 @@ std::vector<std::string> wordsOf(std::string_view utf8) {
   return words;
 }
 
+/// "rn" as readers of pixels take it: "retomo".
+std::string withPairsJoined(std::string_view word) {
+  std::string joined(word);
+  for (auto at = joined.find("rn"); at != std::string::npos; at = joined.find("rn", at))
+    joined.replace(at, 2, "m");
+  return joined;
+}
+
 template <class List>
 bool anyWord(const std::vector<std::string>& words, const List& list) {
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::any_of(list.begin(), list.end(), [&](std::string_view known) {
-      return word == known || (known.size() >= 6 && word.size() >= 6 && differByOneAtMost(word, known));
+      return word == known || (known.size() >= 6 && word.size() >= 6 &&
+                               (differByOneAtMost(word, known) || word == withPairsJoined(known)));
     });
   });
 }
@@ -91,15 +100,24 @@ bool isStrokeWord(const std::string& word) {
          std::ranges::any_of(kPressSigns, isOne) || std::ranges::any_of(kReleaseSigns, isOne);
 }
 
+// What every legend names: a curve, or what it is a curve of.
+constexpr std::array kCurveWords = {"stroke", "curve", "key", "switch", "going", "coming", "run", "the",
+                                    "of",     "on",    "hub", "csv",    "txt",   "dat",    "ход", "phase"};
+constexpr std::array kQuantityWords = {"force", "travel", "kraft", "mesure", "messung"};
+
+/// Words that name neither a stroke nor a curve.
+std::vector<std::string> wordsBesideStroke(std::string_view utf8) {
+  std::vector<std::string> words = wordsOf(utf8);
+  std::erase_if(words, [](const std::string& word) {
+    return isStrokeWord(word) || anyWord(std::vector{word}, kCurveWords);
+  });
+  return words;
+}
+
 /// Words that name neither a stroke nor what every legend names: a switch's own name.
 std::vector<std::string> ownWords(std::string_view utf8) {
-  constexpr std::array kCommonWords = {"stroke", "curve", "force",  "travel",  "key", "switch", "going",
-                                       "coming", "run",   "mesure", "messung", "the", "of",     "on",
-                                       "hub",    "kraft", "csv",    "txt",     "dat", "ход",    "phase"};
-  std::vector<std::string> own;
-  for (std::string& word : wordsOf(utf8)) {
-    if (!isStrokeWord(word) && !anyWord(std::vector{word}, kCommonWords)) own.push_back(std::move(word));
-  }
+  std::vector<std::string> own = wordsBesideStroke(utf8);
+  std::erase_if(own, [](const std::string& word) { return anyWord(std::vector{word}, kQuantityWords); });
   return own;
 }
 
@@ -185,6 +203,11 @@ bool namesBothStrokes(std::string_view label) {
   const std::vector<std::string> words = wordsOf(label);
   const bool press = anyWord(words, kPressWords) || anySign(label, kPressSigns);
   return press && (anyWord(words, kReleaseWords) || anySign(label, kReleaseSigns));
+}
+
+bool namesNothingButRelease(std::string_view utf8) {
+  return (strokeNamedBy(utf8) == Stroke::release || (namesBothStrokes(utf8) && namesACurve(utf8))) &&
+         wordsBesideStroke(utf8).empty() && numbersOf(utf8).empty();
 }
 
 bool isDefaultName(std::string_view utf8) {

@@ -36,6 +36,10 @@ bool isDefaultName(std::string_view utf8);
 /// Whether one text, or several parted by " / " (two tints make one ink), name the press as well as the release.
 bool namesBothStrokes(std::string_view label);
 
+/// Whether a text calls a curve the release and says nothing else: "Release", "Return stroke", "Rückhub", "Press / Release";
+/// "Release force" speaks of a quantity, "Switch B release" of a switch.
+bool namesNothingButRelease(std::string_view utf8);
+
 /// A legend text without its words for press and release: "Switch A release" gives "Switch A", "downstroke_aura"
 /// gives "aura", "press" nothing; of several texts parted by " / " each name once.
 std::string switchNamedBy(std::string_view utf8);

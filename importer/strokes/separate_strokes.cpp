@@ -189,9 +189,8 @@ std::optional<std::string> releaseNamedBeside(const CurveTrace& press, const std
 
 /// Words that name a release and nothing else, a legend's or a callout's: where they stand, a release is drawn.
 std::optional<std::string> releaseNamedAnywhere(const std::vector<SeenText>& texts) {
-  const auto named = std::ranges::find_if(texts, [](const SeenText& text) {
-    return strokeNamedBy(text.utf8) == Stroke::release && switchNamedBy(text.utf8).empty();
-  });
+  const auto named =
+      std::ranges::find_if(texts, [](const SeenText& text) { return namesNothingButRelease(text.utf8); });
   return named == texts.end() ? std::nullopt : std::optional(named->utf8);
 }
 

@@ -63,14 +63,17 @@ double inkedColumns(const Plane& plane) {
   return static_cast<double>(std::count(inked.begin(), inked.end(), 1));
 }
 
-/// Share of a course that runs within `reach` of another one.
-double shareAlong(const CoarseCurve& course, const CoarseCurve& other, double reach, const Plane& size) {
-  Plane near(size.width, size.height);
-  forPixelsNear(near, other.points, reach, [&](int x, int y) { near.at(x, y) = 1; });
+/// Share of a curve's course that runs within so many of another one's widths, and some pooled pixels more.
+double shareAlong(const PlotInks& plot, const CurveInk& curve, const CurveInk& other, double widths,
+                  double more_px) {
+  const Plane& area = plot.coverage.unknown;
+  Plane near((area.width - 1) / curve.pooling + 1, (area.height - 1) / curve.pooling + 1);
+  forPixelsNear(near, other.course.points, widths * other.thickness_px / other.pooling + more_px,
+                [&](int x, int y) { near.at(x, y) = 1; });
   double inside = 0;
-  for (Point p : course.points)
+  for (Point p : curve.course.points)
     inside += static_cast<double>(near.at(static_cast<int>(p.x), static_cast<int>(p.y)));
-  return inside / static_cast<double>(std::max<std::size_t>(1, course.points.size()));
+  return inside / static_cast<double>(std::max<std::size_t>(1, curve.course.points.size()));
 }
 
 /// A level or plumb line is a marker, an axis or a leader, never a force curve.
@@ -209,20 +212,48 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
   return curve;
 }
 
+float hueCosine(const PlotInks& plot, const CurveInk& a, const CurveInk& b) {
+  return dot(plot.ink(a.ink).direction, plot.ink(b.ink).direction);
+}
+
+constexpr float kSameHue = 0.95F;  // cosine between differences to the paper
+
+/// How far two inks of one hue draw one line: its shades in compressed colour, its markers, its shadow; 0 where they do not.
+double sharedAsShades(const PlotInks& plot, const CurveInk& one, const CurveInk& other) {
+  if (hueCosine(plot, one, other) <= kSameHue) return 0;
+  const double along = shareAlong(plot, one, other, 0.5, 1);
+  return along > plot.options.haloAlong ? along : 0;
+}
+
+/// Of more than two curves those that are shades of one line become it; of two, strokes close together may share a hue.
+void joinShades(const PlotInks& plot, std::vector<CurveInk>& curves) {
+  while (curves.size() > 2) {
+    std::size_t from = 0, to = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      for (std::size_t k = 0; k < curves.size(); ++k)
+        if (plot.ink(curves[i].ink).strength < plot.ink(curves[k].ink).strength)
+          if (const double shared = sharedAsShades(plot, curves[i], curves[k]); shared > most)
+            most = shared, from = i, to = k;
+    if (most <= 0) return;
+    CurveInk &shade = curves[from], &line = curves[to];
+    line.shades.insert(line.shades.end(), shade.shades.begin(), shade.shades.end());
+    line.shades.push_back(shade.ink);
+    curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(from));
+  }
+}
+
 /// Edge pixels between two touching lines look like a third ink whose course never leaves theirs; the halo
 /// that half-resolution colour leaves around a line is as long as the line itself, but paler.
-bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<CurveInk>& stronger,
-            const Plane& size) {
-  constexpr float sameHue = 0.95F;  // cosine between differences to the paper
-  const auto inkOf = [&](const CurveInk& c) -> const Ink& { return plot.ink(c.ink); };
+bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<CurveInk>& stronger) {
+  const auto strengthOf = [&](const CurveInk& c) { return static_cast<double>(plot.ink(c.ink).strength); };
   return std::any_of(stronger.begin(), stronger.end(), [&](const CurveInk& other) {
-    const double along = shareAlong(curve.course, other.course, other.thickness_px / other.pooling + 2, size);
+    const double along = shareAlong(plot, curve, other, 1, 2);
     const bool shorter = curve.course.gain_px < 0.6 * other.course.gain_px;
-    const bool tint = dot(inkOf(curve).direction, inkOf(other).direction) > sameHue;
-    const double paler = tint ? plot.options.tintStrength : plot.options.haloStrength;
-    return (shorter && along > 0.75) ||
-           (static_cast<double>(inkOf(curve).strength) < paler * static_cast<double>(inkOf(other).strength) &&
-            along > plot.options.haloAlong);
+    const bool tint = hueCosine(plot, curve, other) > kSameHue;
+    const double most = tint ? plot.options.tintStrength : plot.options.haloStrength;
+    const bool paler = strengthOf(curve) < most * strengthOf(other);
+    return (shorter && along > 0.75) || (paler && along > plot.options.haloAlong);
   });
 }
 
@@ -255,6 +286,17 @@ bool hasSample(const PlotInks& plot, int index) {
 bool rises(const CurveInk& curve) {
   const auto [left, right] = std::ranges::minmax(curve.course.points, {}, &Point::x);
   return right.y < left.y;
+}
+
+/// A leader or a callout is much shorter than the best curve.
+bool isLongBeside(const CurveInk& best, const CurveInk& curve) {
+  return curve.course.span_px >= 0.5 * best.course.span_px &&
+         curve.course.gain_px >= 0.4 * best.course.gain_px;
+}
+
+/// Whether a line in the ink of frame and text is one more curve beside others: it rises.
+bool isOneMore(const PlotInks& plot, const std::vector<CurveInk>& curves, const CurveInk& curve) {
+  return isLongBeside(curves.front(), curve) && rises(curve) && !isSeam(plot, curve, curves);
 }
 
 /// Beside the ink of text a faint trace of colour is a letter's edge (sub-pixel rendering), not a curve.
@@ -392,9 +434,11 @@ bool isNeutral(const PlotInks& plot, int index) {
 
 std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves) {
   std::vector<Ink> palette;
+  std::vector<int> shades;
   for (CurveInk& curve : curves) {
     palette.push_back(plot.ink(curve.ink));
     palette.back().isCurve = true;
+    shades.insert(shades.end(), curve.shades.begin(), curve.shades.end());
     curve.ink = static_cast<int>(palette.size()) - 1;
   }
   const std::size_t n = palette.size();
@@ -406,7 +450,8 @@ std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& cur
     for (std::size_t i = 0; i < n && !mixture && !isNeutral(plot, k); ++i)
       for (std::size_t j = 0; j < i && !mixture; ++j)
         mixture = isMixtureOf(ink.direction, palette[i].direction, palette[j].direction);
-    if (!chosen && !mixture) palette.push_back(ink);
+    const bool shade = std::ranges::find(shades, k) != shades.end();
+    if (!chosen && !mixture && !shade) palette.push_back(ink);
   }
   return palette;
 }
@@ -426,10 +471,6 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   const auto strength = [&](const CurveInk& curve) {
     return static_cast<double>(plot.ink(curve.ink).strength);
   };
-  const auto sizeOf = [&](const CurveInk& curve) {
-    return Plane((plot.coverage.unknown.width - 1) / curve.pooling + 1,
-                 (plot.coverage.unknown.height - 1) / curve.pooling + 1);
-  };
   std::vector<CurveInk> curves;
   for (CurveInk& curve : found) {
     const bool faint =
@@ -439,24 +480,35 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
         !curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px;
     if (restOfSomething && (curves.size() > 1 || !leadsBackFrom(curves.front(), curve, plot.area().frame)))
       continue;
-    if (!isSeam(plot, curve, curves, sizeOf(curve))) curves.push_back(std::move(curve));
+    if (!isSeam(plot, curve, curves)) curves.push_back(std::move(curve));
   }
-  const bool lone = curves.size() == 1 && curves.front().secondStrand <= plot.options.secondStrand;
+  joinShades(plot, curves);
+  const auto isLoop = [&](const CurveInk& curve) { return curve.secondStrand > plot.options.secondStrand; };
+  const bool lone = curves.size() == 1 && !isLoop(curves.front());
+  // Loops are switches of their own: one more may be in the ink of the frame.
+  const bool several = curves.size() > 1 && std::ranges::all_of(curves, isLoop);
   for (int k : neutral) {
-    if (!lone && !(curves.size() > 1 && (endApart(curves) || hasSample(plot, k)))) continue;
+    if (!lone && !several && !(curves.size() > 1 && (endApart(curves) || hasSample(plot, k)))) continue;
     auto curve = curveOf(plot, k, true);
     if (!curve) continue;
-    // A lone coloured curve may have its partner in the ink of the frame; a leader or a callout is much
-    // shorter. Beside several it is one more, which rises.
-    const bool isLong = curve->course.span_px >= 0.5 * curves.front().course.span_px &&
-                        curve->course.gain_px >= 0.4 * curves.front().course.gain_px;
-    if (lone ? isLong || leadsBackFrom(curves.front(), *curve, plot.area().frame)
-             : isLong && rises(*curve) && !isSeam(plot, *curve, curves, sizeOf(*curve))) {
+    // A lone coloured curve may have its partner in the ink of the frame.
+    if (lone
+            ? isLongBeside(curves.front(), *curve) || leadsBackFrom(curves.front(), *curve, plot.area().frame)
+            : isOneMore(plot, curves, *curve)) {
       curves.push_back(std::move(*curve));
       break;
     }
   }
   return curves;
+}
+
+std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop) {
+  for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
+    if (k == loop.ink || !isNeutral(plot, k)) continue;
+    auto curve = curveOf(plot, k, true);
+    if (curve && isOneMore(plot, {loop}, *curve)) return curve;
+  }
+  return {};
 }
 
 std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks) {

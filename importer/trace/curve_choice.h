@@ -19,6 +19,7 @@ struct CurveInk {
   double thickness_px = 1;
   bool dashed = false;      ///< found with its dashes joined, see dashesJoined
   double secondStrand = 0;  ///< columns with ink far from the course, as a share of the course's own
+  std::vector<int> shades;  ///< other inks of the palette that draw the same line
 };
 
 struct CurveChoiceOptions {
@@ -81,9 +82,12 @@ bool isNeutral(const PlotInks& plot, int index);
 /// two curves' inks and the paper. `curves` are renumbered.
 std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves);
 
-/// Curves in differently coloured inks, best first. Neutral inks are among them only beside exactly one
-/// coloured curve.
+/// Curves in differently coloured inks, best first. A neutral ink is among them only beside exactly one
+/// coloured curve, or as one more switch.
 std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
+
+/// A curve in the ink of frame and text beside one coloured ink that draws both strokes: another switch's.
+std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop);
 
 /// The best line in each of these inks, however weak its claim; -1 and repeated ones are skipped.
 std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks);

@@ -174,7 +174,8 @@ std::vector<Stretch> dashedStretches(const std::vector<Point>& points, double th
       paces.push_back(static_cast<double>(starts[to + 1] - starts[to]));
       ++to;
     }
-    if (paces.size() >= kFewest && even(paces)) stretches.push_back({starts[from], ends[to]});
+    if (paces.size() >= kFewest && even(paces))
+      stretches.push_back({starts[from], ends[to], medianOf(paces)});
     from = to + 1;
   }
   return stretches;

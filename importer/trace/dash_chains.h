@@ -23,6 +23,7 @@ std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& cu
 /// Points a pixel apart along a curve; a stretch of it by their numbers, the last included.
 struct Stretch {
   std::size_t from = 0, to = 0;
+  double pace_px = 0;  ///< usual, from one gap to the next
 };
 
 /// Stretches over which the points cross gaps at an even pace, as those of a line of dashes do.

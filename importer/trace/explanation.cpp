@@ -29,7 +29,8 @@ constexpr std::size_t kMostPoints = 400;
 /// One traced curve on the area.
 struct Drawn {
   std::vector<Point> points;
-  double thickness_px = 1;
+  double thickness_px = 1;  ///< a pixel at least
+  double inkAcross_px = 1;  ///< pixels of its full colour, likewise; a pixel at most
   Rgb color;
   bool fromVector = false;
 };
@@ -64,11 +65,12 @@ class ExplainedPlot {
       rows_.push_back(area_.fromView({box.x0, line.position_px}).y);
     for (const CurveTrace& curve : curves) {
       if (curve.points_px.size() < 2) continue;
-      Drawn drawn{{}, 1, curve.color, curve.fromVector};
+      Drawn drawn{{}, 1, 1, curve.color, curve.fromVector};
       for (const Point& p : curve.points_px) drawn.points.push_back(area_.fromView(p));
       // A document's straight stretch has two points.
       const double seen = scene.inkOf(curve.color).thicknessAlong(densified(drawn.points, 1));
       drawn.thickness_px = std::max(1.0, seen);
+      drawn.inkAcross_px = std::min(1.0, seen);
       drawn_.push_back(std::move(drawn));
     }
   }
@@ -117,14 +119,15 @@ class ExplainedPlot {
     return true;
   }
 
-  /// Whether a line of this colour, drawn through a place, is not there: as between two dashes, two pixels apart and more.
-  bool isGap(Point p, Rgb color) const {
+  /// Whether a curve, drawn through a place, is not there: as between two dashes, two pixels apart and more.
+  bool isGap(Point p, const Drawn& curve) const {
     constexpr double reach_px = 0.6, mostOfInk = 0.4;  // the latter a share of the line's own colour levels
     if (mayBeHidden(p)) return false;
-    const double ink = norm(color3Of(color) - scene_.paper());
+    const double ink = norm(color3Of(curve.color) - scene_.paper());
     for (const Point off : {Point{0, 0}, {reach_px, 0}, {-reach_px, 0}, {0, reach_px}, {0, -reach_px}})
       if (drawnAt(p + off) > mostOfInk * ink) return false;
-    return true;
+    // A line thinner than a pixel is paler where it lies between two: of dashes there is no ink across either.
+    return std::min(drawnAcross(p, {1, 0}), drawnAcross(p, {0, 1})) <= mostOfInk * ink * curve.inkAcross_px;
   }
 
   /// 255 where ink of a colour is that is not explained, the plot's own lines apart.
@@ -153,7 +156,9 @@ class ExplainedPlot {
   }
   /// Colour levels.
   float apartFromPaper(int x, int y) const { return norm(scene_.pixel(x, y) - scene_.paperAt(x, y)); }
-  /// Likewise, between pixels; infinite outside.
+  /// Likewise, summed over three pixels in a direction.
+  double drawnAcross(Point p, Point step) const { return drawnAt(p - step) + drawnAt(p) + drawnAt(p + step); }
+  /// Colour levels, between pixels; infinite outside.
   double drawnAt(Point p) const {
     const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
     if (!isInside(x, y) || !isInside(x + 1, y + 1)) return std::numeric_limits<double>::infinity();
@@ -361,7 +366,7 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
     all.push_back(remainderOf(ink, plot, ends));
     all.back().dashed = isDotted(ink, pieces);
   }
-  const auto isGap = [&](Point p) { return plot.isGap(p, plot.drawn().front().color); };
+  const auto isGap = [&](Point p) { return plot.isGap(p, plot.drawn().front()); };
   for (const std::vector<Point>& chain : dashChains(left, plot.curves(), plot.thickness(), isGap))
     all.push_back(remainderOfDashes(chain, plot, ends));
   // Dashes that hang together are seen twice: as a line of them first.
@@ -384,21 +389,34 @@ bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_
   return turned(before(rim) - before(look)) || turned(behind(look) - behind(rim));
 }
 
-/// Whether a curve is drawn without gaps over a good part of its course where no other runs and no word hides it.
+/// Whether a curve is drawn without gaps over a good part of its course where no other runs and no word hides it: over more than a
+/// few of its dashes at once, as between the last of them and an end no more are.
 bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std::vector<Point>& points,
-                       const std::vector<Stretch>& dashed) {
+                       const std::vector<Stretch>& dashed, const BareAt& isGap) {
   constexpr double leastShare = 0.1;  // of the points
-  std::size_t alone = 0;
+  constexpr double fewPaces = 2;      // from one gap to the next
+  const double few_px = fewPaces * std::ranges::min(dashed, {}, &Stretch::pace_px).pace_px;
+  double alone = 0, run = 0;
+  const auto endRun = [&] {
+    if (run > few_px) alone += run;
+    run = 0;
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::ranges::any_of(dashed, [&](const Stretch& s) { return s.from <= i && i <= s.to; })) continue;
+    const bool isDashed =
+        std::ranges::any_of(dashed, [&](const Stretch& s) { return s.from <= i && i <= s.to; });
+    if (isDashed || isGap(points[i])) {
+      endRun();
+      continue;
+    }
     if (plot.mayBeHidden(points[i])) continue;
     const bool shared = std::ranges::any_of(plot.drawn(), [&](const Drawn& other) {
       return &other != &curve &&
              distance(nearestOn(other.points, points[i]), points[i]) < 2 * curve.thickness_px + 2;
     });
-    alone += shared ? 0 : 1;
+    run += shared ? 0 : 1;
   }
-  return static_cast<double>(alone) > leastShare * static_cast<double>(points.size());
+  endRun();
+  return alone > leastShare * static_cast<double>(points.size());
 }
 
 /// Where a curve drawn through takes the way of a line of dashes.
@@ -410,9 +428,9 @@ std::vector<Leap> overDashes(const ExplainedPlot& plot) {
   for (const Drawn& each : plot.drawn()) {
     if (each.fromVector) continue;  // its own pieces say what belongs together
     const std::vector<Point> points = densified(each.points, 1);
-    const auto isGap = [&](Point p) { return plot.isGap(p, each.color); };
+    const auto isGap = [&](Point p) { return plot.isGap(p, each); };
     std::vector<Stretch> dashed = dashedStretches(points, each.thickness_px, isGap);
-    if (dashed.empty() || !drawnThroughAlone(plot, each, points, dashed)) continue;
+    if (dashed.empty() || !drawnThroughAlone(plot, each, points, dashed, isGap)) continue;
     for (const Stretch& s : dashed)
       if (const double length_px = distance(points[s.from], points[s.to]);
           length_px > leastShare * diagonal_px)

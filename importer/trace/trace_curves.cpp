@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -209,6 +210,24 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
   return all;
 }
 
+/// A coloured loop and, where one is drawn, a second one in the ink of frame and text, each with its label.
+std::vector<CurveTrace> withNeutralLoop(std::vector<CurveTrace> loop, const CurveInk& its,
+                                        const PlotInks& plot, const AxesFound& axes, const PageView& view,
+                                        const TraceOptions& options, const Progress& progress) {
+  if (loop.size() != 2) return loop;
+  const std::optional<CurveInk> other = neutralCurveBeside(plot, its);
+  if (!other) return loop;
+  const Plane& coverage = plot.coverage.ink[static_cast<std::size_t>(other->ink)];
+  auto second = traceLoop(plot.area(), coverage, plot.colorOf(plot.ink(other->ink)), options, progress);
+  if (!second || second->size() != 2 || second->front().confidence < kCredibleLoop) return loop;
+  std::vector<CurveTrace> named{loop.front(), second->front()};
+  labelTraces(named, axes, view, plot.scene);
+  std::ranges::move(*second, std::back_inserter(loop));
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    loop[i].label = named[i / 2].label, loop[i].labelBox_px = named[i / 2].labelBox_px;
+  return loop;
+}
+
 bool liesOn(Point p, const CurveTrace& trace, double within_px) {
   return std::ranges::any_of(trace.points_px, [&](Point q) { return distance(p, q) <= within_px; });
 }
@@ -359,7 +378,9 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
     if (curves.empty()) return loopIn(darkness(plot), true);
     Result<std::vector<CurveTrace>> loop = loopIn(plot.ink(curves.front().ink), false);
     const double believed = loop.ok() ? loop->front().confidence : 0;
-    if (given.any() || believed >= kCredibleLoop || progress.isCancelled()) return loop;
+    if (given.any() || progress.isCancelled()) return loop;
+    if (believed >= kCredibleLoop)
+      return withNeutralLoop(std::move(loop).value(), curves.front(), plot, axes, view, options, progress);
     // Coloured leaders and dots can look like an ink of curves; then these are in the neutral ink.
     Result<std::vector<CurveTrace>> neutral = loopIn(darkness(plot), true);
     return neutral.ok() && neutral->front().confidence > believed ? neutral : loop;

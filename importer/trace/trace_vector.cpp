@@ -249,7 +249,11 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
   std::map<LineStyle, std::vector<LinePiece>> styles;
   for (LinePiece& piece : linePieces(view, plane, hints.masks_px)) {
     const LineStyle style{piece.color, piece.dashed};
-    if (wanted(style, hints)) styles[style].push_back(std::move(piece));
+    if (!wanted(style, hints)) continue;
+    // Drawn again over a fill that covered it a line is still one.
+    const bool again =
+        std::ranges::find(styles[style], piece.points, &LinePiece::points) != styles[style].end();
+    if (!again) styles[style].push_back(std::move(piece));
   }
   std::vector<StyledStroke> strokes, shortOnes;
   for (auto& [style, pieces] : styles) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -118,6 +119,33 @@ bool isTangled(const Polyline& line, const Polyline& outline, double short_px) {
   return back > 1 || extentOf(boundsOf(line)) < leastExtent * extent_px;
 }
 
+/// The upper side of an area with a border: without its level foot, over all of its width, and the plumb sides that stand on it at
+/// its right and on the plot's left edge. Nothing where a shape is no such area, or as small as a marker.
+std::optional<Polyline> upperSide(Polyline ring, const Box& plot) {
+  constexpr double level_px = 0.5, nearlyAll = 0.98;  // of the width
+  constexpr double least = 0.12;                      // of the plot's width
+  if (ring.empty()) return {};
+  if (distance(ring.front(), ring.back()) > 1e-9) ring.push_back(ring.front());
+  const Box box = boundsOf(ring);
+  if (box.width() < least * plot.width()) return {};
+  const auto onFoot = [&](Point p) { return p.y > box.y1 - level_px; };
+  const auto foot = std::adjacent_find(ring.begin(), ring.end(), [&](Point a, Point b) {
+    return onFoot(a) && onFoot(b) && std::abs(b.x - a.x) >= nearlyAll * box.width();
+  });
+  if (foot == ring.end()) return {};
+  // From behind the foot around to before it; the ring's last point is its first.
+  Polyline upper(foot + 1, ring.end());
+  upper.insert(upper.end(), ring.begin() + 1, foot + 1);
+  if (upper.size() > 2 && upper.front().x > upper.back().x) std::reverse(upper.begin(), upper.end());
+  const auto isSide = [&](Point end, Point next) {
+    return onFoot(end) && !onFoot(next) && std::abs(end.x - next.x) < level_px;
+  };
+  while (upper.size() > 2 && isSide(upper.back(), upper[upper.size() - 2])) upper.pop_back();
+  if (upper.size() > 2 && std::abs(upper[0].x - plot.x0) < level_px && isSide(upper[0], upper[1]))
+    upper.erase(upper.begin());
+  return upper;
+}
+
 bool nearAny(const std::vector<double>& positions, double at, double tolerance) {
   return std::any_of(positions.begin(), positions.end(),
                      [&](double p) { return std::abs(p - at) <= tolerance; });
@@ -168,6 +196,7 @@ class PieceMaker {
   }
 
   std::vector<LinePiece> take() {
+    joinSteps();
     joinDashes();
     for (LinePiece& piece : pieces_)
       if (piece.onGridLine && beginsWhereAStrokeEnds(piece)) piece.onGridLine = false;
@@ -208,6 +237,33 @@ class PieceMaker {
   void addCut(const Polyline& line, const Drawn& as) {
     for (Polyline& run : cutAtTurns(line, turnRound * plane_.box.width()))
       for (Polyline& arm : cutAtFolds(run, shortestFoldArm * plane_.diagonal())) store(arm, as);
+  }
+
+  /// A curve drawn step by step, each where the one before ended, is one line.
+  void joinSteps() {
+    constexpr std::size_t fewest = 8;
+    constexpr double touching_px = 0.01;
+    const auto goesOn = [&](const LinePiece& a, const LinePiece& b) {
+      return a.color == b.color && a.width_px == b.width_px && a.dashed == b.dashed &&
+             distance(a.points.back(), b.points.front()) <= touching_px;
+    };
+    std::vector<LinePiece> steps = std::move(pieces_);
+    pieces_.clear();
+    for (auto from = steps.begin(); from != steps.end();) {
+      auto last = from;
+      Polyline line = from->points;
+      while (last + 1 != steps.end() && goesOn(*last, *(last + 1))) {
+        ++last;
+        line.insert(line.end(), last->points.begin(), last->points.end());
+      }
+      const Box bounds = boundsOf(line);
+      const bool letter = std::hypot(bounds.width(), bounds.height()) < letterSize * plane_.diagonal();
+      if (static_cast<std::size_t>(last - from) + 1 >= fewest && !letter)
+        addCut(line, {from->dashed, letterSize, from->width_px, from->color});
+      else
+        std::move(from, last + 1, std::back_inserter(pieces_));
+      from = last + 1;
+    }
   }
 
   /// Dashes drawn one by one become the line that they make, as those of a pattern are.
@@ -292,8 +348,10 @@ std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
   for (const VectorPath& path : view.paths) {
     if (!path.box.touches(near)) continue;
     for (std::size_t i = 0; i < path.polylines.size(); ++i) {
-      if (path.stroke && path.fill && path.closed[i]) continue;  // a shape with a border
-      if (path.stroke) {
+      if (path.stroke && path.fill && path.closed[i]) {  // a shape with a border
+        if (const auto upper = upperSide(path.polylines[i], plane.box))
+          maker.add(*upper, false, path, path.strokeWidth, *path.stroke);
+      } else if (path.stroke) {
         maker.add(path.polylines[i], path.closed[i], path, path.strokeWidth, *path.stroke);
       } else if (path.fill) {
         const auto centre = centreOfOutline(path.polylines[i], 0.02 * plane.diagonal());

@@ -441,6 +441,47 @@ TEST_CASE("style sheets cascade: rules over attributes, ids over classes over ty
     CHECK(out.text.find(expected) != std::string::npos);
 }
 
+TEST_CASE("a rule holds where its outer parts do, whatever else has its last one") {
+  const PreparedSvg out = prepareSvg(
+      "<svg class='chart'><style>path{stroke:red} .chart .axis path{stroke:grey} .plot &gt; path{stroke:blue}"
+      ".axis.y text{text-anchor:end} .legend:hover path{stroke:none}</style>"
+      "<g class='axis x'><path id='a'/><text id='b'>1</text></g><g class='axis y'><text id='c'>1</text></g>"
+      "<g class='plot'><path id='d'/><g><path id='e'/></g></g></svg>",
+      1e6);
+  CHECK(out.problem.empty());
+  const auto tagOf = [&](const std::string& id) {
+    const std::size_t at = out.text.find("id='" + id + "'");
+    return out.text.substr(at, out.text.find('>', at) - at);
+  };
+  CHECK(tagOf("a").find("stroke:grey") != std::string::npos);
+  CHECK(tagOf("b").find("end") == std::string::npos);
+  CHECK(tagOf("c").find("text-anchor=\"end\"") != std::string::npos);
+  CHECK(tagOf("d").find("stroke:blue") != std::string::npos);
+  CHECK(tagOf("e").find("stroke:red") != std::string::npos);
+}
+
+TEST_CASE("lines keep their width where they say so; a gradient is a colour that covers in part") {
+  const PreparedSvg out = prepareSvg(
+      "<svg><defs><linearGradient id='g'><stop stop-color='#ff0000' stop-opacity='0.5'/>"
+      "<stop style='stop-color:#00ff00;stop-opacity:0'/></linearGradient>"
+      "<linearGradient id='h' xlink:href='#g'/></defs>"
+      "<g transform='scale(20,-5)' stroke-width='2'><path id='a' vector-effect='non-scaling-stroke'/>"
+      "<path id='b'/></g><path id='c' fill='url(#g)'/><path id='d' style='fill:url(#h);fill-opacity:0.5'/>"
+      "<path id='e' fill='url(#none)'/></svg>",
+      1e6);
+  CHECK(out.problem.empty());
+  const auto has = [&](const std::string& id, const std::string& words) {
+    const std::size_t at = out.text.find("id='" + id + "'");
+    return out.text.substr(at, out.text.find('>', at) - at).find(words) != std::string::npos;
+  };
+  CHECK(has("a", "stroke-width:0.2"));
+  CHECK_FALSE(has("b", "stroke-width"));
+  CHECK(has("c", "fill='#ff0000'"));
+  CHECK(has("c", "fill-opacity:0.25"));
+  CHECK(has("d", "fill-opacity:0.125"));
+  CHECK(has("e", "fill='url(#none)'"));
+}
+
 TEST_CASE("variables, sizes of other sizes and colours that cover in part are said in plain words") {
   const PreparedSvg out = prepareSvg(
       "<svg style='font-size:2rem'><style>:root{--ink:#123456;--line:light-dark(rgb(1,2,3), white)}"

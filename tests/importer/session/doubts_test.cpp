@@ -331,6 +331,27 @@ TEST_CASE("a release that covers a part of the press is a piece of something els
   CHECK(import.doubted(DoubtCode::strokeInPart));
 }
 
+TEST_CASE("a key that locks comes to rest on the way, if a drawing names its strokes") {
+  Import import;
+  import.release = {{3.2, 1.4}, { 2.3, 0.01 }};
+  CHECK(import.doubted(DoubtCode::strokeInPart));
+  import.fromVector = import.namedByLegend = true;
+  CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
+  import.release.back().force_N = 0.3;
+  CHECK(import.doubted(DoubtCode::strokeInPart));
+}
+
+TEST_CASE("a stroke that steps onto the other one and back was led along what was to be seen") {
+  Import import;
+  import.release = {{3.2, 1.6},   {3, 0.6},    {2.3, 0.5}, {2.25, 0.65},
+                    {1.75, 0.55}, {1.7, 0.35}, {1, 0.4},   { 0, 0.1 }};
+  CHECK(import.doubted(DoubtCode::strokesCoincide));
+  // Two snaps: the press falls onto the release, the release away from the press.
+  import.press = {{0, 0.2}, {1, 0.9}, {1.02, 0.5}, {2, 0.7}, {3, 0.9}, { 3.2, 1.6 }};
+  import.release = {{3.2, 1.6}, {3, 0.7}, {2.03, 0.5}, {2, 0.7}, {1.02, 0.5}, { 0, 0.1 }};
+  CHECK_FALSE(import.doubted(DoubtCode::strokesCoincide));
+}
+
 TEST_CASE("what came from paper is worth less, unless frame and axes were given") {
   Import import;
   import.pageClass = PageClass::scan;

@@ -7,6 +7,7 @@ using detent::Stroke;
 using detent::importer::isDefaultName;
 using detent::importer::mayBeOnePair;
 using detent::importer::namesBothStrokes;
+using detent::importer::namesNothingButRelease;
 using detent::importer::namesOnePair;
 using detent::importer::strokeNamedBy;
 using detent::importer::switchNamedBy;
@@ -34,12 +35,21 @@ TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
     CHECK(strokeNamedBy(text) == Stroke::release);
 }
 
+TEST_CASE("A release and nothing else", "[legend]") {
+  for (const char* text : {"Release", "Return stroke", "Rückhub", "Обратный ход", "释放", "Press / Release"})
+    CHECK(namesNothingButRelease(text));
+  for (const char* text : {"Press", "Release force", "Release point", "Switch B release", "Release 2", ""})
+    CHECK_FALSE(namesNothingButRelease(text));
+}
+
 TEST_CASE("One wrong letter of a long word is forgiven", "[legend]") {
   CHECK(strokeNamedBy("downstr0ke") == std::nullopt);  // a digit splits the word
   CHECK(strokeNamedBy("downstrake") == Stroke::press);
   CHECK(strokeNamedBy("dwnstroke") == Stroke::press);
   CHECK(strokeNamedBy("upstrokee") == Stroke::release);
   CHECK(strokeNamedBy("prass") == std::nullopt);
+  CHECK(strokeNamedBy("Retomo") == Stroke::release);  // "Retorno"
+  CHECK(strokeNamedBy("Presion") == Stroke::press);
 }
 
 TEST_CASE("Accents and capitals that a reader of pixels loses", "[legend]") {

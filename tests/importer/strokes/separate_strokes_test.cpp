@@ -104,6 +104,9 @@ TEST_CASE("A press alone without a name is doubted where the plot names a releas
     return found->confidence;
   };
   CHECK(confidenceBeside("Release") < 0.5);
+  CHECK(confidenceBeside("Release stroke") < 0.5);
+  CHECK(confidenceBeside("Press stroke Release stroke") < 0.5);  // a legend's row, read as one line
+  CHECK(confidenceBeside("Release force") > 0.8);                // of a table of figures
   CHECK(confidenceBeside("Release date") > 0.8);
   CHECK(confidenceBeside("Release point") > 0.8);
   CHECK(confidenceBeside("Press") > 0.8);

@@ -12,6 +12,7 @@
 
 #include "importer/page/document.h"
 #include "importer/page/polyline.h"
+#include "importer/page/same_ink.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/explanation.h"
 #include "importer/trace/foot_line.h"
@@ -289,6 +290,50 @@ TEST_CASE("Tints that compression leaves beside a line are no curves", "[trace]"
       CHECK(apart(ofColor(*traces, pressInk).points_px, clippedAtTop(plot, down)) < 0.3);
       CHECK(apart(ofColor(*traces, releaseInk).points_px, up) < 2);  // of its wall the press hides a part
     }
+}
+
+TEST_CASE("Markers filled with a shade of their line are no curve beside it", "[trace]") {
+  const Rgb wine{163, 0, 0}, red{243, 31, 45};
+  Plot plot(700, 430);
+  plot.grid(1, 1, kBlack);
+  const Curve down = plot.at({{0, 0}, {0.1, 0.5}, {0.8, 0.7}, {0.85, 0.9}}),
+              up = plot.at({{0, 0}, {0.15, 0.3}, {0.75, 0.5}, {0.85, 0.9}});
+  plot.line(down, 2, kBlue);
+  plot.line(up, 2, wine);
+  for (const Curve points = densified(up, 1);
+       const std::size_t k : {20U, 90U, 150U, 210U, 270U, 330U, 390U, 450U}) {
+    const Point p = points[k];
+    plot.line({{p.x - 4, p.y}, {p.x + 4, p.y}}, 9, red);
+    plot.line(
+        {{p.x - 4, p.y - 4}, {p.x + 4, p.y - 4}, {p.x + 4, p.y + 4}, {p.x - 4, p.y + 4}, {p.x - 4, p.y - 4}},
+        1, wine);
+  }
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, wine).points_px, up) < 1);
+}
+
+TEST_CASE("Shades that compression makes of thin lines on dark paper belong to their lines", "[trace]") {
+  const Rgb night{28, 33, 58}, sky{78, 201, 190}, lime{195, 236, 82};
+  Plot plot(720, 400, night);
+  plot.grid(1, 6, {220, 220, 230});
+  const auto line = [&](double below, double phase) {
+    Curve c{{0, 0.02}, {0.03, 0.2 - below}};
+    for (double x = 0.04; x < 0.75; x += 0.008)
+      c.push_back({x, 0.2 - below + 0.5 * x + 0.006 * std::sin(phase + 300 * x)});
+    c.push_back({0.8, 0.88});
+    return plot.at(c);
+  };
+  const Curve down = line(0, 0), up = line(0.03, 1);
+  plot.line(down, 1.5, sky);
+  plot.line(up, 1.5, lime);
+  plot.storeAs(".jpg", 80);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, sky).points_px, down) < 2);  // of its wall the other hides a part
+  CHECK(apart(ofColor(*traces, lime).points_px, up) < 1);
 }
 
 TEST_CASE("A tolerance band around a curve is no second stroke", "[trace]") {
@@ -889,6 +934,27 @@ TEST_CASE("A stroke drawn through that takes the way of a line of dashes is seen
   CHECK_FALSE(leaps().empty());
 }
 
+TEST_CASE("A line thinner than a pixel is none of dashes where it lies between two rows", "[trace]") {
+  Plot plot(700, 430);
+  const Curve way{plot.at(0.05, 0.05), plot.at(0.3, 0.45), plot.at(0.9, 0.51)};
+  plot.line(way, 0.5, kBlue);
+  CurveTrace press;
+  press.color = kBlue, press.points_px = way;
+  CHECK(explain(plot.scene(), {press}).leaps.empty());
+}
+
+TEST_CASE("A line of dashes is not drawn through where some of them are longer", "[trace]") {
+  Plot plot(900, 550);
+  const Curve way{plot.at(0.05, 0.05), plot.at(0.9, 0.6)}, points = densified(way, 1);
+  for (std::size_t at = 0, dash = 30; at + dash < points.size(); at += dash + 12) {
+    if (at > 450) dash = 55;
+    plot.line({points[at], points[at + dash]}, 2, kBlue);
+  }
+  CurveTrace press;
+  press.color = kBlue, press.points_px = way;
+  CHECK(explain(plot.scene(), {press}).leaps.empty());
+}
+
 TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen", "[trace]") {
   Plot plot(700, 430);
   Loop loop = loopEndingAt(0.7);
@@ -1055,6 +1121,29 @@ TEST_CASE("Both strokes in one coloured ink are told apart by their course", "[t
   REQUIRE(traces->size() == 2);
   CHECK(traces->front().stroke.has_value());
   CHECK(traces->front().stroke != traces->back().stroke);
+}
+
+TEST_CASE("Beside loops in inks of their own one in the frame's ink is another switch", "[trace]") {
+  Plot plot(800, 500);
+  plot.grid(6, 6, {214, 214, 214});
+  plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 2, kBlack);
+  const auto loop = [&](double wide, double high, Rgb ink) {
+    for (const Curve& stroke : {release(), press()}) {
+      Curve scaled;
+      for (const Point p : stroke) scaled.push_back({wide * p.x, high * p.y});
+      plot.line(plot.at(scaled), 2.5, ink);
+    }
+  };
+  loop(1.4, 0.9, kRed);
+  CHECK(plot.trace()->size() == 2);
+  loop(1.2, 0.5, kBlack);
+  const auto both = plot.trace();
+  REQUIRE(both.ok());
+  REQUIRE(both->size() == 4);
+  for (const Rgb ink : {kRed, kBlack})
+    CHECK(std::ranges::count_if(*both, [&](const CurveTrace& t) { return isSameInk(t.color, ink); }) == 2);
+  loop(1.1, 0.75, kBlue);
+  CHECK(plot.trace()->size() == 6);
 }
 
 TEST_CASE("A drawing moved by a part of a pixel moves the trace by as much", "[trace]") {

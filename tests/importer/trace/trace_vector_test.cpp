@@ -243,6 +243,36 @@ TEST_CASE("dashes drawn one by one are one curve") {
   checkPair(drawing.traced(), press, part(release, 0, 198), 1);
 }
 
+TEST_CASE("a line drawn in steps that touch is none of dashes, every other one") {
+  Drawing drawing;
+  const auto inSteps = [&](const Polyline& line) {
+    for (std::size_t i = 1; i < line.size(); ++i) drawing.stroke(Polyline{line[i - 1], line[i]});
+  };
+  drawing.color = {228, 26, 28};
+  inSteps(press);
+  drawing.color = {55, 126, 184};
+  inSteps(release);
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 2);
+  for (const CurveTrace& trace : traces) CHECK(trace.points_px.size() == press.size());
+}
+
+TEST_CASE("an area's outline is the curve above it") {
+  Drawing drawing;
+  drawing.color = {228, 26, 28};
+  Polyline area = press;
+  area.push_back({press.back().x, frameBox.y1});
+  area.push_back({press.front().x, frameBox.y1});
+  drawing.stroke(area, true);
+  drawing.view.paths.back().fill = Rgb{255, 200, 200};
+  drawing.color = {55, 126, 184};
+  drawing.stroke(release);
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 2);
+  const CurveTrace& red = traces[traces[0].color == Rgb{228, 26, 28} ? 0 : 1];
+  CHECK(red.points_px == press);
+}
+
 TEST_CASE("dashes and dots turned into outlines are one curve, however steeply and sharply it bends") {
   // A click that gives way within a hundredth of the travel, finely drawn.
   const double width = GENERATE(0.003, 0.005);
@@ -539,6 +569,15 @@ TEST_CASE("a copy drawn over a curve costs no confidence; another curve in the i
   CHECK(drawing.traced()[0].confidence == Approx(alone));
   other.stroke(curve([](double u) { return 0.05 + 0.2 * u * u; }));
   for (const CurveTrace& trace : other.traced()) CHECK(trace.confidence < 0.6);
+}
+
+TEST_CASE("a curve drawn again over the area that covered it is one") {
+  Drawing drawing;
+  drawing.color = {228, 26, 28};
+  for (int i = 0; i < 2; ++i) drawing.stroke(press);
+  drawing.color = {55, 126, 184};
+  drawing.stroke(release);
+  CHECK(drawing.traced().size() == 2);
 }
 
 TEST_CASE("numbers at the extremes: an empty frame, a vertical curve, a hundred thousand letters") {
