@@ -139,6 +139,32 @@ void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places, double a
   }
 }
 
+/// A number with the letters that follow it on its line, up to the next of the `numbers`. `glyphs` from the left.
+Box withLettersBehind(const std::vector<Box>& glyphs, const Box& number, const std::vector<Box>& numbers) {
+  constexpr double blank = 0.9, level = 0.4;  // of the number's height; of the lower one's
+  Box whole = number;
+  for (const Box& g : glyphs) {
+    const double shared = std::min(g.y1, number.y1) - std::max(g.y0, number.y0);
+    if (g.x1 <= whole.x1 || shared < level * std::min(g.height(), number.height())) continue;
+    const bool ofNext = std::ranges::any_of(
+        numbers, [&](const Box& next) { return next.x0 > number.x0 && next.contains(g.middle()); });
+    if (ofNext || g.x0 - whole.x1 > blank * number.height()) break;
+    whole = whole.joined(g);
+  }
+  return whole;
+}
+
+/// Labels of an x axis stand about their ticks with the unit behind the number ("0.5 mm"), though that was taken for another word. One
+/// alone may be a title beside the last number.
+void centreWithUnits(const GraphReading& r, const AxisLabels& found, std::vector<LabelPlace>& places) {
+  constexpr int fewest = 2;
+  const std::vector<Box> wholes = withLettersBehind(r.glyphs, found);
+  int lettered = 0;
+  for (std::size_t i = 0; i < wholes.size(); ++i) lettered += wholes[i] != found.words[i].box;
+  if (lettered < fewest) return;
+  for (std::size_t i = 0; i < wholes.size(); ++i) places[i].center_px = wholes[i].middle().x;
+}
+
 int agreed(const AxisLabels& a) { return a.progression ? a.progression->labels : 0; }
 
 /// Small labels that the engine leaves in doubt are read together; what comes out stands for what it read.
@@ -260,6 +286,7 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   expectLostPoints(texts, found.readings);
   found.thousands = expectThousands(texts, found.readings);
   for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];
+  if (axis == Axis::x && upright) centreWithUnits(r, found, places);
   if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places, angle_deg);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
   if (kind == TextKind::number) putPointsBack(found, places, ticks, axis, angle_deg);
@@ -323,6 +350,18 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
 int AxisLabels::numbers() const {
   return static_cast<int>(
       std::count_if(readings.begin(), readings.end(), [](const auto& r) { return !r.empty(); }));
+}
+
+std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLabels& labels) {
+  std::vector<Box> fromLeft = glyphs, numbers, wholes;
+  std::sort(fromLeft.begin(), fromLeft.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
+  for (std::size_t i = 0; i < labels.words.size(); ++i)
+    if (!labels.readings[i].empty()) numbers.push_back(labels.words[i].box);
+  for (std::size_t i = 0; i < labels.words.size(); ++i) {
+    const Box& word = labels.words[i].box;
+    wholes.push_back(labels.readings[i].empty() ? word : withLettersBehind(fromLeft, word, numbers));
+  }
+  return wholes;
 }
 
 std::optional<AxisLabels> readRightLabels(GraphReading& r) {

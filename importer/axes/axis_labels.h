@@ -24,6 +24,10 @@ struct AxisLabels {
   int numbers() const;  ///< how many words can be read as numbers
 };
 
+/// The numbers of an axis with the letters that follow each on its line, in their order; what can be read as no number is left as it is.
+/// `glyphs`: the blobs outside the frame.
+std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLabels& labels);
+
 /// Rows (columns for y) of words beside the frame are tried from the most regular one on, until one makes a
 /// progression. nullopt if no row of two or more words is there.
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis);

@@ -85,6 +85,15 @@ void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<See
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
 }
 
+/// What lines in the plot itself say, where a unit stands for sure: a title at the axis' end may be set over the axis, and callouts
+/// ("4.2 mm") are none.
+template <class Unit, class Parse>
+void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
+  AxisTitle<Unit> inside;
+  consider(inside, lines, parse);
+  if (inside.unit && inside.unit->sure >= surePlace) best = std::move(inside);
+}
+
 /// Those that have a bracket: of what stands beside a plot little is its title.
 std::vector<SeenText> withBracket(std::vector<SeenText> lines) {
   std::erase_if(lines, [](const SeenText& line) { return !hasBracket(line); });
@@ -99,11 +108,13 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   const Box below{b.x0 - 0.05 * b.width(), labels.y1 + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px};
   const Box beside{std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.9 * b.width(),
                    b.y1 + 0.25 * b.height()};
+  const Box overEnd{b.x0 + 0.5 * b.width(), b.y1 - 0.12 * b.height(), b.x1 + 0.1 * b.width(), b.y1};
   const Point towards{0.5 * (b.x0 + b.x1), labels.y1};
   AxisTitle<LengthUnit> best;
   std::vector<SeenText> nearby = r.ownTexts(below), read;
   consider(best, nearby, lengthUnitIn);
   consider(best, r.ownTexts(beside), lengthUnitIn);
+  if (!best.unit) considerInside(best, r.ownTexts(overEnd), lengthUnitIn);
   if (!best.unit) {
     read = r.readLines(below, 0, towards, 3);
     consider(best, read, lengthUnitIn);
@@ -115,6 +126,7 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
     consider(best, readBeside, lengthUnitIn);
   }
   if (!best.unit) consider(best, r.readLinesOfParts(below, 0, towards, 2), lengthUnitIn);
+  if (!best.unit) considerInside(best, r.readLinesInside(overEnd, 0, {b.x1, b.y1}, 2), lengthUnitIn);
   if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
   if (!best.unit) considerAgain(best, r, withBracket(readBeside), lengthUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
@@ -131,12 +143,14 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
   const Box corner{b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(),
                    b.y0 + 0.02 * b.height()};
+  const Box besideEnd{b.x0, b.y0 - 0.1 * b.height(), b.x0 + 0.12 * b.width(), b.y0 + 0.4 * b.height()};
   const Point towards{labels.x0, 0.5 * (b.y0 + b.y1)};
   AxisTitle<ForceUnit> best;
   std::vector<SeenText> upwards, read;
   for (const auto& t : r.ownTexts(leftOfAxis))
     if (std::abs(t.angle_deg) > 45) upwards.push_back(t);
   for (const auto& region : {leftOfAxis, above, corner}) consider(best, r.ownTexts(region), forceUnitIn);
+  if (!best.unit) considerInside(best, r.ownTexts(besideEnd), forceUnitIn);
   if (!best.unit) {
     read = r.readLines(left, 90, towards, 2);
     consider(best, read, forceUnitIn);
@@ -158,6 +172,7 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
     consider(downwards, r.readLines(left, -90, towards, 1), forceUnitIn);
     if (downwards.unit && downwards.unit->sure >= surePlace) best = std::move(downwards);
   }
+  if (!best.unit) considerInside(best, r.readLinesInside(besideEnd, 90, {b.x0, b.y0}, 2), forceUnitIn);
   if (!best.unit) considerAgain(best, r, read, forceUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
     best.other = otherQuantity(upwards, towards, besides(best, lengthUnitIn));

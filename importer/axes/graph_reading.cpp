@@ -35,8 +35,9 @@ bool ofUse(const SeenText& t) {
 int quarterTurnsOf(double angle_deg) { return angle_deg == 90 ? 1 : angle_deg == -90 ? 3 : 0; }
 
 /// The blobs of a region, turned so that lines at this angle read along +x.
-std::vector<Box> turnedLetters(const GraphReading& r, const Box& region, double angle_deg) {
-  auto letters = glyphsIn(r.glyphs, region, r.largestGlyph_px());
+std::vector<Box> turnedLetters(const GraphReading& r, const std::vector<Box>& glyphs, const Box& region,
+                               double angle_deg) {
+  auto letters = glyphsIn(glyphs, region, r.largestGlyph_px());
   for (auto& letter : letters) letter = turned(letter, quarterTurnsOf(angle_deg));
   return letters;
 }
@@ -77,6 +78,15 @@ bool mayHideUnit(const Box& line, const std::string& text) {
   return !lengthUnitIn(text);
 }
 
+/// The bracketed unit of a line whose letters the engine does not know, though it saw a bracket, and in which nothing else names one.
+std::optional<std::string> unreadUnit(const cv::Mat& darkness, const Box& place, double height_px,
+                                      int quarterTurns, const std::string& text) {
+  constexpr double largest_px = 16;  // the engine tells larger brackets and letters apart
+  if (height_px > largest_px || forceUnitIn(text) || text.find_first_of("()[]") == std::string::npos)
+    return {};
+  return bracketedUnit(darkness, place, quarterTurns);
+}
+
 }  // namespace
 
 GraphReading::GraphReading(const PageView& v, const PlotFrame& f)
@@ -90,13 +100,20 @@ double GraphReading::largestGlyph_px() const { return 0.16 * std::min(box.width(
 
 std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_deg, Point towards,
                                               std::size_t atMost) {
-  const auto letters = turnedLetters(*this, region, angle_deg);
+  const auto letters = turnedLetters(*this, glyphs, region, angle_deg);
+  return read(textLines(letters, 1.3), letters, angle_deg, towards, atMost);
+}
+
+std::vector<SeenText> GraphReading::readLinesInside(const Box& region, double angle_deg, Point towards,
+                                                    std::size_t atMost) {
+  // Curves, gridlines and the axes are larger than letters.
+  const auto letters = turnedLetters(*this, glyphBoxes(ink, 2, largestGlyph_px()), region, angle_deg);
   return read(textLines(letters, 1.3), letters, angle_deg, towards, atMost);
 }
 
 std::vector<SeenText> GraphReading::readLinesOfParts(const Box& region, double angle_deg, Point towards,
                                                      std::size_t atMost) {
-  const auto letters = turnedLetters(*this, region, angle_deg);
+  const auto letters = turnedLetters(*this, glyphs, region, angle_deg);
   const auto joined = joinedParts(wordBoxes(letters, 1.3));
   return joined.empty() ? std::vector<SeenText>{} : read(joined, letters, angle_deg, towards, atMost);
 }
@@ -122,7 +139,11 @@ std::vector<SeenText> GraphReading::read(std::vector<Box> lines, const std::vect
       seen.utf8 = withUnit(seen.utf8, *drawn);
     } else if (angle_deg >= 0 && mayHideUnit(line, seen.utf8)) {
       const auto unit = unitAtEnd(reader, glyphsIn(letters, line, largestGlyph_px()), turns, angle_deg);
-      if (unit) seen.utf8 = unit->endOf(seen.utf8);
+      if (unit)
+        seen.utf8 = unit->endOf(seen.utf8);
+      else if (const auto alike =
+                   part ? std::nullopt : unreadUnit(darkness, place, line.height(), turns, seen.utf8))
+        seen.utf8 = withUnit(seen.utf8, *alike);
     }
     if (seen.utf8.empty()) continue;
     if (ofUse(seen)) texts.push_back(seen);

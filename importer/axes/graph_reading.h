@@ -31,6 +31,10 @@ class GraphReading {
   /// Lines of writing in a region, read from pixels, nearest to `towards` first. `angle_deg` 0, 90 or -90.
   std::vector<SeenText> readLines(const Box& region, double angle_deg, Point towards, std::size_t atMost);
 
+  /// The same for writing in the plot itself that touches nothing.
+  std::vector<SeenText> readLinesInside(const Box& region, double angle_deg, Point towards,
+                                        std::size_t atMost);
+
   /// The same for scripts whose letters are of several parts, one above the other: those that readLines took for lines of
   /// their own are one line. Nothing where no parts lie so.
   std::vector<SeenText> readLinesOfParts(const Box& region, double angle_deg, Point towards,

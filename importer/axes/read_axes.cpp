@@ -15,6 +15,7 @@
 #include "importer/axes/axis_titles.h"
 #include "importer/axes/button_sizes.h"
 #include "importer/axes/graph_reading.h"
+#include "importer/axes/label_units.h"
 #include "importer/axes/printed_number.h"
 #include "importer/axes/word_match.h"
 #include "model/text.h"
@@ -311,6 +312,8 @@ LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
   x.title = title.text;
   x.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
+  if (labels && title.other.empty())
+    if (const auto unit = lengthUnitBehindNumbers(r, *labels)) return *unit;
   x.unitFound = false;
   remarks.push_back({RemarkCode::lengthUnitAssumed,
                      {"x", symbolOf(LengthUnit::millimetre)},
@@ -335,6 +338,8 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   y.title = title.text;
   y.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
+  if (labels && title.other.empty())
+    if (const auto unit = forceUnitBehindNumbers(r, *labels)) return *unit;
   y.unitFound = false;
   const bool newton = std::max(std::abs(values.first), std::abs(values.last)) <= newtonAtMost;
   remarks.push_back({newton ? RemarkCode::smallForcesTakenAsNewton : RemarkCode::largeForcesTakenAsGram,

@@ -728,6 +728,61 @@ TEST_CASE("units that only the heading names, said and not contradicted") {
   if (taken) CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
 }
 
+TEST_CASE("units that stand behind the numbers are theirs where most of them say so") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.left = 150, s.xTitle = "Travel", s.yTitle = "Force";
+  bool known = true;
+  SECTION("both") { s.xUnit = " mm", s.yUnit = " cN"; }
+  SECTION("of something else") { s.xUnit = " s", s.yUnit = " V", known = false; }
+  const auto axes = read(drawn(s));
+  const AxisCalibration& cal = axes.calibration.value;
+  CHECK(cal.x.unitFound == known);
+  CHECK(cal.y.unitFound == known);
+  if (!known) return;
+  CHECK(cal.x.unit == "mm");
+  CHECK(cal.y.unit == "cN");
+  CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
+}
+
+TEST_CASE("titles at the ends of the axes are read inside the plot, callouts are none") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.xTitle = s.yTitle = "", s.grid = s.box = false;
+  Canvas c(s.width, s.height, s.paperGrey);
+  drawInto(c, s);
+  bool titles = true;
+  std::string overEnd = "Travel [mm]", besideEnd = "Force [cN]";
+  SECTION("titles") {}
+  SECTION("callouts") { overEnd = "4.2 mm", besideEnd = "62 cN", titles = false; }
+  c.text(overEnd, s.right - 65, s.bottom - 20, s.textGrey, 0.6);
+  c.text(besideEnd, s.left + 20, s.top + 60, s.textGrey, 0.6, 1);
+  const auto axes = read(c.grey());
+  const AxisCalibration& cal = axes.calibration.value;
+  CHECK((cal.x.unitFound && cal.x.unit == "mm") == titles);
+  CHECK((cal.y.unitFound && cal.y.unit == "cN") == titles);
+}
+
+TEST_CASE("a small unit in brackets is told by its shape behind letters that the engine does not know") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.yTitle = "";
+  Canvas c(s.width, s.height, s.paperGrey);
+  drawInto(c, s);
+  const double foot = 26, square_px = 11;
+  for (const double x : {s.left - 40, s.left - 27}) {  // square letters of strokes that hang together
+    for (const double row : {foot - square_px, foot - 6, foot}) c.row(row, x, x + square_px, 1, s.textGrey);
+    c.column(x + 3, foot - square_px, foot, 1, s.textGrey);
+    c.column(x + 8, foot - 6, foot, 1, s.textGrey);
+  }
+  const std::string unit = GENERATE(as<std::string>{}, "(gf)", "(cN)", "(N)");
+  c.text(unit, s.left + 2, foot - 4, s.textGrey, 0.4);
+  const auto axes = read(c.grey());
+  CAPTURE(unit);
+  CHECK(axes.calibration.value.y.unitFound);
+  CHECK("(" + axes.calibration.value.y.unit + ")" == unit);
+}
+
 TEST_CASE("words are read in any quarter turn") {
   if (skipWithoutEngine()) return;
   Canvas c(300, 300, 255);

@@ -29,6 +29,7 @@ struct PlotStyle {
   double xShiftOfFirst = 0;  ///< of the first x label, off its tick
   int oddLabel = -1;         ///< an x label with another text than its value
   std::string oddText;
+  std::string xUnit, yUnit;  ///< behind each number, with the blank before it
 };
 
 /// Grey canvas on which lines cover parts of pixels.
@@ -128,10 +129,10 @@ inline void drawInto(Canvas& c, const PlotStyle& s) {
   }
   if (s.labels) {
     for (int k = 0; k <= s.xSteps; k += s.labelEvery)
-      c.text(k == s.oddLabel ? s.oddText : shown(s.xFrom + k * s.xStep),
+      c.text((k == s.oddLabel ? s.oddText : shown(s.xFrom + k * s.xStep)) + s.xUnit,
              x(k) + (k == 0 ? s.xShiftOfFirst : 0), s.bottom + s.labelDrop, s.textGrey, s.textScale);
     for (int k = 0; k <= s.ySteps; k += s.labelEvery) {
-      const std::string text = shown(s.yFrom + k * s.yStep);
+      const std::string text = shown(s.yFrom + k * s.yStep) + s.yUnit;
       const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, s.textScale, 1, nullptr);
       c.text(text, s.left - 14 - 0.5 * size.width, y(k), s.textGrey, s.textScale);
     }
