@@ -59,7 +59,7 @@ TEST_CASE("a frame is widened by as much as a step of its numbers, to the right 
   axes.y.min = 0, axes.y.max = 4;
   for (double at = 100; at <= 500; at += 200) {
     axes.x.ticks.emplace_back().position_px = at;
-    axes.y.ticks.emplace_back().position_px = at;
+    if (at > 100) axes.y.ticks.emplace_back().position_px = at;  // none above where the curve ends
   }
   CHECK(plot.isWidened());
   plot.graph.frame.value.corners[0].y = plot.graph.frame.value.corners[1].y = 250;  // where the curve ends

@@ -1142,7 +1142,7 @@ TEST_CASE("Beside loops in inks of their own one in the frame's ink is another s
   REQUIRE(both->size() == 4);
   for (const Rgb ink : {kRed, kBlack})
     CHECK(std::ranges::count_if(*both, [&](const CurveTrace& t) { return isSameInk(t.color, ink); }) == 2);
-  loop(1.1, 0.75, kBlue);
+  loop(1.4, 0.7, kBlue);  // ends where the red one does
   CHECK(plot.trace()->size() == 6);
 }
 
