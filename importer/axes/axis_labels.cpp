@@ -105,13 +105,6 @@ SeenText readLabel(GraphReading& r, const Box& word, TextKind kind, double angle
 double widthOf(const Box& word, double angle_deg) { return angle_deg == 0 ? word.width() : word.height(); }
 double heightOf(const Box& word, double angle_deg) { return angle_deg == 0 ? word.height() : word.width(); }
 
-/// "20gf" -> "20" and "gf"; no digits in front: nothing.
-std::pair<std::string, std::string> numberAndSuffix(const std::string& text) {
-  const auto end = text.find_first_not_of("0123456789.,- ");
-  if (end == std::string::npos || end == 0) return {text, ""};
-  return {text.substr(0, end), text.substr(end)};
-}
-
 /// Characters of a number as wide as digits: points and ones take less room.
 double digitsWide(const std::string& text) {
   double n = 0;
@@ -350,6 +343,12 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
 int AxisLabels::numbers() const {
   return static_cast<int>(
       std::count_if(readings.begin(), readings.end(), [](const auto& r) { return !r.empty(); }));
+}
+
+std::pair<std::string, std::string> numberAndSuffix(const std::string& text) {
+  const auto end = text.find_first_not_of("0123456789.,- ");
+  if (end == std::string::npos || end == 0) return {text, ""};
+  return {text.substr(0, end), text.substr(end)};
 }
 
 std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLabels& labels) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "importer/axes/graph_reading.h"
@@ -23,6 +24,9 @@ struct AxisLabels {
   std::string suffix;   ///< unit that stands in the labels themselves ("20gf"), if it does
   int numbers() const;  ///< how many words can be read as numbers
 };
+
+/// "20gf" -> "20" and "gf"; no digits in front: nothing.
+std::pair<std::string, std::string> numberAndSuffix(const std::string& text);
 
 /// The numbers of an axis with the letters that follow each on its line, in their order; what can be read as no number is left as it is.
 /// `glyphs`: the blobs outside the frame.

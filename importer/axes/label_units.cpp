@@ -2,23 +2,16 @@
 #include "importer/axes/label_units.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "importer/axes/printed_number.h"
 #include "importer/axes/printed_unit.h"
 
 namespace detent::importer {
 namespace {
-
-/// "cN" of "120 cN"; nothing where no digit stands in front of it.
-std::string behindDigits(const std::string& text) {
-  if (text.empty() || std::isdigit(static_cast<unsigned char>(text[text[0] == '-' ? 1 : 0])) == 0) return {};
-  const auto end = text.find_first_not_of("0123456789.,- ");
-  return end == std::string::npos ? std::string() : text.substr(end);
-}
 
 template <class Unit, class Parse>
 std::optional<Unit> unitBehindNumbers(GraphReading& r, const AxisLabels& labels, Parse parse) {
@@ -28,8 +21,8 @@ std::optional<Unit> unitBehindNumbers(GraphReading& r, const AxisLabels& labels,
   const std::vector<Box> wholes = withLettersBehind(r.glyphs, labels);
   for (std::size_t i = 0; i < wholes.size(); ++i) {
     if (labels.readings[i].empty()) continue;
-    const std::string letters = behindDigits(r.reader.readLine(wholes[i], TextKind::words).utf8);
-    if (letters.empty()) continue;
+    const auto [number, letters] = numberAndSuffix(r.reader.readLine(wholes[i], TextKind::words).utf8);
+    if (letters.empty() || !printedNumber(number)) continue;
     ++lettered;
     if (const auto unit = parse(letters)) ++votes[unit->unit];
   }
