@@ -271,6 +271,17 @@ double sharedTravel(const StrokePair& strokes) {
   return either > 0 ? std::max(0.0, both / either) : 1;
 }
 
+/// Whether the press begins far to the right of where the release comes back to, and not at nothing: no button pushes before it
+/// is pressed, its way there was lost.
+bool pressBeginsLate(const StrokePair& strokes) {
+  constexpr double late = 0.1, nothing = 0.25;  // of the travel; of the press' largest force
+  const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
+  const auto earlier = [](CurvePoint a, CurvePoint b) { return a.displacement_mm < b.displacement_mm; };
+  const CurvePoint begin = *std::ranges::min_element(strokes.press.points, earlier);
+  return press.low - release.low > late * (press.high - release.low) &&
+         begin.force_N > nothing * forceOf(strokes.press).high;
+}
+
 /// Where a release gives out, the share of the press' force there that it still has; nothing where the press is not.
 std::optional<double> forceLeft(const StrokePair& strokes) {
   const auto earlier = [](CurvePoint a, CurvePoint b) { return a.displacement_mm < b.displacement_mm; };
@@ -388,7 +399,8 @@ class Doubts {
       const double shared = sharedTravel(strokes);
       const std::optional<double> left = forceLeft(strokes);
       const bool locks = left && *left < atRest && drawnAndNamedApart();
-      if ((shared < leastSharedTravel && !locks) || (shared < wholeTravel && left && *left > forceLeftAtEnd))
+      if ((shared < leastSharedTravel && !locks) ||
+          (shared < wholeTravel && left && *left > forceLeftAtEnd) || pressBeginsLate(strokes))
         add(DoubtCode::strokeInPart, unconfirmed, {{shared, Measure::share}}, helps);
     }
     double along = shareAlongAnAxis(strokes.press.points_px);

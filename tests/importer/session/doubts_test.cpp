@@ -352,6 +352,17 @@ TEST_CASE("a stroke that steps onto the other one and back was led along what wa
   CHECK_FALSE(import.doubted(DoubtCode::strokesCoincide));
 }
 
+TEST_CASE("a press that begins with force where its release has long not come back to lost its way there") {
+  Import import;
+  import.press = {{0.8, 0.9}, {1.6, 1.0}, {2.4, 0.6}, { 3.2, 1.6 }};
+  import.release = {{3.2, 1.6}, {2.4, 0.4}, {0.8, 0.5}, { 0, 0 }};
+  CHECK(import.doubted(DoubtCode::strokeInPart));
+  import.press.front() = {0.8, 0.1};  // a way that no force is met on
+  CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
+  import.press.front() = {0.3, 0.9};
+  CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
+}
+
 TEST_CASE("what came from paper is worth less, unless frame and axes were given") {
   Import import;
   import.pageClass = PageClass::scan;
