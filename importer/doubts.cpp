@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -275,11 +276,13 @@ double sharedTravel(const StrokePair& strokes) {
 /// is pressed, its way there was lost.
 bool pressBeginsLate(const StrokePair& strokes) {
   constexpr double late = 0.1, nothing = 0.25;  // of the travel; of the press' largest force
+  constexpr double plumb = 0.01;                // of the travel: a locked key's press rises straight
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
-  const auto earlier = [](CurvePoint a, CurvePoint b) { return a.displacement_mm < b.displacement_mm; };
-  const CurvePoint begin = *std::ranges::min_element(strokes.press.points, earlier);
-  return press.low - release.low > late * (press.high - release.low) &&
-         begin.force_N > nothing * forceOf(strokes.press).high;
+  const double travel_mm = press.high - release.low;
+  double begin_N = std::numeric_limits<double>::max();
+  for (const CurvePoint& p : strokes.press.points)
+    if (p.displacement_mm <= press.low + plumb * travel_mm) begin_N = std::min(begin_N, p.force_N);
+  return press.low - release.low > late * travel_mm && begin_N > nothing * forceOf(strokes.press).high;
 }
 
 /// Where a release gives out, the share of the press' force there that it still has; nothing where the press is not.

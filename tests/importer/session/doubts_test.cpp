@@ -359,6 +359,10 @@ TEST_CASE("a press that begins with force where its release has long not come ba
   CHECK(import.doubted(DoubtCode::strokeInPart));
   import.press.front() = {0.8, 0.1};  // a way that no force is met on
   CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
+  import.press.insert(import.press.begin(),
+                      {0.81, 0.05});  // a locked key's rises from there, and not quite plumb
+  import.press[1] = {0.8, 0.9};
+  CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
   import.press.front() = {0.3, 0.9};
   CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
 }
