@@ -232,8 +232,8 @@ void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& places, const std
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     auto& readings = found.readings[i];
     if (!isBare(i) || isZero(i)) continue;
-    const double whole = std::stod(found.words[i].utf8);
-    std::erase_if(readings, [whole](const NumberReading& reading) { return reading.value == whole; });
+    const auto whole = printedNumber(found.words[i].utf8);
+    std::erase_if(readings, [&](const NumberReading& reading) { return reading.value == whole; });
     for (NumberReading& reading : readings) reading.weight = 1;
     places[i].readings = readings;
   }
