@@ -42,6 +42,7 @@ test_packages=(
   chromium chromium-driver         # a shared page is opened in it
   umockdev libumockdev-dev         # a Falcon that is none
   xvfb xauth xdotool openbox imagemagick fonts-dejavu-core
+  locales                          # the editor on a German desktop
   gnuplot-nox                      # tests/accuracy draws with it
   valgrind                         # tests/bench: scene, cost, trade
 )

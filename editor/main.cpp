@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // detent-edit: shape a button by hand, see it, feel it.
 
+#include <clocale>
 #include <cstdio>
 #include <exception>
 #include <QApplication>
@@ -86,6 +87,9 @@ int main(int argc, char** argv) {
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication::setStyle(outlinedStyle());
     QApplication app(argc, argv);
+    // Qt has taken the desktop's rules over for the C library, too. Files and drawings are read and written with a point;
+    // what a person sees goes through QLocale.
+    std::setlocale(LC_NUMERIC, "C");
     QCoreApplication::setOrganizationName("Detent");
     QCoreApplication::setApplicationName("detent-edit");
     QCoreApplication::setApplicationVersion(version());
