@@ -462,13 +462,28 @@ std::vector<Leap> leapsOf(const ExplainedPlot& plot) {
   return leaps;
 }
 
+/// Whether ink is the sample of a legend: level, beside a curve's name, in its row.
+bool isSampleOf(const CurveTrace& curve, const Remainder& left) {
+  constexpr double farthest = 2.5, longest = 8;  // name heights
+  const Box& name = curve.labelBox_px;
+  if (!(name.height() > 0)) return false;
+  const double gap_px = std::max(name.x0 - left.box_px.x1, left.box_px.x0 - name.x1);
+  const double row = left.box_px.middle().y;
+  return row > name.y0 && row < name.y1 && left.box_px.height() <= name.height() && gap_px >= 0 &&
+         gap_px <= farthest * name.height() && left.box_px.width() <= longest * name.height();
+}
+
 }  // namespace
 
 Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curves) {
   const ExplainedPlot plot(scene, curves);
   if (plot.empty()) return {};
   const cv::Mat left = leftOver(plot);
-  return {remaindersOf(plot, left), leapsOf(plot), patchesOf(plot, left)};
+  std::vector<Remainder> remainders = remaindersOf(plot, left);
+  std::erase_if(remainders, [&](const Remainder& each) {
+    return std::ranges::any_of(curves, [&](const CurveTrace& curve) { return isSampleOf(curve, each); });
+  });
+  return {std::move(remainders), leapsOf(plot), patchesOf(plot, left)};
 }
 
 }  // namespace detent::importer

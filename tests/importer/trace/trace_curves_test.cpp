@@ -884,6 +884,19 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     plot.line(plot.at(loop.release), 3, kRed);
     CHECK(worst({press}).likeness < 0.2);
   }
+  SECTION("the sample beside the curve's name in the legend") {
+    const Point from = plot.at(0.1, 0.9), to = plot.at(0.16, 0.9);
+    plot.line({from, to}, 3, kBlue);
+    const auto left = [&] { return explain(plot.scene(), {press}).left.size(); };
+    CHECK(left() == 1);
+    press.labelBox_px = {to.x + 6, to.y - 7, to.x + 60, to.y + 7};
+    CHECK(left() == 0);
+    // In another row, or far away, it is a piece of a line.
+    press.labelBox_px = {to.x + 6, to.y + 7, to.x + 60, to.y + 21};
+    CHECK(left() == 1);
+    press.labelBox_px = {to.x + 60, to.y - 7, to.x + 120, to.y + 7};
+    CHECK(left() == 1);
+  }
 }
 
 TEST_CASE("Gridlines of dots in the curve's ink are the plot's, a wall drawn through on one of them is not",
