@@ -7,41 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "importer/axes/word_match.h"
+#include "importer/strokes/stroke_words.h"
 
 namespace detent::importer {
 
 namespace {
 
-// Latin and Cyrillic words as `folded` writes them.
-constexpr std::array kPressWords = {
-    "press",      "pressing", "pressed",   "downstroke",  "down",      "push",        "pushing",
-    "forward",    "loading",  "load",      "depress",     "actuate",   "actuation",   "in",
-    "make",       "compress", "hinweg",    "hin",         "vorlauf",   "drucken",     "betatigen",
-    "betatigung", "belasten", "belastung", "hinhub",      "appui",     "enfoncer",    "enfoncement",
-    "aller",      "descente", "charge",    "compression", "ida",       "pulsar",      "pulsado",
-    "bajada",     "carga",    "andata",    "pressione",   "presion",   "indrukken",   "heen",
-    "wcisniecie", "avance",   "premuto",   "pressao",     "pulsacion", "acionamento", "vorhub",
-    "abwarts",    "tryk",     "trykk",     "nacisk",      "stisk",     "tryck",       "basma",
-    "нажатие",    "нажим",    "нагрузка",  "нагружение",  "прямой"};
-constexpr std::array kReleaseWords = {
-    "release",       "releasing",  "released",     "upstroke",    "up",          "return",     "returning",
-    "back",          "backward",   "reverse",      "unloading",   "unload",      "reset",      "out",
-    "break",         "decompress", "ruckweg",      "zuruck",      "rucklauf",    "ruckhub",    "loslassen",
-    "entlasten",     "entlastung", "ruckstellung", "relachement", "relacher",    "remontee",   "decharge",
-    "retour",        "vuelta",     "soltar",       "liberacion",  "liberacao",   "subida",     "descarga",
-    "decompression", "ritorno",    "rilascio",     "volta",       "loslaten",    "terug",      "zwolnienie",
-    "powrot",        "uvolneni",   "slapp",        "birakma",     "retorno",     "retroceso",  "rilasciato",
-    "retur",         "tillbaka",   "aufwarts",     "relache",     "losgelassen", "отпускание", "возврат",
-    "разгрузка",     "обратный"};
-constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程", "加载",   "正程", "下行",
-                                    "押下", "押す", "押し", "押込", "往路", "プレス", "누름", "가압"};
-constexpr std::array kReleaseSigns = {"释放",     "松开", "抬起", "回弹", "回程", "弹起",
-                                      "复位",     "卸载", "反程", "上行", "解放", "戻り",
-                                      "リリース", "戻し", "離す", "復路", "복귀", "해제"};
-/// A text with one of these names a point on a curve, not the curve.
-constexpr std::array kPointWords = {"point",           "position",   "punkt", "schaltpunkt",
-                                    "ruckschaltpunkt", "druckpunkt", "pos"};
 constexpr std::array kPointSigns = {"点", "點", "位置"};
 
 bool isLetter(unsigned char c) { return (c >= 'a' && c <= 'z') || c >= 0x80; }
@@ -59,65 +30,44 @@ std::vector<std::string> wordsOf(std::string_view utf8) {
   return words;
 }
 
-/// "rn" as readers of pixels take it: "retomo".
-std::string withPairsJoined(std::string_view word) {
-  std::string joined(word);
-  for (auto at = joined.find("rn"); at != std::string::npos; at = joined.find("rn", at))
-    joined.replace(at, 2, "m");
-  return joined;
+bool namesPoint(std::string_view utf8, const std::vector<std::string>& words) {
+  return std::ranges::any_of(words, isPointWord) ||
+         std::ranges::any_of(
+             kPointSigns, [&](std::string_view sign) { return utf8.find(sign) != std::string_view::npos; });
 }
 
-template <class List>
-bool anyWord(const std::vector<std::string>& words, const List& list) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    return std::any_of(list.begin(), list.end(), [&](std::string_view known) {
-      return word == known || (known.size() >= 6 && word.size() >= 6 &&
-                               (differByOneAtMost(word, known) || word == withPairsJoined(known)));
-    });
-  });
+/// Which strokes a text has words or signs for.
+SignedStrokes strokesIn(std::string_view utf8) {
+  SignedStrokes named = strokesSignedIn(utf8);
+  for (const std::string& word : wordsOf(utf8)) {
+    const auto stroke = strokeOfWord(word);
+    named.press = named.press || stroke == Stroke::press;
+    named.release = named.release || stroke == Stroke::release;
+  }
+  return named;
 }
 
-template <class List>
-bool anySign(std::string_view text, const List& list) {
-  return std::any_of(list.begin(), list.end(),
-                     [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
-}
-
-/// The stroke of a word whose beginning the legend's sample hid, by its end: "leasing". Nothing where both have such words.
-std::optional<Stroke> endOfStrokeWord(const std::string& word) {
-  constexpr std::size_t fewest = 5;
-  const auto isEnd = [&](std::string_view known) { return known.ends_with(word); };
-  const bool press = std::ranges::any_of(kPressWords, isEnd),
-             release = std::ranges::any_of(kReleaseWords, isEnd);
-  if (word.size() < fewest || press == release) return {};
-  return press ? Stroke::press : Stroke::release;
-}
-
+/// Of a word without its signs for strokes; empty if it had nothing else.
 bool isStrokeWord(const std::string& word) {
-  const std::vector<std::string> one{word};
-  const auto isOne = [&](std::string_view sign) { return word == sign; };
-  return anyWord(one, kPressWords) || anyWord(one, kReleaseWords) || endOfStrokeWord(word) ||
-         std::ranges::any_of(kPressSigns, isOne) || std::ranges::any_of(kReleaseSigns, isOne);
+  return word.empty() || strokeOfWord(word) || strokeOfPart(word);
 }
 
-// What every legend names: a curve, or what it is a curve of.
-constexpr std::array kCurveWords = {"stroke", "curve", "key", "switch", "going", "coming", "run", "the",
-                                    "of",     "on",    "hub", "csv",    "txt",   "dat",    "ход", "phase"};
 constexpr std::array kQuantityWords = {"force", "travel", "kraft", "mesure", "messung"};
 
 /// Words that name neither a stroke nor a curve.
 std::vector<std::string> wordsBesideStroke(std::string_view utf8) {
   std::vector<std::string> words = wordsOf(utf8);
-  std::erase_if(words, [](const std::string& word) {
-    return isStrokeWord(word) || anyWord(std::vector{word}, kCurveWords);
-  });
+  for (std::string& word : words) word = withoutStrokeSigns(word);
+  std::erase_if(words, [](const std::string& word) { return isStrokeWord(word) || isCurveWord(word); });
   return words;
 }
 
 /// Words that name neither a stroke nor what every legend names: a switch's own name.
 std::vector<std::string> ownWords(std::string_view utf8) {
   std::vector<std::string> own = wordsBesideStroke(utf8);
-  std::erase_if(own, [](const std::string& word) { return anyWord(std::vector{word}, kQuantityWords); });
+  std::erase_if(own, [](const std::string& word) {
+    return std::ranges::find(kQuantityWords, word) != kQuantityWords.end();
+  });
   return own;
 }
 
@@ -144,7 +94,7 @@ std::string withoutStrokeWords(std::string_view utf8) {
     while (to < utf8.size() && isJoint(utf8[to]) == isJoint(utf8[i])) ++to;
     const std::string_view part = utf8.substr(i, to - i);
     const std::vector<std::string> words = wordsOf(part);
-    const bool namesStroke = words.size() == 1 && isStrokeWord(words.front());
+    const bool namesStroke = words.size() == 1 && isStrokeWord(withoutStrokeSigns(words.front()));
     shortened = shortened || namesStroke;
     if (!namesStroke) name += part;
     i = to;
@@ -163,35 +113,9 @@ std::string withoutStrokeWords(std::string_view utf8) {
 
 }  // namespace
 
-std::string folded(std::string_view utf8) {
-  // U+00C0 to U+017F, 64 to a lead byte; a sign that is no letter stays itself.
-  constexpr std::array<std::string_view, 3> base{
-      "aaaaaaaceeeeiiiidnooooo ouuuuypsaaaaaaaceeeeiiiidnooooo ouuuuypy",
-      "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll",
-      "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs"};
-  std::string out;
-  for (std::size_t i = 0; i < utf8.size(); ++i) {
-    const auto byte = [&](std::size_t k) {
-      return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0U;
-    };
-    const unsigned lead = byte(i), next = byte(i + 1);
-    const bool two = (next & 0xC0U) == 0x80U;
-    if (two && lead >= 0xC3 && lead <= 0xC5 && base[lead - 0xC3][next - 0x80] != ' ') {
-      out += base[lead - 0xC3][next - 0x80], ++i;
-    } else if (two && lead == 0xD0 && next >= 0x90 && next <= 0xAF) {  // Cyrillic capitals
-      const bool first = next < 0xA0;
-      out += static_cast<char>(first ? 0xD0 : 0xD1);
-      out += static_cast<char>(first ? next + 0x20 : next - 0x20), ++i;
-    } else {
-      out += lead >= 'A' && lead <= 'Z' ? static_cast<char>(lead - 'A' + 'a') : utf8[i];
-    }
-  }
-  return out;
-}
-
 bool namesACurve(std::string_view utf8) {  // a callout beside its leader names a point, not a curve
   const std::vector<std::string> words = wordsOf(utf8);
-  return !words.empty() && !anyWord(words, kPointWords) && !anySign(utf8, kPointSigns);
+  return !words.empty() && !namesPoint(utf8, words);
 }
 
 bool namesOnePair(std::string_view a, std::string_view b) {
@@ -200,9 +124,8 @@ bool namesOnePair(std::string_view a, std::string_view b) {
 }
 
 bool namesBothStrokes(std::string_view label) {
-  const std::vector<std::string> words = wordsOf(label);
-  const bool press = anyWord(words, kPressWords) || anySign(label, kPressSigns);
-  return press && (anyWord(words, kReleaseWords) || anySign(label, kReleaseSigns));
+  const SignedStrokes named = strokesIn(label);
+  return named.press && named.release;
 }
 
 bool namesNothingButRelease(std::string_view utf8) {
@@ -255,11 +178,11 @@ bool mayBeOnePair(std::string_view a, std::string_view b) {
 
 std::optional<Stroke> strokeNamedBy(std::string_view utf8) {
   const std::vector<std::string> words = wordsOf(utf8);
-  if (anyWord(words, kPointWords) || anySign(utf8, kPointSigns)) return {};
-  const bool press = anyWord(words, kPressWords) || anySign(utf8, kPressSigns);
-  const bool release = anyWord(words, kReleaseWords) || anySign(utf8, kReleaseSigns);
-  if (press == release) return press || words.size() != 1 ? std::nullopt : endOfStrokeWord(words.front());
-  return press ? Stroke::press : Stroke::release;
+  if (namesPoint(utf8, words)) return {};
+  const SignedStrokes named = strokesIn(utf8);
+  if (named.press == named.release)
+    return named.press || words.size() != 1 ? std::nullopt : strokeOfPart(words.front());
+  return named.press ? Stroke::press : Stroke::release;
 }
 
 }  // namespace detent::importer

@@ -11,7 +11,7 @@
 namespace detent::importer {
 
 /// The stroke a legend text names: "Downstroke", "press (loading)", "Rückhub", "按压". Words are matched
-/// whole, one wrong letter is forgiven in long ones (OCR). Nothing if it names none, both, or a point rather
+/// whole, a wrong letter or two are forgiven in long ones (OCR). Nothing if it names none, both, or a point rather
 /// than a stroke ("reset point").
 std::optional<Stroke> strokeNamedBy(std::string_view utf8);
 
@@ -23,9 +23,6 @@ bool mayBeOnePair(std::string_view a, std::string_view b);
 /// Whether two of more than two legend texts name the strokes of one switch: what is left without their words for press
 /// and release is the same, numbers included, and those words differ ("Switch A" and "Switch A release").
 bool namesOnePair(std::string_view a, std::string_view b);
-
-/// Small letters, Latin ones without their accents: what is said in one spelling, and what readers of pixels lose.
-std::string folded(std::string_view utf8);
 
 /// Whether a text names a curve at all: it has words and is no point's name.
 bool namesACurve(std::string_view utf8);

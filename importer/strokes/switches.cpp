@@ -9,6 +9,7 @@
 
 #include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
+#include "importer/strokes/stroke_words.h"
 
 namespace detent::importer {
 

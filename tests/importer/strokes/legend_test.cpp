@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/strokes/legend.h"
 
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 using detent::Stroke;
@@ -33,6 +35,75 @@ TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
                            "Vuelta",     "Ritorno",       "Retroceso",
                            "Rilasciato", "aufwärts"})
     CHECK(strokeNamedBy(text) == Stroke::release);
+}
+
+TEST_CASE("Legend words of many languages, press and release", "[legend]") {
+  const std::pair<const char*, const char*> named[] = {{"Naciskanie", "Zwalnianie"},
+                                                       {"Tryck ned", "Släpp"},
+                                                       {"Nedtryckning", "Återfjädring"},
+                                                       {"Trykk", "Slipp"},
+                                                       {"Tryk", "Slip"},
+                                                       {"Indrukken", "Loslaten"},
+                                                       {"Stisk", "Uvolnění"},
+                                                       {"Stlačenie", "Uvoľnenie"},
+                                                       {"Lenyomás", "Felengedés"},
+                                                       {"Painallus", "Vapautus"},
+                                                       {"Basma", "Serbest bırakma"},
+                                                       {"Basış", "Geri dönüş"},
+                                                       {"Pressionar", "Soltar"},
+                                                       {"Apăsare", "Eliberare"},
+                                                       {"Apăsare", "Revenire"},
+                                                       {"Πίεση", "Απελευθέρωση"},
+                                                       {"ΠΑΤΗΜΑ", "ΕΠΙΣΤΡΟΦΗ"},
+                                                       {"Натискання", "Відпускання"},
+                                                       {"Натискане", "Отпускане"},
+                                                       {"Nhấn", "Nhả"},
+                                                       {"Pritisak", "Otpuštanje"},
+                                                       {"Vajutus", "Vabastus"},
+                                                       {"Tekan", "Lepas"},
+                                                       {"Obciążenie", "Odciążenie"},
+                                                       {"Betätigungskurve", "Rückstellkurve"},
+                                                       {"Hinrichtung", "Rückrichtung"},
+                                                       {"下壓", "釋放"},
+                                                       {"押し込み", "リターン"},
+                                                       {"누르기", "놓기"},
+                                                       {"กด", "ปล่อย"},
+                                                       {"Belastungskurve", "Entlastungskurve"},
+                                                       {"Вниз", "Вверх"},
+                                                       {"Abajo", "Arriba"}};
+  for (const auto& [press, release] : named) {
+    CAPTURE(press, release);
+    CHECK(strokeNamedBy(press) == Stroke::press);
+    CHECK(strokeNamedBy(release) == Stroke::release);
+    CHECK(mayBeOnePair(press, release));
+  }
+}
+
+TEST_CASE("Names that are no words for strokes stay names", "[legend]") {
+  for (const char* name :
+       {"Clown",    "Linear",   "Tactile",    "Clicky", "Silent",   "Heavy",   "Light",    "Brown",
+        "Yellow",   "Orange",   "Retro",      "Button", "Switch",   "Sample",  "Muster",   "Taster",
+        "Taste",    "Touche A", "Bouton",     "Tecla",  "Botão A",  "Knapp",   "Knop",     "Tlačítko",
+        "Przycisk", "Modell",   "Exemplar",   "Before", "After",    "Fresh",   "Worn",     "Aged",
+        "Reserve",  "Pressure", "Rubber",     "Dome",   "Membrane", "Optical", "Magnetic", "Buckling",
+        "Kailh",    "Gateron",  "Holy Panda", "Zealios"}) {
+    CAPTURE(name);
+    CHECK(strokeNamedBy(name) == std::nullopt);
+  }
+  CHECK_FALSE(mayBeOnePair("Clown", "Clicky"));
+  CHECK_FALSE(mayBeOnePair("A轴下压", "B轴释放"));
+  CHECK(namesOnePair("A轴下压", "A轴释放"));
+  CHECK(switchNamedBy("Пуск отпускание") == "Пуск");
+}
+
+TEST_CASE("Words of strokes that readers of pixels misread or cut", "[legend]") {
+  for (const char* text :
+       {"Driicken", "Naciskani", "Naclskanle", "Nacisniqcie", "Betatlgung", "Indrukkan", "Trvk"})
+    CHECK(strokeNamedBy(text) == Stroke::press);
+  for (const char* text : {"Zwalniani", "Uvolnéni", "Felengedés", "Loslass", "Odpuszczani", "Elibarare"})
+    CHECK(strokeNamedBy(text) == Stroke::release);
+  CHECK(strokeNamedBy("Obciazenie") == Stroke::press);  // nearer by the one letter that tells the two apart
+  CHECK(strokeNamedBy("Oociazenie") == std::nullopt);
 }
 
 TEST_CASE("A release and nothing else", "[legend]") {
@@ -78,8 +149,9 @@ TEST_CASE("Names that programs give to what nobody named", "[legend]") {
 }
 
 TEST_CASE("What names no stroke, both, or a point", "[legend]") {
-  for (const char* text : {"", "Force (gf)", "pressure", "press and release", "reset point",
-                           "Operating position", "Druckpunkt", "复位点", "55gf", "\xff\xfe", "uptown"})
+  for (const char* text :
+       {"", "Force (gf)", "pressure", "press and release", "reset point", "Operating position", "Druckpunkt",
+        "复位点", "Punto de liberación", "Rückstellpunkt", "55gf", "\xff\xfe", "uptown"})
     CHECK(strokeNamedBy(text) == std::nullopt);
 }
 
