@@ -338,6 +338,26 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
   return fitRow(r, row, lines, Axis::y, TextKind::number, upwards_deg);
 }
 
+/// Whether most labels were read without any certainty, as digits are made of letters: "20gf" is 209 or nothing.
+bool holdsLetters(const AxisLabels& labels) {
+  constexpr double doubted = 0.2;  // of the engine's certainty
+  const auto isDoubted = [](const SeenText& word) { return word.confidence < doubted; };
+  return 2 * std::ranges::count_if(labels.words, isDoubted) > std::ssize(labels.words);
+}
+
+/// Whether all numbers of a scale end in the same digit, and not in one that scales end in: 9, 509 and 1009 are "0g", "50g" and
+/// "100g".
+bool endsAlike(const AxisLabels& labels) {
+  if (!labels.progression) return false;
+  std::string ends;
+  for (std::size_t i = 0; i < labels.words.size(); ++i)
+    if (const std::string digits = digitsOf(labels.words[i].utf8);
+        labels.progression->reading[i] >= 0 && !digits.empty())
+      ends += digits.back();
+  return ends.size() > 2 && ends.front() != '0' && ends.front() != '5' &&
+         ends.find_first_not_of(ends.front()) == std::string::npos;
+}
+
 }  // namespace
 
 int AxisLabels::numbers() const {
@@ -402,6 +422,13 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   }
   const auto words = inkedLabelWords(r, band, axis);
   auto inked = tryRows(r, axis, words, lines, TextKind::number);
+  if (inked && holdsLetters(*inked)) {
+    auto lettered = tryRows(r, axis, words, lines, TextKind::words);
+    if (lettered && agreed(*lettered) >= agreed(*inked) && !lettered->suffix.empty() &&
+        !holdsLetters(*lettered))
+      return lettered;
+    if (endsAlike(*inked)) inked->progression.reset();
+  }
   if (inked && (!best || agreed(*inked) > agreed(*best))) best = std::move(inked);
   if (best && agreed(*best) >= 3) return best;
   if (!x) {  // digits of numbers that read upwards make a scale by twos

@@ -299,7 +299,9 @@ std::vector<Piece> pieces(const std::string& title) {
   else if (const auto joined = t.rfind(" in");
            joined != std::string::npos)  // "Weg inmm": a blank was not seen
     out.push_back({withoutBrackets(std::string_view(t).substr(joined + 3)), 0.85});
-  if (const auto comma = t.rfind(','); comma != std::string::npos)
+  // A comma may come back as a full stop: "Force. N".
+  const auto comma = t.find(',') != std::string::npos ? t.rfind(',') : t.rfind(". ");
+  if (comma != std::string::npos)
     out.push_back({withoutBlanks(withoutBrackets(std::string_view(t).substr(comma + 1))), 0.9});
   if (const auto blank = t.find_last_of(' '); blank != std::string::npos)
     out.push_back({withoutBrackets(std::string_view(t).substr(blank + 1)), 0.7, true});

@@ -23,7 +23,7 @@ constexpr int inkContrast = 34;  // grey levels; light grids stay below or are t
 bool besides(const Box& left, const Box& right, double gapInHeights) {
   const double height = std::max(left.height(), right.height());
   const double overlap = std::min(left.y1, right.y1) - std::max(left.y0, right.y0);
-  return overlap >= 0.4 * std::min(left.height(), right.height()) &&
+  return (overlap >= 0.4 * std::min(left.height(), right.height()) || isComma(right, left)) &&
          right.x0 - left.x1 <= gapInHeights * height;
 }
 
@@ -108,6 +108,13 @@ void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, d
 }
 
 }  // namespace
+
+bool isComma(const Box& mark, const Box& word) {
+  constexpr double largest = 0.5, foot = 0.6, below = 0.1;  // of the word's height
+  const double height = word.height();
+  return mark.height() <= largest * height && mark.width() <= largest * height &&
+         mark.y0 >= word.y0 + foot * height && mark.y0 <= word.y1 + below * height;
+}
 
 cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,
                         const std::vector<double>& yLines) {

@@ -20,6 +20,9 @@ cv::Mat inkAbove(const cv::Mat& darkness, int threshold);
 /// its larger extent.
 std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSize_px);
 
+/// Whether a small mark hangs at a word's foot, as a comma does, which may share no more than a pixel's height with it.
+bool isComma(const Box& mark, const Box& word);
+
 /// A copy of the ink without the inside of an upright frame and without the ticks that stick out of it, so
 /// that labels stand free of them. `xLines`, `yLines`: where its gridlines and ticks are.
 cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,

@@ -198,6 +198,8 @@ TEST_CASE("a unit is read behind any words, a comma and an arrow, and in Cyrilli
   CHECK(length("\xE2\x82\xACmm>") == "mm");  // a bracket of a stroke font
   CHECK(length("Displacement / mm \xE2\x86\x92") == "mm");
   CHECK(length("Depth pm") == "\xC2\xB5m");
+  CHECK(forceUnitIn("Kraft. N").value().sure >= 0.9);  // the comma as it is read
+  CHECK(force("Op. force, N") == "N");
   for (const char* none : {"Load of", "Force H", "Type r", "Play of force"}) CHECK(force(none) == "none");
   for (const char* none : {"Travel in", "Depth am", "Start, then in two"}) CHECK(length(none) == "none");
 }

@@ -115,3 +115,11 @@ TEST_CASE("a tick that reaches a number is no minus behind it") {
   CHECK(numberBoxes({{0, 14, 8, 16}, {10, 10, 16, 20}}).front() == Box{0, 10, 16, 20});
   CHECK(numberBoxes({{10, 10, 16, 20}, {18, 18, 20, 20}}).front() == Box{10, 10, 20, 20});
 }
+
+TEST_CASE("a comma that hangs below the line belongs to its number") {
+  const Box one{10, 10, 13, 20}, comma{15, 19.4, 17, 23}, zeros{20, 10, 38, 20};
+  REQUIRE(numberBoxes({one, comma, zeros}).size() == 1);
+  CHECK(numberBoxes({one, comma, zeros}).front() == Box{10, 10, 38, 23});
+  CHECK(numberBoxes({one, {15, 22, 17, 26}}).size() == 2);    // lower than a comma hangs
+  CHECK(numberBoxes({one, {15, 19.4, 25, 29}}).size() == 2);  // larger than one
+}
