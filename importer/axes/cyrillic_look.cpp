@@ -2,36 +2,16 @@
 #include "importer/axes/cyrillic_look.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 
-#include "importer/axes/word_match.h"
+#include "importer/axes/stroke_words.h"
+#include "model/text.h"
 
 namespace detent::importer {
 namespace {
 
-/// A word and how it looks in Latin letters, all of them small: capitals and small letters are alike in Cyrillic print.
-struct Look {
-  std::string_view word, latin;
-};
-constexpr std::array looks{
-    Look{"нажатие", "haxatue"},       Look{"нагрузка", "harpy3ka"},  Look{"нагружение", "harpyxehue"},
-    Look{"отпускание", "otnyckahue"}, Look{"возврат", "bo3bpat"},    Look{"разгрузка", "pa3rpy3ka"},
-    Look{"обратный", "o6pathbiu"},    Look{"обратный", "o6pathbin"}, Look{"прямой", "npamou"},
-    Look{"прямой", "npamon"},
-};
-
 bool isOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
-
-std::string_view wordThatLooksLike(std::string_view read) {
-  std::string small(read);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto found =
-      std::ranges::find_if(looks, [&](const Look& look) { return differByOneAtMost(small, look.latin); });
-  return found == looks.end() ? std::string_view() : found->word;
-}
 
 /// A small Cyrillic letter's capital: а to п lie in one block of bytes, р to я in the next.
 std::string withCapital(std::string_view word) {
@@ -50,7 +30,7 @@ std::string withCyrillicWords(std::string_view utf8) {
   for (std::size_t from = 0; from < utf8.size();) {
     std::size_t to = from;
     while (to < utf8.size() && isOfWord(utf8[to]) == isOfWord(utf8[from])) ++to;
-    const std::string_view part = utf8.substr(from, to - from), word = wordThatLooksLike(part);
+    const std::string_view part = utf8.substr(from, to - from), word = cyrillicWordLike(lowered(part));
     if (word.empty())
       text += part;
     else

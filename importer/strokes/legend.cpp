@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "importer/strokes/stroke_words.h"
+#include "importer/axes/stroke_words.h"
 
 namespace detent::importer {
 

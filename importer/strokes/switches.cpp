@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
+#include "importer/axes/stroke_words.h"
 #include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
-#include "importer/strokes/stroke_words.h"
 
 namespace detent::importer {
 

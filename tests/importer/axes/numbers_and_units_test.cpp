@@ -221,6 +221,9 @@ TEST_CASE("words of strokes in Cyrillic are known by the Latin letters they look
   CHECK(withCyrillicWords("HaxaTue") == "Нажатие");
   CHECK(withCyrillicWords("Bo3Bpat, 2") == "Возврат, 2");
   CHECK(withCyrillicWords("OtnyckaHMe") == "Отпускание");
+  CHECK(withCyrillicWords("HatuckaHHa") == "Натискання");
+  CHECK(withCyrillicWords("BianyckaHHa") == "Відпускання");
+  CHECK(withCyrillicWords("OtnyckaHe") == "Отпускане");
   CHECK(withCyrillicWords("npamon xog") == "прямой xog");
   for (const char* other : {"Release", "harpy", "BoxPat", "Return 23", "Prägung"})
     CHECK(withCyrillicWords(other) == other);

@@ -33,6 +33,10 @@ SignedStrokes strokesSignedIn(std::string_view utf8);
 /// What is left of a word without the signs that name strokes, and without those for a curve beside them: "A轴下压曲线" is "A轴".
 std::string withoutStrokeSigns(std::string_view word);
 
+/// The Cyrillic word for a stroke that a reader who knows Latin letters and digits alone takes for this one, as many of them wrong as
+/// are forgiven in a word of its length: "haxatue" is "нажатие". Empty if it is like none.
+std::string_view cyrillicWordLike(std::string_view read);
+
 /// Whether a word, as `folded` writes it, says of a curve what every legend says: "stroke", "curve", "phase".
 bool isCurveWord(std::string_view word);
 

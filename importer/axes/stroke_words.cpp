@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/strokes/stroke_words.h"
+#include "importer/axes/stroke_words.h"
 
 #include <algorithm>
 #include <array>
@@ -56,8 +56,8 @@ constexpr std::array kPressWords = {
     "tekan", "menekan", "ditekan", "penekanan", "nhan",
     // Russian, Ukrainian, Bulgarian, Serbian
     "нажатие", "нажим", "нажато", "нагрузка", "нагружение", "прямой", "надавливание", "сжатие", "вниз",
-    "натискання", "натиснення", "натиск", "навантаження", "стискання", "прямии", "натискане", "натоварване",
-    "притисак", "притискање",
+    "натискання", "натиснення", "натиск", "навантаження", "стискання", "натискане", "натоварване", "притисак",
+    "притискање",
     // Greek
     "πιεση", "πατημα", "συμπιεση", "φορτιση", "πιεζω", "κατω", "μεταβαση"};
 constexpr std::array kReleaseWords = {
@@ -105,7 +105,7 @@ constexpr std::array kReleaseWords = {
     // Russian, Ukrainian, Bulgarian, Serbian
     "отпускание", "отпущено", "возврат", "разгрузка", "разгружение", "обратный", "отжатие", "вверх",
     "відпускання", "відпущення", "відпуск", "повернення", "розвантаження", "звільнення", "зворотний", "вгору",
-    "отпускане", "освобождаване", "връщане", "разтоварване", "отпуштање", "обратныи", "зворотнии",
+    "отпускане", "освобождаване", "връщане", "разтоварване", "отпуштање",
     // Greek
     "απελευθερωση", "αφεση", "επιστροφη", "αποφορτιση", "αποσυμπιεση", "επαναφορα", "πανω"};
 
@@ -224,7 +224,7 @@ char32_t foldedLetter(char32_t c) {
   struct Range {
     char32_t first, last, letter;
   };
-  constexpr std::array<Range, 16> ranges{{{0x1A0, 0x1A1, U'o'},
+  constexpr std::array<Range, 14> ranges{{{0x1A0, 0x1A1, U'o'},
                                           {0x1AF, 0x1B0, U'u'},
                                           {0x218, 0x219, U's'},
                                           {0x21A, 0x21B, U't'},
@@ -235,8 +235,6 @@ char32_t foldedLetter(char32_t c) {
                                           {0x1ECC, 0x1EE3, U'o'},
                                           {0x1EE4, 0x1EF1, U'u'},
                                           {0x1EF2, 0x1EF9, U'y'},
-                                          {0x439, 0x439, U'и'},
-                                          {0x419, 0x419, U'и'},
                                           {0x3C2, 0x3C2, U'σ'},
                                           {0x451, 0x451, U'е'},
                                           {0x401, 0x401, U'е'}}};
@@ -277,6 +275,48 @@ void appendLetter(std::string& text, char32_t letter) {
     put(0xC0U | letter >> 6);  // all that are folded lie below U+0800
     put(0x80U | (letter & 0x3FU));
   }
+}
+
+/// A small Cyrillic letter in the Latin ones it looks like; capitals look as small ones do.
+std::string_view latinLook(char32_t letter) {
+  constexpr std::u32string_view letters = U"абвгдежзийклмнопрстуфхцчшщъыьэюяіїєґ";
+  constexpr std::array<std::string_view, 36> looks{
+      "a", "6", "b", "r", "a", "e", "x", "3", "u", "u",  "k", "n", "m",  "h", "o", "n", "p", "c",
+      "t", "y", "o", "x", "u", "y", "w", "w", "b", "bi", "b", "3", "10", "a", "i", "i", "e", "r"};
+  const auto at = letters.find(letter);
+  return at == std::u32string_view::npos ? std::string_view() : looks[at];
+}
+
+/// Empty if a letter of it is not Cyrillic.
+std::string latinLookOf(std::string_view word) {
+  std::string look;
+  for (std::size_t at = 0; at < word.size();) {
+    const Decoded is = decodedAt(word, at);
+    const std::string_view letter = latinLook(is.letter);
+    if (letter.empty()) return {};
+    look += letter;
+    at += is.bytes;
+  }
+  return look;
+}
+
+struct Look {
+  std::string_view word;
+  std::string latin;
+};
+
+/// Of the words with so many letters that a Latin one is not like them by chance.
+std::vector<Look> cyrillicLooks() {
+  constexpr std::size_t fewest = 6;  // letters
+  std::vector<Look> looks;
+  const auto add = [&](const auto& list) {
+    for (const std::string_view word : list)
+      if (std::string latin = latinLookOf(word); latin.size() >= fewest)
+        looks.push_back({word, std::move(latin)});
+  };
+  add(kPressWords);
+  add(kReleaseWords);
+  return looks;
 }
 
 }  // namespace
@@ -334,6 +374,18 @@ std::string withoutStrokeSigns(std::string_view word) {
   take(kReleaseSigns);
   if (rest.size() != word.size()) take(kCurveSigns);
   return rest;
+}
+
+std::string_view cyrillicWordLike(std::string_view read) {
+  static const std::vector<Look> looks = cyrillicLooks();
+  std::size_t least = kFar;
+  std::string_view likest;
+  for (const Look& look : looks) {
+    const std::size_t most = forgiven(std::min(read.size(), look.latin.size())),
+                      wrong = editsBetween(read, look.latin, most);
+    if (wrong <= most && wrong < least) least = wrong, likest = look.word;
+  }
+  return likest;
 }
 
 bool isCurveWord(std::string_view word) { return wrongLetters(word, kCurveWords) < kFar; }
