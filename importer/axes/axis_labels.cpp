@@ -383,7 +383,7 @@ std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLab
   return wholes;
 }
 
-std::optional<AxisLabels> readRightLabels(GraphReading& r) {
+std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<GridLine>& lines) {
   constexpr int fewestRegular = 4;  // what is less may be a legend's
   const Box& b = r.box;
   constexpr double besideEdge_px = 3;
@@ -394,16 +394,16 @@ std::optional<AxisLabels> readRightLabels(GraphReading& r) {
   std::vector<Box> glyphs = labelGlyphs(r, band);
   std::erase_if(glyphs,
                 [&](const Box& g) { return g.x0 < b.x1 + besideTicks_px && g.width() >= 1.5 * g.height(); });
-  const auto mirrored = [](const Box& box) { return Box{-box.x1, box.y0, -box.x0, box.y1}; };
-  std::vector<Box> words = numberBoxes(glyphs);
-  for (Box& word : words) word = mirrored(word);
   std::vector<double> ticks;
   for (const auto& line : r.frame.yLines) ticks.push_back(line.position_px);
-  LabelRow row = labelsLeft(words, mirrored(b), ticks);
+  const LabelRow row = labelsRight(numberBoxes(glyphs), b, ticks);
   if (row.regular < fewestRegular) return {};
-  for (Box& word : row.words) word = mirrored(word);
-  // Where two scales share a frame, gridlines and ticks are the left one's.
-  return fitRow(r, row, {}, Axis::y, TextKind::number, 0);
+  return fitRow(r, row, lines, Axis::y, TextKind::number, 0);
+}
+
+bool reachesFar(const AxisLabels& labels, const Box& frame) {
+  constexpr double leastReach = 0.4;  // of its height
+  return labels.numbers() >= 3 && labels.extent.height() >= leastReach * frame.height();
 }
 
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
@@ -434,6 +434,9 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   if (!x) {  // digits of numbers that read upwards make a scale by twos
     auto upwards = readUpwardLabels(r, band, lines);
     if (upwards && agreed(*upwards) >= 3) return upwards;
+    if (!best || best->numbers() < 2)  // nothing like numbers there: they may stand at the right alone
+      if (auto right = readRightLabels(r, lines); right && agreed(*right) >= 3 && reachesFar(*right, b))
+        return right;
   }
   if (best && agreed(*best) >= 2) return best;
   // "20gf" read as digits alone is nonsense: once more with letters.

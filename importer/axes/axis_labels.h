@@ -36,7 +36,12 @@ std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLab
 /// progression. nullopt if no row of two or more words is there.
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis);
 
-/// The column of numbers right of the frame, if one of four or more stands there evenly spaced; else nothing is read.
-std::optional<AxisLabels> readRightLabels(GraphReading& r);
+/// The column of numbers right of the frame, if one of four or more stands there evenly spaced; else nothing is read. `lines`: the
+/// gridlines and ticks they stand at, none where those are another scale's.
+std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<GridLine>& lines);
+
+/// Whether a column of numbers reaches over so much of the frame's height that it is a scale: "PB-01" to "PB-04" in a legend count on
+/// as well.
+bool reachesFar(const AxisLabels& labels, const Box& frame);
 
 }  // namespace detent::importer

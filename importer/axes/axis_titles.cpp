@@ -108,6 +108,8 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   const Box below{b.x0 - 0.05 * b.width(), labels.y1 + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px};
   const Box beside{std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.9 * b.width(),
                    b.y1 + 0.25 * b.height()};
+  // Where a force axis begins below zero the travel axis stands higher, and its name beside its end.
+  const Box besideAxis{b.x1 + 2, b.y1 - 0.5 * b.height(), b.x1 + 0.4 * b.width(), b.y1 - 0.1 * b.height()};
   const Box overEnd{b.x0 + 0.5 * b.width(), b.y1 - 0.12 * b.height(), b.x1 + 0.1 * b.width(), b.y1};
   const Point towards{0.5 * (b.x0 + b.x1), labels.y1};
   AxisTitle<LengthUnit> best;
@@ -127,6 +129,7 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   }
   if (!best.unit) consider(best, r.readLinesOfParts(below, 0, towards, 2), lengthUnitIn);
   if (!best.unit) considerInside(best, r.readLinesInside(overEnd, 0, {b.x1, b.y1}, 2), lengthUnitIn);
+  if (!best.unit) considerInside(best, r.readLines(besideAxis, 0, {b.x1, b.y1}, 2), lengthUnitIn);
   if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
   if (!best.unit) considerAgain(best, r, withBracket(readBeside), lengthUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
@@ -134,48 +137,76 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   return best;
 }
 
-AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
-  const Box& b = r.box;
+namespace {
+
+/// Where a force axis' title may stand; that of an axis at the right in a mirror.
+struct TitlePlaces {
+  Box left, leftOfAxis, above, corner, besideEnd, overEnd;
+  Point towards;
+  bool mirrored = false;
+};
+
+TitlePlaces placesBeside(const Box& b, const Box& numbers) {
+  TitlePlaces at;
+  at.mirrored = numbers.x0 > b.x1;
+  const auto sided = [&](const Box& box) {
+    return at.mirrored ? Box{b.x0 + b.x1 - box.x1, box.y0, b.x0 + b.x1 - box.x0, box.y1} : box;
+  };
+  const Box labels = sided(numbers);
   // A title set tight reaches over the widest label's first digit.
   const Box left{b.x0 - 0.45 * b.width(), b.y0 - 0.05 * b.height(), labels.x0 + 0.3 * (labels.x1 - labels.x0),
                  b.y1 + 0.05 * b.height()};
-  const Box leftOfAxis{left.x0, left.y0, b.x0, left.y1};
-  const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
-  const Box corner{b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(),
-                   b.y0 + 0.02 * b.height()};
-  const Box besideEnd{b.x0, b.y0 - 0.1 * b.height(), b.x0 + 0.12 * b.width(), b.y0 + 0.4 * b.height()};
-  const Point towards{labels.x0, 0.5 * (b.y0 + b.y1)};
+  at.left = sided(left);
+  at.leftOfAxis = sided({left.x0, left.y0, b.x0, left.y1});
+  at.above = sided({b.x0 - 0.4 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1});
+  at.corner = sided(
+      {b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(), b.y0 + 0.02 * b.height()});
+  at.besideEnd = sided({b.x0, b.y0 - 0.1 * b.height(), b.x0 + 0.12 * b.width(), b.y0 + 0.4 * b.height()});
+  at.overEnd = sided({b.x0, b.y0 - 0.1 * b.height(), b.x0 + 0.35 * b.width(), b.y0 + 0.1 * b.height()});
+  at.towards = {at.mirrored ? numbers.x1 : numbers.x0, 0.5 * (b.y0 + b.y1)};
+  return at;
+}
+
+}  // namespace
+
+AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
+  const Box& b = r.box;
+  const TitlePlaces at = placesBeside(b, labels);
+  const double axis = at.mirrored ? b.x1 : b.x0;
   AxisTitle<ForceUnit> best;
   std::vector<SeenText> upwards, read;
-  for (const auto& t : r.ownTexts(leftOfAxis))
+  for (const auto& t : r.ownTexts(at.leftOfAxis))
     if (std::abs(t.angle_deg) > 45) upwards.push_back(t);
-  for (const auto& region : {leftOfAxis, above, corner}) consider(best, r.ownTexts(region), forceUnitIn);
-  if (!best.unit) considerInside(best, r.ownTexts(besideEnd), forceUnitIn);
+  for (const auto& region : {at.leftOfAxis, at.above, at.corner})
+    consider(best, r.ownTexts(region), forceUnitIn);
+  if (!best.unit) considerInside(best, r.ownTexts(at.besideEnd), forceUnitIn);
   if (!best.unit) {
-    read = r.readLines(left, 90, towards, 2);
+    read = r.readLines(at.left, 90, at.towards, 2);
     consider(best, read, forceUnitIn);
     upwards.insert(upwards.end(), read.begin(), read.end());
   }
   if (!best.unit) {
-    const auto ofParts = r.readLinesOfParts(left, 90, towards, 1);
+    const auto ofParts = r.readLinesOfParts(at.left, 90, at.towards, 1);
     consider(best, ofParts, forceUnitIn);
     upwards.insert(upwards.end(), ofParts.begin(), ofParts.end());
   }
-  if (!best.unit) consider(best, r.readLines(above, 0, {b.x0, b.y0}, 6), forceUnitIn);
+  if (!best.unit) consider(best, r.readLines(at.above, 0, {axis, b.y0}, 6), forceUnitIn);
   // Read level, a title that runs upwards makes units of single letters.
   if (!best.unit || best.unit->sure < surePlace)
-    consider(best, r.readLines(corner, 90, {b.x0, b.y0}, 5), forceUnitIn);
+    consider(best, r.readLines(at.corner, 90, {axis, b.y0}, 5), forceUnitIn);
   if (!best.unit)
-    consider(best, withoutPartsOf(upwards, r.readLines(left, 0, {labels.x0, b.y0}, 2)), forceUnitIn);
+    consider(best, withoutPartsOf(upwards, r.readLines(at.left, 0, {at.towards.x, b.y0}, 2)), forceUnitIn);
   if (!best.unit) {  // downwards, as in Chinese sheets; other writing read so makes units of single letters
     AxisTitle<ForceUnit> downwards;
-    consider(downwards, r.readLines(left, -90, towards, 1), forceUnitIn);
+    consider(downwards, r.readLines(at.left, -90, at.towards, 1), forceUnitIn);
     if (downwards.unit && downwards.unit->sure >= surePlace) best = std::move(downwards);
   }
-  if (!best.unit) considerInside(best, r.readLinesInside(besideEnd, 90, {b.x0, b.y0}, 2), forceUnitIn);
+  if (!best.unit) considerInside(best, r.readLinesInside(at.besideEnd, 90, {axis, b.y0}, 2), forceUnitIn);
+  // Level beside the axis' arrow, where the frame's top runs through its letters.
+  if (!best.unit) considerInside(best, r.readLinesInside(at.overEnd, 0, {axis, b.y0}, 2), forceUnitIn);
   if (!best.unit) considerAgain(best, r, read, forceUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
-    best.other = otherQuantity(upwards, towards, besides(best, lengthUnitIn));
+    best.other = otherQuantity(upwards, at.towards, besides(best, lengthUnitIn));
   return best;
 }
 

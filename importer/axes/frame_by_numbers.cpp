@@ -19,17 +19,19 @@ constexpr std::size_t fewestLabels = 3;
 struct LabelSeries {
   std::vector<double> places;  // increasing
   double step_px = 0;          // between neighbours
-  double across = 0;           // middle of the words, across the axis
+  double across = 0;           // middle of the words, across the axis; of a column the edge that they share
   double height = 0;           // of a word
+  bool onRight = false;        // a column on the frame's right
 };
 
-std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX) {
+std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX, const Box& frame) {
   LabelSeries s;
   std::vector<double> across, heights;
   for (const TickLabel& tick : axis.ticks) {
     if (!tick.used || tick.box.empty()) continue;
     s.places.push_back(tick.position_px);
-    across.push_back(alongX ? 0.5 * (tick.box.y0 + tick.box.y1) : tick.box.x1);
+    s.onRight = !alongX && tick.box.x0 > frame.x1;
+    across.push_back(alongX ? 0.5 * (tick.box.y0 + tick.box.y1) : s.onRight ? tick.box.x0 : tick.box.x1);
     heights.push_back(tick.box.height());
   }
   if (s.places.size() < fewestLabels) return {};
@@ -50,7 +52,7 @@ bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, do
   const double along = 0.35 * s.height + 2, beside = 0.4 * s.height + 2;
   return std::any_of(words.begin(), words.end(), [&](const Box& w) {
     const double at = alongX ? 0.5 * (w.x0 + w.x1) : 0.5 * (w.y0 + w.y1);
-    const double off = (alongX ? 0.5 * (w.y0 + w.y1) : w.x1) - s.across;
+    const double off = (alongX ? 0.5 * (w.y0 + w.y1) : s.onRight ? w.x0 : w.x1) - s.across;
     const double moved = inwards * (at - place);
     return moved >= -along && moved <= (alongX ? std::max(along, flush * w.width()) : along) &&
            std::abs(off) <= beside && w.height() <= 1.4 * s.height && w.height() >= 0.7 * s.height &&
@@ -125,7 +127,7 @@ bool isDrawn(const cv::Mat& darkness, double edge, double from, double to, bool 
 }  // namespace
 
 std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, const AxisCalibration& axes) {
-  const auto x = seriesOf(axes.x, true), y = seriesOf(axes.y, false);
+  const auto x = seriesOf(axes.x, true, frame.box()), y = seriesOf(axes.y, false, frame.box());
   if (!x || !y) return {};
   const double largest = 2 * std::max(x->height, y->height) + 4;
   const cv::Mat darkness = darknessOf(view.raster, frame.paper);

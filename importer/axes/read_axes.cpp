@@ -364,11 +364,10 @@ bool sameForces(const Progression& a, const Progression& b, double frameHeight_p
 }
 
 bool hasOtherRightScale(GraphReading& r, const std::optional<AxisLabels>& left) {
-  if (!hasProgression(left)) return false;
-  constexpr double leastReach =
-      0.4;  // of the frame's height: "PB-01" to "PB-04" in a legend count on as well
-  const auto right = readRightLabels(r);
-  if (!right || right->numbers() < 3 || right->extent.height() < leastReach * r.box.height()) return false;
+  if (!hasProgression(left) || left->extent.x0 > r.box.x1) return false;
+  // Where two scales share a frame, gridlines and ticks are the left one's.
+  const auto right = readRightLabels(r, {});
+  if (!right || !reachesFar(*right, r.box)) return false;
   return !right->progression || !sameForces(*left->progression, *right->progression, r.box.height());
 }
 

@@ -151,6 +151,9 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
     auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
     if (below.regular >= 3 && (left.regular < 3 || !sameSize(below, left)))
       left = labelsUpwards(words, box, turnedPositions(r, turns, false));
+    // The numbers of the force may stand at the plot's right alone.
+    if (turns == 0 && below.regular >= 3 && left.regular < 3)
+      left = labelsRight(words, box, turnedPositions(r, turns, false));
     // Numbers beside the plot may read upwards: their digits lie, and say nothing of how those below stand.
     const double share = std::max(uprightShare(below, left, upright), uprightShare(below, below, upright));
     if (std::min(below.regular, left.regular) < 3 || !sameSize(below, left) || share < 0.3) continue;

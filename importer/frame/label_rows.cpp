@@ -116,6 +116,14 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
   return best;
 }
 
+LabelRow labelsRight(std::vector<Box> words, const Box& r, const std::vector<double>& lines) {
+  const auto mirrored = [](const Box& box) { return Box{-box.x1, box.y0, -box.x0, box.y1}; };
+  for (Box& word : words) word = mirrored(word);
+  LabelRow row = labelsLeft(words, mirrored(r), lines);
+  for (Box& word : row.words) word = mirrored(word);
+  return row;
+}
+
 LabelRow labelsUpwards(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   constexpr double aligned = 0.25, joined = 0.8;  // of a digit's height, which is the width here
   const auto isAligned = [&](const Box& w, const Box& seed) {

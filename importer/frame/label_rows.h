@@ -21,7 +21,10 @@ LabelRow labelsBelow(const std::vector<Box>& words, const Box& rectangle, const 
 /// The column of labels left of the rectangle. `lines` are the y of its horizontal lines.
 LabelRow labelsLeft(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
-/// Likewise numbers that read upwards, as some programs set them: their digits stand one above the other.
+/// The column right of it.
+LabelRow labelsRight(std::vector<Box> words, const Box& rectangle, const std::vector<double>& lines);
+
+/// Numbers on the left that read upwards, as some programs set them: their digits stand one above the other.
 LabelRow labelsUpwards(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
 }  // namespace detent::importer

@@ -126,6 +126,24 @@ std::optional<LabelledPlot> between(const Series& row, const Series& column) {
   return plot;
 }
 
+Box mirrored(const Box& b) { return {-b.x1, b.y0, -b.x0, b.y1}; }
+
+Series mirrored(Series s, bool alongX) {
+  for (Box& word : s.words) word = mirrored(word);
+  if (alongX) {
+    std::ranges::reverse(s.words);
+    s.first_px = -std::exchange(s.last_px, -s.first_px);
+  }
+  return s;
+}
+
+/// Likewise if the column stands at the row's right end. It may be the next plot's: a column at the left is likelier.
+std::optional<LabelledPlot> betweenFromRight(const Series& row, const Series& column) {
+  auto plot = between(mirrored(row, true), mirrored(column, false));
+  if (plot) plot->box = mirrored(plot->box), plot->score -= 1;
+  return plot;
+}
+
 bool meets(const Box& a, const Box& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
 
 }  // namespace
@@ -149,9 +167,9 @@ std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_
   std::vector<LabelledPlot> all;
   for (const Series& row : rows)
     for (const Series& column : columns)
-      if (auto plot = between(row, column);
-          plot && plot->box.width() >= minWidth_px && plot->box.height() >= minHeight_px)
-        all.push_back(*plot);
+      for (const auto& plot : {between(row, column), betweenFromRight(row, column)})
+        if (plot && plot->box.width() >= minWidth_px && plot->box.height() >= minHeight_px)
+          all.push_back(*plot);
   std::sort(all.begin(), all.end(),
             [](const LabelledPlot& a, const LabelledPlot& b) { return a.score > b.score; });
   std::vector<LabelledPlot> kept;

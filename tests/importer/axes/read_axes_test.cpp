@@ -301,6 +301,21 @@ TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
   CHECK(axes.remarks.empty());
 }
 
+TEST_CASE("a force axis that stands at the right alone is read there") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.forceOnRight = true, s.left = 30, s.right = 750;
+  SECTION("in a box") {}
+  SECTION("gridlines alone") { s.box = false; }
+  const auto axes = read(drawn(s));
+  const AxisCalibration& cal = axes.calibration.value;
+  CHECK(cal.y.unitFound);
+  CHECK(cal.y.unit == "cN");
+  CHECK(cal.y.max == Approx(s.ySteps * s.yStep));
+  CHECK_FALSE(axes.otherRightScale);
+  CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
+}
+
 TEST_CASE("a second scale on the right is the same forces in another unit, or something else") {
   if (skipWithoutEngine()) return;
   const bool ticksOff =
@@ -774,6 +789,28 @@ TEST_CASE("titles at the ends of the axes are read inside the plot, callouts are
   const AxisCalibration& cal = axes.calibration.value;
   CHECK((cal.x.unitFound && cal.x.unit == "mm") == titles);
   CHECK((cal.y.unitFound && cal.y.unit == "cN") == titles);
+}
+
+TEST_CASE("names of axes that end beyond the plot's foot or run through its top are read") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.right = 700;
+  SECTION("beside the end of a travel axis at zero") {
+    s.xTitle = "", s.yFrom = -40;
+    Canvas c(s.width, s.height, s.paperGrey);
+    drawInto(c, s);
+    c.text("Travel / mm", s.right + 80, s.bottom - 2 * (s.bottom - s.top) / s.ySteps, s.textGrey, 0.6);
+    CHECK(read(c.grey()).calibration.value.x.unitFound);
+  }
+  SECTION("level beside the end of the force axis") {
+    s.yTitle = "", s.grid = s.box = false;
+    Canvas c(s.width, s.height, s.paperGrey);
+    drawInto(c, s);
+    c.text("Force (cN)", s.left + 75, s.top, s.textGrey, 0.6);
+    const auto axes = read(c.grey());
+    CHECK(axes.calibration.value.y.unitFound);
+    CHECK(axes.calibration.value.y.unit == "cN");
+  }
 }
 
 TEST_CASE("a small unit in brackets is told by its shape behind letters that the engine does not know") {

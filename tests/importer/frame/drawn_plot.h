@@ -29,7 +29,8 @@ struct PlotStyle {
   double xShiftOfFirst = 0;  ///< of the first x label, off its tick
   int oddLabel = -1;         ///< an x label with another text than its value
   std::string oddText;
-  std::string xUnit, yUnit;  ///< behind each number, with the blank before it
+  std::string xUnit, yUnit;   ///< behind each number, with the blank before it
+  bool forceOnRight = false;  ///< the force axis with its ticks, numbers and title, which reads downwards
 };
 
 /// Grey canvas on which lines cover parts of pixels.
@@ -125,7 +126,9 @@ inline void drawInto(Canvas& c, const PlotStyle& s) {
   }
   if (s.ticks) {
     for (int k = 0; k <= s.xSteps; ++k) c.column(x(k), s.bottom, s.bottom + 6, w, s.lineGrey);
-    for (int k = 0; k <= s.ySteps; ++k) c.row(y(k), s.left - 6, s.left, w, s.lineGrey);
+    for (int k = 0; k <= s.ySteps; ++k)
+      c.row(y(k), s.forceOnRight ? s.right : s.left - 6, s.forceOnRight ? s.right + 6 : s.left, w,
+            s.lineGrey);
   }
   if (s.labels) {
     for (int k = 0; k <= s.xSteps; k += s.labelEvery)
@@ -134,11 +137,14 @@ inline void drawInto(Canvas& c, const PlotStyle& s) {
     for (int k = 0; k <= s.ySteps; k += s.labelEvery) {
       const std::string text = shown(s.yFrom + k * s.yStep) + s.yUnit;
       const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, s.textScale, 1, nullptr);
-      c.text(text, s.left - 14 - 0.5 * size.width, y(k), s.textGrey, s.textScale);
+      c.text(text, s.forceOnRight ? s.right + 14 + 0.5 * size.width : s.left - 14 - 0.5 * size.width, y(k),
+             s.textGrey, s.textScale);
     }
   }
   if (!s.xTitle.empty()) c.text(s.xTitle, 0.5 * (s.left + s.right), s.bottom + 55, s.textGrey, 0.6);
-  if (!s.yTitle.empty()) c.text(s.yTitle, s.left - 70, 0.5 * (s.top + s.bottom), s.textGrey, 0.6, 1);
+  if (!s.yTitle.empty())
+    c.text(s.yTitle, s.forceOnRight ? s.right + 65 : s.left - 70, 0.5 * (s.top + s.bottom), s.textGrey, 0.6,
+           s.forceOnRight ? 3 : 1);
 }
 
 inline cv::Mat drawn(const PlotStyle& s) {

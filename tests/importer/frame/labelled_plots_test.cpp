@@ -54,6 +54,16 @@ TEST_CASE("a row and a column of numbers enclose a plot, without any line") {
   }
 }
 
+TEST_CASE("a column of numbers at the right end of a row encloses a plot as well") {
+  cv::Mat mirrored;
+  cv::flip(numbersOf(6, 5, 255, 0), mirrored, 1);
+  const auto plots = plotsIn(mirrored);
+  REQUIRE(plots.size() == 1);
+  CHECK(plots.front().left == 5);
+  CHECK(plots.front().box.x0 == Approx(799 - 700).margin(8));
+  CHECK(plots.front().box.x1 == Approx(799 - 100).margin(8));
+}
+
 TEST_CASE("a row's outermost numbers may stand flush with the axis' ends") {
   cv::Mat grey = numbersOf(0, 5, 255, 0);
   for (int k = 0; k < 6; ++k) {
