@@ -524,7 +524,7 @@ class Doubts {
   void leftOver() {
     constexpr double likeACurve = 0.5;  // likeness 0..1, docs/decisions/0810
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
-    const auto& [left, leaps, patches] = findings_.explanation;
+    const auto& [left, leaps, patches, beside] = findings_.explanation;
     const auto ofAStroke = [&](const auto& each) { return isOfAStroke(each); };
     const auto most = std::ranges::find_if(left, ofAStroke);
     if (most != left.end() && most->likeness >= likeACurve)
@@ -534,6 +534,8 @@ class Doubts {
     constexpr double mostPatches =
         0.1;  // of the curves' ink; 0 on charts with markers and fills, 0.21 along a filled band
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::inkLeftOver, unconfirmed);
+    constexpr double mostBeside = 0.4;  // of a lone curve's travel: dots have half
+    if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::inkLeftOver, unconfirmed);
     if (const auto leap = std::ranges::find_if(leaps, ofAStroke); leap != leaps.end())
       sayAt(0.5 * (leap->from_px + leap->to_px), DoubtCode::curveWithoutInk, unconfirmed);
   }

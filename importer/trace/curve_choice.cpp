@@ -8,6 +8,7 @@
 
 #include "importer/page/ink_pieces.h"
 #include "importer/trace/dashes.h"
+#include "importer/trace/ink_shades.h"
 
 namespace detent::importer::trace {
 
@@ -372,7 +373,9 @@ PlotInks::PlotInks(const PlotScene& itsScene, std::vector<Ink> itsPalette)
     : scene(itsScene),
       palette(std::move(itsPalette)),
       coverage(unmix(scene, palette)),
-      samples(findLegendSamples(coverage, scene)) {}
+      samples(findLegendSamples(coverage, scene)) {
+  clearPlotLines(coverage.ink, palette, scene, legendBoxes(samples));
+}
 
 CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks) {
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
@@ -500,6 +503,15 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
     }
   }
   return curves;
+}
+
+std::vector<CurveInk> curvesInShades(const PlotInks& plot, int stronger, int paler) {
+  const bool neutral = isNeutral(plot, stronger);
+  auto strong = curveOf(plot, stronger, neutral), pale = curveOf(plot, paler, neutral);
+  const auto isLoop = [&](const CurveInk& curve) { return curve.secondStrand > plot.options.secondStrand; };
+  if (!strong || !pale || isLoop(*strong) || isLoop(*pale)) return {};
+  if (!isLongBeside(*strong, *pale) || isSeam(plot, *pale, {*strong})) return {};
+  return {std::move(*strong), std::move(*pale)};
 }
 
 std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop) {

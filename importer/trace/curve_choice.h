@@ -86,6 +86,9 @@ std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& cur
 /// coloured curve, or as one more switch.
 std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
 
+/// A line of an ink's own strength and one of its paler shade, both along the travel; nothing where not both are curves.
+std::vector<CurveInk> curvesInShades(const PlotInks& plot, int stronger, int paler);
+
 /// A curve in the ink of frame and text beside one coloured ink that draws both strokes: another switch's.
 std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop);
 

@@ -12,6 +12,10 @@
 #include "importer/page/polyline.h"
 #include "importer/page/quantile.h"
 #include "importer/trace/dash_chains.h"
+#include "importer/trace/follow_curve.h"
+#include "importer/trace/ink_coverage.h"
+#include "importer/trace/ink_shades.h"
+#include "importer/trace/plot_lines.h"
 #include "importer/trace/plot_scene.h"
 #include "importer/trace/scatter.h"
 
@@ -20,10 +24,9 @@ namespace {
 
 using namespace trace;
 
-constexpr float kInked = 0.5F;       // coverage
-constexpr double kBeside_px = 1.5;   // how far a line's edge may be off
-constexpr double kLineTimes = 1.35;  // a plot's own line is drawn no thicker than so
-constexpr int kJoined_px = 2;        // pieces nearer than this hang together
+constexpr float kInked = 0.5F;      // coverage
+constexpr double kBeside_px = 1.5;  // how far a line's edge may be off
+constexpr int kJoined_px = 2;       // pieces nearer than this hang together
 constexpr std::size_t kMostPoints = 400;
 
 /// One traced curve on the area.
@@ -58,11 +61,6 @@ class ExplainedPlot {
   ExplainedPlot(const PlotScene& scene, const std::vector<CurveTrace>& curves)
       : scene_(scene), area_(scene.area()) {
     if (scene.empty()) return;
-    const Box box = scene.plotFrame().box();
-    for (const GridLine& line : scene.plotFrame().xLines)
-      columns_.push_back(area_.fromView({line.position_px, box.y1}).x);
-    for (const GridLine& line : scene.plotFrame().yLines)
-      rows_.push_back(area_.fromView({box.x0, line.position_px}).y);
     for (const CurveTrace& curve : curves) {
       if (curve.points_px.size() < 2) continue;
       Drawn drawn{{}, 1, 1, curve.color, curve.fromVector};
@@ -140,14 +138,27 @@ class ExplainedPlot {
         if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kInked) mask.at<std::uint8_t>(y, x) = 255;
     for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
     for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
-    for (const double column : columns_) takeDots(mask, ink, column, true);
-    for (const double row : rows_) takeDots(mask, ink, row, false);
+    for (const PixelAt p : dottedLines(ink, scene_)) mask.at<std::uint8_t>(p.y, p.x) = 0;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
         if (mask.at<std::uint8_t>(y, x) && scene_.onLine(x, y) &&
             norm(scene_.pixel(x, y) - scene_.behind(x, y)) < 60)
           mask.at<std::uint8_t>(y, x) = 0;
     return mask;
+  }
+
+  /// How far every pixel that nothing explains stands out of paper and gridlines, whatever its colour, in shares of a curve's strength.
+  Plane standingOut(const cv::Mat& explained, const Drawn& curve) const {
+    Plane out(area_.raster.width_px, area_.raster.height_px);
+    const float full = std::max(1.0F, norm(color3Of(curve.color) - scene_.paper()));
+    for (int y = 0; y < out.height; ++y)
+      for (int x = 0; x < out.width; ++x) {
+        if (explained.at<std::uint8_t>(y, x) || scene_.onLine(x, y)) continue;
+        const float apart = norm(scene_.pixel(x, y) - scene_.behind(x, y));
+        if (apart >= scene_.inkThreshold()) out.at(x, y) = std::min(1.0F, apart / full);
+      }
+    for (const PixelAt p : dottedLines(InkOnArea(out, full), scene_)) out.at(p.x, p.y) = 0;
+    return out;
   }
 
  private:
@@ -169,59 +180,16 @@ class ExplainedPlot {
 
   /// Clears a line of the plot where it is no thicker than it is elsewhere.
   void takeLine(cv::Mat& mask, const InkOnArea& ink, double at, bool plumb) const {
-    const std::vector<double> runs = runsAlong(ink, at, plumb);
+    const std::vector<double> runs = runsAlong(ink, area_, at, plumb);
     const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
     for (std::size_t i = 0; i < runs.size(); ++i)
-      if (runs[i] <= most) clearAcross(mask, static_cast<int>(i), at, most, plumb);
-  }
-
-  /// How thick the ink is along a line of the plot, pixel by pixel.
-  std::vector<double> runsAlong(const InkOnArea& ink, double at, bool plumb) const {
-    std::vector<double> runs;
-    const int length = plumb ? area_.raster.height_px : area_.raster.width_px;
-    for (int i = 0; i < length; ++i)
-      runs.push_back(plumb ? ink.across(at, i, true).thickness_px : ink.across(i, at, false).thickness_px);
-    return runs;
-  }
-
-  /// Clears pixels of a line, so thick as it may be.
-  void clearAcross(cv::Mat& mask, int along, double at, double most_px, bool plumb) const {
-    const int lanes = plumb ? mask.cols : mask.rows, reach = static_cast<int>(std::ceil(0.5 * most_px)) + 2;
-    for (int lane = static_cast<int>(std::lround(at)) - reach; lane <= std::lround(at) + reach; ++lane)
-      if (lane >= 0 && lane < lanes)
-        (plumb ? mask.at<std::uint8_t>(along, lane) : mask.at<std::uint8_t>(lane, along)) = 0;
-  }
-
-  /// Clears a gridline of dots or dashes at a number of the axis: ink and gaps take turns along nearly all of it. Where it is drawn
-  /// through, something else stands on it.
-  void takeDots(cv::Mat& mask, const InkOnArea& ink, double at, bool plumb) const {
-    constexpr double inked_px = 0.3, least = 0.15, most = 0.8;  // shares of a stretch that are inked
-    constexpr std::size_t stretches = 10, mostOther = 2, window = 12;
-    const std::vector<double> runs = runsAlong(ink, at, plumb);
-    std::vector<double> before{0}, thick;  // inked pixels before each place
-    for (const double run : runs) {
-      before.push_back(before.back() + (run > inked_px ? 1 : 0));
-      if (run > inked_px) thick.push_back(run);
-    }
-    const auto shareOf = [&](std::size_t from, std::size_t to) {
-      return (before[to] - before[from]) / static_cast<double>(std::max<std::size_t>(1, to - from));
-    };
-    std::size_t other = 0;
-    for (std::size_t k = 0; k < stretches; ++k) {
-      const double share = shareOf(k * runs.size() / stretches, (k + 1) * runs.size() / stretches);
-      other += share < least || share > most ? 1 : 0;
-    }
-    if (other > mostOther) return;
-    const double most_px = kLineTimes * quantileOf(thick, 0.5) + 0.4;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-      if (runs[i] <= most_px &&
-          shareOf(i - std::min(i, window), std::min(i + window + 1, runs.size())) <= most)
-        clearAcross(mask, static_cast<int>(i), at, most_px, plumb);
+      if (runs[i] <= most)
+        forPixelsAcross(area_, static_cast<int>(i), at, most, plumb,
+                        [&](int x, int y) { mask.at<std::uint8_t>(y, x) = 0; });
   }
 
   const PlotScene& scene_;
   const PlotArea& area_;
-  std::vector<double> columns_, rows_;  // where the axes' numbers, ticks and gridlines stand
   std::vector<Drawn> drawn_;
 };
 
@@ -473,6 +441,42 @@ bool isSampleOf(const CurveTrace& curve, const Remainder& left) {
          gap_px <= farthest * name.height() && left.box_px.width() <= longest * name.height();
 }
 
+/// Clears what is so wide in every direction.
+void clearAreas(Plane& plane, int least_px) {
+  cv::Mat values(plane.height, plane.width, CV_32F, plane.values.data());
+  cv::Mat wide;
+  const cv::Mat window = cv::getStructuringElement(cv::MORPH_RECT, {least_px, least_px});
+  cv::morphologyEx(values > 0, wide, cv::MORPH_OPEN, window);
+  cv::dilate(wide, wide, window);
+  values.setTo(0, wide);
+}
+
+LineBeside lineBeside(const ExplainedPlot& plot) {
+  constexpr int blur_px = 2;           // of the curve's own edge
+  constexpr double mostThickness = 2;  // of the curve's: what is wider in every direction is an area
+  constexpr double columns = 260;      // to which the plot is pooled, as where curves are looked for
+  const Drawn& curve = plot.drawn().front();
+  cv::Mat explained = plot.explained();
+  cv::dilate(explained, explained,
+             cv::getStructuringElement(cv::MORPH_RECT, {2 * blur_px + 1, 2 * blur_px + 1}));
+  CurveField field{plot.standingOut(explained, curve), {}, {}, {}};
+  clearAreas(field.own, static_cast<int>(mostThickness * curve.thickness_px) + blur_px);
+  clearStrongLines(field.own);
+  const double level = ridgeLevel(field.own);
+  if (!(level > 0)) return {};
+  for (float& v : field.own.values) v = std::min(1.0F, v / static_cast<float>(level));
+  const int pooling = std::max(1, static_cast<int>(plot.area().frame.width() / columns));
+  field.own = pooled(field.own, pooling);
+  field.otherCurves = field.clutter = Plane(field.own.width, field.own.height);
+  const Box& frame = plot.area().frame;
+  const CoarseCurve course = followCurve(
+      field, {frame.x0 / pooling, frame.y0 / pooling, frame.x1 / pooling, frame.y1 / pooling}, {});
+  if (!course.found()) return {};
+  const Box travel = boundsOf(curve.points);
+  return {course.inkColumns_px * pooling / std::max(1.0, travel.width()),
+          plot.area().toView(static_cast<double>(pooling) * course.points[course.points.size() / 2])};
+}
+
 }  // namespace
 
 Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curves) {
@@ -483,7 +487,8 @@ Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curve
   std::erase_if(remainders, [&](const Remainder& each) {
     return std::ranges::any_of(curves, [&](const CurveTrace& curve) { return isSampleOf(curve, each); });
   });
-  return {std::move(remainders), leapsOf(plot), patchesOf(plot, left)};
+  return {std::move(remainders), leapsOf(plot), patchesOf(plot, left),
+          plot.drawn().size() == 1 ? lineBeside(plot) : LineBeside{}};
 }
 
 }  // namespace detent::importer

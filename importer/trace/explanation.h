@@ -35,11 +35,18 @@ struct Patches {
   Point at_px;       ///< in one of them, view pixels
 };
 
+/// The line that runs on what nothing explains, in whatever ink and however pale, above or below the one curve that was traced.
+struct LineBeside {
+  double share = 0;  ///< of the curve's travel, by columns with ink
+  Point at_px;       ///< on it, view pixels
+};
+
 /// What of a plot a result does not explain, and what of the result the plot does not.
 struct Explanation {
   std::vector<Remainder> left;  ///< the most curve-like first
   std::vector<Leap> leaps;      ///< the longest first
   Patches patches;              ///< in the curves' colours: what was followed may be a ground
+  LineBeside beside;            ///< of a curve that was traced alone
 };
 
 /// `curves`: all that were traced, those of other switches too.

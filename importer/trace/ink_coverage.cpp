@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "importer/trace/ink_shades.h"
+
 namespace detent::importer::trace {
 
 namespace {
@@ -117,6 +119,7 @@ Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks) {
       if (mixture.residual > 2 * tolerance)
         coverage.unknown.values[i] = std::min(1.0F, mixture.residual / typical);
     }
+  partShades(coverage.ink, inks);
   return coverage;
 }
 

@@ -15,6 +15,7 @@
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/foot_line.h"
+#include "importer/trace/ink_shades.h"
 #include "importer/trace/legend_words.h"
 #include "importer/trace/line_ends.h"
 #include "importer/trace/plot_scene.h"
@@ -177,6 +178,33 @@ std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
   for (CurveInk& found : chooseCurveInks(plot))
     if (found.ink != given.press && found.ink != given.release) curves.push_back(std::move(found));
   return curves;
+}
+
+/// Curves of which two are shades of one ink, and the inks they were chosen from.
+struct ShadedCurves {
+  PlotInks plot;
+  std::vector<CurveInk> curves;
+};
+
+/// Where one curve or none was found by the directions of colour: one that is drawn in a paler shade of another, of frame and
+/// text, or of the curve itself.
+std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vector<CurveInk>& found) {
+  const double least_px = 0.5 * plot.options.minSpan * plot.area().frame.width();
+  for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
+    const bool ofCurve = !found.empty() && found.front().ink == k;
+    if (!ofCurve && !isNeutral(plot, k)) continue;
+    const auto paler =
+        palerShade(plot.scene, plot.ink(k), plot.coverage.ink[static_cast<std::size_t>(k)], least_px);
+    if (!paler) continue;
+    std::vector<Ink> palette = plot.palette;
+    palette.push_back(*paler);
+    ShadedCurves shaded{PlotInks(plot.scene, std::move(palette)), {}};
+    const int its = static_cast<int>(plot.palette.size());
+    shaded.curves =
+        ofCurve || found.empty() ? curvesInShades(shaded.plot, k, its) : chooseCurveInks(shaded.plot);
+    if (shaded.curves.size() == 2) return shaded;
+  }
+  return {};
 }
 
 /// Beside other curves an ink that draws both strokes of a switch is parted into them, both with its label. An ink
@@ -364,6 +392,9 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   const PlotInks plot(scene, std::move(palette));
   std::vector<CurveInk> curves = findCurves(plot, given);
   if (given.any() && curves.empty()) return noCurve(Message("shows no line in the colours given"));
+  const std::optional<ShadedCurves> shaded =
+      !given.any() && curves.size() < 2 ? curvesByShade(plot, curves) : std::nullopt;
+  if (shaded) curves = shaded->curves;
   if (progress.isCancelled()) return Failure::cancelled();
   const bool oneInkBothStrokes =
       curves.size() == 1 && curves.front().secondStrand > plot.options.secondStrand;
@@ -387,11 +418,13 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   }
 
   const std::vector<CurveInk> chosen = curves;
-  const PlotInks finalPlot(scene, reducedPalette(plot, curves));
+  const PlotInks finalPlot(scene, reducedPalette(shaded ? shaded->plot : plot, curves));
   std::vector<int> curveInks;
   for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
   std::vector<CurveTrace> traces;
   for (const CurveInk& curve : curves) traces.push_back(traceOf(curve, curveInks, finalPlot, options));
+  if (shaded && areShades(shaded->plot.ink(chosen[0].ink), shaded->plot.ink(chosen[1].ink)))
+    leadBeside(traces[1], traces[0]);
   nameGivenStrokes(traces, chosen, given);
   labelTraces(traces, axes, view, scene);
   if (given.any()) return traces;

@@ -171,7 +171,7 @@ TEST_CASE(
       p[0] = color.r, p[1] = color.g, p[2] = color.b;
       left.ink_px.push_back({double(x), double(y)});
     }
-    import.explanation = {{left}, {}, {}};
+    import.explanation = {{left}, {}, {}, {}};
   };
   paint(contact.color, 1);
   CHECK(import.doubts().empty());
@@ -184,9 +184,11 @@ TEST_CASE(
   CHECK(import.doubts().empty());
   paint(stroke.color, -1);
   CHECK(import.weighed(DoubtCode::inkLeftOver));
-  import.explanation = {{}, {{ inView({0.5, 3}), inView({1.5, 3}), 0.1 }}, {}};
+  import.explanation = {{}, {}, {}, { 0.5, inView({1, 2}) }};  // a line beside a press that was traced alone
+  CHECK(import.weighed(DoubtCode::inkLeftOver).value_or(1) < confidenceBar);
+  import.explanation = {{}, {{ inView({0.5, 3}), inView({1.5, 3}), 0.1 }}, {}, {}};
   CHECK(import.doubts().empty());
-  import.explanation = {{}, {{ inView({0.5, 2}), inView({1.5, 2}), 0.1 }}, {}};
+  import.explanation = {{}, {{ inView({0.5, 2}), inView({1.5, 2}), 0.1 }}, {}, {}};
   CHECK(import.weighed(DoubtCode::curveWithoutInk));
 }
 
@@ -232,11 +234,11 @@ TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that
   import.explanation.left.front().atAnEnd = false;
   import.explanation.left.front().dashed = true;
   CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: no part of the page but a stroke is drawn so
-  import.explanation = {{}, {}, { 0.05, { 200, 200 } }};
+  import.explanation = {{}, {}, {0.05, { 200, 200 }}, {}};
   CHECK(import.doubts().empty());
   import.explanation.patches.share = 0.2;
   CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: the curve may be a ground's rim
-  import.explanation = {{}, {{ {200, 200}, {200, 260}, 0.1 }}, {}};
+  import.explanation = {{}, {{ {200, 200}, {200, 260}, 0.1 }}, {}, {}};
   CHECK(import.doubted(DoubtCode::curveWithoutInk));
   import.hints.drawn.press = {{100, 400}, { 400, 200 }};
   CHECK(import.doubts().empty());

@@ -1457,6 +1457,61 @@ TEST_CASE("Three switches, each a line and dashes in an ink of its own near the 
   for (const CurveTrace& trace : *traces) CHECK(trace.stroke);
 }
 
+namespace {
+
+/// Dashes of seven pixels, gaps of four.
+void drawDashes(Plot& plot, const Curve& way, Rgb ink, double width) {
+  const Curve points = densified(way, 1);
+  for (std::size_t i = 0; i + 7 < points.size(); i += 11)
+    plot.line({points.begin() + static_cast<std::ptrdiff_t>(i),
+               points.begin() + static_cast<std::ptrdiff_t>(i + 7)},
+              width, ink);
+}
+
+/// A press, or a release that begins where it ends and comes to lie at its edge on the wall.
+Curve upToAWall(double below) {
+  return {{0, 0},      {0.08, 0.35 - below}, {0.4, 0.5 - below}, {0.43, 0.4 - below}, {0.8, 0.55 - below},
+          {0.87, 0.95}};
+}
+
+}  // namespace
+
+TEST_CASE("A line in dashes of a paler shade of the other's ink is a curve of its own", "[trace]") {
+  const Rgb darkGrey{34, 34, 34}, paleGrey{170, 170, 170}, sky{150, 180, 208}, gridInk{225, 225, 225};
+  for (const auto& [ink, shade] :
+       {std::pair(darkGrey, paleGrey), std::pair(kBlue, sky), std::pair(kBlue, paleGrey)}) {
+    INFO(nameOf(ink) << " and " << nameOf(shade));
+    Plot plot(900, 550);
+    for (int i = 1; i < 8; ++i) {
+      drawDashes(plot, plot.at({{i / 8.0, 0}, {i / 8.0, 1}}), gridInk, 1);
+      plot.frame().xLines.push_back({plot.at(i / 8.0, 0).x});
+    }
+    plot.grid(1, 1, kBlack);
+    const Curve down = plot.at(upToAWall(0)), up = plot.at(upToAWall(0.1));
+    plot.line(down, 2.5, ink);
+    drawDashes(plot, up, shade, 2);
+    const auto traces = plot.trace();
+    REQUIRE(traces.ok());
+    REQUIRE(traces->size() == 2);
+    CHECK(apart(ofColor(*traces, ink).points_px, down) < 0.5);
+    CHECK(apart(ofColor(*traces, shade).points_px, up) < 1);
+  }
+}
+
+TEST_CASE("A pale line that was not traced is seen beside one that was", "[explanation]") {
+  for (const bool drawn : {false, true}) {
+    INFO(drawn);
+    Plot plot(900, 550);
+    plot.grid(1, 1, kBlack);
+    plot.line(plot.at(upToAWall(0)), 2.5, kBlack);
+    if (drawn) drawDashes(plot, plot.at(upToAWall(0.1)), {238, 238, 238}, 1);
+    const auto traces = plot.trace();
+    REQUIRE(traces.ok());
+    const double share = explain(plot.scene(), {ofColor(*traces, kBlack)}).beside.share;
+    CHECK((drawn ? share > 0.5 : share < 0.1));
+  }
+}
+
 TEST_CASE("Nothing to trace is said in a sentence", "[trace]") {
   Plot empty(600, 400);
   empty.grid(5, 5, kGrey);

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/ink_shades.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "importer/page/quantile.h"
+#include "importer/trace/plot_lines.h"
+
+namespace detent::importer::trace {
+
+namespace {
+
+constexpr float kMost = 0.8F;         // of the ink's strength, that a paler line reaches
+constexpr float kMaxCoverage = 1.2F;  // coverage, as unmix has it
+
+cv::Mat matOf(const Plane& plane) {
+  return {plane.height, plane.width, CV_32F, const_cast<float*>(plane.values.data())};
+}
+
+cv::Mat square(int reach_px) {
+  return cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
+}
+
+/// 255 where a line stands that reaches `level`, its soft edges with it.
+cv::Mat linesReaching(const cv::Mat& ink, float level) {
+  constexpr int between_px = 3;   // thin lines lie between pixels for a while
+  constexpr double fading = 0.6;  // what is paler than so beside an edge is the edge's blur
+  cv::Mat lines;
+  cv::morphologyEx(ink >= level, lines, cv::MORPH_CLOSE, square(between_px));
+  cv::dilate(lines, lines, square(1));
+  cv::Mat edge = cv::Mat::zeros(ink.size(), CV_32F);
+  ink.copyTo(edge, lines);
+  cv::dilate(edge, edge, square(1));
+  lines |= ink < fading * edge;
+  return lines;
+}
+
+/// Leads the last point of `line` on beside `other`, whose last point is its end on this side.
+void leadOn(std::vector<Point>& line, std::vector<double>& widths, const std::vector<Point>& other,
+            double within_px) {
+  constexpr std::size_t look = 6;   // points back, a pixel apart
+  constexpr double sameWay = 0.85;  // cosine
+  const Point end = line.back();
+  const auto nearest = std::ranges::min_element(other, {}, [&](Point p) { return distance(p, end); });
+  const auto left = static_cast<std::size_t>(other.end() - nearest);
+  if (distance(*nearest, end) > within_px || left <= look || line.size() <= look) return;
+  const Point own = end - line[line.size() - 1 - look], its = *(nearest + look) - *nearest;
+  if (dot(own, its) < sameWay * norm(own) * norm(its)) return;
+  const Point beside = end - *nearest;
+  for (std::size_t i = 1; i < left; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(left - 1);
+    line.push_back(*(nearest + static_cast<std::ptrdiff_t>(i)) + (1 - share) * beside);
+    widths.push_back(widths.back());
+  }
+}
+
+}  // namespace
+
+bool areShades(const Ink& a, const Ink& b) {
+  constexpr float same = 0.99999F;  // cosine: a shade is made with its ink's direction
+  return dot(a.direction, b.direction) > same;
+}
+
+float ridgeLevel(const Plane& plane) {
+  constexpr double core = 0.85;  // quantile: thin lines lie between pixels here and there
+  const cv::Mat all = matOf(plane);
+  cv::Mat highest;
+  cv::dilate(all, highest, square(1));
+  std::vector<float> ridges;
+  for (int y = 0; y < plane.height; ++y)
+    for (int x = 0; x < plane.width; ++x)
+      if (plane.at(x, y) > 0 && plane.at(x, y) >= highest.at<float>(y, x)) ridges.push_back(plane.at(x, y));
+  return ridges.empty() ? 0 : quantileOf(std::move(ridges), core);
+}
+
+void clearStrongLines(Plane& plane) {
+  cv::Mat values = matOf(plane);
+  values.setTo(0, linesReaching(values, kMost));
+}
+
+std::optional<Ink> palerShade(const PlotScene& scene, const Ink& ink, const Plane& coverage,
+                              double leastMass_px) {
+  const float leastInk = scene.inkThreshold() / std::max(1.0F, ink.strength);
+  Plane rest = coverage;
+  clearStrongLines(rest);
+  double mass = 0;
+  for (int y = 0; y < rest.height; ++y)
+    for (int x = 0; x < rest.width; ++x) {
+      float& level = rest.at(x, y);
+      if (level < leastInk || scene.onLine(x, y)) level = 0;
+      mass += static_cast<double>(level);
+    }
+  const float level = ridgeLevel(rest);
+  if (!(level > 0) || mass < leastMass_px * static_cast<double>(level)) return {};
+  Ink paler = ink;
+  paler.strength *= level;
+  paler.mass_px = mass / static_cast<double>(level);
+  return paler;
+}
+
+void clearPlotLines(std::vector<Plane>& coverage, const std::vector<Ink>& inks, const PlotScene& scene,
+                    const std::vector<Box>& boxes) {
+  for (std::size_t k = 0; k < inks.size(); ++k) {
+    const auto isStronger = [&](const Ink& other) {
+      return areShades(other, inks[k]) && other.strength > inks[k].strength;
+    };
+    if (std::ranges::none_of(inks, isStronger)) continue;
+    Plane& pale = coverage[k];
+    for (const PixelAt p : dottedLines(InkOnArea(pale, inks[k].strength), scene)) pale.at(p.x, p.y) = 0;
+    for (const Box& box : boxes)
+      for (int y = static_cast<int>(box.y0); y <= static_cast<int>(box.y1); ++y)
+        for (int x = static_cast<int>(box.x0); x <= static_cast<int>(box.x1); ++x)
+          if (pale.inside(x, y)) pale.at(x, y) = 0;
+  }
+}
+
+void leadBeside(CurveTrace& paler, const CurveTrace& stronger) {
+  constexpr double edge_px = 2.5;  // of a line's blur, as it is taken for the stronger one's
+  if (paler.points_px.empty() || stronger.points_px.empty()) return;
+  const double within_px =
+      0.5 * (quantileOf(paler.width_px, 0.5) + quantileOf(stronger.width_px, 0.5)) + edge_px;
+  std::vector<Point> other = stronger.points_px;
+  for ([[maybe_unused]] const bool last : {true, false}) {
+    leadOn(paler.points_px, paler.width_px, other, within_px);
+    std::ranges::reverse(paler.points_px), std::ranges::reverse(paler.width_px), std::ranges::reverse(other);
+  }
+}
+
+void partShades(std::vector<Plane>& coverage, const std::vector<Ink>& inks) {
+  for (std::size_t i = 0; i < inks.size(); ++i)
+    for (std::size_t k = 0; k < inks.size(); ++k) {
+      if (i == k || !areShades(inks[i], inks[k]) || inks[k].strength >= inks[i].strength) continue;
+      const float paler = inks[k].strength / inks[i].strength;
+      cv::Mat strong = matOf(coverage[i]), pale = matOf(coverage[k]);
+      cv::Mat both = strong + paler * pale;
+      const cv::Mat ofStrong = linesReaching(both, 0.5F * (1 + paler));
+      strong.setTo(0), pale.setTo(0);
+      both.copyTo(strong, ofStrong);
+      cv::Mat rest = cv::min(both / paler, static_cast<double>(kMaxCoverage));
+      rest.copyTo(pale, ~ofStrong);
+    }
+}
+
+}  // namespace detent::importer::trace
