@@ -332,6 +332,7 @@ class Doubts {
     leftOver();
     otherLine();
     ownInkBeside();
+    givenAgainstLegend();
     assumed();
     place();
     pageClass();
@@ -488,6 +489,21 @@ class Doubts {
       }
     if (static_cast<double>(beside.size()) > mostShare * columns)
       sayAt(beside[beside.size() / 2], DoubtCode::inkLeftOver, unconfirmed);
+  }
+
+  /// A colour given for one stroke is the curve's that the legend calls the other. It is done as given, and said.
+  void givenAgainstLegend() {
+    const TraceHints& given = hints_.trace;
+    if (hints_.strokes.swap || (!given.pressColor && !given.releaseColor)) return;
+    const auto contradicts = [](const CurveTrace& trace) {
+      return trace.stroke && strokeNamedBy(trace.label).value_or(*trace.stroke) != *trace.stroke;
+    };
+    const auto other = std::ranges::find_if(findings_.traces, contradicts);
+    if (other == findings_.traces.end()) return;
+    const auto& its = other->stroke == Stroke::press ? given.pressColor : given.releaseColor;
+    if (its)
+      add(DoubtCode::givenAgainstLegend, inPart, {nameOf(*its), other->label},
+          {{RemedyKind::swapStrokes, {}}});
   }
 
   /// Most of it has no stroke above or below it: it is not the rim of a stroke's own line.

@@ -9032,6 +9032,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>bei %1, %2 bleibt Tinte übrig, die einer Kurve gleicht</translation>
     </message>
     <message>
+        <source>the colour given, %1, is that of a curve which the legend calls &quot;%2&quot;</source>
+        <translation>die angegebene Farbe, %1, hat eine Kurve, die in der Legende „%2“ heißt</translation>
+    </message>
+    <message>
         <source>two readings of the page differ: a travel of %1, and a travel of %2 where it is looked at in another size</source>
         <translation>zwei Lesungen der Seite widersprechen sich: ein Weg von %1, und ein Weg von %2, wo sie in anderer Größe betrachtet wird</translation>
     </message>

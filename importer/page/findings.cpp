@@ -128,6 +128,9 @@ Wording wordingOf(DoubtCode code) {
               words("the numbers of the %1 axis may be thousands or have three decimals")};
     case DoubtCode::strokeInPart:
       return {"stroke-in-part", words("press and release share only %1 of their travel")};
+    case DoubtCode::givenAgainstLegend:
+      return {"given-against-legend",
+              words("the colour given, %1, is that of a curve which the legend calls \"%2\"")};
     case DoubtCode::assumed:
       return {"assumed", words("%1")};
     case DoubtCode::pageIsScan:

@@ -87,8 +87,9 @@ enum class DoubtCode {
   strokeInPart,      ///< share of the travel that both strokes cover
   pageIsScan,
   pageIsPhoto,
-  rangeFalls,  ///< numbers that fall along the axis, on a plot that cannot be mirrored
-  assumed      ///< message of the evidence
+  givenAgainstLegend,  ///< colour given for a stroke, the legend's word for the curve that has it
+  rangeFalls,          ///< numbers that fall along the axis, on a plot that cannot be mirrored
+  assumed              ///< message of the evidence
 };
 
 struct Doubt {

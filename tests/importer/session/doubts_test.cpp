@@ -221,6 +221,21 @@ TEST_CASE(
   CHECK(import.doubts().empty());
 }
 
+TEST_CASE("a colour given for the curve that the legend calls the other stroke is taken, and that is said") {
+  Import import;
+  CurveTrace curve;
+  curve.color = {200, 0, 0}, curve.label = "Release", curve.stroke = Stroke::press;
+  import.traces = {curve};
+  CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLegend));  // the tracer's own word
+  import.hints.trace.pressColor = curve.color;
+  CHECK(import.weighed(DoubtCode::givenAgainstLegend).value_or(0) >= confidenceBar);
+  import.traces.front().label = "Press";
+  CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLegend));
+  import.traces.front().label = "Release";
+  import.hints.strokes.swap = true;  // said twice
+  CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLegend));
+}
+
 TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that no ink does") {
   Import import;
   Remainder left;
