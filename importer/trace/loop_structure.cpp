@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "importer/page/quantile.h"
+#include "importer/trace/scatter.h"
 
 namespace detent::importer::trace {
 
@@ -458,6 +459,51 @@ void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
   for (int x = x0 + 8; x < x1 - 2; ++x) along(false, x, y1, y0, -1, static_cast<int>(0.12 * frame.height()));
 }
 
+/// A piece of ink by itself that is an arrow: a straight shaft as thin as a line, and a head at one end that spreads out from it.
+bool isArrow(const std::vector<Point>& ink, double strokeWidth, const Box& frame) {
+  constexpr double shortest = 4, longest = 0.2;  // stroke widths; of the frame's width
+  constexpr double headShare = 0.35;             // of its length, at most
+  constexpr double headTimes = 1.8;              // of the shaft's thickness, at least
+  const Scatter scatter(ink);
+  const Point along = scatter.along(), middle = scatter.middle();
+  const auto [first, last] = std::ranges::minmax(ink, {}, [&](Point p) { return dot(p - middle, along); });
+  const double from = dot(first - middle, along), length = dot(last - middle, along) - from;
+  if (length < shortest * strokeWidth || length > longest * frame.width()) return false;
+  std::vector<double> across(static_cast<std::size_t>(length) + 1, 0);  // by pixels of its length
+  for (const Point& p : ink) {
+    double& most = across[static_cast<std::size_t>(std::max(0.0, dot(p - middle, along) - from))];
+    most = std::max(most, 2 * std::abs(cross(along, p - middle)) + 1);
+  }
+  const auto thickest = [&](double a, double b) {
+    const auto at = [&](double share) {
+      return across.begin() + static_cast<std::ptrdiff_t>(share * length);
+    };
+    return *std::max_element(at(a), at(b) + 1);
+  };
+  const double shaft = thickest(headShare, 1 - headShare), left = thickest(0, headShare),
+               right = thickest(1 - headShare, 1);
+  return shaft <= strokeWidth + 1.5 && std::min(left, right) <= shaft + 1 &&
+         std::max(left, right) >= headTimes * shaft;
+}
+
+/// Takes arrows out that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
+void fadeArrows(Plane& curveInk, Plane& explained, float level, double strokeWidth, const Box& frame) {
+  const Components c = componentsOf(curveInk, 0.3F);
+  cv::Mat lines = wrap(explained) > 0.3F * level;
+  cv::dilate(lines, lines, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
+  const auto touchesLine = [&](Point p) {
+    return lines.at<std::uint8_t>(static_cast<int>(p.y), static_cast<int>(p.x)) != 0;
+  };
+  std::vector<std::vector<Point>> pieces(static_cast<std::size_t>(c.count));
+  for (int y = 0; y < curveInk.height; ++y)
+    for (int x = 0; x < curveInk.width; ++x)
+      if (const int label = c.labels.at<int>(y, x); label > 0)
+        pieces[static_cast<std::size_t>(label)].push_back({static_cast<double>(x), static_cast<double>(y)});
+  for (const std::vector<Point>& piece : pieces)
+    if (piece.size() > 1 && isArrow(piece, strokeWidth, frame) && std::ranges::none_of(piece, touchesLine))
+      for (const Point& p : piece) curveInk.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 0;
+}
+
 /// Takes lettering out: ink wholly inside a box of read text, and rows of glyph-sized blobs.
 void fadeLettering(Plane& curveInk, const Plane& explained, float level, const std::vector<Box>& lettering,
                    double strokeWidth, const Box& frame) {
@@ -524,6 +570,7 @@ Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLin
   }
   s.strokeWidth_px = strokeWidthOf(s.curveInk);
   fadeLettering(s.curveInk, s.explained, s.curveLevel, lettering, s.strokeWidth_px, plane.frame);
+  fadeArrows(s.curveInk, s.explained, s.curveLevel, s.strokeWidth_px, plane.frame);
   weakenGuides(s.curveInk, plane.frame, s.strokeWidth_px);
   cv::Mat paper = wrap(s.curveInk) < 0.35F;
   cv::Mat distance;

@@ -646,6 +646,19 @@ TEST_CASE("loop: an arrow's head that touches a stroke is no part of it", "[trac
   CHECK(lowest->y < tip.y + 3);
 }
 
+TEST_CASE("loop: an arrow by itself is no part of the strokes, a dash as long is", "[trace_loop]") {
+  Plot plot(640, 520, 2);
+  draw(plot, tactileLoop(0.04));
+  const Curve shaft = straight(plot.at(0.5, 0.12), plot.at(0.62, 0.15)),
+              dash = straight(plot.at(0.3, 0.05), plot.at(0.42, 0.08));
+  plot.curve(shaft), plot.curve(dash);
+  const Point tip = shaft.back();
+  plot.curve({{tip.x - 12, tip.y - 6}, tip, {tip.x - 12, tip.y + 9}});
+  const Explained e = explain(plot);
+  CHECK(meanInk(e, shaft) < 0.1);
+  CHECK(meanInk(e, dash) > 0.6);
+}
+
 TEST_CASE("loop: random loops are never swapped and never far off", "[trace_loop]") {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> unit(0, 1);
