@@ -52,6 +52,14 @@ bool isStrokeWord(const std::string& word) {
   return word.empty() || strokeOfWord(word) || strokeOfPart(word);
 }
 
+// A curve of a worn switch is called by its age.
+constexpr std::array kWearWords = {
+    "cycles",    "million",     "millions",   "worn",         "aged",          "used",     "zyklen",
+    "millionen", "lastwechsel", "lastspiele", "schaltspiele", "schaltspielen", "gealtert", "gebraucht",
+    "abgenutzt", "usure",       "ciclos",     "cicli",        "usado",         "usato",    "cykli",
+    "cykler",    "cykly",       "циклов",     "циклы",        "износ"};
+constexpr std::array kWearSigns = {"万次", "万回", "磨损", "摩耗", "만회"};
+
 constexpr std::array kQuantityWords = {"force", "travel", "kraft", "mesure", "messung"};
 
 /// Words that name neither a stroke nor a curve.
@@ -69,6 +77,17 @@ std::vector<std::string> ownWords(std::string_view utf8) {
     return std::ranges::find(kQuantityWords, word) != kQuantityWords.end();
   });
   return own;
+}
+
+/// Whether a text says how far a switch is worn, and nothing of a stroke: "after 1 million strokes".
+bool namesWear(std::string_view utf8) {
+  const std::vector<std::string> words = wordsOf(utf8);
+  const auto saysSo = [&](std::string_view word) {
+    return std::ranges::find(kWearWords, word) != kWearWords.end();
+  };
+  const auto holds = [&](std::string_view sign) { return utf8.find(sign) != std::string_view::npos; };
+  return !strokeNamedBy(utf8) &&
+         (std::ranges::any_of(words, saysSo) || std::ranges::any_of(kWearSigns, holds));
 }
 
 std::vector<std::string> numbersOf(std::string_view utf8) {
@@ -169,6 +188,7 @@ std::string switchNamedBy(std::string_view utf8) {
 }
 
 bool mayBeOnePair(std::string_view a, std::string_view b) {
+  if (namesWear(a) != namesWear(b)) return false;
   if (!namesACurve(a) || !namesACurve(b)) return true;
   const std::optional<Stroke> ofA = strokeNamedBy(a), ofB = strokeNamedBy(b);
   if (!ofA && !ofB) return false;

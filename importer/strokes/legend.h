@@ -17,7 +17,7 @@ std::optional<Stroke> strokeNamedBy(std::string_view utf8);
 
 /// Whether two legend texts may be the press and the release of one switch: "press" and "release" do, also "X press" and
 /// "X release"; "Switch A" and "Switch B", "down a" and "down b", "A press" and "B release" do not. A text that is empty
-/// or names a point speaks neither for nor against.
+/// or names a point speaks neither for nor against; one that tells a switch's wear is no stroke's.
 bool mayBeOnePair(std::string_view a, std::string_view b);
 
 /// Whether two of more than two legend texts name the strokes of one switch: what is left without their words for press
