@@ -333,6 +333,7 @@ class Doubts {
     otherLine();
     ownInkBeside();
     givenAgainstLegend();
+    namedAlone();
     assumed();
     place();
     pageClass();
@@ -504,6 +505,18 @@ class Doubts {
     if (its)
       add(DoubtCode::givenAgainstLegend, inPart, {nameOf(*its), other->label},
           {{RemedyKind::swapStrokes, {}}});
+  }
+
+  /// One of two curves is called something that is no stroke, and the other's name is not read: they may be two switches'.
+  void namedAlone() {
+    const std::vector<CurveTrace>& traces = findings_.traces;
+    const bool byHand = hints_.trace.pressColor || hints_.trace.releaseColor || !hints_.drawn.press.empty();
+    if (byHand || !findings_.strokes.value.release || traces.size() != 2) return;
+    const CurveTrace& named = traces[0].label.empty() ? traces[1] : traces[0];
+    const CurveTrace& other = &named == &traces[0] ? traces[1] : traces[0];
+    if (!other.label.empty() || named.color == other.color || !namesNoStroke(named.label)) return;
+    add(DoubtCode::namesNoStroke, inPart, {named.label},
+        {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}});
   }
 
   /// Most of it has no stroke above or below it: it is not the rim of a stroke's own line.

@@ -9036,6 +9036,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die angegebene Farbe, %1, hat eine Kurve, die in der Legende „%2“ heißt</translation>
     </message>
     <message>
+        <source>one of two curves is called &quot;%1&quot;, which is no stroke, and the other&apos;s name is not read</source>
+        <translation>eine von zwei Kurven heißt „%1“, was kein Hub ist, und der Name der anderen ist nicht gelesen</translation>
+    </message>
+    <message>
         <source>two readings of the page differ: a travel of %1, and a travel of %2 where it is looked at in another size</source>
         <translation>zwei Lesungen der Seite widersprechen sich: ein Weg von %1, und ein Weg von %2, wo sie in anderer Größe betrachtet wird</translation>
     </message>

@@ -131,6 +131,10 @@ Wording wordingOf(DoubtCode code) {
     case DoubtCode::givenAgainstLegend:
       return {"given-against-legend",
               words("the colour given, %1, is that of a curve which the legend calls \"%2\"")};
+    case DoubtCode::namesNoStroke:
+      return {
+          "names-no-stroke",
+          words("one of two curves is called \"%1\", which is no stroke, and the other's name is not read")};
     case DoubtCode::assumed:
       return {"assumed", words("%1")};
     case DoubtCode::pageIsScan:

@@ -85,6 +85,7 @@ enum class DoubtCode {
   readingsDiffer,    ///< messages: the button as read first, as read a second time
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover
+  namesNoStroke,     ///< what the one of two curves is called whose name is read
   pageIsScan,
   pageIsPhoto,
   givenAgainstLegend,  ///< colour given for a stroke, the legend's word for the curve that has it

@@ -172,6 +172,11 @@ bool isDefaultName(std::string_view utf8) {
   return isOf(kSeries, isNumber) || isOf(kColumns, isColumn);
 }
 
+bool namesNoStroke(std::string_view utf8) {
+  return namesACurve(utf8) && !strokeNamedBy(utf8) && !namesBothStrokes(utf8) && !isDefaultName(utf8) &&
+         !ownWords(utf8).empty();
+}
+
 std::string switchNamedBy(std::string_view utf8) {
   constexpr std::string_view kParting = " / ";
   std::vector<std::string> names;

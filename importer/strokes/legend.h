@@ -27,6 +27,9 @@ bool namesOnePair(std::string_view a, std::string_view b);
 /// Whether a text names a curve at all: it has words and is no point's name.
 bool namesACurve(std::string_view utf8);
 
+/// Whether a text calls a curve something of its own that has nothing to do with a stroke: "Clicky", "sample 3"; no program's name.
+bool namesNoStroke(std::string_view utf8);
+
 /// Whether a text is what a program calls a series that nobody named: "data1", "Series 2", "Column B", "'a.txt' using 1:2".
 bool isDefaultName(std::string_view utf8);
 

@@ -86,7 +86,8 @@ struct Import {
                            (explanation.left.front().atAnEnd || explanation.left.front().dashed));
       const bool isPartOnly =
           each.doubt.code == DoubtCode::belowTheAxis || each.doubt.code == DoubtCode::leavesThePlot ||
-          each.doubt.code == DoubtCode::assumed || (each.doubt.code == DoubtCode::inkLeftOver && !goesOn);
+          each.doubt.code == DoubtCode::assumed || each.doubt.code == DoubtCode::namesNoStroke ||
+          (each.doubt.code == DoubtCode::inkLeftOver && !goesOn);
       CHECK(each.confidence < 0.9);
       CHECK((each.confidence < confidenceBar) == !isPartOnly);
       CHECK_FALSE(english(messageOf(each.doubt)).empty());
@@ -396,6 +397,25 @@ TEST_CASE("what came from paper is worth less, unless frame and axes were given"
   import.hints.axes.xMin = import.hints.axes.yMin = 0;
   import.hints.axes.xMax = 4, import.hints.axes.yMax = 4;
   CHECK_FALSE(import.weighed(DoubtCode::pageIsPhoto).has_value());
+}
+
+TEST_CASE("one of two curves is called something that is no stroke, and the other's name is not read") {
+  Import import;
+  import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
+  import.traces.resize(2);
+  import.traces[0].color = {200, 30, 30}, import.traces[1].color = {30, 30, 200};
+  import.traces[1].label = "Clicky";
+  CHECK(import.doubted(DoubtCode::namesNoStroke));
+  import.hints.trace.pressColor = import.traces[0].color;
+  CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
+  import.hints.trace.pressColor.reset();
+  // A stroke's word, what every curve may be called, a program's own name, and two names, of which a legend's rules judge.
+  for (const char* name : {"Release", "Force", "Series 2", ""}) {
+    import.traces[1].label = name;
+    CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
+  }
+  import.traces[0].label = "Loading", import.traces[1].label = "Clicky";
+  CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
 }
 
 /// Both strokes run along the foot of an axis that begins at 0.3 N.
