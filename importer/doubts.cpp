@@ -10,6 +10,7 @@
 
 #include "importer/axes/button_sizes.h"
 #include "importer/axes/printed_unit.h"
+#include "importer/axes/stroke_words.h"
 #include "importer/page/polyline.h"
 #include "importer/page/same_ink.h"
 #include "importer/strokes/legend.h"
@@ -334,6 +335,7 @@ class Doubts {
     ownInkBeside();
     givenAgainstLegend();
     namedAlone();
+    otherNamed();
     assumed();
     place();
     pageClass();
@@ -517,6 +519,31 @@ class Doubts {
     if (!other.label.empty() || named.color == other.color || !namesNoStroke(named.label)) return;
     add(DoubtCode::namesNoStroke, inPart, {named.label},
         {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}});
+  }
+
+  /// The legend names the strokes of another switch beside those that were traced: its curves stand there, in whatever ink.
+  void otherNamed() {
+    const CurveTrace* const press = traceOf(findings_.strokes.value.press);
+    if (!press || !hints_.strokes.curve.empty() || hints_.trace.pressColor || !hints_.drawn.press.empty())
+      return;
+    const std::string its = folded(switchNamedBy(press->label));
+    if (its.empty()) return;
+    const std::vector<SeenText>& texts = findings_.graph.axes.texts;
+    for (const SeenText& a : texts)
+      for (const SeenText& b : texts) {
+        const std::string other = switchNamedBy(a.utf8);
+        if (strokeNamedBy(a.utf8) != Stroke::press || !namesOnePair(a.utf8, b.utf8) || other.empty() ||
+            folded(other) == its || isTraced(other))
+          continue;
+        add(DoubtCode::otherSwitchNamed, unconfirmed, {other},
+            {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}});
+        return;
+      }
+  }
+  bool isTraced(const std::string& switchName) const {
+    return std::ranges::any_of(findings_.traces, [&](const CurveTrace& trace) {
+      return folded(switchNamedBy(trace.label)) == folded(switchName);
+    });
   }
 
   /// Most of it has no stroke above or below it: it is not the rim of a stroke's own line.

@@ -9040,6 +9040,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine von zwei Kurven heißt „%1“, was kein Hub ist, und der Name der anderen ist nicht gelesen</translation>
     </message>
     <message>
+        <source>the legend names strokes of &quot;%1&quot; as well, which are not traced</source>
+        <translation>die Legende nennt auch Hübe von „%1“, die nicht verfolgt sind</translation>
+    </message>
+    <message>
         <source>two readings of the page differ: a travel of %1, and a travel of %2 where it is looked at in another size</source>
         <translation>zwei Lesungen der Seite widersprechen sich: ein Weg von %1, und ein Weg von %2, wo sie in anderer Größe betrachtet wird</translation>
     </message>

@@ -135,6 +135,9 @@ Wording wordingOf(DoubtCode code) {
       return {
           "names-no-stroke",
           words("one of two curves is called \"%1\", which is no stroke, and the other's name is not read")};
+    case DoubtCode::otherSwitchNamed:
+      return {"other-switch-named",
+              words("the legend names strokes of \"%1\" as well, which are not traced")};
     case DoubtCode::assumed:
       return {"assumed", words("%1")};
     case DoubtCode::pageIsScan:

@@ -86,6 +86,7 @@ enum class DoubtCode {
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover
   namesNoStroke,     ///< what the one of two curves is called whose name is read
+  otherSwitchNamed,  ///< name of a switch in the legend none of whose strokes was traced
   pageIsScan,
   pageIsPhoto,
   givenAgainstLegend,  ///< colour given for a stroke, the legend's word for the curve that has it

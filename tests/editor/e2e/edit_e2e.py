@@ -102,9 +102,15 @@ class Walk:
 
     def kill_and_recover(self):
         before = self.saved.read_bytes()
-        self.drag_first_point((-10, -16))
         recovery = self.folder / "data"
-        wait_for("the recovery file", lambda: list(recovery.rglob("*.recovery.json")), 5)
+
+        def kept():
+            return list(recovery.rglob("*.recovery.json"))
+
+        # What the save made superfluous goes in the background; it is not what is waited for below.
+        wait_for("the recovery file of before the save to go", lambda: not kept())
+        self.drag_first_point((-10, -16))
+        wait_for("the recovery file", kept, 5)
         self.editor.kill()
         if self.saved.read_bytes() != before:
             raise AssertionError("the saved file changed without saving")

@@ -418,6 +418,24 @@ TEST_CASE("one of two curves is called something that is no stroke, and the othe
   CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
 }
 
+TEST_CASE("the legend names another switch's strokes that were not traced") {
+  Import import;
+  import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
+  import.traces.resize(2);
+  import.traces[0].color = {200, 30, 30}, import.traces[1].color = {30, 30, 200};
+  import.traces[0].label = "Creamy Yellow press", import.traces[1].label = "Creamy Yellow release";
+  for (const CurvePoint& p : import.press) import.traces[0].points_px.push_back(inView(p));
+  for (const CurvePoint& p : import.release) import.traces[1].points_px.push_back(inView(p));
+  const auto print = [&](const std::string& text) { import.graph.axes.texts.push_back({text, {}, 1.0, 0}); };
+  for (const CurveTrace& trace : import.traces) print(trace.label);
+  print("Release force 0.3 N");
+  CHECK_FALSE(import.doubted(DoubtCode::otherSwitchNamed));
+  print("Silent White press"), print("Silent White release");
+  CHECK(import.doubted(DoubtCode::otherSwitchNamed));
+  import.hints.strokes.curve = "Creamy Yellow";
+  CHECK_FALSE(import.doubted(DoubtCode::otherSwitchNamed));
+}
+
 /// Both strokes run along the foot of an axis that begins at 0.3 N.
 Import cutBelow() {
   Import below;
