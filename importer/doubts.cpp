@@ -529,16 +529,16 @@ class Doubts {
     const std::string its = folded(switchNamedBy(press->label));
     if (its.empty()) return;
     const std::vector<SeenText>& texts = findings_.graph.axes.texts;
-    for (const SeenText& a : texts)
-      for (const SeenText& b : texts) {
-        const std::string other = switchNamedBy(a.utf8);
-        if (strokeNamedBy(a.utf8) != Stroke::press || !namesOnePair(a.utf8, b.utf8) || other.empty() ||
-            folded(other) == its || isTraced(other))
-          continue;
-        add(DoubtCode::otherSwitchNamed, unconfirmed, {other},
-            {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}});
-        return;
-      }
+    for (const SeenText& text : texts) {
+      if (strokeNamedBy(text.utf8) != Stroke::press) continue;
+      const std::string other = switchNamedBy(text.utf8);
+      const auto isPartner = [&](const SeenText& each) { return namesOnePair(text.utf8, each.utf8); };
+      if (other.empty() || folded(other) == its || isTraced(other) || std::ranges::none_of(texts, isPartner))
+        continue;
+      add(DoubtCode::otherSwitchNamed, unconfirmed, {other},
+          {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}});
+      return;
+    }
   }
   bool isTraced(const std::string& switchName) const {
     return std::ranges::any_of(findings_.traces, [&](const CurveTrace& trace) {

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
+
+#include "importer/axes/word_match.h"
 
 namespace detent::importer {
 namespace {
@@ -162,22 +163,6 @@ std::string looked(std::string_view word) {
     }
   }
   return look;
-}
-
-/// Bytes to replace, take away or put in to make one of the other; `most` + 1 if more.
-std::size_t editsBetween(std::string_view a, std::string_view b, std::size_t most) {
-  if (a.size() > b.size() + most || b.size() > a.size() + most) return most + 1;
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return std::min(row.back(), most + 1);
 }
 
 /// Letters that may be wrong in a word of so many.

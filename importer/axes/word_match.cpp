@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace detent::importer {
 namespace {
@@ -12,14 +14,19 @@ bool isLetter(char c) { return c >= 'a' && c <= 'z'; }
 
 }  // namespace
 
-bool differByOneAtMost(std::string_view a, std::string_view b) {
-  if (a.size() > b.size()) std::swap(a, b);
-  if (b.size() - a.size() > 1) return false;
-  std::size_t i = 0;
-  while (i < a.size() && a[i] == b[i]) ++i;
-  const std::string_view restA = a.substr(i), restB = b.substr(i);
-  if (restB.empty()) return true;
-  return a.size() == b.size() ? restA.substr(1) == restB.substr(1) : restA == restB.substr(1);
+std::size_t editsBetween(std::string_view a, std::string_view b, std::size_t most) {
+  if (a.size() > b.size() + most || b.size() > a.size() + most) return most + 1;
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return std::min(row.back(), most + 1);
 }
 
 bool mentions(std::string_view text, std::string_view word) {
@@ -33,7 +40,7 @@ bool mentions(std::string_view text, std::string_view word) {
     }
     std::size_t to = from;
     while (to < text.size() && isLetter(text[to])) ++to;
-    if (differByOneAtMost(text.substr(from, to - from), word)) return true;
+    if (editsBetween(text.substr(from, to - from), word, 1) <= 1) return true;
     from = to;
   }
   return false;

@@ -86,6 +86,8 @@ class Walk:
         check_near("dragged force, px", (y - was_y) / N_per_px, -by_px[1], PX_TOLERANCE)
 
     def save(self):
+        # A document that is still being recovered has no mark either, and nothing would be waited for.
+        wait_for("something to save", lambda: any("*" in text for text in self.editor.widget("tabBar")["tabs"]))
         self.desktop.key("ctrl+s")
         wait_for("the mark to go", lambda: all("*" not in text for text in self.editor.find("tabBar")["tabs"]))
 
