@@ -106,7 +106,7 @@ void SerialEmulator::hear(const std::string& line) {
   lastLine_s_ = now_s();
   if (firstLine_s_ < 0) firstLine_s_ = now_s();
   const std::string& word = fields[0];
-  if (word == "R" && ranTable_ && ++rowsSinceTable_ % std::max(1, settings_.losesRow) == 0 &&
+  if (word == "R" && ranTable() && ++rowsSinceTable_ % std::max(1, settings_.losesRow) == 0 &&
       settings_.losesRow > 0)
     return;
   if (word == "?") {
@@ -131,7 +131,7 @@ void SerialEmulator::hear(const std::string& line) {
     say("A");
   } else if (word == "G") {
     ownLaw_ = table_.rows.size() >= 2 && (settings_.version < 2 || limited_);
-    ranTable_ = ranTable_ || ownLaw_;
+    if (ownLaw_) ran_ = table_;
     fade_ = force_N_ = 0;
     centre_mm_ = static_cast<double>(read_nm()) * 1e-6 + table_.radius_mm;
     say(ownLaw_ ? "A" : "N,no table");

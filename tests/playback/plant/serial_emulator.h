@@ -37,8 +37,9 @@ class SerialEmulator : public PtyDevice {
   explicit SerialEmulator(const SerialEmulatorSettings& settings);
   ~SerialEmulator() override { halt(); }
 
-  const UploadedTable& table() const { return table_; }
-  bool ranTable() const { return ranTable_; }
+  /// The table it began last: one that is told anew, after a pause of the host, may still lack rows when a run ends.
+  const UploadedTable& table() const { return ran_; }
+  bool ranTable() const { return !ran_.rows.empty(); }
   int rowsSinceTable() const { return rowsSinceTable_; }  ///< that were sent once it had run a table
   /// Largest force the device was told it may ever give (version 2), or its own.
   double limit_N() const { return static_cast<double>(limit_uN_) * 1e-6; }
@@ -56,10 +57,10 @@ class SerialEmulator : public PtyDevice {
   std::int64_t read_nm() const;
 
   SerialEmulatorSettings settings_;
-  UploadedTable table_;
+  UploadedTable table_, ran_;
   int rowsSinceTable_ = 0;
   std::int64_t limit_uN_;
-  bool ownLaw_ = false, ranTable_ = false, limited_ = false, stopped_ = false, switched_ = false;
+  bool ownLaw_ = false, limited_ = false, stopped_ = false, switched_ = false;
   double force_N_ = 0, lastLine_s_ = -1, firstLine_s_ = -1, resetAt_mm_ = 0, centre_mm_ = 0;
   double slew_N_per_s_ = 1e9, speed_mm_per_s_ = 1e9, rise_s_ = 0, silence_s_ = 0.05, fade_ = 0,
          tableLimit_N_ = 1e9;
