@@ -533,12 +533,18 @@ class Doubts {
       if (strokeNamedBy(text.utf8) != Stroke::press) continue;
       const std::string other = switchNamedBy(text.utf8);
       const auto isPartner = [&](const SeenText& each) { return namesOnePair(text.utf8, each.utf8); };
-      if (other.empty() || folded(other) == its || isTraced(other) || std::ranges::none_of(texts, isPartner))
+      if (countsOnly(other) || folded(other) == its || isTraced(other) ||
+          std::ranges::none_of(texts, isPartner))
         continue;
       add(DoubtCode::otherSwitchNamed, unconfirmed, {other},
           {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}});
       return;
     }
+  }
+  /// "Press 2" is another run of the same switch, whose curve the page's reader may have hidden.
+  static bool countsOnly(std::string_view name) {
+    return std::ranges::all_of(
+        name, [](char c) { return std::string_view("0123456789 .#()").find(c) != std::string_view::npos; });
   }
   bool isTraced(const std::string& switchName) const {
     return std::ranges::any_of(findings_.traces, [&](const CurveTrace& trace) {
@@ -658,11 +664,9 @@ class Doubts {
 
   /// Curves that the plot shows a part of only.
   void edges(const StrokePoints& stroke) {
-    constexpr double atEdge_px = 2, noticeable = 0.03;  // of the axis' range
-    constexpr double nearShare = 0.02;                  // of the frame's height, as far as a scale may be off
+    constexpr double atEdge_px = 2;
+    constexpr double nearShare = 0.02;  // of the frame's height, as far as a scale may be off
     constexpr double plumbShare = 0.02;
-    constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge, of a curve that dips there
-    constexpr double mostHidden = 0.15;   // of the travel: beyond it another button is felt
     std::vector<Point> line = stroke.points_px;
     if (line.empty()) return;
     if (line.front().x > line.back().x) std::reverse(line.begin(), line.end());
@@ -688,19 +692,34 @@ class Doubts {
           {{RemedyKind::giveFrame, "with the whole curve in it"}});
     }
 
+    belowTheAxis(line);
+  }
+
+  /// Of a curve from left to right: what an axis that begins above zero hides of it, before its start and where it dips.
+  void belowTheAxis(const std::vector<Point>& line) {
+    constexpr double onFoot_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
+    constexpr double noticeable = 0.03;            // of the axis' range; of the travel
+    constexpr std::ptrdiff_t fewest = 3;           // points along the lower edge, of a curve that dips there
+    constexpr double mostHidden = 0.15;            // of the travel: beyond it another button is felt
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
-    const Point foot = axes.toUnits(bottomLeft);
-    const double top_N = axes.toUnits(topLeft).y;
+    const auto& corners = findings_.graph.frame.value.corners;
+    const Point foot = axes.toUnits(corners[3]);
+    const double top_N = axes.toUnits(corners[0]).y;
     if (foot.y <= noticeable * (top_N - foot.y)) return;
-    const auto isOnFoot = [&](Point p) {
-      return axes.toUnits(p).y < foot.y + atEdge_px * std::abs(axes.newtonPerPx());
+    const auto isWithin = [&](Point p, double px) {
+      return axes.toUnits(p).y < foot.y + px * std::abs(axes.newtonPerPx());
     };
-    // A steep one leaves no more than its end there.
-    const bool startsThere = isOnFoot(line.front());
+    const auto isOnFoot = [&](Point p) { return isWithin(p, onFoot_px); };
+    const double from_mm = std::max(0.0, foot.x), start_mm = axes.toUnits(line.front()).x,
+                 travel_mm = axes.toUnits(line.back()).x - from_mm;
+    const bool startsThere = isOnFoot(line.front()) || (isWithin(line.front(), above_px) &&
+                                                        start_mm - from_mm > noticeable * travel_mm);
     if (!startsThere && std::ranges::count_if(line, isOnFoot) < fewest) return;
-    const double from_mm = std::max(0.0, foot.x), start_mm = axes.toUnits(line.front()).x;
-    const bool longWayHidden = startsThere && !hints_.axes.yMin &&
-                               start_mm - from_mm > mostHidden * (axes.toUnits(line.back()).x - from_mm);
+    double hidden_mm = startsThere ? start_mm - from_mm : 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (isOnFoot(line[i - 1]) && isOnFoot(line[i]))
+        hidden_mm += axes.toUnits(line[i]).x - axes.toUnits(line[i - 1]).x;
+    const bool longWayHidden = !hints_.axes.yMin && hidden_mm > mostHidden * travel_mm;
     add(DoubtCode::belowTheAxis, longWayHidden ? unconfirmed : inPart, {{foot.y, Measure::force_N}},
         {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }

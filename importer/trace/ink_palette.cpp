@@ -10,7 +10,8 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr int kCells = 40;  // per axis of the direction cube, [-1, 1]
+constexpr int kCells = 40;        // per axis of the direction cube, [-1, 1]
+constexpr float kDarkest = 1.5F;  // of an ink's strength: what letters in it may have
 
 struct Sample {
   Color3 direction;
@@ -124,8 +125,10 @@ void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene) {
   PaletteLimits one;
   one.maxInks = 1;
   for (const Ink& letter : findInks(scene, others, one)) {
+    // The rim of a grey line is no ink of black letters: what is darker than an ink can be is explained by others, and two of
+    // opposite colours make black.
     const bool known = std::any_of(inks.begin(), inks.end(), [&](const Ink& ink) {
-      return dot(ink.direction, letter.direction) > 0.99F;
+      return dot(ink.direction, letter.direction) > 0.99F && letter.strength <= kDarkest * ink.strength;
     });
     if (!known) inks.push_back(letter);
   }

@@ -430,6 +430,8 @@ TEST_CASE("the legend names another switch's strokes that were not traced") {
   for (const CurveTrace& trace : import.traces) print(trace.label);
   print("Release force 0.3 N");
   CHECK_FALSE(import.doubted(DoubtCode::otherSwitchNamed));
+  print("Press 2"), print("Release 2");  // a run of the same switch, hidden by whoever made the page
+  CHECK_FALSE(import.doubted(DoubtCode::otherSwitchNamed));
   print("Silent White press"), print("Silent White release");
   CHECK(import.doubted(DoubtCode::otherSwitchNamed));
   import.hints.strokes.curve = "Creamy Yellow";
@@ -461,6 +463,14 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(below.weighed(DoubtCode::belowTheAxis) == Approx(0.4));
   below.hints.axes.yMin = 0.3;
   CHECK(below.weighed(DoubtCode::belowTheAxis) == Approx(0.6));
+
+  // Out by the foot and in again, and a start half a line above it.
+  Import dips;
+  dips.graph.axes.calibration.value.viewToUnits = {0.01, 0, -1, 0, -0.01, 5.3, 0, 0, 1};
+  dips.press = {{0.3, 0.03}, {1, 0.4}, {1.6, 0}, {1.8, 0}, {1.9, 0}, {3.2, 1.3}};
+  CHECK(dips.weighed(DoubtCode::belowTheAxis) == Approx(0.4));
+  dips.press = {{0.3, 0.03}, {1, 0.4}, {1.8, 0}, {1.85, 0}, {1.9, 0}, {3.2, 1.3}};
+  CHECK(dips.weighed(DoubtCode::belowTheAxis) == Approx(0.6));
 
   Import leaves;
   leaves.press.clear();

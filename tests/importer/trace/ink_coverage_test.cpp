@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include <catch2/catch.hpp>
+#include <opencv2/imgproc.hpp>
 
 using namespace detent;
 using namespace detent::importer;
@@ -58,6 +59,25 @@ TEST_CASE("scene: a colour's coverage is what is like it, lines too, and is reck
   CHECK(&scene.inkOf(kRed) == &red);
   CHECK(&scene.lettering() == &scene.lettering());
   CHECK(scene.lettering().mask.size() == scene.area().pixels());
+}
+
+TEST_CASE("palette: black letters are an ink beside grey lines") {
+  constexpr int width_px = 300, height_px = 160;
+  Raster raster{width_px, height_px, std::vector<std::uint8_t>(3 * width_px * height_px, 255)};
+  cv::Mat picture(height_px, width_px, CV_8UC3, raster.rgb.data());
+  for (int x : {60, 120, 180})
+    cv::line(picture, {x, 0}, {x + 20, height_px}, cv::Scalar::all(170), 2, cv::LINE_AA);
+  cv::putText(picture, "press", {12, 30}, cv::FONT_HERSHEY_SIMPLEX, 0.6, cv::Scalar::all(0), 1, cv::LINE_8);
+  PlotFrame frame;
+  frame.corners = {{{0, 0}, {width_px - 1, 0}, {width_px - 1, height_px - 1}, {0, height_px - 1}}};
+  const PlotScene scene(raster, frame, {{"press", {10, 12, 70, 36}, 1.0, 0}});
+  std::vector<Ink> inks = findInks(scene, scene.lettering().mask);
+  REQUIRE(inks.size() == 1);
+  addLetterInk(inks, scene);
+  REQUIRE(inks.size() == 2);
+  CHECK(inks[1].strength > 400);
+  addLetterInk(inks, scene);
+  CHECK(inks.size() == 2);
 }
 
 TEST_CASE("scene: none where the frame lies outside the view") {
