@@ -15,6 +15,7 @@
 #include "importer/trace/follow_curve.h"
 #include "importer/trace/ink_coverage.h"
 #include "importer/trace/ink_shades.h"
+#include "importer/trace/mark_chains.h"
 #include "importer/trace/plot_lines.h"
 #include "importer/trace/plot_scene.h"
 #include "importer/trace/scatter.h"
@@ -220,6 +221,9 @@ std::vector<End> endsOf(const std::vector<Drawn>& drawn) {
   return ends;
 }
 
+/// The end at rest, from which a curve rises to the right.
+bool isStart(const End& end) { return end.ahead.x < 0 && end.ahead.y > 0; }
+
 /// Whether ink begins at a curve's end and leads away from it, forwards or up as a wall does.
 bool beginsAt(const std::vector<Point>& ink, const End& end) {
   constexpr double backwards = -0.2;  // cosine to the curve's own direction
@@ -261,6 +265,14 @@ Remainder remainderOfDashes(const std::vector<Point>& ink, const ExplainedPlot& 
                      alongAxis * std::max(box.width(), box.height()) + 2 * plot.thickness();
   r.dashed = true;
   r.likeness = guide ? 0 : r.atAnEnd ? ramp(r.length, 0.03, 0.06) : ramp(r.length, 0.06, 0.14);
+  return r;
+}
+
+/// Marks above a curve's end, by which it goes on; plumb too, as walls are.
+Remainder remainderOfMarks(const std::vector<Point>& ink, const ExplainedPlot& plot, const End& end) {
+  Remainder r = remainderOf(ink, plot, {end});
+  r.dashed = r.atAnEnd = true;
+  r.likeness = ramp(r.length, 0.03, 0.06);
   return r;
 }
 
@@ -337,6 +349,11 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
   const auto isGap = [&](Point p) { return plot.isGap(p, plot.drawn().front()); };
   for (const std::vector<Point>& chain : dashChains(left, plot.curves(), plot.thickness(), isGap))
     all.push_back(remainderOfDashes(chain, plot, ends));
+  std::vector<Point> places;
+  for (const End& end : ends) places.push_back(end.at);
+  const std::vector<std::vector<Point>> marks = marksUpFrom(places, left, plot.curves());
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (!marks[i].empty() && !isStart(ends[i])) all.push_back(remainderOfMarks(marks[i], plot, ends[i]));
   // Dashes that hang together are seen twice: as a line of them first.
   std::ranges::sort(all, std::greater<>{},
                     [](const Remainder& r) { return std::pair(r.likeness, r.dashed); });

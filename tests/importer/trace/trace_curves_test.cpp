@@ -851,6 +851,17 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     CHECK(left.atAnEnd);
     CHECK(left.likeness > 0.9);
   }
+  SECTION("marks on from the curve's end, up a wall; level ones are a name's letters") {
+    const bool level = GENERATE(false, true);
+    const Point end = plot.at(loop.press.back().x, loop.press.back().y);
+    for (const double on : {18, 40, 62, 84, 106}) {
+      const Point mark = level ? Point{end.x + on, end.y - 0.4 * on} : Point{end.x + 0.05 * on, end.y - on};
+      for (const double slope : {-1, 1})
+        plot.line({{mark.x - 5, mark.y - 5 * slope}, {mark.x + 5, mark.y + 5 * slope}}, 2, kBlue);
+    }
+    const Remainder left = worst({press});
+    CHECK((left.likeness > 0.9) == !level);
+  }
   SECTION("a curve in dots left out") {
     const Curve points = densified(plot.at(loop.release), 1);
     for (std::size_t k = 4; k < points.size(); k += 6) plot.line({points[k], points[k]}, 3, kBlue);
