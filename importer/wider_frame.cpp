@@ -2,6 +2,7 @@
 #include "importer/wider_frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -51,6 +52,29 @@ std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveT
   return ends;
 }
 
+/// Whether ink that hangs together with a curve's end lies to the right of it and above: a wall that begins just beyond the edge is no straight
+/// continuation of the level line that came there.
+bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
+  constexpr int nearest_px = 4, farthest_px = 14;  // to the right: a frame's own line ends before
+  constexpr int wallHeight_px = 12;
+  const int x0 = static_cast<int>(std::lround(end.x)), y0 = static_cast<int>(std::lround(end.y));
+  std::set<std::pair<int, int>> seen;
+  std::vector<std::pair<int, int>> open;
+  const auto visit = [&](int x, int y) {
+    if (x < x0 || x > x0 + farthest_px || y > y0 + 2 || y < y0 - wallHeight_px) return;
+    if (isInkOf(picture, color, x, y) && seen.emplace(x, y).second) open.emplace_back(x, y);
+  };
+  for (int y = y0 - 2; y <= y0 + 2; ++y) visit(x0, y);
+  while (!open.empty()) {
+    const auto [x, y] = open.back();
+    open.pop_back();
+    if (x >= x0 + nearest_px && y <= y0 - wallHeight_px) return true;
+    for (int v = y - 1; v <= y + 1; ++v)
+      for (int u = x - 1; u <= x + 1; ++u) visit(u, v);
+  }
+  return false;
+}
+
 /// Pixels from one number of an axis to the next, the least there is; 0 where fewer than two were read.
 double stepOf(const AxisReading& axis) {
   std::vector<double> at;
@@ -95,15 +119,16 @@ bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& pict
   const Point end = curve.back(), before = curve[from];
   const double run = distance(end, before);
   if (!(run > 0)) return false;
-  for (const double beyond_px : {5.0, 7.0, 9.0}) {
+  const auto isStraightOn = [&](double beyond_px) {
     const int x = static_cast<int>(std::lround(end.x + beyond_px * (end.x - before.x) / run));
     const int y = static_cast<int>(std::lround(end.y + beyond_px * (end.y - before.y) / run));
-    bool seen = false;
     for (int v = y - reach; v <= y + reach; ++v)
-      for (int u = x - reach; u <= x + reach; ++u) seen = seen || isInkOf(picture, color, u, v);
-    if (!seen) return false;
-  }
-  return true;
+      for (int u = x - reach; u <= x + reach; ++u)
+        if (isInkOf(picture, color, u, v)) return true;
+    return false;
+  };
+  constexpr std::array beyond_px{5.0, 7.0, 9.0};
+  return std::ranges::all_of(beyond_px, isStraightOn) || turnsBeyond(end, color, picture);
 }
 
 std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/axes/stroke_words.h"
+#include "importer/trace/curve_trace.h"
 
 namespace detent::importer {
 
@@ -178,17 +179,16 @@ bool namesNoStroke(std::string_view utf8) {
 }
 
 std::string switchNamedBy(std::string_view utf8) {
-  constexpr std::string_view kParting = " / ";
   std::vector<std::string> names;
   for (std::size_t from = 0; from <= utf8.size();) {
-    const std::size_t to = std::min(utf8.find(kParting, from), utf8.size());
+    const std::size_t to = std::min(utf8.find(kLabelParting, from), utf8.size());
     std::string name = withoutStrokeWords(utf8.substr(from, to - from));
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(std::move(name));
-    from = to + kParting.size();
+    from = to + kLabelParting.size();
   }
   std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : std::string(kParting)) + name;
+  for (const std::string& name : names) all += (all.empty() ? "" : std::string(kLabelParting)) + name;
   return all;
 }
 

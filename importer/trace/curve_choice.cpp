@@ -491,7 +491,10 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   // Loops are switches of their own: one more may be in the ink of the frame.
   const bool several = curves.size() > 1 && std::ranges::all_of(curves, isLoop);
   for (int k : neutral) {
-    if (!lone && !several && !(curves.size() > 1 && (endApart(curves) || hasSample(plot, k)))) continue;
+    // More than two coloured curves are several switches' already.
+    if (!lone && !several && curves.size() < 3 &&
+        !(curves.size() > 1 && (endApart(curves) || hasSample(plot, k))))
+      continue;
     auto curve = curveOf(plot, k, true);
     if (!curve) continue;
     // A lone coloured curve may have its partner in the ink of the frame.

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "importer/axes/axis_calibration.h"
@@ -14,6 +15,9 @@ namespace detent::importer {
 namespace trace {
 class PlotScene;
 }
+
+/// Between several legend texts of one ink.
+inline constexpr std::string_view kLabelParting = " / ";
 
 /// One traced curve in view pixels, ordered along the line.
 struct CurveTrace {

@@ -15,10 +15,11 @@ namespace {
 
 /// Where and how much of each trace's ink lies in a box of the view.
 struct InkSeen {
-  double inside_px = 0;   ///< full pixels within the middle band
-  double outside_px = 0;  ///< above and below it
-  bool runsOut = false;   ///< touches the far end of the box
-  bool runsOver = false;  ///< touches its upper or lower edge
+  double inside_px = 0;               ///< full pixels within the middle band
+  double outside_px = 0;              ///< above and below it
+  bool runsOut = false;               ///< touches the far end of the box
+  bool runsOver = false;              ///< touches its upper or lower edge
+  int bulgeLeft = 0, bulgeRight = 0;  ///< where it lies above and below the band; without any 0 and 0
   int pixels = 0, left = 0, right = 0, top = 0,
       foot = 0;  ///< how many, and where they lie; tints count whole
 
@@ -26,6 +27,17 @@ struct InkSeen {
     left = pixels > 0 ? std::min(left, x) : x, right = pixels > 0 ? std::max(right, x) : x;
     top = pixels > 0 ? std::min(top, y) : y, foot = pixels > 0 ? std::max(foot, y) : y;
     ++pixels;
+  }
+  void addOutside(int x, double full) {
+    bulgeLeft = outside_px > 0 ? std::min(bulgeLeft, x) : x,
+    bulgeRight = outside_px > 0 ? std::max(bulgeRight, x) : x;
+    outside_px += full;
+  }
+  /// A line with a curve's marker in its middle.
+  bool isMarkedLine() const {
+    constexpr double end = 0.2;  // of the line's length, on both sides of its marker
+    const int length = right - left + 1;
+    return !runsOver && bulgeLeft - left > end * length && right - bulgeRight > end * length;
   }
   /// A square, bar or disc, as legends of areas, bars and boxes have it: filled, or outlined around a fill of another tint.
   bool isSwatch() const {
@@ -85,7 +97,10 @@ std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vecto
         if (dot(difference, inks[k].direction) <= static_cast<float>(kSameInkAngle) * length) continue;
         const double full = static_cast<double>(length / inks[k].strength);
         const double off = std::abs(y - middle);
-        if (off <= kAround * height) (off <= kBand * height ? seen[k].inside_px : seen[k].outside_px) += full;
+        if (off <= kBand * height)
+          seen[k].inside_px += full;
+        else if (off <= kAround * height)
+          seen[k].addOutside(x, full);
         if (std::abs(x - far) < 1.5 && off <= kAround * height) seen[k].runsOut = true;
         if (y == y0 || y == y1) seen[k].runsOver = true;
         seen[k].add(x, y);
@@ -110,7 +125,7 @@ std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>&
       if (seen[k].runsOut || seen[k].inside_px < 0.8 * word.height()) continue;
       // Behind a name stands the next one's square.
       const bool swatch = direction == before && seen[k].isSwatch();
-      if (seen[k].outside_px > 0.3 * seen[k].inside_px && !swatch) continue;
+      if (seen[k].outside_px > 0.3 * seen[k].inside_px && !swatch && !seen[k].isMarkedLine()) continue;
       several = several || found.has_value();
       found = k;
     }
@@ -154,6 +169,22 @@ LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<In
       beside[*trace].push_back(text);
   }
   return beside;
+}
+
+/// Texts in line with one that has a sample, of which what stands behind the sample (a box) hid theirs.
+void addInLine(LegendTexts& beside, const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
+               const PageView& view, Color3 paper, const StripLength& lengthOf) {
+  const LegendTexts seen = beside;
+  const auto isAny = [&](const auto& holds) {
+    return std::ranges::any_of(seen, [&](const auto& its) { return std::ranges::any_of(its, holds); });
+  };
+  for (const SeenText& text : texts) {
+    if (text.utf8.empty() || text.box.empty()) continue;
+    if (isAny([&](const SeenText& other) { return other.box == text.box; })) continue;
+    if (!isAny([&](const SeenText& other) { return other.box.inLineWith(text.box); })) continue;
+    if (const auto trace = sampledTrace(text.box, inks, view, paper, lengthOf))
+      beside[*trace].push_back(text);
+  }
 }
 
 /// What words gave no name gets its legend's short one, or the place of one that was not read, if all such traces have theirs:
@@ -250,7 +281,9 @@ std::optional<std::vector<SeenText>> lettersInInks(const std::vector<SeenText>& 
     return std::ranges::any_of(
         *each, [&](const SeenText& other) { return &other != &text && other.box.inLineWith(text.box); });
   };
-  return each && std::ranges::all_of(*each, isInLine) ? each : std::nullopt;
+  // Each of three curves and more has one text in its ink alone: no callouts of one switch's strokes.
+  constexpr std::size_t several = 3;
+  return each && (traces >= several || std::ranges::all_of(*each, isInLine)) ? each : std::nullopt;
 }
 
 /// Names that stand at their curves' right ends, in the curve's ink or in one that is no curve's.
@@ -291,7 +324,74 @@ void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
     traces[i].label = (*each)[i].utf8, traces[i].labelBox_px = (*each)[i].box;
 }
 
+/// Share of a sample's columns that have its ink, from its first to its last; 0 where none stands beside the word.
+double drawnShareBeside(const Box& word, const Ink& ink, const Raster& raster, Color3 paper) {
+  constexpr double least = 0.8;    // of the word's height, in ink
+  constexpr float strong = 0.35F;  // of the ink
+  double share = 0;
+  for (const int direction : {-1, 1}) {
+    const double height = word.height(), middle = word.middle().y;
+    const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
+    int columns = 0, last = 0, first = -1;
+    for (int by = 0; by < kLength * height; ++by) {
+      const int x = static_cast<int>(near) + direction * by;
+      bool inked = false;
+      for (int y = static_cast<int>(middle - kBand * height); y <= static_cast<int>(middle + kBand * height);
+           ++y) {
+        if (x < 0 || y < 0 || x >= raster.width_px || y >= raster.height_px) continue;
+        const Color3 difference = colorAt(raster, x, y) - paper;
+        const float length = norm(difference);
+        inked = inked || (length > strong * ink.strength &&
+                          dot(difference, ink.direction) > static_cast<float>(kSameInkAngle) * length);
+      }
+      if (!inked) continue;
+      if (first < 0) first = by;
+      ++columns, last = by;
+    }
+    if (columns >= least * height) share = std::max(share, columns / static_cast<double>(last - first + 1));
+  }
+  return share;
+}
+
+/// Share of a stroke's points away from the other one at which its ink stands.
+double drawnShareOf(const CurveTrace& trace, const CurveTrace& other, const Ink& ink, const Raster& raster,
+                    Color3 paper) {
+  constexpr double apart_px = 3;
+  constexpr float strong = 0.35F;  // of the ink
+  int inked = 0, all = 0;
+  for (const Point& p : trace.points_px) {
+    if (std::ranges::any_of(other.points_px, [&](Point q) { return distance(p, q) < apart_px; })) continue;
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    if (x < 0 || y < 0 || x >= raster.width_px || y >= raster.height_px) continue;
+    ++all;
+    inked += dot(colorAt(raster, x, y) - paper, ink.direction) > strong * ink.strength ? 1 : 0;
+  }
+  return inked / static_cast<double>(std::max(1, all));
+}
+
 }  // namespace
+
+void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, const PageView& view,
+                  const PlotScene& scene) {
+  constexpr double through = 0.95, dashed = 0.88;  // shares that are drawn
+  const Color3 paper = scene.paper();
+  const Ink ink = inkOfColor(first.color, paper);
+  std::vector<SeenText> names;
+  for (const SeenText& text : axes.texts)
+    if (!text.utf8.empty() && !text.box.empty() && first.label.find(text.utf8) != std::string::npos &&
+        first.labelBox_px.joined(text.box) == first.labelBox_px)
+      names.push_back(text);
+  if (names.size() != 2 || first.label != names[0].utf8 + std::string(kLabelParting) + names[1].utf8) return;
+  const double a = drawnShareBeside(names[0].box, ink, view.raster, paper),
+               b = drawnShareBeside(names[1].box, ink, view.raster, paper);
+  if (std::max(a, b) < through || std::min(a, b) > dashed || std::min(a, b) <= 0) return;
+  const double ofFirst = drawnShareOf(first, second, ink, view.raster, paper),
+               ofSecond = drawnShareOf(second, first, ink, view.raster, paper);
+  if (std::max(ofFirst, ofSecond) < through || std::min(ofFirst, ofSecond) > dashed) return;
+  const bool inOrder = (a > b) == (ofFirst > ofSecond);
+  first.label = names[inOrder ? 0 : 1].utf8, first.labelBox_px = names[inOrder ? 0 : 1].box;
+  second.label = names[inOrder ? 1 : 0].utf8, second.labelBox_px = names[inOrder ? 1 : 0].box;
+}
 
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
                  const PlotScene& scene) {
@@ -303,16 +403,17 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const P
   LegendTexts beside = textsBeside(texts, inks, view, paper, [](const Box&, int) { return kLength; });
   for (std::vector<SeenText>& its : beside)
     std::erase_if(its, [](const SeenText& text) { return text.utf8.empty(); });
+  const auto firstBeside = [&](const Box& word, int direction) {
+    return lengthOfFirstBeside(word, direction, view.raster, paper);
+  };
+  addInLine(beside, texts, inks, view, paper, firstBeside);
   for (std::size_t i = 0; i < traces.size(); ++i) {
     CurveTrace& named = traces[i];
     for (const SeenText& text : inLegend(beside, i)) {
       named.labelBox_px = named.label.empty() ? text.box : named.labelBox_px.joined(text.box);
-      named.label += (named.label.empty() ? "" : " / ") + text.utf8;
+      named.label += std::string(named.label.empty() ? "" : kLabelParting) + text.utf8;
     }
   }
-  const auto firstBeside = [&](const Box& word, int direction) {
-    return lengthOfFirstBeside(word, direction, view.raster, paper);
-  };
   // The ink of frame and numbers may end beside a word in more than its sample.
   std::vector<SeenText> lines = axes.otherLines;
   std::ranges::copy_if(axes.texts, std::back_inserter(lines), [&](const SeenText& text) {

@@ -15,4 +15,9 @@ namespace detent::importer::trace {
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
                  const PlotScene& scene);
 
+/// Two strokes of one ink that have two words of the legend between them get one each, where the one is drawn through and the other in dashes and
+/// so are the samples.
+void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, const PageView& view,
+                  const PlotScene& scene);
+
 }  // namespace detent::importer::trace

@@ -14,6 +14,7 @@
 #include "importer/trace/centre_line.h"
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
+#include "importer/trace/dashed_beside.h"
 #include "importer/trace/foot_line.h"
 #include "importer/trace/ink_shades.h"
 #include "importer/trace/legend_words.h"
@@ -84,19 +85,14 @@ void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   dropEnd(trace, static_cast<std::size_t>(lowest - points.begin()), false);
 }
 
-/// The centre line of a curve in an ink of its own, `curveInks` those of all curves.
-CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveInks, const PlotInks& plot,
-                   const TraceOptions& options) {
+/// The centre line of a curve whose course was found, in the view.
+CurveTrace lineAlong(const CoarseCurve& course, const CurveField& field, double thickness_px, const Ink& ink,
+                     const PlotInks& plot, const TraceOptions& options) {
   const PlotArea& area = plot.area();
-  const CurveField field = fieldOf(plot, curve.ink, curveInks);
-  FollowOptions follow;
-  follow.thickness_px = curve.thickness_px;
-  const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
-  const CoarseCurve course = followCurve(joined ? *joined : field, area.frame, follow);
-  CentreLine line = centreLine(curve.dashed ? besideDashesOnly(field) : field, course, curve.thickness_px);
+  CentreLine line = centreLine(field, course, thickness_px);
   finishEnds(line, field, area.frame);
   CurveTrace trace;
-  trace.color = plot.colorOf(plot.ink(curve.ink));
+  trace.color = plot.colorOf(ink);
   trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, course.inkShare), 0.0, 1.0);
   Point last{};
   for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -109,6 +105,18 @@ CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveInks, con
     last = p;
   }
   return trace;
+}
+
+/// A curve in an ink of its own, `curveInks` those of all curves.
+CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveInks, const PlotInks& plot,
+                   const TraceOptions& options) {
+  const CurveField field = fieldOf(plot, curve.ink, curveInks);
+  FollowOptions follow;
+  follow.thickness_px = curve.thickness_px;
+  const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
+  const CoarseCurve course = followCurve(joined ? *joined : field, plot.area().frame, follow);
+  return lineAlong(course, curve.dashed ? besideDashesOnly(field) : field, curve.thickness_px,
+                   plot.ink(curve.ink), plot, options);
 }
 
 /// The area as coverage by one ink, for curves that share it with each other and perhaps with grid and text.
@@ -207,29 +215,80 @@ std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vecto
   return {};
 }
 
+/// How far from the line that it runs into a line of dashes may be seen to end, in diagonals of the frame: a dash that touches that line is
+/// taken for its edge.
+constexpr double kDashesEndBefore = 0.03;
+
+/// Leads a line of dashes along the one that is drawn through from where it runs into it: to the end that both strokes of a switch have in
+/// common, and to the foot. False where it does not come to that end: it is no stroke of the same switch, or a part of one.
+bool joinAtEnds(CurveTrace& dashed, const CurveTrace& solid, double most_px) {
+  std::vector<Point> its = solid.points_px;
+  if (its.front().x > its.back().x) std::ranges::reverse(its);
+  std::vector<Point>& points = dashed.points_px;
+  if (points.front().x > points.back().x) std::ranges::reverse(points), std::ranges::reverse(dashed.width_px);
+  const auto nearestTo = [&](Point end) {
+    return std::ranges::min_element(its, {}, [&](Point p) { return distance(p, end); });
+  };
+  constexpr double mostOfTravel = 0.15;  // under the other line: beyond it dashes were lost on the way
+  const double unseen_px = mostOfTravel * (its.back().x - its.front().x);
+  const double width_px = dashed.width_px.front();
+  const auto endsAt = nearestTo(points.back());
+  if (distance(*endsAt, points.back()) > most_px || its.back().x - points.back().x > unseen_px) return false;
+  points.insert(points.end(), endsAt, its.end());
+  const bool startsNear = points.front().x - its.front().x <= unseen_px;
+  if (const auto near = nearestTo(points.front()); startsNear && distance(*near, points.front()) <= most_px)
+    points.insert(points.begin(), its.begin(), std::next(near));
+  dashed.width_px.resize(points.size(), width_px);
+  return true;
+}
+
+/// Press and release in one ink of which the one is drawn through and the other in dashes; empty where they are not.
+std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveInk& curve,
+                                       const std::vector<int>& curveInks, const PlotInks& plot,
+                                       const TraceOptions& options) {
+  const auto beside = dashedBeside(solid, curve, curveInks, plot);
+  if (!beside) return {};
+  CurveTrace dashed =
+      lineAlong(beside->course, beside->field, curve.thickness_px, plot.ink(curve.ink), plot, options);
+  if (dashed.points_px.size() < 2) return {};
+  const Box& frame = plot.area().frame;
+  if (!joinAtEnds(dashed, solid, kDashesEndBefore * std::hypot(frame.width(), frame.height()))) return {};
+  const auto meanRow = [](const CurveTrace& trace) {
+    double sum = 0;
+    for (const Point& p : trace.points_px) sum += p.y;
+    return sum / static_cast<double>(trace.points_px.size());
+  };
+  std::vector<CurveTrace> strokes{solid, std::move(dashed)};
+  const bool isPress = meanRow(strokes[0]) < meanRow(strokes[1]);
+  strokes[0].stroke = isPress ? Stroke::press : Stroke::release;
+  strokes[1].stroke = isPress ? Stroke::release : Stroke::press;
+  return strokes;
+}
+
 /// Beside other curves an ink that draws both strokes of a switch is parted into them, both with its label. An ink
-/// beside whose curve nothing but marks lies stays one curve. Of two inks either both draw loops or neither.
+/// beside whose curve nothing but marks lies stays one curve. Of two inks either both draw two strokes or neither.
 std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
                                         const std::vector<CurveInk>& curves, const PlotInks& plot,
                                         const TraceOptions& options, const Progress& progress) {
-  const auto mayBeLoop = [&](const CurveInk& curve) {
-    return curve.secondStrand > plot.options.secondStrand;
+  const auto loopIn = [&](std::size_t i) {
+    std::vector<CurveTrace> strokes;
+    if (curves[i].secondStrand <= plot.options.secondStrand) return strokes;
+    const Plane& its = plot.coverage.ink[static_cast<std::size_t>(curves[i].ink)];
+    auto loop = traceLoop(plot.area(), its, traces[i].color, options, progress);
+    if (loop && loop->size() > 1 && loop->front().confidence >= kCredibleLoop)
+      strokes = std::move(loop).value();
+    return strokes;
   };
+  std::vector<int> curveInks;
+  for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
   const bool allOrNone = traces.size() <= 2;
-  if (allOrNone && !std::ranges::all_of(curves, mayBeLoop)) return traces;
   std::vector<CurveTrace> all;
   for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {
-    const auto loop = [&]() -> Result<std::vector<CurveTrace>> {
-      if (!mayBeLoop(curves[i])) return std::vector<CurveTrace>{};
-      const Plane& its = plot.coverage.ink[static_cast<std::size_t>(curves[i].ink)];
-      return traceLoop(plot.area(), its, traces[i].color, options, progress);
-    }();
-    if (!loop || loop->size() < 2 || loop->front().confidence < kCredibleLoop) {
-      if (allOrNone) return traces;
-      all.push_back(traces[i]);
-      continue;
-    }
-    for (CurveTrace stroke : *loop) {
+    std::vector<CurveTrace> strokes = loopIn(i);
+    if (strokes.empty()) strokes = partedByDashes(traces[i], curves[i], curveInks, plot, options);
+    if (strokes.empty() && allOrNone) return traces;
+    if (strokes.empty()) all.push_back(traces[i]);
+    for (CurveTrace& stroke : strokes) {
       stroke.label = traces[i].label;
       stroke.labelBox_px = traces[i].labelBox_px;
       all.push_back(std::move(stroke));
@@ -429,7 +488,10 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   labelTraces(traces, axes, view, scene);
   if (given.any()) return traces;
   if (auto strokes = withoutColours(traces, finalPlot, options, progress)) return std::move(*strokes);
-  return withLoopsParted(traces, curves, finalPlot, options, progress);
+  std::vector<CurveTrace> parted = withLoopsParted(traces, curves, finalPlot, options, progress);
+  for (std::size_t i = 1; i < parted.size(); ++i)
+    if (parted[i].color == parted[i - 1].color) nameByDashes(parted[i - 1], parted[i], axes, view, scene);
+  return parted;
 }
 
 /// Curves of a drawing whose legend shows no lines get their names as in a picture, by its filled squares and its letters. Of an

@@ -287,7 +287,7 @@ TEST_CASE("Strokes that end in different places are doubted, unless something sa
   std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0}, 3.4)};
   CHECK(separate(traces)->confidence < 0.5);
   CHECK(separate({traced(0.1), traced(-0.05, {255, 0, 0}, 3.8)})->confidence > 0.9);
-  CurveTrace hidden = traced(-0.05, {255, 0, 0}, 3.8);  // the last of its wall lies under the press
+  CurveTrace hidden = traced(-0.05, {255, 0, 0});  // the last of its wall lies under the press
   hidden.points_px.resize(hidden.points_px.size() - 25);
   CHECK(separate({traces[0], hidden})->confidence > 0.9);
   if (GENERATE(false, true)) {  // 5 % of the travel less far, and half a wall higher
@@ -366,6 +366,36 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
   release.points_px.push_back(samples[0].points_px.back());
   samples[0].label.clear();
   CHECK(separate({samples[0], release})->confidence > 0.9);
+}
+
+TEST_CASE("Two walls that end at different heights beside each other are two presses'", "[strokes]") {
+  const auto through = [](const Polyline& points, Rgb ink) {
+    CurveTrace t;
+    t.points_px = densified(points, 1);
+    t.color = ink;
+    t.confidence = 1;
+    return t;
+  };
+  const CurveTrace press = through({{50, 450}, {60, 300}, {400, 270}, {420, 60}}, {0, 0, 0});
+  const double beside_px = GENERATE(0.0, 8.0);
+  std::vector<CurveTrace> both{
+      press, through({{50, 450}, {60, 350}, {404 + beside_px, 320}, {410 + beside_px, 165}}, {255, 0, 0})};
+  const auto found = separate(both);
+  REQUIRE(found.ok());
+  CHECK((found->confidence < 0.5) == (beside_px > 0));  // a release cut lower up the wall begins on the press
+  both[0].label = "Press", both[1].label = "Release";
+  CHECK(separate(both)->confidence > 0.9);
+}
+
+TEST_CASE("A switch whose ink the legend names twice has two strokes", "[strokes]") {
+  std::vector<CurveTrace> traces{traced(0.1, {255, 0, 0}), traced(-0.05, {0, 0, 255})};
+  traces[0].label = "Heron", traces[1].label = "Kite";
+  StrokeHints hints;
+  hints.curve = "Heron";
+  CHECK(separateStrokes(traces, axes(), hints).ok());
+  traces[0].label += " / Her0n u";
+  hints.curve = "1";
+  CHECK_FALSE(separateStrokes(traces, axes(), hints).ok());
 }
 
 TEST_CASE("A locked key's release covers part of the travel: the legend says that it belongs to the press",

@@ -1526,6 +1526,109 @@ TEST_CASE("A pale line that was not traced is seen beside one that was", "[expla
   }
 }
 
+TEST_CASE(
+    "Releases in dashes close below their presses are told, led up the walls and named by their samples",
+    "[trace]") {
+  // Nearer than two lines of one ink are told apart by their course.
+  constexpr double below = 0.016, width_px = 2;
+  Plot plot(1000, 600);
+  plot.grid(5, 5, kGrey);
+  const auto strokeOf = [&](double end, double level, double under) {
+    return plot.at({{0, 0}, {0.04 * end, level - under}, {0.92 * end, 1.3 * level - under}, {end, 0.9}});
+  };
+  int row = 0;
+  for (const auto& [ink, end, level, name] :
+       {std::tuple(kRed, 0.7, 0.5, "Heron"), std::tuple(kBlue, 0.85, 0.25, "Kite")}) {
+    plot.line(strokeOf(end, level, 0), width_px, ink);
+    Curve release = densified(strokeOf(end, level, below), 1);
+    std::erase_if(release,
+                  [&](Point p) { return p.x > plot.at(0.92 * end, 0).x; });  // the wall is the press' own
+    drawDashes(plot, release, ink, width_px);
+    const double y = 50 + 40 * row++;
+    plot.line({{935, y}, {955, y}}, width_px, ink);
+    for (const double x : {935.0, 943.0, 951.0}) plot.line({{x, y + 20}, {x + 3, y + 20}}, width_px, ink);
+    plot.say(std::string(name) + " down", {960, y - 6, 998, y + 6});
+    plot.say(std::string(name) + " up", {960, y + 14, 990, y + 26});
+  }
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 4);
+  for (std::size_t i = 0; i < 4; i += 2) {
+    const CurveTrace &press = (*traces)[i], &release = (*traces)[i + 1];
+    CHECK(press.color == release.color);
+    CHECK(press.stroke == Stroke::press);
+    CHECK(release.stroke == Stroke::release);
+    CHECK(distance(release.points_px.back(), press.points_px.back()) < 2);
+    CHECK(press.label.ends_with(" down"));
+    CHECK(release.label.ends_with(" up"));
+  }
+}
+
+TEST_CASE("Rims of the markers on press and release are no strokes in dashes", "[trace]") {
+  Plot plot(1000, 600);
+  for (const auto& [ink, level] : {std::pair(kRed, 0.6), std::pair(kBlue, 0.35)}) {
+    const Curve way = densified(plot.at({{0, 0}, {0.05, level}, {0.85, 1.2 * level}, {0.93, 0.95}}), 1);
+    plot.line(way, 2, ink);
+    for (std::size_t i = 12; i < way.size(); i += 24) {
+      Curve rim;
+      for (int k = 0; k <= 24; ++k)
+        rim.push_back({way[i].x + 6 * std::cos(k * M_PI / 12), way[i].y + 6 * std::sin(k * M_PI / 12)});
+      plot.line(rim, 1.5, ink);
+    }
+  }
+  CHECK(plot.trace()->size() == 2);
+}
+
+TEST_CASE("Beside three curves in colours one in the frame's ink is a curve as well", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(1, 1, kBlack);
+  const auto ending = [&](double height) {
+    return plot.at({{0, 0}, {0.3, height}, {0.7, 0.7 * height}, {0.9, height + 0.1}});
+  };
+  plot.line(ending(0.8), 2, kRed);
+  plot.line(ending(0.6), 2, kBlue);
+  plot.line(ending(0.45), 2, kTeal);
+  plot.line(ending(0.3), 2, kBlack);
+  CHECK(plot.trace()->size() == 4);
+}
+
+TEST_CASE("Names in their curves' inks, wherever they stand beside three curves and more", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(5, 5, kGrey);
+  const bool three = GENERATE(false, true);
+  int its = 0;
+  for (const auto& [ink, name, height] :
+       {std::tuple(kRed, "Old", 0.8), std::tuple(kBlue, "New", 0.5), std::tuple(kTeal, "Raw", 0.25)}) {
+    if (!three && its == 2) break;
+    plot.line(plot.at({{0, 0}, {0.2, height}, {0.9, height + 0.1}}), 2, ink);
+    const Point at = plot.at(0.3 + 0.15 * its++, height - 0.1);
+    plot.letters(name, (at.x - plot.box().x0) / plot.box().width(), height - 0.1, 14, ink);
+    plot.say(name, {at.x - 1, at.y - 15, at.x + 38, at.y + 1});
+  }
+  const auto traces = plot.trace().value();
+  CHECK(ofColor(traces, kRed).label ==
+        (three ? "Old" : ""));  // of two they may be callouts of one switch's strokes
+  CHECK(ofColor(traces, kBlue).label == (three ? "New" : ""));
+}
+
+TEST_CASE("A sample may have its curve's marker in the middle, and a box behind it", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(6, 6, kGrey);
+  const Rgb slate{44, 62, 80};
+  plot.line(plot.at(release()), 2, kRed, true);
+  plot.line(plot.at(press()), 2, slate, true);
+  const double x = plot.box().x0 + 120;
+  for (const double y : {60.0, 80.0}) plot.line({{x, y}, {x + 26, y}}, 2, y > 70 ? slate : kRed);
+  plot.disc((x + 13 - plot.box().x0) / plot.box().width(), (plot.box().y1 - 60) / plot.box().height(), 5,
+            kRed);
+  plot.line({{x - 12, 48}, {x - 12, 92}}, 1, {120, 130, 140});  // the legend's box, in the slate's hue
+  plot.say("Old one", {x + 32, 54, x + 80, 66});
+  plot.say("New one", {x + 32, 74, x + 84, 86});
+  const auto traces = plot.trace().value();
+  CHECK(ofColor(traces, kRed).label == "Old one");
+  CHECK(ofColor(traces, slate).label == "New one");
+}
+
 TEST_CASE("Nothing to trace is said in a sentence", "[trace]") {
   Plot empty(600, 400);
   empty.grid(5, 5, kGrey);

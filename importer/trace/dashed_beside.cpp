@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/dashed_beside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace detent::importer::trace {
+
+namespace {
+
+cv::Mat matOf(const Plane& plane) {
+  return {plane.height, plane.width, CV_32F, const_cast<float*>(plane.values.data())};
+}
+
+/// Clears a line and its soft edges; corners between points are rounded.
+void clearLine(Plane& plane, const CurveTrace& trace, const PlotArea& area, double thickness_px) {
+  constexpr double edge_px = 3;  // of both sides together
+  std::vector<cv::Point> line;
+  for (const Point& p : trace.points_px) {
+    const Point q = area.fromView(p);
+    line.emplace_back(static_cast<int>(std::lround(q.x)), static_cast<int>(std::lround(q.y)));
+  }
+  cv::polylines(matOf(plane), line, false, 0, static_cast<int>(std::ceil(thickness_px + edge_px)));
+}
+
+void clearBox(Plane& plane, const Box& box) {
+  const cv::Rect whole(0, 0, plane.width, plane.height);
+  const cv::Rect within(cv::Point(static_cast<int>(box.x0), static_cast<int>(box.y0)),
+                        cv::Point(static_cast<int>(box.x1) + 1, static_cast<int>(box.y1) + 1));
+  matOf(plane)(within & whole).setTo(0);
+}
+
+/// Share of the ink that lies at a course.
+double shareAt(const CoarseCurve& course, const Plane& own, double within_px) {
+  cv::Mat near(own.height, own.width, CV_8U, cv::Scalar(0));
+  for (const Point& p : course.points)
+    cv::circle(near, {static_cast<int>(p.x), static_cast<int>(p.y)}, static_cast<int>(std::ceil(within_px)),
+               255, cv::FILLED);
+  const cv::Mat ink = matOf(own);
+  const double all = cv::sum(ink)[0];
+  cv::Mat at = cv::Mat::zeros(ink.size(), ink.type());
+  ink.copyTo(at, near);
+  return all > 0 ? cv::sum(at)[0] / all : 0;
+}
+
+/// Of the ink above and below a line the share on the side that has more.
+double shareOnOneSide(const Plane& own, const CurveTrace& solid, const PlotArea& area) {
+  constexpr float kInked = 0.3F;  // coverage
+  std::vector<double> rows(static_cast<std::size_t>(own.width), -1);
+  for (const Point& p : solid.points_px) {
+    const Point q = area.fromView(p);
+    const auto x = static_cast<int>(std::lround(q.x));
+    if (x >= 0 && x < own.width) rows[static_cast<std::size_t>(x)] = q.y;
+  }
+  double above = 0, below = 0;
+  for (int x = 0; x < own.width; ++x) {
+    const double row = rows[static_cast<std::size_t>(x)];
+    if (row < 0) continue;
+    for (int y = 0; y < own.height; ++y)
+      if (own.at(x, y) > kInked) (y < row ? above : below) += 1;
+  }
+  return std::max(above, below) / std::max(1.0, above + below);
+}
+
+}  // namespace
+
+std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
+                                         const std::vector<int>& curveInks, const PlotInks& plot) {
+  constexpr double leastTravel = 0.5;  // of the solid line's
+  constexpr double itsInk = 0.6;       // of what is left, as of a dashed line alone
+  constexpr double oneSide = 0.8;      // of it: what is left of markers lies on both sides of their line
+  if (curve.dashed || solid.points_px.size() < 2) return {};
+  DashedCourse found{fieldOf(plot, curve.ink, curveInks), {}};
+  clearLine(found.field.own, solid, plot.area(), curve.thickness_px);
+  for (const Box& box : found.field.opaque) clearBox(found.field.own, box);
+  if (shareOnOneSide(found.field.own, solid, plot.area()) < oneSide) return {};
+  const std::optional<CurveField> joined = dashesJoined(found.field);
+  if (!joined) return {};
+  FollowOptions follow;
+  follow.thickness_px = curve.thickness_px;
+  found.course = followCurve(*joined, plot.area().frame, follow);
+  const auto [left, right] = std::ranges::minmax(solid.points_px, {}, &Point::x);
+  const double travel_px = plot.area().fromView(right).x - plot.area().fromView(left).x;
+  if (!found.course.found() || found.course.span_px < leastTravel * travel_px) return {};
+  if (found.course.rise_px <= 2 * curve.thickness_px) return {};  // a guide along the travel
+  if (shareAt(found.course, found.field.own, curve.thickness_px + 1) < itsInk) return {};
+  found.field = besideDashesOnly(found.field);
+  return found;
+}
+
+}  // namespace detent::importer::trace
