@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "importer/axes/equal_digits.h"
 #include "importer/axes/small_labels.h"
@@ -35,31 +36,6 @@ std::vector<Box> ownLabelWords(const GraphReading& r, const Box& band, double an
 std::vector<Box> labelGlyphs(const GraphReading& r, const Box& band) {
   const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
   return glyphsIn(r.glyphs, band, largest);
-}
-
-/// A number set so close to a title that runs upwards that a letter of it was taken up: the letter stands in a column with
-/// others, nearer than one label to the next.
-Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs) {
-  constexpr double apart = 0.2, nextLetter = 0.45;  // of the word's height
-  std::vector<Box> members;
-  for (const Box& g : glyphs)
-    if (word.contains(g)) members.push_back(g);
-  std::sort(members.begin(), members.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
-  Box before = members.empty() ? word : members.front();
-  for (std::size_t k = 1; k < members.size(); before = before.joined(members[k]), ++k) {
-    if (members[k].x0 - before.x1 < apart * members[k].height()) continue;
-    const bool inColumn = std::any_of(glyphs.begin(), glyphs.end(), [&](const Box& g) {
-      const double shared = std::min(g.x1, before.x1) - std::max(g.x0, before.x0);
-      const double gap = std::max(g.y0, before.y0) - std::min(g.y1, before.y1);
-      return !word.contains(g) && shared >= 0.5 * std::min(g.width(), before.width()) &&
-             gap <= nextLetter * word.height();
-    });
-    if (!inColumn) return word;
-    Box rest = members[k];
-    for (std::size_t i = k; i < members.size(); ++i) rest = rest.joined(members[i]);
-    return rest;
-  }
-  return word;
 }
 
 /// Words of ink that may be numbers.
@@ -358,6 +334,17 @@ bool endsAlike(const AxisLabels& labels) {
          ends.find_first_not_of(ends.front()) == std::string::npos;
 }
 
+/// Whether a column's words stand as close as the letters of a title that runs upwards do: numbers leave room between them.
+bool isWriting(const AxisLabels& column) {
+  constexpr double closest = 0.45;  // of the lower one's height
+  int close = 0;
+  for (std::size_t i = 1; i < column.words.size(); ++i) {
+    const Box &above = column.words[i - 1].box, &below = column.words[i].box;
+    close += below.y0 - above.y1 < closest * std::min(above.height(), below.height());
+  }
+  return 2 * close >= static_cast<int>(column.words.size()) - 1;
+}
+
 }  // namespace
 
 int AxisLabels::numbers() const {
@@ -383,6 +370,62 @@ std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLab
   return wholes;
 }
 
+namespace {
+
+/// The row of numbers over the frame, for a travel axis that stands there.
+std::optional<AxisLabels> readTopLabels(GraphReading& r, const std::vector<GridLine>& lines) {
+  constexpr int fewestRegular = 3;
+  const Box &b = r.box,
+            band{b.x0 - 0.12 * b.width(), b.y0 - 0.3 * b.height(), b.x1 + 0.12 * b.width(), b.y0 - 1};
+  std::vector<double> ticks;
+  for (const auto& line : lines) ticks.push_back(line.position_px);
+  for (const auto& words : {ownLabelWords(r, band, 0), inkedLabelWords(r, band, Axis::x)}) {
+    const LabelRow row = labelsAbove(words, b, ticks);
+    if (row.regular >= fewestRegular) return fitRow(r, row, lines, Axis::x, TextKind::number, 0);
+  }
+  return {};
+}
+
+}  // namespace
+
+namespace {
+
+Box mirrored(const Box& b) { return {-b.x1, b.y0, -b.x0, b.y1}; }
+
+std::vector<Box> mirrored(std::vector<Box> boxes) {
+  for (Box& box : boxes) box = mirrored(box);
+  return boxes;
+}
+
+/// Words right of the frame that may be numbers.
+std::vector<Box> rightLabelWords(const std::vector<Box>& glyphs) {
+  const std::vector<Box> sided = mirrored(glyphs);
+  std::vector<Box> words = numberBoxes(glyphs);
+  for (Box& word : words) word = mirrored(withoutTitleLetter(mirrored(word), sided));
+  return words;
+}
+
+/// Without the small flat marks of one size in front of every number of a column: the ends of ticks, shorter than a minus.
+std::vector<Box> withoutTicksBefore(std::vector<Box> glyphs, const LabelRow& column) {
+  constexpr std::size_t fewest = 3;
+  constexpr double same_px = 1.5, low = 0.3, shorter = 0.4;  // px; of a number's height
+  std::vector<Box> firsts;
+  for (const Box& word : column.words) {
+    const auto first =
+        std::ranges::find_if(glyphs, [&](const Box& g) { return g.x0 == word.x0 && word.contains(g); });
+    if (first != glyphs.end()) firsts.push_back(*first);
+  }
+  const auto isTick = [&](const Box& g) {
+    return g.height() <= low * column.height_px && g.width() <= shorter * column.height_px &&
+           std::abs(g.x0 - firsts.front().x0) < same_px &&
+           std::abs(g.width() - firsts.front().width()) < same_px;
+  };
+  if (firsts.size() >= fewest && std::ranges::all_of(firsts, isTick)) std::erase_if(glyphs, isTick);
+  return glyphs;
+}
+
+}  // namespace
+
 std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<GridLine>& lines) {
   constexpr int fewestRegular = 4;  // what is less may be a legend's
   const Box& b = r.box;
@@ -391,12 +434,13 @@ std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<Gri
                  b.y1 + 0.08 * b.height()};
   // A tick begins at the frame's edge, a label with a minus sign does not; else "-0.8" is read.
   const double besideTicks_px = besideEdge_px + 0.004 * b.width();
+  const auto isFlat = [](const Box& g) { return g.width() >= 1.5 * g.height(); };
   std::vector<Box> glyphs = labelGlyphs(r, band);
-  std::erase_if(glyphs,
-                [&](const Box& g) { return g.x0 < b.x1 + besideTicks_px && g.width() >= 1.5 * g.height(); });
+  std::erase_if(glyphs, [&](const Box& g) { return g.x0 < b.x1 + besideTicks_px && isFlat(g); });
   std::vector<double> ticks;
   for (const auto& line : r.frame.yLines) ticks.push_back(line.position_px);
-  const LabelRow row = labelsRight(numberBoxes(glyphs), b, ticks);
+  LabelRow row = labelsRight(rightLabelWords(glyphs), b, ticks);
+  row = labelsRight(rightLabelWords(withoutTicksBefore(std::move(glyphs), row)), b, ticks);
   if (row.regular < fewestRegular) return {};
   return fitRow(r, row, lines, Axis::y, TextKind::number, 0);
 }
@@ -434,10 +478,13 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   if (!x) {  // digits of numbers that read upwards make a scale by twos
     auto upwards = readUpwardLabels(r, band, lines);
     if (upwards && agreed(*upwards) >= 3) return upwards;
-    if (!best || best->numbers() < 2)  // nothing like numbers there: they may stand at the right alone
+    // Nothing like numbers there: they may stand at the right alone.
+    if (!best || best->numbers() < 2 || isWriting(*best))
       if (auto right = readRightLabels(r, lines); right && agreed(*right) >= 3 && reachesFar(*right, b))
         return right;
   }
+  if (x && (!best || best->numbers() < 2))
+    if (auto top = readTopLabels(r, lines); top && agreed(*top) >= 3) return top;
   if (best && agreed(*best) >= 2) return best;
   // "20gf" read as digits alone is nonsense: once more with letters.
   auto lettered = tryRows(r, axis, words, lines, TextKind::words);

@@ -102,38 +102,67 @@ std::vector<SeenText> withBracket(std::vector<SeenText> lines) {
 
 }  // namespace
 
-AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
-  const Box& b = r.box;
+namespace {
+
+/// Where a travel axis' title may stand; that of an axis at the top in a mirror.
+struct LevelPlaces {
+  Box below, close, beside, besideAxis, overEnd;
+  Point towards, end;
+};
+
+LevelPlaces placesBelow(const Box& b, const Box& numbers) {
+  const bool atTop = numbers.y1 < b.y0;
+  const auto sided = [&](const Box& box) {
+    return atTop ? Box{box.x0, b.y0 + b.y1 - box.y1, box.x1, b.y0 + b.y1 - box.y0} : box;
+  };
+  const Box labels = sided(numbers);
+  LevelPlaces at;
   const double below_px = std::max(0.2 * b.height(), 6 * labels.height());
-  const Box below{b.x0 - 0.05 * b.width(), labels.y1 + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px};
-  const Box beside{std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.9 * b.width(),
-                   b.y1 + 0.25 * b.height()};
+  at.below = sided({b.x0 - 0.05 * b.width(), labels.y1 + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px});
+  // Set tight, its line reaches into that of the numbers.
+  at.close =
+      sided({b.x0 - 0.05 * b.width(), labels.middle().y + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px});
+  at.beside = sided({std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.9 * b.width(),
+                     b.y1 + 0.25 * b.height()});
   // Where a force axis begins below zero the travel axis stands higher, and its name beside its end.
-  const Box besideAxis{b.x1 + 2, b.y1 - 0.5 * b.height(), b.x1 + 0.4 * b.width(), b.y1 - 0.1 * b.height()};
-  const Box overEnd{b.x0 + 0.5 * b.width(), b.y1 - 0.12 * b.height(), b.x1 + 0.1 * b.width(), b.y1};
-  const Point towards{0.5 * (b.x0 + b.x1), labels.y1};
+  at.besideAxis = sided({b.x1 + 2, b.y1 - 0.5 * b.height(), b.x1 + 0.4 * b.width(), b.y1 - 0.1 * b.height()});
+  at.overEnd = sided({b.x0 + 0.5 * b.width(), b.y1 - 0.12 * b.height(), b.x1 + 0.1 * b.width(), b.y1});
+  at.towards = {0.5 * (b.x0 + b.x1), atTop ? numbers.y0 : numbers.y1};
+  at.end = {b.x1, atTop ? b.y0 : b.y1};
+  return at;
+}
+
+}  // namespace
+
+AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
+  const LevelPlaces at = placesBelow(r.box, labels);
   AxisTitle<LengthUnit> best;
-  std::vector<SeenText> nearby = r.ownTexts(below), read;
+  std::vector<SeenText> nearby = r.ownTexts(at.below), read;
   consider(best, nearby, lengthUnitIn);
-  consider(best, r.ownTexts(beside), lengthUnitIn);
-  if (!best.unit) considerInside(best, r.ownTexts(overEnd), lengthUnitIn);
   if (!best.unit) {
-    read = r.readLines(below, 0, towards, 3);
+    nearby = r.ownTexts(at.close);
+    consider(best, nearby, lengthUnitIn);
+  }
+  consider(best, r.ownTexts(at.beside), lengthUnitIn);
+  if (!best.unit) considerInside(best, r.ownTexts(at.overEnd), lengthUnitIn);
+  if (!best.unit) {
+    read = r.readLines(at.below, 0, at.towards, 3);
     consider(best, read, lengthUnitIn);
     nearby.insert(nearby.end(), read.begin(), read.end());
   }
   std::vector<SeenText> readBeside;
   if (!best.unit) {
-    readBeside = r.readLines(beside, 0, {b.x1, b.y1}, 4);
+    readBeside = r.readLines(at.beside, 0, at.end, 4);
     consider(best, readBeside, lengthUnitIn);
   }
-  if (!best.unit) consider(best, r.readLinesOfParts(below, 0, towards, 2), lengthUnitIn);
-  if (!best.unit) considerInside(best, r.readLinesInside(overEnd, 0, {b.x1, b.y1}, 2), lengthUnitIn);
-  if (!best.unit) considerInside(best, r.readLines(besideAxis, 0, {b.x1, b.y1}, 2), lengthUnitIn);
+  if (!best.unit) consider(best, r.readLinesOfParts(at.below, 0, at.towards, 2), lengthUnitIn);
+  if (!best.unit) considerInside(best, r.readLinesInside(at.overEnd, 0, at.end, 2), lengthUnitIn);
+  if (!best.unit) considerInside(best, r.readLines(at.besideAxis, 0, at.end, 2), lengthUnitIn);
+  if (!best.unit && !r.glyphs.empty()) consider(best, r.readLines(at.close, 0, at.towards, 2), lengthUnitIn);
   if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
   if (!best.unit) considerAgain(best, r, withBracket(readBeside), lengthUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
-    best.other = otherQuantity(nearby, towards, besides(best, forceUnitIn));
+    best.other = otherQuantity(nearby, at.towards, besides(best, forceUnitIn));
   return best;
 }
 
@@ -167,11 +196,8 @@ TitlePlaces placesBeside(const Box& b, const Box& numbers) {
   return at;
 }
 
-}  // namespace
-
-AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
+AxisTitle<ForceUnit> readYTitleAt(GraphReading& r, const TitlePlaces& at) {
   const Box& b = r.box;
-  const TitlePlaces at = placesBeside(b, labels);
   const double axis = at.mirrored ? b.x1 : b.x0;
   AxisTitle<ForceUnit> best;
   std::vector<SeenText> upwards, read;
@@ -208,6 +234,18 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   if (!best.unit || best.unit->sure < surePlace)
     best.other = otherQuantity(upwards, at.towards, besides(best, lengthUnitIn));
   return best;
+}
+
+}  // namespace
+
+AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
+  const Box& b = r.box;
+  const TitlePlaces at = placesBeside(b, labels);
+  AxisTitle<ForceUnit> title = readYTitleAt(r, at);
+  if (title.unit || !title.other.empty() || !at.mirrored) return title;
+  // Programs move an axis' numbers to the right and leave its title where it was.
+  AxisTitle<ForceUnit> left = readYTitleAt(r, placesBeside(b, {b.x0 - 1, b.y0, b.x0, b.y1}));
+  return left.unit ? left : title;
 }
 
 }  // namespace detent::importer

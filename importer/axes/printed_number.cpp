@@ -2,6 +2,7 @@
 #include "importer/axes/printed_number.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -63,6 +64,19 @@ SignIn signIn(std::string_view utf8) {
 }
 
 }  // namespace
+
+bool looksLike(std::string_view read, std::string_view number) {
+  constexpr std::array<std::string_view, 8> alike{"08", "06", "68", "38", "89", "56", "17", "09"};
+  const std::string digits = digitsOf(read), other = digitsOf(number);
+  if (digits.size() != other.size()) return false;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const auto holdsBoth = [&](std::string_view pair) {
+      return pair.find(digits[i]) != std::string_view::npos && pair.find(other[i]) != std::string_view::npos;
+    };
+    if (digits[i] != other[i] && std::ranges::none_of(alike, holdsBoth)) return false;
+  }
+  return true;
+}
 
 std::optional<double> printedNumber(std::string_view utf8) {
   std::string s = plain(utf8);

@@ -42,6 +42,9 @@ enum class ThousandsSign {
 ThousandsSign expectThousands(const std::vector<std::string>& texts,
                               std::vector<std::vector<NumberReading>>& readings);
 
+/// Whether a number was read digit by digit as one that it looks like: "8" where 0 stands, "66" where 60 does.
+bool looksLike(std::string_view read, std::string_view number);
+
 /// A text's digits alone, in their order.
 std::string digitsOf(std::string_view text);
 

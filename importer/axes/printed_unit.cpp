@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstddef>
 #include <vector>
 
 #include "importer/axes/word_match.h"
@@ -253,6 +255,7 @@ std::vector<std::string> bracketed(const std::string& t) {
     if (t[i] != '(' && t[i] != '[' && t[i] != '{') continue;
     auto close = t.find_first_of(")]}|", i + 1);
     const bool closed = close != std::string::npos;
+    if (!closed && t[i] == '{') continue;  // a rest of an ideograph
     if (!closed) close = t.size();
     const std::string inside =
         withoutBlanks(withoutBrackets(std::string_view(t).substr(i + 1, close - i - 1)));
@@ -284,6 +287,36 @@ void addUnopened(const std::string& t, std::vector<Piece>& out) {
   }
 }
 
+bool isLetter(char c) {
+  return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Where the last part of a column's name begins: behind a stroke at its foot or a full stop, at a capital behind a small letter; 0 if
+/// it has no parts.
+std::size_t lastPartOf(std::string_view name) {
+  if (const auto parting = name.find_last_of("_.-"); parting != std::string_view::npos) return parting + 1;
+  for (std::size_t i = name.size(); i-- > 1;)
+    if (std::isupper(static_cast<unsigned char>(name[i])) != 0 &&
+        std::islower(static_cast<unsigned char>(name[i - 1])) != 0)
+      return i;
+  return 0;
+}
+
+/// "travel_mm", "Force.N", "forceGf": titles that are names of a table's columns, which have no blanks, end in their unit.
+void addOfColumn(const std::string& t, std::vector<Piece>& out) {
+  constexpr std::ptrdiff_t fewest = 3;  // letters of a name before a unit of one: "F_N" is a normal force
+  std::string_view name = t;
+  if (const auto blank = name.find_last_of(' '); blank != std::string_view::npos)
+    name.remove_prefix(blank + 1);
+  name = name.substr(0, name.find_last_not_of("._") + 1);
+  const std::size_t from = lastPartOf(name);
+  const std::string_view unit = name.substr(from);
+  const auto letters = std::ranges::count_if(name.substr(0, from), isLetter);
+  if (letters == 0 || unit.empty() || !std::ranges::all_of(unit, isLetter)) return;
+  if (from > 0 && name[from - 1] == '-' && (unit.size() == 1 || unit == "in")) return;  // "plug-in"
+  if (unit.size() > 1 || letters >= fewest) out.push_back({std::string(unit), 0.9});
+}
+
 /// Where units stand in titles, surest first: in brackets; without any after a slash, after "in", as the last word.
 std::vector<Piece> pieces(const std::string& title) {
   const std::string t = withoutArrow(title);
@@ -299,6 +332,7 @@ std::vector<Piece> pieces(const std::string& title) {
   else if (const auto joined = t.rfind(" in");
            joined != std::string::npos)  // "Weg inmm": a blank was not seen
     out.push_back({withoutBrackets(std::string_view(t).substr(joined + 3)), 0.85});
+  addOfColumn(t, out);
   // A comma may come back as a full stop: "Force. N".
   const auto comma = t.find(',') != std::string::npos ? t.rfind(',') : t.rfind(". ");
   if (comma != std::string::npos)

@@ -141,7 +141,7 @@ bool isRestOf(const std::string& read, const std::string& expected) {
 /// How a label that can be read stands to the scale the others agree on.
 enum class LabelVerdict {
   fits,  ///< on its line, or its line's value a little beside it (the zero in the corner)
-  rest,  ///< a piece of the number that should stand there
+  rest,  ///< a piece of the number that should stand there, or its look
   contradicts
 };
 
@@ -151,8 +151,12 @@ LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
   const double expected = lineValue(p, p.tickOf[i]);
   for (const auto& reading : labels.readings[i])
     if (reading.weight >= 1 && std::abs(reading.value - expected) < 1e-6 * p.step) return LabelVerdict::fits;
-  return isRestOf(labels.words[i].utf8, shownNumber(expected)) ? LabelVerdict::rest
-                                                               : LabelVerdict::contradicts;
+  constexpr int many = 4;  // labels that agree outvote one that may be misread
+  const std::string shown = shownNumber(expected);
+  constexpr double fully = 0.94;  // of the engine's certainty
+  const SeenText& word = labels.words[i];
+  const bool isMisread = p.labels >= many && word.confidence < fully && looksLike(word.utf8, shown);
+  return isMisread || isRestOf(labels.words[i].utf8, shown) ? LabelVerdict::rest : LabelVerdict::contradicts;
 }
 
 /// A residual as on an axis no longer than a plot needs: scaled up, a plot's lines are off by more pixels and not by more.

@@ -87,15 +87,21 @@ bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& 
   return dash || mark.width() > longDash * usual_px || filledShare(on.ink, mark) >= filled;
 }
 
-/// Entries of a legend that stand in one row, parted at the samples between them and without them.
-std::vector<TextLine> entriesOf(const TextLine& line, const Inked& on) {
+/// Entries of a legend that stand in one row, parted at the samples between them and without them; the samples.
+struct LegendRow {
+  std::vector<TextLine> entries;
+  std::vector<Box> samples;
+};
+
+LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
   constexpr double notFlat = 0.4;  // height of its width
   std::vector<double> heights;
   for (const auto& g : line.glyphs)
     if (g.height() > notFlat * g.width()) heights.push_back(g.height());
-  if (heights.empty()) return {line};
+  if (heights.empty()) return {{line}, {}};
   const double usual = medianOf(heights);
-  std::vector<TextLine> entries(1);
+  LegendRow row{{{}}, {}};
+  auto& entries = row.entries;
   for (std::size_t i = 0; i < line.glyphs.size(); ++i) {
     const Box& g = line.glyphs[i];
     TextLine& entry = entries.back();
@@ -103,6 +109,7 @@ std::vector<TextLine> entriesOf(const TextLine& line, const Inked& on) {
                               : i + 1 < line.glyphs.size() ? &line.glyphs[i + 1]
                                                            : nullptr;
     if (beside != nullptr && isSample(g, *beside, usual, on)) {
+      row.samples.push_back(g);
       if (!entry.glyphs.empty()) entries.emplace_back();
     } else {
       entry.box = entry.glyphs.empty() ? g : entry.box.joined(g);
@@ -110,7 +117,7 @@ std::vector<TextLine> entriesOf(const TextLine& line, const Inked& on) {
     }
   }
   if (entries.back().glyphs.empty()) entries.pop_back();
-  return entries;
+  return row;
 }
 
 /// Whether a level line runs all through a mark: a legend's sample with its marker, a leader with its head. Letters that touch
@@ -232,9 +239,11 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
                         mostOfAName = 5;  // of a name beside a sample that is shorter than writing; of any
   std::vector<TextLine> lines;
   for (const auto& row : groupedLines(marks, 1.1)) {
-    const std::vector<TextLine> entries = entriesOf(row, on);
-    // A legend's row below the plot may have been read as one line when titles were looked for.
+    const auto [entries, samples] = partedAtSamples(row, on);
+    // A legend's row may have been read as one line, or with its sample, when titles were looked for.
     std::erase_if(axes.texts, [&](const SeenText& seen) {
+      const auto isIn = [&](const Box& sample) { return seen.box.contains(sample); };
+      if (seen.confidence < 1 && std::ranges::any_of(samples, isIn)) return true;
       return std::ranges::count_if(entries, [&](const TextLine& entry) {
                return static_cast<int>(entry.glyphs.size()) >= minLetters &&
                       overlapShare(entry.box, seen.box) > 0.4;

@@ -17,110 +17,131 @@ constexpr std::array kPressWords = {
     // English
     "press", "pressing", "pressed", "downstroke", "down", "downward", "downwards", "push", "pushing",
     "pushed", "forward", "forwards", "loading", "load", "depress", "depressing", "actuate", "actuation",
-    "actuating", "in", "make", "compress", "compressing", "advance", "insertion", "outbound",
+    "actuating", "in", "make", "compress", "compressing", "advance", "insertion", "outbound", "fwd",
+    "approach", "engage", "increasing", "operate", "operating",
     // German
     "hinweg", "hin", "vorlauf", "hinlauf", "drucken", "gedruckt", "eindrucken", "niederdrucken",
     "herunterdrucken", "betatigen", "betatigung", "belasten", "belastung", "hinhub", "vorhub", "abwarts",
     "vorwarts", "runter", "einfahren",
     // French
     "appui", "appuyer", "appuye", "enfoncer", "enfonce", "enfoncement", "aller", "descente", "charge",
-    "compression", "pression", "presser", "actionnement", "activation",
+    "compression", "pression", "presser", "actionnement", "activation", "poussee", "pousser", "descendant",
     // Spanish, Portuguese, Catalan
     "ida", "pulsar", "pulsado", "pulsacion", "pulsando", "bajada", "descenso", "carga", "presion",
     "presionar", "presionando", "presionado", "apretar", "avance", "accionamiento", "abajo", "pressao",
     "acionamento", "pressionar", "pressionando", "pressionamento", "premir", "apertar", "aperto", "avanco",
-    "descida", "carregamento", "compressao", "baixo", "pulsacio", "premer",
+    "descida", "carregamento", "compressao", "baixo", "pulsacio", "premer", "anada", "bajando", "empuje",
+    "adelante",
     // Italian, Romanian
     "andata", "pressione", "premuto", "premendo", "discesa", "carico", "azionamento", "compressione",
     "schiacciamento", "apasare", "apasat", "presare", "incarcare", "coborare", "actionare", "comprimare",
+    "premere", "spinta", "dus",
     // Dutch
     "indrukken", "ingedrukt", "drukken", "heen", "heenweg", "heengaand", "belasting", "neergaand", "omlaag",
+    "neerwaarts", "heenreis",
     // Swedish, Norwegian, Danish, Icelandic
     "tryck", "trycka", "tryckning", "nedtryck", "nedtryckning", "intryckning", "intryck", "nedat",
     "belastning", "tryk", "trykk", "trykke", "trykning", "nedtrykning", "nedtrykking", "nedtrykk", "nedtryk",
-    "inntrykking", "indtrykning", "trykking", "nedover", "nedad", "ned",
+    "inntrykking", "indtrykning", "trykking", "nedover", "nedad", "ned", "fram", "framat", "frem", "fremad",
+    "dit", "inn", "ind",
     // Finnish, Estonian, Latvian, Lithuanian
     "painallus", "painaminen", "painettaessa", "painaessa", "alas", "alaspain", "kuormitus", "puristus",
-    "vajutus", "vajutamine", "nospiesana", "nospiezot", "paspaudimas", "spaudimas", "nuspaudimas",
+    "vajutus", "vajutamine", "nospiesana", "nospiezot", "paspaudimas", "spaudimas", "nuspaudimas", "meno",
+    "menosuunta", "sisaan", "eteenpain", "edasi", "turp", "pirmyn",
     // Polish
     "nacisk", "naciskanie", "nacisniecie", "nacisniety", "wciskanie", "wcisniecie", "wcisk", "docisk",
-    "dociskanie", "sciskanie", "obciazanie", "obciazenie",
+    "dociskanie", "sciskanie", "obciazanie", "obciazenie", "tam", "dol",
     // Czech, Slovak
     "stisk", "stisknuti", "stisknuto", "stlaceni", "stlacovani", "zatizeni", "zatezovani", "zmacknuti",
-    "stlacenie", "stlacanie", "stlacovanie", "zatazenie", "zatazovanie",
+    "stlacenie", "stlacanie", "stlacovanie", "zatazenie", "zatazovanie", "dolu", "nadol", "vpred",
     // Hungarian, Turkish
     "nyomas", "lenyomas", "lenyomaskor", "benyomas", "megnyomas", "terheles", "basma", "basis", "basarken",
-    "bastirma", "basilma", "basildi", "yukleme", "asagi", "sikistirma",
+    "bastirma", "basilma", "basildi", "yukleme", "asagi", "sikistirma", "oda", "lefele", "gidis", "ileri",
+    "itme",
     // Slovene, Croatian, Serbian
-    "pritisk", "pritisak", "pritiskanje", "stiskanje", "opterecenje",
+    "pritisk", "pritisak", "pritiskanje", "stiskanje", "opterecenje", "naprej", "naprijed", "napred", "tja",
+    "tamo", "navzdol", "dolje",
     // Indonesian, Vietnamese
-    "tekan", "menekan", "ditekan", "penekanan", "nhan",
+    "tekan", "menekan", "ditekan", "penekanan", "maju", "turun", "pergi", "nhan", "xuong",
     // Russian, Ukrainian, Bulgarian, Serbian
     "нажатие", "нажим", "нажато", "нагрузка", "нагружение", "прямой", "надавливание", "сжатие", "вниз",
     "натискання", "натиснення", "натиск", "навантаження", "стискання", "натискане", "натоварване", "притисак",
-    "притискање",
+    "притискање", "туда", "вперед", "туди", "напред", "тамо", "опускание",
     // Greek
-    "πιεση", "πατημα", "συμπιεση", "φορτιση", "πιεζω", "κατω", "μεταβαση"};
+    "πιεση", "πατημα", "συμπιεση", "φορτιση", "πιεζω", "κατω", "μεταβαση", "εμπρος"};
 constexpr std::array kReleaseWords = {
     // English
     "release", "releasing", "released", "upstroke", "up", "upward", "upwards", "return", "returning", "back",
     "backward", "backwards", "reverse", "unloading", "unload", "reset", "out", "break", "decompress",
-    "retract", "retraction", "inbound",
+    "retract", "retraction", "inbound", "bwd", "bkwd", "withdraw", "withdrawal", "disengage", "decreasing",
     // German
-    "ruckweg", "zuruck", "rucklauf", "ruckhub", "ruckgang", "loslassen", "losgelassen", "entlasten",
-    "entlastung", "ruckstellung", "ruckkehr", "freigabe", "freigeben", "aufwarts", "ruckwarts", "ausfahren",
+    "ruckweg", "zuruck", "her", "losen", "ruckzug", "rucklauf", "ruckhub", "ruckgang", "loslassen",
+    "losgelassen", "entlasten", "entlastung", "ruckstellung", "ruckkehr", "freigabe", "freigeben", "aufwarts",
+    "ruckwarts", "ausfahren",
     // French
     "relachement", "relacher", "relache", "remontee", "decharge", "retour", "decompression", "detente",
-    "liberation",
+    "liberation", "montee", "arriere", "retrait", "ascendant",
     // Spanish, Portuguese, Catalan
     "vuelta", "soltar", "soltando", "soltado", "suelta", "liberacion", "liberar", "subida", "descarga",
     "retorno", "retroceso", "regreso", "arriba", "descompresion", "liberacao", "soltura", "alivio",
     "libertacao", "libertar", "volta", "regresso", "descarregamento", "descompressao", "cima", "alliberament",
+    "recuo", "tornada", "subiendo", "atras",
     // Italian, Romanian
     "ritorno", "rilascio", "rilasciato", "rilasciando", "risalita", "scarico", "salita", "decompressione",
-    "eliberare", "eliberat", "revenire", "descarcare", "ridicare", "retragere", "intoarcere",
+    "eliberare", "eliberat", "revenire", "descarcare", "ridicare", "retragere", "intoarcere", "intors",
+    "inapoi", "rilasciare", "indietro",
     // Dutch
     "loslaten", "losgelaten", "terug", "terugweg", "teruggaand", "terugkeer", "ontlasten", "ontlasting",
-    "opgaand", "omhoog", "vrijgeven",
+    "opgaand", "omhoog", "vrijgeven", "opwaarts", "terugreis", "uit",
     // Swedish, Norwegian, Danish, Icelandic
     "slapp", "slappa", "slappning", "uppslapp", "frislappning", "frigoring", "frigivning", "aterfjadring",
     "aterstallning", "atergang", "uppat", "avlastning", "tillbaka", "retur", "slipp", "slippe", "slipping",
     "slip", "oppslipp", "oppover", "opad", "tilbake", "tilbage", "aflastning", "frigivelse", "opp", "upp",
+    "bakat", "ut", "ud",
     // Finnish, Estonian, Latvian, Lithuanian
     "vapautus", "vapauttaminen", "vapautettaessa", "palautus", "palautuminen", "paluu", "ylos", "ylospain",
-    "vabastus", "vabastamine", "atlaisana", "atbrivosana", "atleidimas", "paleidimas",
+    "vabastus", "vabastamine", "atlaisana", "atbrivosana", "atleidimas", "paleidimas", "paluusuunta", "ulos",
+    "taaksepain", "purku", "tagasi", "atpakal", "atgal",
     // Polish
     "zwolnienie", "zwalnianie", "zwolniony", "puszczanie", "puszczenie", "odpuszczanie", "odpuszczenie",
-    "powrot", "powrotny", "odciazanie", "odciazenie",
+    "powrot", "powrotny", "powrotem", "odciazanie", "odciazenie", "gora", "gore",
     // Czech, Slovak
     "uvolneni", "uvolnovani", "uvolneno", "pusteni", "povoleni", "navrat", "odlehceni", "odlehcovani",
-    "uvolnenie", "uvolnovanie", "pustenie", "odlahcenie",
+    "uvolnenie", "uvolnovanie", "pustenie", "odlahcenie", "zpet", "zpatky", "nahoru", "spat", "nahor", "vzad",
     // Hungarian, Turkish
-    "felengedes", "elengedes", "elengedeskor", "kiengedes", "visszateres", "visszaengedes", "tehermentesites",
-    "birakma", "birakis", "birakirken", "birakildi", "salma", "geri", "donus", "bosaltma", "yukari",
-    "serbest",
+    "vissza", "felfele", "felengedes", "elengedes", "elengedeskor", "kiengedes", "visszateres",
+    "visszaengedes", "tehermentesites", "birakma", "birakis", "birakirken", "birakildi", "salma", "geri",
+    "donus", "bosaltma", "yukari", "serbest",
     // Slovene, Croatian, Serbian
-    "sprostitev", "spuscanje", "popuscanje", "otpustanje", "pustanje", "povratak", "rasterecenje",
+    "sprostitev", "spuscanje", "popuscanje", "otpustanje", "pustanje", "povratak", "rasterecenje", "nazaj",
+    "natrag", "nazad", "navzgor",
     // Indonesian, Vietnamese
-    "lepas", "melepas", "dilepas", "pelepasan", "nha", "tha",
+    "lepas", "melepas", "dilepas", "pelepasan", "mundur", "naik", "pulang", "nha", "tha", "len",
     // Russian, Ukrainian, Bulgarian, Serbian
     "отпускание", "отпущено", "возврат", "разгрузка", "разгружение", "обратный", "отжатие", "вверх",
     "відпускання", "відпущення", "відпуск", "повернення", "розвантаження", "звільнення", "зворотний", "вгору",
-    "отпускане", "освобождаване", "връщане", "разтоварване", "отпуштање",
+    "отпускане", "освобождаване", "връщане", "разтоварване", "отпуштање", "обратно", "назад", "подъем",
     // Greek
-    "απελευθερωση", "αφεση", "επιστροφη", "αποφορτιση", "αποσυμπιεση", "επαναφορα", "πανω"};
+    "απελευθερωση", "αφεση", "επιστροφη", "αποφορτιση", "αποσυμπιεση", "επαναφορα", "πανω", "πισω"};
 
 constexpr std::array kPressSigns = {
-    "按压",   "按下",     "按动",   "下压", "压下", "压入", "按入", "去程", "往程", "加载", "正程", "下行",
-    "下降",   "压缩",     "施压",   "向下", "按壓", "按動", "下壓", "壓下", "壓入", "加載", "壓縮", "施壓",
-    "押下",   "押し込み", "押込み", "押す", "押し", "押込", "押圧", "加圧", "往路", "圧縮", "行き", "下り",
-    "プレス", "누름",     "누르",   "눌림", "누를", "가압", "하강", "압축", "กด"};
+    "按压", "按下", "按动", "下压",     "压下",   "压入", "按入", "去程", "往程", "加载",  "正程",
+    "下行", "下降", "压缩", "施压",     "向下",   "按壓", "按動", "下壓", "壓下", "壓入",  "加載",
+    "壓縮", "施壓", "押下", "押し込み", "押込み", "押す", "押し", "押込", "押圧", "加圧",  "往路",
+    "圧縮", "行き", "下り", "プレス",   "누름",   "누르", "눌림", "누를", "가압", "하강",  "압축",
+    "กด",   "前进", "进程", "正行程",   "正向",   "前進", "往動", "전진", "ضغط",  "לחיצה", "दबा"};
 constexpr std::array kReleaseSigns = {
-    "释放", "松开", "放开", "松手", "放手", "抬起", "回弹", "弹回", "回程",     "返程",     "弹起",
-    "复位", "卸载", "反程", "上行", "上升", "返回", "向上", "釋放", "鬆開",     "放開",     "鬆手",
-    "回彈", "彈回", "彈起", "復位", "卸載", "解放", "開放", "戻り", "リリース", "リターン", "戻し",
-    "戻る", "離す", "離し", "復路", "復帰", "除荷", "除圧", "上り", "帰り",     "복귀",     "해제",
-    "놓기", "놓음", "떼기", "뗌",   "이완", "감압", "상승", "복원", "ปล่อย"};
+    "释放",   "松开", "放开", "松手", "放手", "抬起",  "回弹",  "弹回",  "回程",     "返程",     "弹起",
+    "复位",   "卸载", "反程", "上行", "上升", "返回",  "向上",  "釋放",  "鬆開",     "放開",     "鬆手",
+    "回彈",   "彈回", "彈起", "復位", "卸載", "解放",  "開放",  "戻り",  "リリース", "リターン", "戻し",
+    "戻る",   "離す", "離し", "復路", "復帰", "除荷",  "除圧",  "上り",  "帰り",     "복귀",     "해제",
+    "놓기",   "놓음", "떼기", "뗌",   "이완", "감압",  "상승",  "복원",  "ปล่อย",     "后退",     "退程",
+    "反行程", "反向", "後退", "復動", "후진", "تحرير", "إفلات", "שחרור", "छोड़"};
+
+/// Ways that arrows point: the key goes down or on, and up or back. At a name's beginning or end; between words they lead from one to
+/// the next.
+constexpr std::array kPressArrows = {"↓", "⇓", "⬇", "▼", "→"};
+constexpr std::array kReleaseArrows = {"↑", "⇑", "⬆", "▲", "←"};
 
 /// A text with one of these names a point on a curve, not the curve.
 constexpr std::array kPointWords = {
@@ -130,11 +151,15 @@ constexpr std::array kPointWords = {
 
 // What every legend names: a curve, or what it is a curve of.
 constexpr std::array kCurveWords = {
-    "stroke",  "curve",  "key",    "switch", "going", "coming", "run",  "the",   "of",    "on",
-    "hub",     "csv",    "txt",    "dat",    "ход",   "phase",  "hod",  "kurve", "kurva", "curva",
-    "courbe",  "krzywa", "krivka", "kayra",  "egri",  "corsa",  "skok", "slag",  "fase",  "faza",
-    "carrera", "curso",  "кривая", "крива",  "хід",   "de",     "da",   "do",    "del",   "la",
-    "le",      "der",    "des",    "beim",   "hacia", "para",   "vers"};
+    "stroke",   "curve",     "key",       "switch",  "going",    "coming",   "run",     "the",
+    "of",       "on",        "hub",       "csv",     "txt",      "dat",      "ход",     "phase",
+    "hod",      "kurve",     "kurva",     "curva",   "courbe",   "krzywa",   "krivka",  "kayra",
+    "egri",     "corsa",     "skok",      "slag",    "fase",     "faza",     "carrera", "curso",
+    "кривая",   "крива",     "хід",       "de",      "da",       "do",       "del",     "la",
+    "le",       "der",       "des",       "beim",    "hacia",    "para",     "vers",    "cursa",
+    "course",   "trajet",    "pohyb",     "smer",    "ruch",     "kierunek", "yonu",    "direction",
+    "richtung", "direccion", "direzione", "direcao", "riktning", "retning",  "sens",    "movement",
+    "motion",   "isku",      "zdvih"};
 constexpr std::array kCurveSigns = {"曲线", "曲線", "过程", "過程", "行程", "阶段", "곡선"};
 
 /// German names of curves by what they are of: "Rückstellkurve", "Entlastungsvorgang".
@@ -346,7 +371,11 @@ bool isPointWord(std::string_view word) {
 
 SignedStrokes strokesSignedIn(std::string_view utf8) {
   const auto holds = [&](std::string_view sign) { return utf8.find(sign) != std::string_view::npos; };
-  return {std::ranges::any_of(kPressSigns, holds), std::ranges::any_of(kReleaseSigns, holds)};
+  const auto isAtEnd = [&](std::string_view arrow) {
+    return utf8.starts_with(arrow) || utf8.ends_with(arrow);
+  };
+  return {std::ranges::any_of(kPressSigns, holds) || std::ranges::any_of(kPressArrows, isAtEnd),
+          std::ranges::any_of(kReleaseSigns, holds) || std::ranges::any_of(kReleaseArrows, isAtEnd)};
 }
 
 std::string withoutStrokeSigns(std::string_view word) {
@@ -355,8 +384,17 @@ std::string withoutStrokeSigns(std::string_view word) {
     for (const std::string_view sign : signs)
       if (const auto at = rest.find(sign); at != std::string::npos) rest.erase(at, sign.size());
   };
+  const auto takeFromEnds = [&](const auto& arrows) {
+    for (const std::string_view arrow : arrows)
+      if (rest.starts_with(arrow))
+        rest.erase(0, arrow.size());
+      else if (rest.ends_with(arrow))
+        rest.resize(rest.size() - arrow.size());
+  };
   take(kPressSigns);
   take(kReleaseSigns);
+  takeFromEnds(kPressArrows);
+  takeFromEnds(kReleaseArrows);
   if (rest.size() != word.size()) take(kCurveSigns);
   return rest;
 }

@@ -22,7 +22,7 @@ std::vector<TextLine> groupedLines(std::vector<Box> glyphs, double gapInHeights)
     const auto follows = [&](const TextLine& line) {
       const Box& l = line.box;
       const double overlap = std::min(l.y1, g.y1) - std::max(l.y0, g.y0);
-      return (overlap >= 0.4 * std::min(l.height(), g.height()) || isComma(g, l)) &&
+      return (overlap >= 0.4 * std::min(l.height(), g.height()) || isComma(g, l) || isUnderscore(g, l)) &&
              g.x0 - l.x1 <= gapInHeights * std::max(l.height(), g.height()) &&
              g.height() <= 2.5 * l.height() + 3;
     };

@@ -147,8 +147,10 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
     for (const auto& g : near) upright.push_back(turned(g, turns));
     const auto words = numberBoxes(upright);
     const Box box = turned(r.box, turns);
-    const auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
+    auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
     auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
+    // The numbers of the travel may stand over the plot alone.
+    if (turns == 0 && below.regular < 3) below = labelsAbove(words, box, turnedPositions(r, turns, true));
     if (below.regular >= 3 && (left.regular < 3 || !sameSize(below, left)))
       left = labelsUpwards(words, box, turnedPositions(r, turns, false));
     // The numbers of the force may stand at the plot's right alone.

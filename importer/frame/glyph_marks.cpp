@@ -23,7 +23,8 @@ constexpr int inkContrast = 34;  // grey levels; light grids stay below or are t
 bool besides(const Box& left, const Box& right, double gapInHeights) {
   const double height = std::max(left.height(), right.height());
   const double overlap = std::min(left.y1, right.y1) - std::max(left.y0, right.y0);
-  return (overlap >= 0.4 * std::min(left.height(), right.height()) || isComma(right, left)) &&
+  return (overlap >= 0.4 * std::min(left.height(), right.height()) || isComma(right, left) ||
+          isUnderscore(right, left)) &&
          right.x0 - left.x1 <= gapInHeights * height;
 }
 
@@ -114,6 +115,15 @@ bool isComma(const Box& mark, const Box& word) {
   const double height = word.height();
   return mark.height() <= largest * height && mark.width() <= largest * height &&
          mark.y0 >= word.y0 + foot * height && mark.y0 <= word.y1 + below * height;
+}
+
+bool isUnderscore(const Box& mark, const Box& word) {
+  constexpr double flat = 0.2, narrowest = 0.3, widest = 1.2, foot = 0.8,
+                   below = 0.35;  // of the word's height
+  const double height = word.height();
+  return mark.height() <= flat * height && mark.width() >= narrowest * height &&
+         mark.width() <= widest * height && mark.y0 >= word.y0 + foot * height &&
+         mark.y1 <= word.y1 + below * height;
 }
 
 cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,
@@ -219,6 +229,29 @@ std::vector<Box> numberBoxes(const std::vector<Box>& glyphs) {
                            [](const Box& a, const Box& b) { return a.joined(b); });
   }
   return words;
+}
+
+Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs) {
+  constexpr double apart = 0.2, nextLetter = 0.45;  // of the word's height
+  std::vector<Box> members;
+  for (const Box& g : glyphs)
+    if (word.contains(g)) members.push_back(g);
+  std::sort(members.begin(), members.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
+  Box before = members.empty() ? word : members.front();
+  for (std::size_t k = 1; k < members.size(); before = before.joined(members[k]), ++k) {
+    if (members[k].x0 - before.x1 < apart * members[k].height()) continue;
+    const bool inColumn = std::any_of(glyphs.begin(), glyphs.end(), [&](const Box& g) {
+      const double shared = std::min(g.x1, before.x1) - std::max(g.x0, before.x0);
+      const double gap = std::max(g.y0, before.y0) - std::min(g.y1, before.y1);
+      return !word.contains(g) && shared >= 0.5 * std::min(g.width(), before.width()) &&
+             gap <= nextLetter * word.height();
+    });
+    if (!inColumn) return word;
+    Box rest = members[k];
+    for (std::size_t i = k; i < members.size(); ++i) rest = rest.joined(members[i]);
+    return rest;
+  }
+  return word;
 }
 
 Box turned(const Box& box, int quarterTurns) {

@@ -23,6 +23,13 @@ std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSiz
 /// Whether a small mark hangs at a word's foot, as a comma does, which may share no more than a pixel's height with it.
 bool isComma(const Box& mark, const Box& word);
 
+/// Whether a flat mark lies at a word's foot or under it, as the stroke that parts the names of columns does.
+bool isUnderscore(const Box& mark, const Box& word);
+
+/// A number set so close to a title that runs upwards that a letter of it was taken up: the letter stands in a column with
+/// others, nearer than one label to the next. `glyphs`: all of the page or of the place.
+Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs);
+
 /// A copy of the ink without the inside of an upright frame and without the ticks that stick out of it, so
 /// that labels stand free of them. `xLines`, `yLines`: where its gridlines and ticks are.
 cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,

@@ -124,6 +124,14 @@ LabelRow labelsRight(std::vector<Box> words, const Box& r, const std::vector<dou
   return row;
 }
 
+LabelRow labelsAbove(std::vector<Box> words, const Box& r, const std::vector<double>& lines) {
+  const auto mirrored = [](const Box& box) { return Box{box.x0, -box.y1, box.x1, -box.y0}; };
+  for (Box& word : words) word = mirrored(word);
+  LabelRow row = labelsBelow(words, mirrored(r), lines);
+  for (Box& word : row.words) word = mirrored(word);
+  return row;
+}
+
 LabelRow labelsUpwards(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   constexpr double aligned = 0.25, joined = 0.8;  // of a digit's height, which is the width here
   const auto isAligned = [&](const Box& w, const Box& seed) {

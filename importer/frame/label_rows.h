@@ -18,6 +18,9 @@ struct LabelRow {
 /// The row of labels below the rectangle. `lines` are the x of its vertical lines (may be empty).
 LabelRow labelsBelow(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
+/// The row above it.
+LabelRow labelsAbove(std::vector<Box> words, const Box& rectangle, const std::vector<double>& lines);
+
 /// The column of labels left of the rectangle. `lines` are the y of its horizontal lines.
 LabelRow labelsLeft(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 

@@ -144,19 +144,42 @@ std::optional<LabelledPlot> betweenFromRight(const Series& row, const Series& co
   return plot;
 }
 
+Box turnedOver(const Box& b) { return {b.x0, -b.y1, b.x1, -b.y0}; }
+
+Series turnedOver(Series s, bool alongY) {
+  for (Box& word : s.words) word = turnedOver(word);
+  if (alongY) {
+    std::ranges::reverse(s.words);
+    s.first_px = -std::exchange(s.last_px, -s.first_px);
+  }
+  return s;
+}
+
+/// Likewise if the row stands over the column's head. It may be another plot's: a row below is likelier.
+std::optional<LabelledPlot> betweenFromAbove(const Series& row, const Series& column) {
+  const Series rowBelow = turnedOver(row, false), columnUp = turnedOver(column, true);
+  auto plot = between(rowBelow, columnUp);
+  if (!plot) plot = betweenFromRight(rowBelow, columnUp);
+  if (plot) plot->box = turnedOver(plot->box), plot->score -= 1;
+  return plot;
+}
+
 bool meets(const Box& a, const Box& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
 
 }  // namespace
 
 std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_px, double minHeight_px) {
   const double largest = 0.12 * std::min(ink.cols, ink.rows);
-  auto words = numberBoxes(glyphBoxes(ink, 2, largest));
+  const std::vector<Box> glyphs = glyphBoxes(ink, 2, largest);
+  auto words = numberBoxes(glyphs);
   std::erase_if(words, [](const Box& w) { return !couldBeNumber(w); });
   if (words.size() > mostWords) return {};
   const auto rows = allSeries(
       words,
       [](const Box& a, const Box& b) { return std::abs(middleY(a) - middleY(b)) <= 0.3 * b.height() + 1; },
       middleX, 1.6, true);
+  // A title stands under the row as well, but beside the column it joins its words.
+  for (Box& word : words) word = withoutTitleLetter(word, glyphs);
   const auto columns = allSeries(
       words,
       [](const Box& a, const Box& b) {
@@ -167,7 +190,8 @@ std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_
   std::vector<LabelledPlot> all;
   for (const Series& row : rows)
     for (const Series& column : columns)
-      for (const auto& plot : {between(row, column), betweenFromRight(row, column)})
+      for (const auto& plot :
+           {between(row, column), betweenFromRight(row, column), betweenFromAbove(row, column)})
         if (plot && plot->box.width() >= minWidth_px && plot->box.height() >= minHeight_px)
           all.push_back(*plot);
   std::sort(all.begin(), all.end(),

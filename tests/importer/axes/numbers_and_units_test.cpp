@@ -47,6 +47,14 @@ TEST_CASE("numbers as plots print them") {
   CHECK(printedNumber(" 60 ") == 60);
 }
 
+TEST_CASE("numbers that readers take for each other") {
+  for (const auto& [read, number] :
+       {std::pair{"8", "0"}, {"0.8", "0.0"}, {"66", "60"}, {"7.5", "1.5"}, {"80", "80"}})
+    CHECK(looksLike(read, number));
+  for (const auto& [read, number] : {std::pair{"3.7", "3.5"}, {"8", "80"}, {"20", "40"}, {"", "0"}})
+    CHECK_FALSE(looksLike(read, number));
+}
+
 TEST_CASE("what is no number is none") {
   for (const char* text : {"", "-", ".", "mm", "1e5", "12a", "--3", "1.2.3", "0123456789", "\xE5\x8A\x9B"})
     CHECK_FALSE(printedNumber(text).has_value());
@@ -113,6 +121,47 @@ TEST_CASE("units in titles") {
   CHECK(length("Displacement [inch]") == in);
   CHECK(length("5 +T#E (1mm)") == mm);  // as misread, in small print
   CHECK(length("Travel") == "none");
+}
+
+TEST_CASE("titles that are names of columns end in their unit") {
+  const auto forceOf = [](const char* title) {
+    return forceUnitIn(title).value_or(PrintedUnit<ForceUnit>{});
+  };
+  for (const auto& [title, unit] : {std::pair{"force_g", ForceUnit::gramForce},
+                                    {"Force_gf", ForceUnit::gramForce},
+                                    {"press_force_cN", ForceUnit::centinewton},
+                                    {"load_mN", ForceUnit::millinewton},
+                                    {"force_n", ForceUnit::newton},
+                                    {"Force..N.", ForceUnit::newton},
+                                    {"forceN", ForceUnit::newton},
+                                    {"ForceGf", ForceUnit::gramForce},
+                                    {"F_gf", ForceUnit::gramForce},
+                                    {"force_ozf", ForceUnit::ounceForce}}) {
+    CAPTURE(title);
+    REQUIRE(forceUnitIn(title));
+    CHECK(forceOf(title).unit == unit);
+    CHECK(forceOf(title).sure >= 0.85);
+  }
+  for (const auto& [title, unit] : {std::pair{"travel_mm", LengthUnit::millimetre},
+                                    {"disp_um", LengthUnit::micrometre},
+                                    {"Displacement.mm", LengthUnit::millimetre},
+                                    {"travelMm", LengthUnit::millimetre},
+                                    {"x_mm", LengthUnit::millimetre},
+                                    {"stroke_in", LengthUnit::inch},
+                                    {"Stroke-mm", LengthUnit::millimetre},
+                                    {"pos_mil", LengthUnit::mil}}) {
+    CAPTURE(title);
+    REQUIRE(lengthUnitIn(title));
+    CHECK(lengthUnitIn(title)->unit == unit);
+  }
+  for (const char* title : {"F_N", "force_value", "force_1", "MaxForce", "no.1", "_N", "KraftV"}) {
+    CAPTURE(title);
+    CHECK_FALSE(forceUnitIn(title));
+  }
+  CHECK(lengthUnitIn("{1 / mm"));  // what ideographs may come back as
+  CHECK(otherQuantityIn("{1 / mm").empty());
+  CHECK_FALSE(lengthUnitIn("Depth of plug-in"));
+  CHECK(otherQuantityIn("time_ms") == "ms");
 }
 
 TEST_CASE("what stands in a title's brackets is the unit, whole or not at all") {

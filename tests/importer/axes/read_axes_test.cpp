@@ -170,6 +170,19 @@ TEST_CASE("a label that contradicts the grid is left out, and said") {
   CHECK(axes.calibration.confidence < 1);
 }
 
+TEST_CASE("a number that looks like what its even row says contradicts it where it was read for certain") {
+  PlotStyle s;
+  auto looked = lookWithoutInk(s);
+  writeBelow(looked.view, s), writeLeft(looked.view, s);
+  looked.view.texts[0].utf8 = "8";
+  const auto said = [&] {
+    const auto axes = readAxes(looked.view, looked.frame);
+    REQUIRE(axes.ok());
+    return std::ranges::count(axes->remarks, RemarkCode::labelContradicts, &Remark::code);
+  };
+  CHECK(said() == 1);  // the document's own text is certain
+}
+
 TEST_CASE("a zero beside its corner contradicts nothing") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
@@ -307,6 +320,7 @@ TEST_CASE("a force axis that stands at the right alone is read there") {
   s.forceOnRight = true, s.left = 30, s.right = 750;
   SECTION("in a box") {}
   SECTION("gridlines alone") { s.box = false; }
+  SECTION("its title left where it was") { s.titleAtLeft = true; }
   const auto axes = read(drawn(s));
   const AxisCalibration& cal = axes.calibration.value;
   CHECK(cal.y.unitFound);
@@ -316,20 +330,46 @@ TEST_CASE("a force axis that stands at the right alone is read there") {
   CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
 }
 
+TEST_CASE("a travel axis that stands at the top alone is read there") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.travelAtTop = true, s.top = 100, s.bottom = 560;
+  SECTION("in a box") {}
+  SECTION("the force at the right") { s.forceOnRight = true, s.left = 30, s.right = 750; }
+  const auto axes = read(drawn(s));
+  const AxisCalibration& cal = axes.calibration.value;
+  CHECK(cal.x.unitFound);
+  CHECK(cal.x.title == "Travel [mm]");
+  CHECK(cal.x.max == Approx(s.xSteps * s.xStep));
+  CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
+}
+
+TEST_CASE("a title set so tight that its line reaches into that of the numbers is read") {
+  PlotStyle s;
+  auto looked = lookWithoutInk(s);
+  writeBelow(looked.view, s), writeLeft(looked.view, s);
+  for (auto& text : looked.view.texts)
+    if (text.box.y0 == 512) text.box.y1 = 542;  // as high as its typeface
+  looked.view.texts.push_back({"Travel [um]", {400, 520, 500, 550}, 0});
+  const auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  CHECK(axes->calibration.value.x.unit == symbolOf(LengthUnit::micrometre));
+}
+
 TEST_CASE("a second scale on the right is the same forces in another unit, or something else") {
   if (skipWithoutEngine()) return;
-  const bool ticksOff =
-      GENERATE(false, true);  // a tick that begins a little off the frame's edge is no minus sign
+  // A tick that begins off the frame's edge is no minus sign.
+  const double ticksOff_px = GENERATE(0.0, 4.5, 7.0);
   PlotStyle s;
   const auto hasOther = [&](const char* sign, double perStep) {
     Canvas canvas(s.width, s.height, s.paperGrey);
     drawInto(canvas, s);
     for (int k = 0; k <= s.ySteps; ++k) {
       const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
-      canvas.row(y, s.right + (ticksOff ? 4.5 : 0), s.right + 9, 2, s.lineGrey);
+      canvas.row(y, s.right + ticksOff_px, s.right + std::max(9.0, ticksOff_px + 3), 2, s.lineGrey);
       const std::string text = (k > 0 ? sign : "") + shown(k * perStep);
       const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, s.textScale, 1, nullptr);
-      canvas.text(text, s.right + 13 + 0.5 * size.width, y, s.textGrey);
+      canvas.text(text, s.right + 14 + 0.5 * size.width, y, s.textGrey);
     }
     return read(canvas.grey()).otherRightScale;
   };
@@ -670,6 +710,27 @@ TEST_CASE("a legend's row is parted at its samples") {
   readGraphTexts(looked.view, looked.frame, *axes);
   for (const char* word : {"Press", "Release"})
     CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
+}
+
+TEST_CASE("names of two signs that were read with their samples are read without them") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.height = 640;
+  Canvas c(s.width, s.height, 255);
+  drawInto(c, s);
+  for (const double from : {300.0, 416.0}) {
+    c.row(600, from, from + 40, 2, 60);
+    c.fill(from + 14, 594, from + 26, 606, 60);
+  }
+  c.text("K1", 360, 600, 0, 0.6);
+  c.text("K2", 476, 600, 0, 0.6);
+  const auto looked = look(c.grey());
+  auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  axes->texts.push_back({"-O- K1 -O- K2", {298, 590, 490, 610}, 0.7, 0});
+  readGraphTexts(looked.view, looked.frame, *axes);
+  for (const auto* texts : {&axes->texts, &axes->otherLines})
+    CHECK(std::ranges::none_of(*texts, [](const SeenText& t) { return t.utf8.starts_with("-O-"); }));
 }
 
 TEST_CASE("a legend's row is parted at filled squares of another ink") {

@@ -31,6 +31,8 @@ struct PlotStyle {
   std::string oddText;
   std::string xUnit, yUnit;   ///< behind each number, with the blank before it
   bool forceOnRight = false;  ///< the force axis with its ticks, numbers and title, which reads downwards
+  bool titleAtLeft = false;   ///< the force axis' title all the same
+  bool travelAtTop = false;   ///< the travel axis' numbers and title
 };
 
 /// Grey canvas on which lines cover parts of pixels.
@@ -133,7 +135,8 @@ inline void drawInto(Canvas& c, const PlotStyle& s) {
   if (s.labels) {
     for (int k = 0; k <= s.xSteps; k += s.labelEvery)
       c.text((k == s.oddLabel ? s.oddText : shown(s.xFrom + k * s.xStep)) + s.xUnit,
-             x(k) + (k == 0 ? s.xShiftOfFirst : 0), s.bottom + s.labelDrop, s.textGrey, s.textScale);
+             x(k) + (k == 0 ? s.xShiftOfFirst : 0),
+             s.travelAtTop ? s.top - s.labelDrop : s.bottom + s.labelDrop, s.textGrey, s.textScale);
     for (int k = 0; k <= s.ySteps; k += s.labelEvery) {
       const std::string text = shown(s.yFrom + k * s.yStep) + s.yUnit;
       const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, s.textScale, 1, nullptr);
@@ -141,10 +144,12 @@ inline void drawInto(Canvas& c, const PlotStyle& s) {
              s.textGrey, s.textScale);
     }
   }
-  if (!s.xTitle.empty()) c.text(s.xTitle, 0.5 * (s.left + s.right), s.bottom + 55, s.textGrey, 0.6);
+  if (!s.xTitle.empty())
+    c.text(s.xTitle, 0.5 * (s.left + s.right), s.travelAtTop ? s.top - 55 : s.bottom + 55, s.textGrey, 0.6);
+  const bool titleAtRight = s.forceOnRight && !s.titleAtLeft;
   if (!s.yTitle.empty())
-    c.text(s.yTitle, s.forceOnRight ? s.right + 65 : s.left - 70, 0.5 * (s.top + s.bottom), s.textGrey, 0.6,
-           s.forceOnRight ? 3 : 1);
+    c.text(s.yTitle, titleAtRight ? s.right + 65 : s.left - (s.forceOnRight ? 15 : 70),
+           0.5 * (s.top + s.bottom), s.textGrey, 0.6, titleAtRight ? 3 : 1);
 }
 
 inline cv::Mat drawn(const PlotStyle& s) {

@@ -64,6 +64,28 @@ TEST_CASE("a column of numbers at the right end of a row encloses a plot as well
   CHECK(plots.front().box.x1 == Approx(799 - 100).margin(8));
 }
 
+TEST_CASE("a row of numbers over a column's head encloses a plot as well") {
+  cv::Mat grey = numbersOf(0, 5, 255, 0);
+  for (int k = 0; k < 6; ++k)
+    cv::putText(grey, std::to_string(k), {94 + 120 * k, 126}, cv::FONT_HERSHEY_SIMPLEX, 0.55, cv::Scalar(0),
+                1, cv::LINE_AA);
+  const auto plots = plotsIn(grey);
+  REQUIRE(plots.size() == 1);
+  CHECK(plots.front().below == 6);
+  CHECK(plots.front().box.x0 == Approx(100).margin(8));
+  CHECK(plots.front().box.y0 == Approx(150).margin(8));
+  CHECK(plots.front().box.y1 == Approx(430).margin(8));
+}
+
+TEST_CASE("a number that a title's letter stands close to is one of its column") {
+  cv::Mat grey = numbersOf(6, 5, 255, 0);
+  for (int k = 0; k < 8; ++k)  // letters that read upwards, 3 px beside "90"
+    cv::rectangle(grey, cv::Rect(30, 200 + 14 * k, 15, 11), cv::Scalar(0), 2);
+  const auto plots = plotsIn(grey);
+  REQUIRE(plots.size() == 1);
+  CHECK(plots.front().left == 5);
+}
+
 TEST_CASE("a row's outermost numbers may stand flush with the axis' ends") {
   cv::Mat grey = numbersOf(0, 5, 255, 0);
   for (int k = 0; k < 6; ++k) {
@@ -124,6 +146,13 @@ TEST_CASE("a tick that reaches a number is no minus behind it") {
   // A minus stands in front, and a decimal point is no dash.
   CHECK(numberBoxes({{0, 14, 8, 16}, {10, 10, 16, 20}}).front() == Box{0, 10, 16, 20});
   CHECK(numberBoxes({{10, 10, 16, 20}, {18, 18, 20, 20}}).front() == Box{10, 10, 20, 20});
+}
+
+TEST_CASE("a stroke at the foot parts the names of columns and not the words") {
+  const Box force{10, 10, 50, 20}, stroke{51, 21.5, 57, 23}, unit{58, 12, 64, 23};
+  REQUIRE(wordBoxes({force, stroke, unit}, 1.3).size() == 1);
+  CHECK(wordBoxes({force, {51, 27, 57, 28}}, 1.3).size() == 2);  // under the line
+  CHECK(wordBoxes({force, {51, 21, 75, 22}}, 1.3).size() == 2);  // longer than a letter
 }
 
 TEST_CASE("a comma that hangs below the line belongs to its number") {

@@ -70,7 +70,24 @@ TEST_CASE("Legend words of many languages, press and release", "[legend]") {
                                                        {"กด", "ปล่อย"},
                                                        {"Belastungskurve", "Entlastungskurve"},
                                                        {"Вниз", "Вверх"},
-                                                       {"Abajo", "Arriba"}};
+                                                       {"Abajo", "Arriba"},
+                                                       {"Dus", "Întors"},
+                                                       {"Cursă dus", "Cursă întors"},
+                                                       {"Tam", "Zpět"},
+                                                       {"Tam", "Späť"},
+                                                       {"Tam", "Z powrotem"},
+                                                       {"Gidiş", "Dönüş"},
+                                                       {"Oda", "Vissza"},
+                                                       {"Meno", "Paluu"},
+                                                       {"Fram", "Tillbaka"},
+                                                       {"Туда", "Обратно"},
+                                                       {"Вперёд", "Назад"},
+                                                       {"Naprijed", "Natrag"},
+                                                       {"Descente", "Montée"},
+                                                       {"正行程", "反行程"},
+                                                       {"↓", "↑"},
+                                                       {"Force ▼", "Force ▲"},
+                                                       {"→ hin", "← zurück"}};
   for (const auto& [press, release] : named) {
     CAPTURE(press, release);
     CHECK(strokeNamedBy(press) == Stroke::press);
@@ -81,12 +98,12 @@ TEST_CASE("Legend words of many languages, press and release", "[legend]") {
 
 TEST_CASE("Names that are no words for strokes stay names", "[legend]") {
   for (const char* name :
-       {"Clown",    "Linear",   "Tactile",    "Clicky", "Silent",   "Heavy",   "Light",    "Brown",
-        "Yellow",   "Orange",   "Retro",      "Button", "Switch",   "Sample",  "Muster",   "Taster",
-        "Taste",    "Touche A", "Bouton",     "Tecla",  "Botão A",  "Knapp",   "Knop",     "Tlačítko",
-        "Przycisk", "Modell",   "Exemplar",   "Before", "After",    "Fresh",   "Worn",     "Aged",
-        "Reserve",  "Pressure", "Rubber",     "Dome",   "Membrane", "Optical", "Magnetic", "Buckling",
-        "Kailh",    "Gateron",  "Holy Panda", "Zealios"}) {
+       {"Clown",    "Linear",   "Tactile",    "Clicky",  "Silent",   "Heavy",   "Light",    "Brown",
+        "Yellow",   "Orange",   "Retro",      "Button",  "Switch",   "Sample",  "Muster",   "Taster",
+        "Taste",    "Touche A", "Bouton",     "Tecla",   "Botão A",  "Knapp",   "Knop",     "Tlačítko",
+        "Przycisk", "Modell",   "Exemplar",   "Before",  "After",    "Fresh",   "Worn",     "Aged",
+        "Reserve",  "Pressure", "Rubber",     "Dome",    "Membrane", "Optical", "Magnetic", "Buckling",
+        "Kailh",    "Gateron",  "Holy Panda", "Zealios", "A → B",    "Rev B",   "vor Test", "avant"}) {
     CAPTURE(name);
     CHECK(strokeNamedBy(name) == std::nullopt);
   }
