@@ -299,17 +299,16 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
                                            const std::vector<GridLine>& lines) {
   constexpr double upwards_deg = 90;
   constexpr int fewestRegular = 3;
-  const auto mirrored = [](const Box& box) { return Box{box.x0, -box.y1, box.x1, -box.y0}; };
   std::vector<Box> words = ownLabelWords(r, band, upwards_deg);
   if (words.size() < fewestRegular) words = labelGlyphs(r, band);
   for (Box& word : words) word = turned(word, 1);
   words = numberBoxes(words);
-  for (Box& word : words) word = mirrored(word);
+  for (Box& word : words) word = upsideDown(word);
   std::vector<double> ticks;
   for (const auto& line : lines) ticks.push_back(-line.position_px);
-  LabelRow row = labelsBelow(words, mirrored(turned(r.box, 1)), ticks);
+  LabelRow row = labelsBelow(words, upsideDown(turned(r.box, 1)), ticks);
   if (row.regular < fewestRegular) return {};
-  for (Box& word : row.words) word = turned(mirrored(word), 3);
+  for (Box& word : row.words) word = turned(upsideDown(word), 3);
   std::reverse(row.words.begin(), row.words.end());  // from above, as upright ones
   return fitRow(r, row, lines, Axis::y, TextKind::number, upwards_deg);
 }
@@ -386,22 +385,12 @@ std::optional<AxisLabels> readTopLabels(GraphReading& r, const std::vector<GridL
   return {};
 }
 
-}  // namespace
-
-namespace {
-
-Box mirrored(const Box& b) { return {-b.x1, b.y0, -b.x0, b.y1}; }
-
-std::vector<Box> mirrored(std::vector<Box> boxes) {
-  for (Box& box : boxes) box = mirrored(box);
-  return boxes;
-}
-
 /// Words right of the frame that may be numbers.
 std::vector<Box> rightLabelWords(const std::vector<Box>& glyphs) {
-  const std::vector<Box> sided = mirrored(glyphs);
+  std::vector<Box> sided;
+  for (const Box& glyph : glyphs) sided.push_back(leftForRight(glyph));
   std::vector<Box> words = numberBoxes(glyphs);
-  for (Box& word : words) word = mirrored(withoutTitleLetter(mirrored(word), sided));
+  for (Box& word : words) word = leftForRight(withoutTitleLetter(leftForRight(word), sided));
   return words;
 }
 

@@ -254,6 +254,10 @@ Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs) {
   return word;
 }
 
+Box leftForRight(const Box& box) { return {-box.x1, box.y0, -box.x0, box.y1}; }
+
+Box upsideDown(const Box& box) { return {box.x0, -box.y1, box.x1, -box.y0}; }
+
 Box turned(const Box& box, int quarterTurns) {
   switch (quarterTurns & 3) {
     case 1:

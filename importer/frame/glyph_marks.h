@@ -49,4 +49,8 @@ std::vector<Box> numberBoxes(const std::vector<Box>& glyphs);
 /// The box after the page was turned clockwise by 90° `quarterTurns` times about the origin.
 Box turned(const Box& box, int quarterTurns);
 
+/// The box in a mirror: left for right, or above for below, about the origin.
+Box leftForRight(const Box& box);
+Box upsideDown(const Box& box);
+
 }  // namespace detent::importer

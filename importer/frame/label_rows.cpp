@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "importer/frame/glyph_marks.h"
+
 namespace detent::importer {
 namespace {
 
@@ -117,18 +119,16 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
 }
 
 LabelRow labelsRight(std::vector<Box> words, const Box& r, const std::vector<double>& lines) {
-  const auto mirrored = [](const Box& box) { return Box{-box.x1, box.y0, -box.x0, box.y1}; };
-  for (Box& word : words) word = mirrored(word);
-  LabelRow row = labelsLeft(words, mirrored(r), lines);
-  for (Box& word : row.words) word = mirrored(word);
+  for (Box& word : words) word = leftForRight(word);
+  LabelRow row = labelsLeft(words, leftForRight(r), lines);
+  for (Box& word : row.words) word = leftForRight(word);
   return row;
 }
 
 LabelRow labelsAbove(std::vector<Box> words, const Box& r, const std::vector<double>& lines) {
-  const auto mirrored = [](const Box& box) { return Box{box.x0, -box.y1, box.x1, -box.y0}; };
-  for (Box& word : words) word = mirrored(word);
-  LabelRow row = labelsBelow(words, mirrored(r), lines);
-  for (Box& word : row.words) word = mirrored(word);
+  for (Box& word : words) word = upsideDown(word);
+  LabelRow row = labelsBelow(words, upsideDown(r), lines);
+  for (Box& word : row.words) word = upsideDown(word);
   return row;
 }
 

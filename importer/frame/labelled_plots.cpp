@@ -126,11 +126,10 @@ std::optional<LabelledPlot> between(const Series& row, const Series& column) {
   return plot;
 }
 
-Box mirrored(const Box& b) { return {-b.x1, b.y0, -b.x0, b.y1}; }
-
-Series mirrored(Series s, bool alongX) {
-  for (Box& word : s.words) word = mirrored(word);
-  if (alongX) {
+/// A series in a mirror, `side` of which takes a box there; `along` where its words run across that mirror.
+Series mirrored(Series s, Box (*side)(const Box&), bool along) {
+  for (Box& word : s.words) word = side(word);
+  if (along) {
     std::ranges::reverse(s.words);
     s.first_px = -std::exchange(s.last_px, -s.first_px);
   }
@@ -139,28 +138,17 @@ Series mirrored(Series s, bool alongX) {
 
 /// Likewise if the column stands at the row's right end. It may be the next plot's: a column at the left is likelier.
 std::optional<LabelledPlot> betweenFromRight(const Series& row, const Series& column) {
-  auto plot = between(mirrored(row, true), mirrored(column, false));
-  if (plot) plot->box = mirrored(plot->box), plot->score -= 1;
+  auto plot = between(mirrored(row, leftForRight, true), mirrored(column, leftForRight, false));
+  if (plot) plot->box = leftForRight(plot->box), plot->score -= 1;
   return plot;
-}
-
-Box turnedOver(const Box& b) { return {b.x0, -b.y1, b.x1, -b.y0}; }
-
-Series turnedOver(Series s, bool alongY) {
-  for (Box& word : s.words) word = turnedOver(word);
-  if (alongY) {
-    std::ranges::reverse(s.words);
-    s.first_px = -std::exchange(s.last_px, -s.first_px);
-  }
-  return s;
 }
 
 /// Likewise if the row stands over the column's head. It may be another plot's: a row below is likelier.
 std::optional<LabelledPlot> betweenFromAbove(const Series& row, const Series& column) {
-  const Series rowBelow = turnedOver(row, false), columnUp = turnedOver(column, true);
+  const Series rowBelow = mirrored(row, upsideDown, false), columnUp = mirrored(column, upsideDown, true);
   auto plot = between(rowBelow, columnUp);
   if (!plot) plot = betweenFromRight(rowBelow, columnUp);
-  if (plot) plot->box = turnedOver(plot->box), plot->score -= 1;
+  if (plot) plot->box = upsideDown(plot->box), plot->score -= 1;
   return plot;
 }
 

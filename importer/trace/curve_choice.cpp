@@ -187,8 +187,7 @@ bool isFilledArea(const PlotInks& plot, int index) {
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
   const double side_px = std::min(plot.area().frame.width(), plot.area().frame.height());
   const int width_px = std::max(kLeastWidth_px, static_cast<int>(plot.options.fillWidth * side_px));
-  const cv::Mat inked =
-      cv::Mat(own.height, own.width, CV_32F, const_cast<float*>(own.values.data())) > kInked;
+  const cv::Mat inked = matOf(own) > kInked;
   cv::Mat wide, labels, stats, centroids;
   cv::morphologyEx(inked, wide, cv::MORPH_OPEN,
                    cv::getStructuringElement(cv::MORPH_RECT, {width_px, width_px}));
@@ -418,12 +417,12 @@ std::optional<CurveField> dashesJoined(const CurveField& field) {
 CurveField besideDashesOnly(const CurveField& field) {
   constexpr float kDash = 0.3F;  // coverage
   constexpr int kReach_px = 2;   // of a dash, over its neighbour
-  const cv::Mat own(field.own.height, field.own.width, CV_32F, const_cast<float*>(field.own.values.data()));
+  const cv::Mat own = matOf(field.own);
   cv::Mat near;
   cv::dilate(own > kDash, near,
              cv::getStructuringElement(cv::MORPH_RECT, {2 * kReach_px + 1, 2 * kReach_px + 1}));
   CurveField alone = field;
-  cv::Mat others(own.size(), CV_32F, alone.otherCurves.values.data());
+  cv::Mat others = matOf(alone.otherCurves);
   others.setTo(0, near == 0);
   return alone;
 }

@@ -12,10 +12,6 @@ namespace detent::importer::trace {
 
 namespace {
 
-cv::Mat matOf(const Plane& plane) {
-  return {plane.height, plane.width, CV_32F, const_cast<float*>(plane.values.data())};
-}
-
 /// Clears a line and its soft edges; corners between points are rounded.
 void clearLine(Plane& plane, const CurveTrace& trace, const PlotArea& area, double thickness_px) {
   constexpr double edge_px = 3;  // of both sides together

@@ -38,8 +38,7 @@ struct Gap {
 };
 
 std::vector<Piece> piecesOf(const Plane& own) {
-  const cv::Mat inked =
-      cv::Mat(own.height, own.width, CV_32F, const_cast<float*>(own.values.data())) > kInked;
+  const cv::Mat inked = matOf(own) > kInked;
   const InkPieces found = inkPiecesOf(inked.data, inked.cols, inked.rows, inked.step);
   std::vector<Piece> pieces(found.all.size());
   constexpr std::array<Point, 8> outward{

@@ -460,7 +460,7 @@ bool isSampleOf(const CurveTrace& curve, const Remainder& left) {
 
 /// Clears what is so wide in every direction.
 void clearAreas(Plane& plane, int least_px) {
-  cv::Mat values(plane.height, plane.width, CV_32F, plane.values.data());
+  cv::Mat values = matOf(plane);
   cv::Mat wide;
   const cv::Mat window = cv::getStructuringElement(cv::MORPH_RECT, {least_px, least_px});
   cv::morphologyEx(values > 0, wide, cv::MORPH_OPEN, window);

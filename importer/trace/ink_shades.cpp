@@ -19,10 +19,6 @@ namespace {
 constexpr float kMost = 0.8F;         // of the ink's strength, that a paler line reaches
 constexpr float kMaxCoverage = 1.2F;  // coverage, as unmix has it
 
-cv::Mat matOf(const Plane& plane) {
-  return {plane.height, plane.width, CV_32F, const_cast<float*>(plane.values.data())};
-}
-
 cv::Mat square(int reach_px) {
   return cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
 }

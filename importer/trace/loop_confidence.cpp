@@ -70,9 +70,7 @@ double shareExplained(const PlanePair& pair, const Structure& s, const WorkPlane
                  static_cast<int>(std::ceil(s.strokeWidth_px / 2)) + 1, cv::Scalar(0), -1);
     }
   }
-  const cv::Mat ink(s.curveInk.height, s.curveInk.width, CV_32F,
-                    const_cast<float*>(s.curveInk.values.data()));
-  const cv::Mat strong = ink > 0.5F;
+  const cv::Mat strong = matOf(s.curveInk) > 0.5F;
   cv::Mat labels, stats, centroids;
   const int count = cv::connectedComponentsWithStats(strong, labels, stats, centroids, 8, CV_32S);
   const double longEnough = 0.08 * plane.frame.width();

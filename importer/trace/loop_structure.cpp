@@ -249,8 +249,6 @@ Plane doubtOf(const Plane& explained) {
   return doubt;
 }
 
-cv::Mat wrap(Plane& grid) { return cv::Mat(grid.height, grid.width, CV_32F, grid.values.data()); }
-
 struct Components {
   cv::Mat labels, stats;
   int count = 0;
@@ -258,7 +256,7 @@ struct Components {
 
 Components componentsOf(Plane& ink, float above) {
   Components c;
-  const cv::Mat binary = wrap(ink) > above;
+  const cv::Mat binary = matOf(ink) > above;
   cv::Mat centroids;
   c.count = cv::connectedComponentsWithStats(binary, c.labels, c.stats, centroids, 8, CV_32S);
   return c;
@@ -489,7 +487,7 @@ bool isArrow(const std::vector<Point>& ink, double strokeWidth, const Box& frame
 /// Takes arrows out that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
 void fadeArrows(Plane& curveInk, Plane& explained, float level, double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveInk, 0.3F);
-  cv::Mat lines = wrap(explained) > 0.3F * level;
+  cv::Mat lines = matOf(explained) > 0.3F * level;
   cv::dilate(lines, lines, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   const auto touchesLine = [&](Point p) {
     return lines.at<std::uint8_t>(static_cast<int>(p.y), static_cast<int>(p.x)) != 0;
@@ -572,7 +570,7 @@ Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLin
   fadeLettering(s.curveInk, s.explained, s.curveLevel, lettering, s.strokeWidth_px, plane.frame);
   fadeArrows(s.curveInk, s.explained, s.curveLevel, s.strokeWidth_px, plane.frame);
   weakenGuides(s.curveInk, plane.frame, s.strokeWidth_px);
-  cv::Mat paper = wrap(s.curveInk) < 0.35F;
+  cv::Mat paper = matOf(s.curveInk) < 0.35F;
   cv::Mat distance;
   cv::distanceTransform(paper, distance, cv::DIST_L2, 3);
   s.gapDistance = Plane(plane.ink.width, plane.ink.height);

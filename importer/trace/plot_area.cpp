@@ -99,6 +99,10 @@ std::vector<double> linePositions(const std::vector<GridLine>& lines, const Plot
 
 }  // namespace
 
+cv::Mat matOf(const Plane& plane) {
+  return {plane.height, plane.width, CV_32F, const_cast<float*>(plane.values.data())};
+}
+
 float Plane::sample(double x, double y) const {
   const auto below = [](double v) { return static_cast<int>(v) - (v < static_cast<int>(v) ? 1 : 0); };
   const int x0 = below(x), y0 = below(y);

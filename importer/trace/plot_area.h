@@ -12,6 +12,10 @@
 
 #include "importer/axes/axis_calibration.h"
 
+namespace cv {
+class Mat;
+}
+
 namespace detent::importer::trace {
 
 /// Row-major values, one per pixel of a plot area.
@@ -32,6 +36,9 @@ struct Plane {
   float sample(double x, double y) const;
   float sample(Point p) const { return sample(p.x, p.y); }
 };
+
+/// The same memory, which outlives what is returned and may be written through it.
+cv::Mat matOf(const Plane& plane);
 
 /// One byte per pixel of the area; what the bits mean is said by the name that holds it.
 using Mask = std::vector<std::uint8_t>;
