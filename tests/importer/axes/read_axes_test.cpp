@@ -321,6 +321,9 @@ TEST_CASE("a force axis that stands at the right alone is read there") {
   SECTION("in a box") {}
   SECTION("gridlines alone") { s.box = false; }
   SECTION("its title left where it was") { s.titleAtLeft = true; }
+  SECTION("its title left where it was, whose letters look like numbers") {
+    s.titleAtLeft = true, s.yTitle = "oooooo [cN]";
+  }
   const auto axes = read(drawn(s));
   const AxisCalibration& cal = axes.calibration.value;
   CHECK(cal.y.unitFound);

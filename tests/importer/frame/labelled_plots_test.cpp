@@ -79,8 +79,8 @@ TEST_CASE("a row of numbers over a column's head encloses a plot as well") {
 
 TEST_CASE("a number that a title's letter stands close to is one of its column") {
   cv::Mat grey = numbersOf(6, 5, 255, 0);
-  for (int k = 0; k < 8; ++k)  // letters that read upwards, 3 px beside "90"
-    cv::rectangle(grey, cv::Rect(30, 200 + 14 * k, 15, 11), cv::Scalar(0), 2);
+  for (int k = 0; k < 5; ++k)  // letters that read upwards, close beside "70"
+    cv::rectangle(grey, cv::Rect(29, 203 + 20 * k, 15, 17), cv::Scalar(0), 2);
   const auto plots = plotsIn(grey);
   REQUIRE(plots.size() == 1);
   CHECK(plots.front().left == 5);
