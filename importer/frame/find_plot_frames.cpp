@@ -150,17 +150,19 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
     auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
     auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
     // The numbers of the travel may stand over the plot alone.
-    if (turns == 0 && below.regular < 3) below = labelsAbove(words, box, turnedPositions(r, turns, true));
+    const bool atTop = turns == 0 && below.regular < 3;
+    if (atTop) below = labelsAbove(words, box, turnedPositions(r, turns, true));
     if (below.regular >= 3 && (left.regular < 3 || !sameSize(below, left)))
       left = labelsUpwards(words, box, turnedPositions(r, turns, false));
     // The numbers of the force may stand at the plot's right alone.
-    if (turns == 0 && below.regular >= 3 && left.regular < 3)
-      left = labelsRight(words, box, turnedPositions(r, turns, false));
+    const bool atRight = turns == 0 && below.regular >= 3 && left.regular < 3;
+    if (atRight) left = labelsRight(words, box, turnedPositions(r, turns, false));
     // Numbers beside the plot may read upwards: their digits lie, and say nothing of how those below stand.
     const double share = std::max(uprightShare(below, left, upright), uprightShare(below, below, upright));
     if (std::min(below.regular, left.regular) < 3 || !sameSize(below, left) || share < 0.3) continue;
     // Graphs stand upright, lie on their side on sideways sheets, and hardly ever stand on their head.
-    const int handicap = turns == 0 ? 0 : turns == 2 ? 12 : 4;
+    // One whose numbers stand at the top and at the right is one that stands on its head until they are read.
+    const int handicap = atTop && atRight ? 13 : turns == 0 ? 0 : turns == 2 ? 12 : 4;
     const double worth =
         (0.3 + share) * (2 * std::min(below.regular, left.regular) + below.regular + left.regular - handicap);
     ways.push_back({turns, below.regular, left.regular, worth});

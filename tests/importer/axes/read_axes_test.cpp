@@ -23,14 +23,17 @@ struct Looked {
   PlotFrame frame;
 };
 
+/// Plots here stand upright; where more than one way is likely, reading settles it, a step later.
 Looked look(const cv::Mat& grey) {
   const auto document = documentOf(grey);
   const auto page = document.page(1).value();
   const auto candidates = findPlotFrames(page);
-  REQUIRE_FALSE(candidates.empty());
-  const FrameCandidate& found = candidates[0].value;
+  const auto upright = std::ranges::find_if(
+      candidates, [](const Found<FrameCandidate>& c) { return c.value.quarterTurns == 0; });
+  REQUIRE(upright != candidates.end());
+  const FrameCandidate& found = upright->value;
   Looked looked{document.view(page, found.regionBox, found.quarterTurns, {}, found.levelToPage).value(), {}};
-  looked.frame = locatePlotFrame(looked.view, page, candidates[0].value)->value;
+  looked.frame = locatePlotFrame(looked.view, page, found)->value;
   return looked;
 }
 

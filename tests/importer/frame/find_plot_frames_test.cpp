@@ -165,6 +165,15 @@ TEST_CASE("a graph that lies on its side says how it stands up") {
   CHECK(offered);
 }
 
+TEST_CASE("a graph on its head is looked at so before one with numbers at the top and at the right") {
+  cv::Mat onItsHead;
+  cv::rotate(drawn(PlotStyle{}), onItsHead, cv::ROTATE_180);
+  const auto seen = lookAt(onItsHead);
+  REQUIRE(seen.candidates.size() == 2);
+  CHECK(seen.candidates[0].value.quarterTurns == 2);
+  CHECK(seen.candidates[1].value.quarterTurns == 0);
+}
+
 TEST_CASE("a scan a degree askew keeps its four corners") {
   PlotStyle s;
   s.lineWidth = 2;
