@@ -543,8 +543,7 @@ class Doubts {
   }
   /// "Press 2" is another run of the same switch, whose curve the page's reader may have hidden.
   static bool countsOnly(std::string_view name) {
-    return std::ranges::all_of(
-        name, [](char c) { return std::string_view("0123456789 .#()").find(c) != std::string_view::npos; });
+    return name.find_first_not_of("0123456789 .#()") == std::string_view::npos;
   }
   bool isTraced(const std::string& switchName) const {
     return std::ranges::any_of(findings_.traces, [&](const CurveTrace& trace) {

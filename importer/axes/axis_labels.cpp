@@ -423,9 +423,9 @@ std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<Gri
                  b.y1 + 0.08 * b.height()};
   // A tick begins at the frame's edge, a label with a minus sign does not; else "-0.8" is read.
   const double besideTicks_px = besideEdge_px + 0.004 * b.width();
-  const auto isFlat = [](const Box& g) { return g.width() >= 1.5 * g.height(); };
   std::vector<Box> glyphs = labelGlyphs(r, band);
-  std::erase_if(glyphs, [&](const Box& g) { return g.x0 < b.x1 + besideTicks_px && isFlat(g); });
+  std::erase_if(glyphs,
+                [&](const Box& g) { return g.x0 < b.x1 + besideTicks_px && g.width() >= 1.5 * g.height(); });
   std::vector<double> ticks;
   for (const auto& line : r.frame.yLines) ticks.push_back(line.position_px);
   LabelRow row = labelsRight(rightLabelWords(glyphs), b, ticks);

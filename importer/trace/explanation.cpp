@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -347,13 +348,16 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
     all.back().dashed = isDotted(ink, pieces);
   }
   const auto isGap = [&](Point p) { return plot.isGap(p, plot.drawn().front()); };
-  for (const std::vector<Point>& chain : dashChains(left, plot.curves(), plot.thickness(), isGap))
+  const cv::Mat curves = plot.curves();
+  for (const std::vector<Point>& chain : dashChains(left, curves, plot.thickness(), isGap))
     all.push_back(remainderOfDashes(chain, plot, ends));
+  std::vector<End> tops;
+  std::ranges::remove_copy_if(ends, std::back_inserter(tops), isStart);
   std::vector<Point> places;
-  for (const End& end : ends) places.push_back(end.at);
-  const std::vector<std::vector<Point>> marks = marksUpFrom(places, left, plot.curves());
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    if (!marks[i].empty() && !isStart(ends[i])) all.push_back(remainderOfMarks(marks[i], plot, ends[i]));
+  for (const End& top : tops) places.push_back(top.at);
+  const std::vector<std::vector<Point>> marks = marksUpFrom(places, left, curves);
+  for (std::size_t i = 0; i < tops.size(); ++i)
+    if (!marks[i].empty()) all.push_back(remainderOfMarks(marks[i], plot, tops[i]));
   // Dashes that hang together are seen twice: as a line of them first.
   std::ranges::sort(all, std::greater<>{},
                     [](const Remainder& r) { return std::pair(r.likeness, r.dashed); });

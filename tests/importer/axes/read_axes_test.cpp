@@ -677,6 +677,20 @@ TEST_CASE("a misread label is kept, marked as not used") {
   CHECK(axes->calibration.value.x.max == Approx(4));
 }
 
+namespace {
+
+/// The axes with what stands in the plot and beside it; `before`: texts that were read earlier.
+Result<AxesFound> readWithTexts(const cv::Mat& grey, const std::vector<SeenText>& before = {}) {
+  const auto looked = look(grey);
+  auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  axes->texts.insert(axes->texts.end(), before.begin(), before.end());
+  readGraphTexts(looked.view, looked.frame, *axes);
+  return axes;
+}
+
+}  // namespace
+
 TEST_CASE("callouts and legend are read where they stand") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
@@ -687,10 +701,7 @@ TEST_CASE("callouts and legend are read where they stand") {
   c.text("operating point", 300, 105, 0, 0.7);
   c.text("Press", 930, 200, 0, 0.6);
   c.text("Release", 940, 230, 0, 0.6);
-  const auto looked = look(c.grey());
-  auto axes = readAxes(looked.view, looked.frame);
-  REQUIRE(axes.ok());
-  readGraphTexts(looked.view, looked.frame, *axes);
+  const auto axes = readWithTexts(c.grey());
   const auto at = [&](const std::string& word) {
     for (const auto& t : axes->texts)
       if (t.utf8.find(word) != std::string::npos) return t.box;
@@ -710,10 +721,7 @@ TEST_CASE("a legend's row is parted at its samples") {
   for (const double from : {300.0, 416.0}) c.row(600, from, from + 40, 2, 60);
   c.text("Press", 378, 600, 0, 0.6);
   c.text("Release", 505, 600, 0, 0.6);
-  const auto looked = look(c.grey());
-  auto axes = readAxes(looked.view, looked.frame);
-  REQUIRE(axes.ok());
-  readGraphTexts(looked.view, looked.frame, *axes);
+  const auto axes = readWithTexts(c.grey());
   for (const char* word : {"Press", "Release"})
     CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
 }
@@ -730,11 +738,7 @@ TEST_CASE("names of two signs that were read with their samples are read without
   }
   c.text("K1", 360, 600, 0, 0.6);
   c.text("K2", 476, 600, 0, 0.6);
-  const auto looked = look(c.grey());
-  auto axes = readAxes(looked.view, looked.frame);
-  REQUIRE(axes.ok());
-  axes->texts.push_back({"-O- K1 -O- K2", {298, 590, 490, 610}, 0.7, 0});
-  readGraphTexts(looked.view, looked.frame, *axes);
+  const auto axes = readWithTexts(c.grey(), {{"-O- K1 -O- K2", {298, 590, 490, 610}, 0.7, 0}});
   for (const auto* texts : {&axes->texts, &axes->otherLines})
     CHECK(std::ranges::none_of(*texts, [](const SeenText& t) { return t.utf8.starts_with("-O-"); }));
 }
@@ -748,10 +752,7 @@ TEST_CASE("a legend's row is parted at filled squares of another ink") {
   for (const double from : {300.0, 400.0}) c.fill(from, 592, from + 22, 608, 150);
   c.text("Press", 360, 600, 0, 0.6);
   c.text("Release", 470, 600, 0, 0.6);
-  const auto looked = look(c.grey());
-  auto axes = readAxes(looked.view, looked.frame);
-  REQUIRE(axes.ok());
-  readGraphTexts(looked.view, looked.frame, *axes);
+  const auto axes = readWithTexts(c.grey());
   for (const char* word : {"Press", "Release"})
     CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
 }
@@ -767,10 +768,7 @@ TEST_CASE("names of two letters are read beside a legend's sample alone") {
     if (sampled) c.row(y, 900, 930, 2, 120);
     c.text(y < 210 ? "K1" : "K2", 955, y, 0, 0.6);
   }
-  const auto looked = look(c.grey());
-  auto axes = readAxes(looked.view, looked.frame);
-  REQUIRE(axes.ok());
-  readGraphTexts(looked.view, looked.frame, *axes);
+  const auto axes = readWithTexts(c.grey());
   const auto isBeside = [](const SeenText& t) { return t.box.middle().x > 940; };
   const auto isRead = [&](const SeenText& t) { return isBeside(t) && t.utf8.starts_with("K"); };
   CHECK(std::ranges::count_if(axes->otherLines, isBeside) == (sampled ? 2 : 0));
