@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -13,8 +12,8 @@
 namespace detent::importer {
 namespace {
 
-// As `folded` writes them; a line or two to a language. No arrays: clang 14 deduces none of over 256.
-constexpr std::initializer_list<std::string_view> kPressWords = {
+// As `folded` writes them; a line or two to a language. No std::array: clang 14 deduces none of over 256.
+constexpr std::string_view kPressWords[] = {
     // English
     "press", "pressing", "pressed", "downstroke", "down", "downward", "downwards", "push", "pushing",
     "pushed", "forward", "forwards", "loading", "load", "depress", "depressing", "actuate", "actuation",
@@ -70,7 +69,7 @@ constexpr std::initializer_list<std::string_view> kPressWords = {
     "притискање", "туда", "вперед", "туди", "напред", "тамо", "опускание",
     // Greek
     "πιεση", "πατημα", "συμπιεση", "φορτιση", "πιεζω", "κατω", "μεταβαση", "εμπρος"};
-constexpr std::initializer_list<std::string_view> kReleaseWords = {
+constexpr std::string_view kReleaseWords[] = {
     // English
     "release", "releasing", "released", "upstroke", "up", "upward", "upwards", "return", "returning", "back",
     "backward", "backwards", "reverse", "unloading", "unload", "reset", "out", "break", "decompress",
