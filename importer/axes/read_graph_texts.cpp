@@ -239,17 +239,17 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
                         mostOfAName = 5;  // of a name beside a sample that is shorter than writing; of any
   std::vector<TextLine> lines;
   for (const auto& row : groupedLines(marks, 1.1)) {
-    const auto [entries, samples] = partedAtSamples(row, on);
+    const LegendRow parted = partedAtSamples(row, on);
     // A legend's row may have been read as one line, or with its sample, when titles were looked for.
     std::erase_if(axes.texts, [&](const SeenText& seen) {
       const auto isIn = [&](const Box& sample) { return seen.box.contains(sample); };
-      if (seen.confidence < 1 && std::ranges::any_of(samples, isIn)) return true;
-      return std::ranges::count_if(entries, [&](const TextLine& entry) {
+      if (seen.confidence < 1 && std::ranges::any_of(parted.samples, isIn)) return true;
+      return std::ranges::count_if(parted.entries, [&](const TextLine& entry) {
                return static_cast<int>(entry.glyphs.size()) >= minLetters &&
                       overlapShare(entry.box, seen.box) > 0.4;
              }) > 1;
     });
-    for (const auto& entry : entries) lines.push_back(lettersOnly(entry, ink));
+    for (const TextLine& entry : parted.entries) lines.push_back(lettersOnly(entry, ink));
   }
   std::erase_if(lines, [&](const TextLine& line) {
     const bool isName = line.glyphs.size() <= mostLetters && isBesideSample(line, marks, on);

@@ -370,6 +370,19 @@ TEST_CASE("Several switches and none chosen: a doubt that names them", "[switche
   CHECK(second->value.press.points_px == traces[1].points_px);
 }
 
+TEST_CASE("A curve of several that the legend names twice is no press alone", "[switches]") {
+  AxesFound axes;
+  axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
+  const std::vector<CurveTrace> traces{traced("Switch A", 90, 1, 0), traced("Lark / Finch", 20, 2, 1)};
+  StrokeHints hints;
+  hints.curve = "2";
+  const auto chosen = separateStrokes(traces, axes, hints);
+  REQUIRE_FALSE(chosen.ok());
+  CHECK(chosen.failure().reason == nameOf(DoubtCode::tooManyCurves));
+  hints.curve = "1";
+  CHECK(separateStrokes(traces, axes, hints).ok());
+}
+
 TEST_CASE("A curve whose end another switch's covers is not taken for the whole", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};

@@ -1565,14 +1565,18 @@ TEST_CASE(
 }
 
 TEST_CASE("Rims of the markers on press and release are no strokes in dashes", "[trace]") {
+  const int corners = GENERATE(24, 3);  // circles; triangles, whose lower sides stand in a line
+  CAPTURE(corners);
   Plot plot(1000, 600);
   for (const auto& [ink, level] : {std::pair(kRed, 0.6), std::pair(kBlue, 0.35)}) {
     const Curve way = densified(plot.at({{0, 0}, {0.05, level}, {0.85, 1.2 * level}, {0.93, 0.95}}), 1);
     plot.line(way, 2, ink);
     for (std::size_t i = 12; i < way.size(); i += 24) {
       Curve rim;
-      for (int k = 0; k <= 24; ++k)
-        rim.push_back({way[i].x + 6 * std::cos(k * M_PI / 12), way[i].y + 6 * std::sin(k * M_PI / 12)});
+      for (int k = 0; k <= corners; ++k) {
+        const double angle = M_PI / 2 + 2 * M_PI * k / corners;
+        rim.push_back({way[i].x + 7 * std::cos(angle), way[i].y - 7 * std::sin(angle)});
+      }
       plot.line(rim, 1.5, ink);
     }
   }
@@ -1617,13 +1621,16 @@ TEST_CASE("A sample may have its curve's marker in the middle, and a box behind 
   const Rgb slate{44, 62, 80};
   plot.line(plot.at(release()), 2, kRed, true);
   plot.line(plot.at(press()), 2, slate, true);
+  plot.line(plot.at({{0, 0}, {0.4, 0.15}, {0.9, 0.2}}), 2, kTeal, true);  // no name stands for it
   const double x = plot.box().x0 + 120;
   for (const double y : {60.0, 80.0}) plot.line({{x, y}, {x + 26, y}}, 2, y > 70 ? slate : kRed);
-  plot.disc((x + 13 - plot.box().x0) / plot.box().width(), (plot.box().y1 - 60) / plot.box().height(), 5,
+  // Names behind their samples, or before them.
+  const auto [toName, radius] = GENERATE(std::pair(32.0, 5.0), std::pair(-58.0, 8.0));
+  plot.disc((x + 13 - plot.box().x0) / plot.box().width(), (plot.box().y1 - 60) / plot.box().height(), radius,
             kRed);
-  plot.line({{x - 12, 48}, {x - 12, 92}}, 1, {120, 130, 140});  // the legend's box, in the slate's hue
-  plot.say("Old one", {x + 32, 54, x + 80, 66});
-  plot.say("New one", {x + 32, 74, x + 84, 86});
+  plot.line({{x - 12, 40}, {x - 12, 100}}, 4, {120, 130, 140});  // the legend's box, in the slate's hue
+  plot.say("Old one", {x + toName, 54, x + toName + 48, 66});
+  plot.say("New one", {x + toName, 74, x + toName + 52, 86});
   const auto traces = plot.trace().value();
   CHECK(ofColor(traces, kRed).label == "Old one");
   CHECK(ofColor(traces, slate).label == "New one");
