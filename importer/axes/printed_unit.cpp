@@ -309,6 +309,8 @@ void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   if (const auto blank = name.find_last_of(' '); blank != std::string_view::npos)
     name.remove_prefix(blank + 1);
   name = name.substr(0, name.find_last_not_of("._") + 1);
+  constexpr std::string_view quotes = "\xE2\x80";  // as ideographs come back that nobody read: "“oN"
+  if (name.find(quotes) != std::string_view::npos) return;
   const std::size_t from = lastPartOf(name);
   const std::string_view unit = name.substr(from);
   const auto letters = std::ranges::count_if(name.substr(0, from), isLetter);

@@ -151,7 +151,7 @@ TEST_CASE("titles that are names of columns end in their unit") {
     REQUIRE(lengthUnitIn(title));
     CHECK(lengthUnitIn(title)->unit == unit);
   }
-  for (const char* title : {"F_N", "force_value", "force_1", "MaxForce", "no.1", "_N", "KraftV"}) {
+  for (const char* title : {"F_N", "force_value", "force_1", "MaxForce", "no.1", "_N", "KraftV", "“oN"}) {
     CAPTURE(title);
     CHECK_FALSE(forceUnitIn(title));
   }

@@ -1541,8 +1541,8 @@ TEST_CASE(
        {std::tuple(kRed, 0.7, 0.5, "Heron"), std::tuple(kBlue, 0.85, 0.25, "Kite")}) {
     plot.line(strokeOf(end, level, 0), width_px, ink);
     Curve release = densified(strokeOf(end, level, below), 1);
-    std::erase_if(release,
-                  [&](Point p) { return p.x > plot.at(0.92 * end, 0).x; });  // the wall is the press' own
+    const double foot_px = plot.at(0.92 * end, 0).x;
+    std::erase_if(release, [&](Point p) { return p.x > foot_px; });  // the wall is the press' own
     drawDashes(plot, release, ink, width_px);
     const double y = 50 + 40 * row++;
     plot.line({{935, y}, {955, y}}, width_px, ink);
