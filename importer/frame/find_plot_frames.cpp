@@ -80,6 +80,7 @@ struct Orientation {
   int quarterTurns = 0;
   int below = 0, left = 0;  ///< regular labels on either axis
   double worth = 0;
+  bool asTurned = false;  ///< its numbers stand where those of a turned page do: above or at the right
 };
 
 std::vector<double> turnedPositions(const PlotRectangle& r, int turns, bool alongX) {
@@ -165,19 +166,18 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
     const int handicap = atTop && atRight ? 13 : turns == 0 ? 0 : turns == 2 ? 12 : 4;
     const double worth =
         (0.3 + share) * (2 * std::min(below.regular, left.regular) + below.regular + left.regular - handicap);
-    ways.push_back({turns, below.regular, left.regular, worth});
+    ways.push_back({turns, below.regular, left.regular, worth, atTop || atRight});
   }
   std::sort(ways.begin(), ways.end(),
             [](const Orientation& a, const Orientation& b) { return a.worth > b.worth; });
   // A sideways reading that the labels' places suggest is settled by reading them: the upright one stays in
-  // the race.
-  if (!ways.empty() && ways.front().quarterTurns != 0) {
-    const int likeliest = ways.front().quarterTurns;
-    std::erase_if(ways,
-                  [&](const Orientation& w) { return w.quarterTurns != 0 && w.quarterTurns != likeliest; });
-  } else if (!ways.empty()) {
-    ways.resize(1);
-  }
+  // the race; and it does beside an upright one whose numbers stand as a turned page's do.
+  const auto isTurned = [](const Orientation& w) { return w.quarterTurns != 0; };
+  const auto likeliest = std::ranges::find_if(ways, isTurned);
+  if (likeliest == ways.end()) return ways;
+  if (!isTurned(ways.front()) && !ways.front().asTurned) return {ways.front()};
+  const int turns = likeliest->quarterTurns;
+  std::erase_if(ways, [&](const Orientation& w) { return isTurned(w) && w.quarterTurns != turns; });
   return ways;
 }
 
