@@ -134,19 +134,38 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
   places.reserve(lines.size());
   EdgeFit fit;
   const double size = to - from, near = 0.015 * size + 3;
+  const auto insideOf = [&](const StraightLine& line) {
+    return std::min(line.to, to) - std::max(line.from, from);
+  };
+  const auto placeOf = [&](const StraightLine& line) {
+    return line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
+  };
+  const auto isMember = [&](const StraightLine& line) {
+    const double at = placeOf(line);
+    return insideOf(line) >= 0.12 * size && at >= acrossFrom - 4 && at <= acrossTo + 4;
+  };
+  int onFrom = 0, onTo = 0;
+  for (const auto& line : lines)
+    if (isMember(line)) {
+      ++fit.members;
+      onFrom += from - line.from >= from - next.from - 4;
+      onTo += line.to - to >= next.to - to - 4;
+    }
+  // A grid goes on where more than a third of its lines do: titles hide some. Below a plot the stems of a few numbers may
+  // stand so close under their ticks that these seem drawn on to the numbers' feet.
+  NextLines grid;
+  if (3 * onFrom > fit.members) grid.from = next.from;
+  if (3 * onTo > fit.members) grid.to = next.to;
   for (const auto& line : lines) {
-    const double inside = std::min(line.to, to) - std::max(line.from, from);
-    if (inside < 0.12 * size) continue;
-    const double at = line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
-    if (at < acrossFrom - 4 || at > acrossTo + 4) continue;
-    ++fit.members;
-    fit.inside += inside;
+    if (!isMember(line)) continue;
+    const double at = placeOf(line);
+    fit.inside += insideOf(line);
     fit.length += line.length();
     // An axis may run on to an arrow; a gridline may not.
     const bool edge = at < acrossFrom + 4 || at > acrossTo - 4;
     const double weight = edge ? 0.15 : 1.0;
-    fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, from - next.from);
-    fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, next.to - to);
+    fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, from - grid.from);
+    fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, grid.to - to);
     fit.endAtFrom += std::abs(line.from - from) <= near;
     fit.endAtTo += std::abs(line.to - to) <= near;
     auto place =
