@@ -43,37 +43,16 @@ double shareAt(const CoarseCurve& course, const Plane& own, double within_px) {
   return all > 0 ? cv::sum(at)[0] / all : 0;
 }
 
-/// Of the ink above and below a line the share on the side that has more.
-double shareOnOneSide(const Plane& own, const CurveTrace& solid, const PlotArea& area) {
-  constexpr float kInked = 0.3F;  // coverage
-  std::vector<double> rows(static_cast<std::size_t>(own.width), -1);
-  for (const Point& p : solid.points_px) {
-    const Point q = area.fromView(p);
-    const auto x = static_cast<int>(std::lround(q.x));
-    if (x >= 0 && x < own.width) rows[static_cast<std::size_t>(x)] = q.y;
-  }
-  double above = 0, below = 0;
-  for (int x = 0; x < own.width; ++x) {
-    const double row = rows[static_cast<std::size_t>(x)];
-    if (row < 0) continue;
-    for (int y = 0; y < own.height; ++y)
-      if (own.at(x, y) > kInked) (y < row ? above : below) += 1;
-  }
-  return std::max(above, below) / std::max(1.0, above + below);
-}
-
 }  // namespace
 
 std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
                                          const std::vector<int>& curveInks, const PlotInks& plot) {
   constexpr double leastTravel = 0.5;  // of the solid line's
-  constexpr double itsInk = 0.6;       // of what is left, as of a dashed line alone
-  constexpr double oneSide = 0.8;      // of it: what is left of markers lies on both sides of their line
+  constexpr double itsInk = 0.6;       // of what is left; rims of markers lie on both sides of their line
   if (curve.dashed || solid.points_px.size() < 2) return {};
   DashedCourse found{fieldOf(plot, curve.ink, curveInks), {}};
   clearLine(found.field.own, solid, plot.area(), curve.thickness_px);
   for (const Box& box : found.field.opaque) clearBox(found.field.own, box);
-  if (shareOnOneSide(found.field.own, solid, plot.area()) < oneSide) return {};
   const std::optional<CurveField> joined = dashesJoined(found.field);
   if (!joined) return {};
   FollowOptions follow;
