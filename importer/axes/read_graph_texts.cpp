@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include <opencv2/core.hpp>
 
@@ -9,6 +10,7 @@
 #include "importer/axes/cyrillic_look.h"
 #include "importer/axes/equal_digits.h"
 #include "importer/axes/read_text.h"
+#include "importer/axes/stroke_words.h"
 #include "importer/axes/text_lines.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
@@ -214,6 +216,28 @@ void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubte
   }
 }
 
+/// Two panels of one button, the press in one and the release in the other: the plot's own heading is the word for the press, and in line
+/// with it, over a plot at the right, stands the word for the release. That is added to the texts.
+void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& ink, double largest_px,
+                      TextReader& reader) {
+  constexpr double above = 0.6, beside = 1.6;  // of the plot's height, beyond its last number; of its width
+  const Box headings{frame.x0, frame.y0 - above * frame.height(), frame.x1 + beside * frame.width(),
+                     frame.y0};
+  const auto strokeAt = [&](const TextLine& line) {
+    SeenText seen = reader.readLine(line.box, TextKind::words);
+    return std::pair(strokeOfWord(folded(seen.utf8)), std::move(seen));
+  };
+  const auto lines = groupedLines(glyphsIn(glyphBoxes(ink, 2, largest_px), headings, largest_px), 1.1);
+  for (const TextLine& own : lines)
+    for (const TextLine& other : lines) {
+      const bool inLine = std::abs(own.box.middle().y - other.box.middle().y) < 0.5 * own.box.height();
+      if (own.box.middle().x > frame.x1 || other.box.x0 < frame.x1 || !inLine) continue;
+      if (!looksWritten(own) || !looksWritten(other) || strokeAt(own).first != Stroke::press) continue;
+      if (auto [stroke, seen] = strokeAt(other); stroke == Stroke::release)
+        axes.texts.push_back(std::move(seen));
+    }
+}
+
 /// Callouts and titles inside first, then a legend beside, then what stands above and below.
 int importance(const Box& line, const Box& frame) {
   const Point middle = line.middle();
@@ -284,6 +308,7 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
     axes.otherLines.push_back(std::move(seen));
   }
   keepAlike(axes.otherLines, doubted);
+  addHeadingBeside(axes, box, ink, largest, reader);
 }
 
 }  // namespace detent::importer

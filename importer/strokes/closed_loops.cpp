@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "importer/page/polyline.h"
 #include "importer/strokes/legend.h"
 
 namespace detent::importer {
@@ -41,9 +42,9 @@ double rowAt(const Course& course, double column_px) {
 Point tipOf(const Course& course) { return *std::ranges::min_element(course.points_px, {}, &Point::y); }
 
 /// How far two courses' ends may lie apart, as shares of the room both take. Up a wall a tip lies where the line that covers
-/// the other one leaves it to be seen.
+/// the other one leaves it to be seen; at rest, where all curves begin, more of a line is covered.
 struct Apart {
-  double across, along;
+  double atRest, across, along;
 };
 
 /// Whether both run over the same columns and up to the same tip.
@@ -51,7 +52,7 @@ bool endTogether(const Course& a, const Course& b, Apart most) {
   const Box both = a.room_px.joined(b.room_px);
   const Point tipA = tipOf(a), tipB = tipOf(b);
   const double across_px = most.across * both.width(), along_px = most.along * both.height();
-  return std::abs(a.room_px.x0 - b.room_px.x0) <= across_px &&
+  return std::abs(a.room_px.x0 - b.room_px.x0) <= most.atRest * both.width() &&
          std::abs(a.room_px.x1 - b.room_px.x1) <= across_px && std::abs(tipA.x - tipB.x) <= across_px &&
          std::abs(tipA.y - tipB.y) <= along_px;
 }
@@ -94,6 +95,23 @@ bool cross(const Course& a, const Course& b) {
   return to_px > from_px && std::min(above, below) > leastShare * columns;
 }
 
+/// How far the far ends of both lie from the other line, of the two the nearer one, in shares of the room both take: of measured switches
+/// no release begins farther than 0.007 from its press (docs/decisions/0809-ink-left-over.md).
+double gapAtTheEnds(const Course& a, const Course& b) {
+  const Box both = a.room_px.joined(b.room_px);
+  const auto inShares = [&](const Course& course) {
+    Polyline shares;
+    for (const Point& p : course.points_px) shares.push_back({p.x / both.width(), p.y / both.height()});
+    return shares;
+  };
+  if (both.width() <= 0 || both.height() <= 0) return 0;
+  const Polyline ofA = inShares(a), ofB = inShares(b);
+  const auto gap = [](const Polyline& from, const Polyline& to) {
+    return distance(from.back(), nearestOn(to, from.back()));
+  };
+  return std::min(gap(ofA, ofB), gap(ofB, ofA));
+}
+
 }  // namespace
 
 bool onlyFalls(const CurveTrace& trace) {
@@ -112,8 +130,8 @@ bool onlyFalls(const CurveTrace& trace) {
 }
 
 std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const Indices& drawn) {
-  constexpr Apart together{0.015, 0.04};
-  constexpr Apart nearby{0.05, 0.1};  // what ends nearby makes it doubtful who ends together
+  constexpr Apart together{0.03, 0.015, 0.04};
+  constexpr Apart nearby{0.05, 0.05, 0.1};  // what ends nearby makes it doubtful who ends together
   Indices strokes;
   std::ranges::copy_if(drawn, std::back_inserter(strokes),
                        [&](std::size_t i) { return !onlyFalls(traces[i]); });
@@ -141,6 +159,7 @@ std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const In
 
 std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   constexpr double leastWidth = 0.4;  // of the widest: what is shorter is a mark
+  constexpr double leastGap = 0.02;   // of what two of them take
   std::vector<Course> courses;
   double widest_px = 0;
   for (const std::size_t i : drawn) {
@@ -153,8 +172,9 @@ std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const I
     if (courses[i].room_px.width() < leastWidth * widest_px) return {};
     for (std::size_t j = 0; j < i; ++j) {
       // Of two alone the one that ends early may be a release that was not followed to its end.
-      const bool farApart = drawn.size() > 2 && endFarApart(courses[i], courses[j]);
-      if (traces[drawn[i]].color == traces[drawn[j]].color || !(farApart || cross(courses[i], courses[j])))
+      const bool endApart = drawn.size() > 2 && (endFarApart(courses[i], courses[j]) ||
+                                                 gapAtTheEnds(courses[i], courses[j]) > leastGap);
+      if (traces[drawn[i]].color == traces[drawn[j]].color || !(endApart || cross(courses[i], courses[j])))
         return {};
     }
     apart.push_back({drawn[i]});

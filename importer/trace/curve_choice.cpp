@@ -299,6 +299,28 @@ bool isOneMore(const PlotInks& plot, const std::vector<CurveInk>& curves, const 
   return isLongBeside(curves.front(), curve) && rises(curve) && !isSeam(plot, curve, curves);
 }
 
+/// Whether a line is drawn through by itself in its ink, from the place at rest where the curves begin, as far as they go: a switch beside
+/// theirs. Gridlines, bands and marks in that ink begin elsewhere or leave more of it beside the line.
+bool isLineFromRest(const PlotInks& plot, const std::vector<CurveInk>& curves, const CurveInk& line) {
+  constexpr double near = 0.03, leastTravel = 0.9;  // of the frame, each way; of the travel of the longest
+  const Box& frame = plot.area().frame;
+  const auto startOf = [](const CurveInk& curve) {
+    return static_cast<double>(curve.pooling) * *std::ranges::min_element(curve.course.points, {}, &Point::x);
+  };
+  const Point start = startOf(line);
+  double longest_px = 0;
+  bool startsThere = false;
+  for (const CurveInk& curve : curves) {
+    const Point off = startOf(curve) - start;
+    startsThere =
+        startsThere || (std::abs(off.x) <= near * frame.width() && std::abs(off.y) <= near * frame.height());
+    longest_px = std::max(longest_px, curve.pooling * curve.course.span_px);
+  }
+  return startsThere && line.course.inkShare >= plot.options.solidInk &&
+         line.secondStrand <= plot.options.secondStrand &&
+         line.pooling * line.course.span_px >= leastTravel * longest_px;
+}
+
 /// Beside the ink of text a faint trace of colour is a letter's edge (sub-pixel rendering), not a curve.
 void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& curveInks,
                        CurveField& field) {
@@ -490,12 +512,12 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   // Loops are switches of their own: one more may be in the ink of the frame.
   const bool several = curves.size() > 1 && std::ranges::all_of(curves, isLoop);
   for (int k : neutral) {
-    // More than two coloured curves are several switches' already.
-    if (!lone && !several && curves.size() < 3 &&
-        !(curves.size() > 1 && (endApart(curves) || hasSample(plot, k))))
-      continue;
+    // More than two coloured curves are several switches' already; beside two only what starts with them is another one's.
+    const bool expected = lone || several || curves.size() > 2 ||
+                          (curves.size() > 1 && (endApart(curves) || hasSample(plot, k)));
+    if (!expected && curves.size() < 2) continue;
     auto curve = curveOf(plot, k, true);
-    if (!curve) continue;
+    if (!curve || !(expected || isLineFromRest(plot, curves, *curve))) continue;
     // A lone coloured curve may have its partner in the ink of the frame.
     if (lone
             ? isLongBeside(curves.front(), *curve) || leadsBackFrom(curves.front(), *curve, plot.area().frame)

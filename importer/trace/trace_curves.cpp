@@ -194,6 +194,28 @@ struct ShadedCurves {
   std::vector<CurveInk> curves;
 };
 
+/// Beside two shades of one colour a second switch: in the ink of frame and text, where both its strokes have a shade of it too.
+ShadedCurves withNeutralShades(ShadedCurves shaded, double least_px) {
+  const std::optional<CurveInk> other = neutralCurveBeside(shaded.plot, shaded.curves.front());
+  if (!other) return shaded;
+  const auto k = static_cast<std::size_t>(other->ink);
+  const auto paler =
+      palerShade(shaded.plot.scene, shaded.plot.palette[k], shaded.plot.coverage.ink[k], least_px);
+  if (paler) {
+    std::vector<Ink> palette = shaded.plot.palette;
+    palette.push_back(*paler);
+    ShadedCurves both{PlotInks(shaded.plot.scene, std::move(palette)), shaded.curves};
+    std::vector<CurveInk> two =
+        curvesInShades(both.plot, other->ink, static_cast<int>(shaded.plot.palette.size()));
+    if (two.size() == 2) {
+      std::ranges::move(two, std::back_inserter(both.curves));
+      return both;
+    }
+  }
+  shaded.curves.push_back(*other);
+  return shaded;
+}
+
 /// Where one curve or none was found by the directions of colour: one that is drawn in a paler shade of another, of frame and
 /// text, or of the curve itself.
 std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vector<CurveInk>& found) {
@@ -210,7 +232,8 @@ std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vecto
     const int its = static_cast<int>(plot.palette.size());
     shaded.curves =
         ofCurve || found.empty() ? curvesInShades(shaded.plot, k, its) : chooseCurveInks(shaded.plot);
-    if (shaded.curves.size() == 2) return shaded;
+    if (shaded.curves.size() != 2) continue;
+    return ofCurve ? withNeutralShades(std::move(shaded), least_px) : std::move(shaded);
   }
   return {};
 }
@@ -482,8 +505,9 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
   std::vector<CurveTrace> traces;
   for (const CurveInk& curve : curves) traces.push_back(traceOf(curve, curveInks, finalPlot, options));
-  if (shaded && areShades(shaded->plot.ink(chosen[0].ink), shaded->plot.ink(chosen[1].ink)))
-    leadBeside(traces[1], traces[0]);
+  for (std::size_t i = 1; shaded && i < chosen.size(); ++i)
+    if (areShades(shaded->plot.ink(chosen[i - 1].ink), shaded->plot.ink(chosen[i].ink)))
+      leadBeside(traces[i], traces[i - 1]), leadBeside(traces[i - 1], traces[i]);
   nameGivenStrokes(traces, chosen, given);
   labelTraces(traces, axes, view, scene);
   if (given.any()) return traces;

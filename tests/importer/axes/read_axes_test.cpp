@@ -712,6 +712,24 @@ TEST_CASE("callouts and legend are read where they stand") {
   CHECK_FALSE(at("Press").empty());
 }
 
+TEST_CASE("the heading of a panel beside is read where the plot's own names the press") {
+  if (skipWithoutEngine()) return;
+  const auto headed = [](const std::string& own) {
+    PlotStyle s;
+    s.width = 1600;
+    s.height = 660;
+    s.top = 200, s.right = 640, s.bottom = 580;
+    Canvas c(s.width, s.height, 255);
+    drawInto(c, s);
+    c.text(own, 370, 30, 0, 0.7);
+    c.text("release", 1300, 30, 0, 0.7);  // farther off than a legend stands
+    const auto axes = readWithTexts(c.grey());
+    return std::ranges::count(axes->texts, "release", &SeenText::utf8);
+  };
+  CHECK(headed("press") == 1);
+  CHECK(headed("Red switch") == 0);
+}
+
 TEST_CASE("a legend's row is parted at its samples") {
   if (skipWithoutEngine()) return;
   PlotStyle s;

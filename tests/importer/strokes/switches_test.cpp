@@ -143,6 +143,12 @@ TEST_CASE("Of several curves without names those that close a loop are one switc
   CHECK(switches[1].traces == std::vector<std::size_t>{0, 3});
   CHECK_FALSE(separateStrokes(traces, AxesFound{}).ok());
 
+  SECTION("More of a foot than of an end may lie under other lines, where all begin") {
+    traces[1].points_px.erase(traces[1].points_px.begin(), traces[1].points_px.begin() + 5);
+    CHECK(switchesAmong(traces).size() == 2);
+    traces[1].points_px.erase(traces[1].points_px.begin(), traces[1].points_px.begin() + 4);
+    CHECK(switchesAmong(traces).empty());
+  }
   SECTION("Two samples of one switch end near each other: who belongs to whom is not clear") {
     traces = loop(40, 300, 15, 1);
     const std::vector<CurveTrace> sample = loop(42, 297, 15, 3);
@@ -179,7 +185,10 @@ TEST_CASE("A quantity that only falls belongs to no loop, however its fall waver
 }
 
 TEST_CASE("Where it is not clear what belongs together nothing is joined", "[switches]") {
-  CHECK(switchesAmong({traced("", 10, 1), traced("", 30, 2), traced("", 50, 3)}).empty());
+  std::vector<CurveTrace> onOneWall = loop(40, 300, 15, 1);
+  onOneWall.push_back(loop(60, 300, 0, 3)[0]);
+  onOneWall.back().points_px.back() = onOneWall[0].points_px.back();
+  CHECK(switchesAmong(onOneWall).empty());
   CHECK(switchesAmong({traced("Brown press", 10, 1), traced("Red release", 30, 2)}).empty());
   CHECK(switchesAmong({traced("A press", 10, 1), traced("A release", 30, 2), traced("A release", 50, 3)})
             .empty());
@@ -313,6 +322,17 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
     CHECK(switchesAmong(crossing).size() == 2);
     crossing[0].color = crossing[1].color;  // strokes of one ink that the tracer may have exchanged
     CHECK(switchesAmong(crossing).size() == 1);
+  }
+  SECTION("of three and more each ends beside the others' lines, which no release does") {
+    std::vector<CurveTrace> walls{traced("", 10, 1), traced("", 30, 2), traced("", 50, 3)};
+    CHECK(switchesAmong(walls).size() == 3);
+    walls[1].label = "2.6 N";  // read, where the others' names were not
+    CHECK(switchesAmong(walls).size() == 3);
+    walls[0].label = "1.6 N";  // most are read: the one that the legend does not list is something else
+    CHECK(switchesAmong(walls).empty());
+    walls[0].label.clear(), walls[1].label = "2.6 N release";
+    CHECK(switchesAmong(walls).empty());
+    CHECK(switchesAmong({walls[0], walls[2]}).size() == 1);
   }
   SECTION("a mark beside a press") {
     CurveTrace mark = traced("", 80, 7);

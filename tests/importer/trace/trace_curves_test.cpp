@@ -1583,6 +1583,43 @@ TEST_CASE("Rims of the markers on press and release are no strokes in dashes", "
   CHECK(plot.trace()->size() == 2);
 }
 
+TEST_CASE("Beside two shades of a colour two shades of the frame's ink are another switch's strokes",
+          "[trace]") {
+  const Rgb pink{217, 38, 121}, palePink{247, 168, 208}, slate{47, 64, 84}, paleSlate{145, 161, 184};
+  Plot plot(900, 550);
+  plot.grid(6, 6, {224, 224, 230});
+  plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 1.5, slate);
+  const auto stroke = [&](double high, double lag, Rgb ink) {
+    Curve course = upToAWall(lag);
+    for (Point& p : course) p.y *= high;
+    plot.line(plot.at(course), 2, ink);
+    return plot.at(course);
+  };
+  stroke(1, 0, pink), stroke(1, 0.1, palePink);
+  CHECK(plot.trace()->size() == 2);
+  const Curve down = stroke(0.5, 0, slate), up = stroke(0.5, 0.15, paleSlate);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 4);
+  CHECK(apart(ofColor(*traces, slate).points_px, down) < 1);
+  CHECK(apart(ofColor(*traces, paleSlate).points_px, up) < 1);
+}
+
+TEST_CASE("Beside two curves in colours one in the frame's ink begins where they do", "[trace]") {
+  const auto drawn = [](Point from, double end) {
+    Plot plot(900, 500);
+    plot.grid(6, 6, {214, 214, 214});
+    plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 2, kBlack);
+    plot.line(plot.at(upToAWall(0)), 2, kRed);
+    plot.line(plot.at(upToAWall(0.1)), 2, kBlue);
+    plot.line(plot.at({from, {0.3, 0.35}, {0.6, 0.3}, {end, 0.5}}), 2, kBlack);
+    return plot.trace()->size();
+  };
+  CHECK(drawn({0, 0}, 0.85) == 3);
+  CHECK(drawn({0, 0.3}, 0.85) == 2);  // a band's edge, a callout
+  CHECK(drawn({0, 0}, 0.65) == 2);    // a leader
+}
+
 TEST_CASE("Beside three curves in colours one in the frame's ink is a curve as well", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(1, 1, kBlack);
