@@ -405,7 +405,7 @@ class Doubts {
         add(DoubtCode::strokesCoincide, unconfirmed, {}, helps);
       const double shared = sharedTravel(strokes);
       const std::optional<double> left = forceLeft(strokes);
-      const bool locks = left && *left < atRest && drawnAndNamedApart();
+      const bool locks = left && *left < atRest && namedApart();
       if ((shared < leastSharedTravel && !locks) ||
           (shared < wholeTravel && left && *left > forceLeftAtEnd) || pressBeginsLate(strokes))
         add(DoubtCode::strokeInPart, unconfirmed, {{shared, Measure::share}}, helps);
@@ -421,10 +421,14 @@ class Doubts {
   /// Two paths of a drawing that its legend calls press and release: a button without hysteresis is drawn so.
   bool drawnAndNamedApart() const {
     const StrokePair& strokes = findings_.strokes.value;
-    return strokes.press.fromVector && strokes.release->fromVector &&
-           std::ranges::any_of(findings_.strokes.evidence, [](const EvidenceItem& item) {
-             return item.code == EvidenceCode::namedByLegend;
-           });
+    return strokes.press.fromVector && strokes.release->fromVector && namedApart();
+  }
+
+  /// The legend calls one the press and the other the release.
+  bool namedApart() const {
+    return std::ranges::any_of(findings_.strokes.evidence, [](const EvidenceItem& item) {
+      return item.code == EvidenceCode::namedByLegend;
+    });
   }
 
   void sayAt(Point at_px, DoubtCode code, double share) {

@@ -18,39 +18,42 @@ constexpr std::string_view kPressWords[] = {
     "press", "pressing", "pressed", "downstroke", "down", "downward", "downwards", "push", "pushing",
     "pushed", "forward", "forwards", "loading", "load", "depress", "depressing", "actuate", "actuation",
     "actuating", "in", "make", "compress", "compressing", "advance", "insertion", "outbound", "fwd",
-    "approach", "engage", "increasing", "operate", "operating",
+    "approach", "engage", "increasing", "operate", "operating", "lowering", "lowered", "adding", "descending",
+    "descent", "ingoing", "inward", "inwards", "applying", "squeeze", "squeezing",
     // German
     "hinweg", "hin", "vorlauf", "hinlauf", "drucken", "gedruckt", "eindrucken", "niederdrucken",
     "herunterdrucken", "betatigen", "betatigung", "belasten", "belastung", "hinhub", "vorhub", "abwarts",
-    "vorwarts", "runter", "einfahren",
+    "vorwarts", "runter", "einfahren", "herunter", "hinunter", "hinab", "rein", "absenken", "senken",
+    "auflegen",
     // French
     "appui", "appuyer", "appuye", "enfoncer", "enfonce", "enfoncement", "aller", "descente", "charge",
     "compression", "pression", "presser", "actionnement", "activation", "poussee", "pousser", "descendant",
+    "descendre", "abaissement", "abaisser", "baisser",
     // Spanish, Portuguese, Catalan
     "ida", "pulsar", "pulsado", "pulsacion", "pulsando", "bajada", "descenso", "carga", "presion",
     "presionar", "presionando", "presionado", "apretar", "avance", "accionamiento", "abajo", "pressao",
     "acionamento", "pressionar", "pressionando", "pressionamento", "premir", "apertar", "aperto", "avanco",
     "descida", "carregamento", "compressao", "baixo", "pulsacio", "premer", "anada", "bajando", "empuje",
-    "adelante",
+    "adelante", "bajar", "hundir", "hundimiento", "descer", "descendo",
     // Italian, Romanian
     "andata", "pressione", "premuto", "premendo", "discesa", "carico", "azionamento", "compressione",
     "schiacciamento", "apasare", "apasat", "presare", "incarcare", "coborare", "actionare", "comprimare",
-    "premere", "spinta", "dus",
+    "premere", "spinta", "dus", "scendere", "scendendo", "abbassamento", "giu",
     // Dutch
     "indrukken", "ingedrukt", "drukken", "heen", "heenweg", "heengaand", "belasting", "neergaand", "omlaag",
-    "neerwaarts", "heenreis",
+    "neerwaarts", "heenreis", "neer", "beneden", "neergang", "neerdrukken", "duwen", "induwen", "inveren",
     // Swedish, Norwegian, Danish, Icelandic
     "tryck", "trycka", "tryckning", "nedtryck", "nedtryckning", "intryckning", "intryck", "nedat",
     "belastning", "tryk", "trykk", "trykke", "trykning", "nedtrykning", "nedtrykking", "nedtrykk", "nedtryk",
     "inntrykking", "indtrykning", "trykking", "nedover", "nedad", "ned", "fram", "framat", "frem", "fremad",
-    "dit", "inn", "ind",
+    "dit", "inn", "ind", "ner",
     // Finnish, Estonian, Latvian, Lithuanian
     "painallus", "painaminen", "painettaessa", "painaessa", "alas", "alaspain", "kuormitus", "puristus",
     "vajutus", "vajutamine", "nospiesana", "nospiezot", "paspaudimas", "spaudimas", "nuspaudimas", "meno",
     "menosuunta", "sisaan", "eteenpain", "edasi", "turp", "pirmyn",
     // Polish
     "nacisk", "naciskanie", "nacisniecie", "nacisniety", "wciskanie", "wcisniecie", "wcisk", "docisk",
-    "dociskanie", "sciskanie", "obciazanie", "obciazenie", "tam", "dol",
+    "dociskanie", "sciskanie", "obciazanie", "obciazenie", "tam", "dol", "opuszczanie",
     // Czech, Slovak
     "stisk", "stisknuti", "stisknuto", "stlaceni", "stlacovani", "zatizeni", "zatezovani", "zmacknuti",
     "stlacenie", "stlacanie", "stlacovanie", "zatazenie", "zatazovanie", "dolu", "nadol", "vpred",
@@ -74,25 +77,29 @@ constexpr std::string_view kReleaseWords[] = {
     "release", "releasing", "released", "upstroke", "up", "upward", "upwards", "return", "returning", "back",
     "backward", "backwards", "reverse", "unloading", "unload", "reset", "out", "break", "decompress",
     "retract", "retraction", "inbound", "bwd", "bkwd", "withdraw", "withdrawal", "disengage", "decreasing",
+    "raising", "raised", "removing", "ascending", "ascent", "outgoing", "outward", "outwards", "lifting",
+    "lifted", "relieving",
     // German
     "ruckweg", "zuruck", "her", "losen", "ruckzug", "rucklauf", "ruckhub", "ruckgang", "loslassen",
     "losgelassen", "entlasten", "entlastung", "ruckstellung", "ruckkehr", "freigabe", "freigeben", "aufwarts",
-    "ruckwarts", "ausfahren",
+    "ruckwarts", "ausfahren", "herauf", "hinauf", "raus", "anheben", "heben", "abnehmen",
     // French
     "relachement", "relacher", "relache", "remontee", "decharge", "retour", "decompression", "detente",
-    "liberation", "montee", "arriere", "retrait", "ascendant",
+    "liberation", "montee", "arriere", "retrait", "ascendant", "monter", "remonter", "relevage", "relever",
+    "lacher", "enlever",
     // Spanish, Portuguese, Catalan
     "vuelta", "soltar", "soltando", "soltado", "suelta", "liberacion", "liberar", "subida", "descarga",
     "retorno", "retroceso", "regreso", "arriba", "descompresion", "liberacao", "soltura", "alivio",
     "libertacao", "libertar", "volta", "regresso", "descarregamento", "descompressao", "cima", "alliberament",
-    "recuo", "tornada", "subiendo", "atras",
+    "recuo", "tornada", "subiendo", "atras", "subir", "levantar", "levantando", "subindo",
     // Italian, Romanian
     "ritorno", "rilascio", "rilasciato", "rilasciando", "risalita", "scarico", "salita", "decompressione",
     "eliberare", "eliberat", "revenire", "descarcare", "ridicare", "retragere", "intoarcere", "intors",
-    "inapoi", "rilasciare", "indietro",
+    "inapoi", "rilasciare", "indietro", "salire", "salendo", "sollevamento",
     // Dutch
     "loslaten", "losgelaten", "terug", "terugweg", "teruggaand", "terugkeer", "ontlasten", "ontlasting",
-    "opgaand", "omhoog", "vrijgeven", "opwaarts", "terugreis", "uit",
+    "opgaand", "omhoog", "vrijgeven", "opwaarts", "terugreis", "uit", "opgang", "optillen", "uitveren",
+    "terugveren",
     // Swedish, Norwegian, Danish, Icelandic
     "slapp", "slappa", "slappning", "uppslapp", "frislappning", "frigoring", "frigivning", "aterfjadring",
     "aterstallning", "atergang", "uppat", "avlastning", "tillbaka", "retur", "slipp", "slippe", "slipping",
@@ -104,7 +111,7 @@ constexpr std::string_view kReleaseWords[] = {
     "taaksepain", "purku", "tagasi", "atpakal", "atgal",
     // Polish
     "zwolnienie", "zwalnianie", "zwolniony", "puszczanie", "puszczenie", "odpuszczanie", "odpuszczenie",
-    "powrot", "powrotny", "powrotem", "odciazanie", "odciazenie", "gora", "gore",
+    "powrot", "powrotny", "powrotem", "odciazanie", "odciazenie", "gora", "gore", "podnoszenie",
     // Czech, Slovak
     "uvolneni", "uvolnovani", "uvolneno", "pusteni", "povoleni", "navrat", "odlehceni", "odlehcovani",
     "uvolnenie", "uvolnovanie", "pustenie", "odlahcenie", "zpet", "zpatky", "nahoru", "spat", "nahor", "vzad",
@@ -137,6 +144,10 @@ constexpr std::array kReleaseSigns = {
     "戻る",   "離す", "離し", "復路", "復帰", "除荷",  "除圧",  "上り",  "帰り",     "복귀",     "해제",
     "놓기",   "놓음", "떼기", "뗌",   "이완", "감압",  "상승",  "복원",  "ปล่อย",     "后退",     "退程",
     "反行程", "反向", "後退", "復動", "후진", "تحرير", "إفلات", "שחרור", "छोड़"};
+
+/// Words that say so alone: beside others they are "on" or an article.
+constexpr std::array<std::string_view, 1> kLonePressWords = {"le"};
+constexpr std::array<std::string_view, 3> kLoneReleaseWords = {"op", "su", "fel"};
 
 /// Ways that arrows point: the key goes down or on, and up or back. At a name's beginning or end; between words they lead from one to
 /// the next.
@@ -350,6 +361,11 @@ std::optional<Stroke> strokeOfWord(std::string_view word) {
   const std::size_t press = wrongLetters(word, kPressWords), release = wrongLetters(word, kReleaseWords);
   if (press != release) return press < release ? Stroke::press : Stroke::release;
   return onlyOne(isCompound(word, kPressFirsts), isCompound(word, kReleaseFirsts));
+}
+
+std::optional<Stroke> strokeOfLoneWord(std::string_view word) {
+  const auto isIn = [&](const auto& list) { return std::ranges::find(list, word) != list.end(); };
+  return onlyOne(isIn(kLonePressWords), isIn(kLoneReleaseWords));
 }
 
 std::optional<Stroke> strokeOfPart(std::string_view word) {

@@ -17,6 +17,9 @@ std::string folded(std::string_view utf8);
 /// "rn" for "m" and "ii" for "ü"; the nearest word counts, and nothing where a word for either stroke is as near.
 std::optional<Stroke> strokeOfWord(std::string_view word);
 
+/// The stroke of a word that names one where it is all that is said: Dutch "op", Italian "su". Beside others such words are "on" or an article.
+std::optional<Stroke> strokeOfLoneWord(std::string_view word);
+
 /// The stroke of a word of which a legend's sample or its frame hides the beginning or the end: "leasing", "naciskan". Nothing
 /// where words for both have such a part.
 std::optional<Stroke> strokeOfPart(std::string_view word);

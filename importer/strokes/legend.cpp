@@ -37,9 +37,16 @@ bool namesPoint(std::string_view utf8, const std::vector<std::string>& words) {
              kPointSigns, [&](std::string_view sign) { return utf8.find(sign) != std::string_view::npos; });
 }
 
+/// The stroke of a text of one word that says so alone.
+std::optional<Stroke> loneStroke(std::string_view utf8) {
+  const std::vector<std::string> words = wordsOf(utf8);
+  return words.size() == 1 ? strokeOfLoneWord(words.front()) : std::nullopt;
+}
+
 /// Which strokes a text has words or signs for.
 SignedStrokes strokesIn(std::string_view utf8) {
   SignedStrokes named = strokesSignedIn(utf8);
+  if (const auto lone = loneStroke(utf8)) (*lone == Stroke::press ? named.press : named.release) = true;
   for (const std::string& word : wordsOf(utf8)) {
     const auto stroke = strokeOfWord(word);
     named.press = named.press || stroke == Stroke::press;
@@ -65,6 +72,7 @@ constexpr std::array kQuantityWords = {"force", "travel", "kraft", "mesure", "me
 
 /// Words that name neither a stroke nor a curve.
 std::vector<std::string> wordsBesideStroke(std::string_view utf8) {
+  if (loneStroke(utf8)) return {};
   std::vector<std::string> words = wordsOf(utf8);
   for (std::string& word : words) word = withoutStrokeSigns(word);
   std::erase_if(words, [](const std::string& word) { return isStrokeWord(word) || isCurveWord(word); });
@@ -107,6 +115,7 @@ bool isJoint(char c) { return std::string_view(" _-/:,;()[]").find(c) != std::st
 
 /// Of one text.
 std::string withoutStrokeWords(std::string_view utf8) {
+  if (loneStroke(utf8)) return {};
   std::string name;
   bool shortened = false;
   for (std::size_t i = 0; i < utf8.size();) {

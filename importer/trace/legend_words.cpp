@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "importer/axes/stroke_words.h"
 #include "importer/page/mirrored.h"
 
 namespace detent::importer::trace {
@@ -286,6 +287,20 @@ std::optional<std::vector<SeenText>> lettersInInks(const std::vector<SeenText>& 
   return each && (traces >= several || std::ranges::all_of(*each, isInLine)) ? each : std::nullopt;
 }
 
+/// Of two curves one has the word for the press written in its ink and the other that for the release, wherever they stand.
+std::optional<std::vector<SeenText>> strokesInInks(const std::vector<SeenText>& names,
+                                                   const std::vector<std::optional<std::size_t>>& inkOf,
+                                                   std::size_t traces) {
+  if (traces != 2) return {};
+  LegendTexts all(traces);
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (inkOf[n] && strokeOfWord(folded(names[n].utf8))) all[*inkOf[n]].push_back(names[n]);
+  auto each = oneEach(all);
+  if (!each) return {};
+  const auto strokeOf = [&](std::size_t i) { return strokeOfWord(folded((*each)[i].utf8)); };
+  return strokeOf(0) != strokeOf(1) ? each : std::nullopt;
+}
+
 /// Names that stand at their curves' right ends, in the curve's ink or in one that is no curve's.
 std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& names,
                                                  const std::vector<std::optional<std::size_t>>& inkOf,
@@ -319,6 +334,7 @@ void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
   std::vector<std::optional<std::size_t>> inkOf;
   for (const SeenText& name : names) inkOf.push_back(traceOfLetters(name.box, inks, view.raster, paper));
   auto each = lettersInInks(names, inkOf, traces.size());
+  if (!each) each = strokesInInks(names, inkOf, traces.size());
   if (!each) each = namesAtEnds(names, inkOf, traces);
   for (std::size_t i = 0; each && i < traces.size(); ++i)
     traces[i].label = (*each)[i].utf8, traces[i].labelBox_px = (*each)[i].box;

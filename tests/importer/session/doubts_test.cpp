@@ -349,11 +349,11 @@ TEST_CASE("a release that covers a part of the press is a piece of something els
   CHECK(import.doubted(DoubtCode::strokeInPart));
 }
 
-TEST_CASE("a key that locks comes to rest on the way, if a drawing names its strokes") {
+TEST_CASE("a key that locks comes to rest on the way, if a legend names its strokes") {
   Import import;
   import.release = {{3.2, 1.4}, { 2.3, 0.01 }};
   CHECK(import.doubted(DoubtCode::strokeInPart));
-  import.fromVector = import.namedByLegend = true;
+  import.namedByLegend = true;
   CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
   import.release.back().force_N = 0.3;
   CHECK(import.doubted(DoubtCode::strokeInPart));

@@ -205,6 +205,15 @@ TEST_CASE("Both tints of a hue bring both names", "[legend]") {
   CHECK_FALSE(namesBothStrokes("T1 / upstroke"));
 }
 
+TEST_CASE("A word that says where to alone says nothing beside others", "[legend]") {
+  CHECK(strokeNamedBy("Op") == Stroke::release);
+  CHECK(strokeNamedBy("Neer") == Stroke::press);
+  CHECK(mayBeOnePair("Neer", "Op"));
+  CHECK(switchNamedBy("Op").empty());
+  CHECK_FALSE(strokeNamedBy("kracht op knop"));
+  CHECK(switchNamedBy("model op") == "model op");
+}
+
 TEST_CASE("A switch is called what its strokes' names share", "[legend]") {
   CHECK(switchNamedBy("Switch A release") == "Switch A");
   CHECK(switchNamedBy("downstroke_aura") == "aura");

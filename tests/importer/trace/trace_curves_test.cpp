@@ -1652,6 +1652,21 @@ TEST_CASE("Names in their curves' inks, wherever they stand beside three curves 
   CHECK(ofColor(traces, kBlue).label == (three ? "New" : ""));
 }
 
+TEST_CASE("Of two curves the words for press and release in their inks name them", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(5, 5, kGrey);
+  const std::string second = GENERATE("Upstroke", "Downstroke");
+  for (const auto& [ink, name, height] :
+       {std::tuple(kRed, std::string("Downstroke"), 0.8), std::tuple(kBlue, second, 0.4)}) {
+    plot.line(plot.at({{0, 0}, {0.2, height}, {0.9, height + 0.1}}), 2, ink);
+    const Point at = plot.at(0.5 - 0.2 * height, height - 0.1);
+    plot.letters(name, (at.x - plot.box().x0) / plot.box().width(), height - 0.1, 14, ink);
+    plot.say(name, {at.x - 1, at.y - 15, at.x + 130, at.y + 1});
+  }
+  const auto traces = plot.trace().value();
+  CHECK(ofColor(traces, kBlue).label == (second == "Upstroke" ? "Upstroke" : ""));
+}
+
 TEST_CASE("A sample may have its curve's marker in the middle, and a box behind it", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(6, 6, kGrey);
