@@ -854,8 +854,8 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
         request.hints.drawn, graph);
   }();
   std::optional<Wider> wider;
-  if (strokes && request.hints.frame.empty() && request.hints.drawn.press.empty() &&
-      request.hints.drawn.release.empty())
+  // Strokes that the frame cuts may look like two switches' there.
+  if (request.hints.frame.empty() && request.hints.drawn.press.empty() && request.hints.drawn.release.empty())
     wider = readWider(graph, **curves, request, settings.trace, progress);
   const Explanation explanation = wider ? std::move(wider->explanation) : explanationOf(*curves, *choice);
   if (wider) {

@@ -93,10 +93,14 @@ bool isUnreadName(std::size_t its, const std::vector<CurveTrace>& traces, const 
 std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   std::vector<Indices> groups;
   for (const std::size_t i : drawn) {
-    Indices partners;
-    for (const std::size_t j : drawn)
-      if (j != i && (shareAnInk(traces[i], traces[j]) || namesOnePair(traces[i].label, traces[j].label)))
-        partners.push_back(j);
+    Indices partners, ofItsInk;
+    for (const std::size_t j : drawn) {
+      if (j == i) continue;
+      if (shareAnInk(traces[i], traces[j])) ofItsInk.push_back(j);
+      if (namesOnePair(traces[i].label, traces[j].label)) partners.push_back(j);
+    }
+    // In a legend by groups every switch's strokes are called the same.
+    if (!ofItsInk.empty()) partners = ofItsInk;
     const bool hasName = namesACurve(traces[i].label) || isUnreadName(i, traces, drawn);
     const bool alone = partners.empty() && hasName && namedStroke(traces[i]) != Stroke::release;
     if (partners.size() > 1 || (partners.empty() && !alone)) return {};

@@ -397,7 +397,11 @@ void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, 
     if (!text.utf8.empty() && !text.box.empty() && first.label.find(text.utf8) != std::string::npos &&
         first.labelBox_px.joined(text.box) == first.labelBox_px)
       names.push_back(text);
-  if (names.size() != 2 || first.label != names[0].utf8 + std::string(kLabelParting) + names[1].utf8) return;
+  // Texts come to a curve in the order in which they were read, not in which they stand.
+  const auto isBoth = [&](const SeenText& one, const SeenText& other) {
+    return first.label == one.utf8 + std::string(kLabelParting) + other.utf8;
+  };
+  if (names.size() != 2 || !(isBoth(names[0], names[1]) || isBoth(names[1], names[0]))) return;
   const double a = drawnShareBeside(names[0].box, ink, view.raster, paper),
                b = drawnShareBeside(names[1].box, ink, view.raster, paper);
   if (std::max(a, b) < through || std::min(a, b) > dashed || std::min(a, b) <= 0) return;

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -170,6 +172,43 @@ TEST_CASE("A plot that imports at its own size imports scaled up to the most pix
     CHECK(travel_mm(report) == Approx(travel_mm(usual)).margin(0.02));
     CHECK(report.evidence->view.raster.width_px < 2000);  // read in as many pixels as it takes
   }
+}
+
+// The strokes of a key with two snaps cross; that they end in one point is drawn beyond the frame.
+TEST_CASE("Strokes that look like two switches' within the frame are followed beyond it first") {
+  cv::Mat plot(640, 960, CV_8UC3, cv::Scalar::all(255));
+  const auto at = [](double x, double y) {
+    return cv::Point(static_cast<int>(100 + 600 * x), static_cast<int>(560 - 450 * y));
+  };
+  const cv::Scalar black = cv::Scalar::all(0), grid = cv::Scalar::all(215);
+  for (int i = 0; i <= 5; ++i) {
+    cv::line(plot, at(0.2 * i, 0), at(0.2 * i, 1), grid);
+    cv::line(plot, at(0, 0.2 * i), at(1, 0.2 * i), grid);
+    cv::putText(plot, "0." + std::to_string(2 * i), at(0.2 * i, 0) + cv::Point(-16, 28),
+                cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1, cv::LINE_AA);
+    cv::putText(plot, std::to_string(i), at(0, 0.2 * i) + cv::Point(-26, 7), cv::FONT_HERSHEY_SIMPLEX, 0.6,
+                black, 1, cv::LINE_AA);
+  }
+  cv::rectangle(plot, at(1, 0) + cv::Point(-18, 10), at(1, 0) + cv::Point(24, 34), cv::Scalar::all(255), -1);
+  cv::putText(plot, "1.0", at(1, 0) + cv::Point(-16, 28), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
+              cv::LINE_AA);
+  cv::line(plot, at(0, 0), at(1, 0), black), cv::line(plot, at(0, 0), at(0, 1), black);
+  cv::putText(plot, "Travel [mm]", at(0.4, 0) + cv::Point(0, 60), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
+              cv::LINE_AA);
+  cv::putText(plot, "Force [N]", at(0, 1) + cv::Point(-60, -30), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
+              cv::LINE_AA);
+  const std::vector<cv::Point> down{at(0, 0),      at(0.2, 0.35),  at(0.5, 0.6),  at(0.62, 0.3),
+                                    at(0.9, 0.55), at(1.01, 0.66), at(1.08, 0.95)},
+      up{at(0, 0),      at(0.15, 0.22), at(0.42, 0.42), at(0.5, 0.25),
+         at(0.6, 0.37), at(0.9, 0.46),  at(1.04, 0.55), at(1.08, 0.95)};
+  cv::polylines(plot, up, false, {200, 60, 20}, 2, cv::LINE_AA);
+  cv::polylines(plot, down, false, {30, 30, 210}, 2, cv::LINE_AA);
+  std::vector<unsigned char> bytes;
+  REQUIRE(cv::imencode(".png", plot, bytes));
+  auto session = ImportSession::fromBytes(std::move(bytes), "plot.png");
+  REQUIRE(session);
+  const ImportReport report = imported(*session, firstGraph());
+  CHECK(travel_mm(report) == Approx(1.08).margin(0.02));
 }
 
 TEST_CASE("A scanner's grain is seen where a large plot is read from averaged pixels") {

@@ -118,6 +118,9 @@ TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[
   CHECK(switches[0].traces == std::vector<std::size_t>{3, 2});  // the higher one first
   CHECK(switches[1].traces == std::vector<std::size_t>{1, 0});
   CHECK(chosenSwitch(switches, traces, "2").value() == 1);
+  // A legend by groups calls the strokes of each the same.
+  traces[0].label = traces[2].label = "release", traces[1].label = traces[3].label = "press";
+  CHECK(switchesAmong(traces).size() == 2);
 }
 
 TEST_CASE("Names that a program gives part no strokes of a loop, and join no curves that close none",
@@ -319,6 +322,11 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
   SECTION("they end together, and cross") {
     std::vector<CurveTrace> crossing{traced("", 10, 1), traced("", 10, 5)};
     for (Point& p : crossing[0].points_px) p.y -= 30 * std::sin(2 * M_PI * p.x / 300);
+    CHECK(switchesAmong(crossing).size() == 2);
+    for (Point& p : crossing[0].points_px)  // a snap that comes earlier on the way back
+      if (p.x > 150 && p.x < 240) p.y = 300 - 10 - 0.3 * p.x - 20;
+    CHECK(switchesAmong(crossing).size() == 1);
+    for (Point& p : crossing[0].points_px) p.x *= 0.95;  // ends elsewhere: a press of its own
     CHECK(switchesAmong(crossing).size() == 2);
     crossing[0].color = crossing[1].color;  // strokes of one ink that the tracer may have exchanged
     CHECK(switchesAmong(crossing).size() == 1);

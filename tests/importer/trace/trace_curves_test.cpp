@@ -16,6 +16,7 @@
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/explanation.h"
 #include "importer/trace/foot_line.h"
+#include "importer/trace/legend_words.h"
 #include "importer/trace/plot_scene.h"
 #include "importer/trace/walls.h"
 
@@ -1665,6 +1666,28 @@ TEST_CASE("Of two curves the words for press and release in their inks name them
   }
   const auto traces = plot.trace().value();
   CHECK(ofColor(traces, kBlue).label == (second == "Upstroke" ? "Upstroke" : ""));
+}
+
+TEST_CASE("The names of a line and of its dashes go by their samples, in whatever order they were read",
+          "[trace]") {
+  Plot plot(700, 500);
+  const Box pressName{220, 60, 270, 74}, releaseName{220, 90, 290, 104};
+  plot.line({{150, 67}, {210, 67}}, 2, kRed);
+  drawDashes(plot, {{150, 97}, {210, 97}}, kRed, 2);
+  AxesFound axes;
+  axes.texts = {{"press", pressName, 1, 0}, {"release", releaseName, 1, 0}};
+  CurveTrace through, dashed;
+  through.points_px = densified(plot.at(upToAWall(0)), 1),
+  dashed.points_px = densified(plot.at(upToAWall(0.1)), 1);
+  plot.line(through.points_px, 2, kRed);
+  drawDashes(plot, dashed.points_px, kRed, 2);
+  for (CurveTrace* trace : {&through, &dashed}) {
+    trace->color = kRed, trace->labelBox_px = pressName.joined(releaseName);
+    trace->label = "release" + std::string(kLabelParting) + "press";
+  }
+  trace::nameByDashes(through, dashed, axes, plot.view(), plot.scene());
+  CHECK(through.label == "press");
+  CHECK(dashed.label == "release");
 }
 
 TEST_CASE("A sample may have its curve's marker in the middle, and a box behind it", "[trace]") {
