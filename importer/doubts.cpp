@@ -513,16 +513,28 @@ class Doubts {
           {{RemedyKind::swapStrokes, {}}});
   }
 
-  /// One of two curves is called something that is no stroke, and the other's name is not read: they may be two switches'.
+  /// One of two curves is called something that is no stroke, and the other's name is not read: they may be two switches'. Where both
+  /// are called so their course alone says what they are.
   void namedAlone() {
     const std::vector<CurveTrace>& traces = findings_.traces;
     const bool byHand = hints_.trace.pressColor || hints_.trace.releaseColor || !hints_.drawn.press.empty();
     if (byHand || !findings_.strokes.value.release || traces.size() != 2) return;
     const CurveTrace& named = traces[0].label.empty() ? traces[1] : traces[0];
     const CurveTrace& other = &named == &traces[0] ? traces[1] : traces[0];
-    if (!other.label.empty() || named.color == other.color || !namesNoStroke(named.label)) return;
-    add(DoubtCode::namesNoStroke, inPart, {named.label},
-        {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}});
+    if (named.color == other.color || !namesNoStroke(named.label)) return;
+    const Remedies byColour{{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}};
+    if (other.label.empty())
+      add(DoubtCode::namesNoStroke, inPart, {named.label}, byColour);
+    else if (namesNoStroke(other.label))
+      byCourse(traces, byColour);
+  }
+
+  void byCourse(const std::vector<CurveTrace>& traces, const Remedies& byColour) {
+    const std::size_t press = traceOf(findings_.strokes.value.press) == &traces[1] ? 1 : 0;
+    add(DoubtCode::assumed, inPart,
+        {Message("\"%1\" and \"%2\" are taken for press and release, as they end in one point",
+                 traces[press].label, traces[1 - press].label)},
+        byColour);
   }
 
   /// The legend names the strokes of another switch beside those that were traced: its curves stand there, in whatever ink.

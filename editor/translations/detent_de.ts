@@ -9750,6 +9750,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die ganze Kurve von Hand ziehen: --press-line</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; are taken for press and release, as they end in one point</source>
+        <translation>„%1“ und „%2“ sind für Drücken und Rückweg genommen, da sie in einem Punkt enden</translation>
+    </message>
+    <message>
         <source>Choose it by its number: --curve N</source>
         <translation>Ihn nach seiner Nummer wählen: --curve N</translation>
     </message>

@@ -174,6 +174,11 @@ std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const In
   return loops;
 }
 
+bool closeInOnePoint(const CurveTrace& first, const CurveTrace& second) {
+  const Course a = courseOf(first), b = courseOf(second);
+  return endInOnePoint(a, b) && (enclose(a, b) || enclose(b, a));
+}
+
 std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   constexpr double leastWidth = 0.4;  // of the widest: what is shorter is a mark
   constexpr double leastGap = 0.02;   // of what two of them take

@@ -20,8 +20,12 @@ bool onlyFalls(const CurveTrace& trace);
 std::vector<std::vector<std::size_t>> closedLoops(const std::vector<CurveTrace>& traces,
                                                   const std::vector<std::size_t>& drawn);
 
+/// Whether two curves are strokes of one switch by their course alone: they begin and end in one place, and one lies above the other all the
+/// way. Two presses have walls of their own (docs/decisions/0814-styles-never-seen.md).
+bool closeInOnePoint(const CurveTrace& first, const CurveTrace& second);
+
 /// One group for each curve, where all are drawn in inks of their own and no two of them can be the strokes of one switch:
-/// they cross, or of three and more end far apart. Empty otherwise, and where one is too short for a stroke or only falls.
+/// they cross, or of three and more end apart. Empty otherwise, and where one is too short for a stroke or only falls.
 std::vector<std::vector<std::size_t>> pressesApart(const std::vector<CurveTrace>& traces,
                                                    const std::vector<std::size_t>& drawn);
 

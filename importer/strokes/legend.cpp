@@ -68,6 +68,19 @@ constexpr std::array kWearWords = {
     "cykler",    "cykly",       "циклов",     "циклы",        "износ"};
 constexpr std::array kWearSigns = {"万次", "万回", "磨损", "摩耗", "만회"};
 
+/// By colour, kind or state switches are told apart, not strokes.
+constexpr std::array kSwitchWords = {
+    "red",     "blue",   "brown",  "black",  "white",   "green", "yellow", "orange",  "pink",    "purple",
+    "grey",    "gray",   "silver", "clear",  "rot",     "blau",  "braun",  "schwarz", "weiss",   "grun",
+    "gelb",    "rouge",  "bleu",   "brun",   "marron",  "noir",  "blanc",  "vert",    "jaune",   "rojo",
+    "azul",    "negro",  "blanco", "verde",  "rosso",   "blu",   "nero",   "bianco",  "giallo",  "rood",
+    "blauw",   "bruin",  "zwart",  "wit",    "groen",   "geel",  "linear", "tactile", "clicky",  "silent",
+    "soft",    "hard",   "light",  "heavy",  "medium",  "new",   "old",    "used",    "worn",    "fresh",
+    "before",  "after",  "cold",   "hot",    "dry",     "lubed", "stock",  "neu",     "alt",     "vorher",
+    "nachher", "weich",  "hart",   "leicht", "schwer",  "kalt",  "warm",   "ideal",   "nominal", "measured",
+    "theory",  "model",  "min",    "max",    "typ",     "upper", "lower",  "left",    "right",   "links",
+    "rechts",  "sample", "probe",  "muster", "average", "mean"};
+
 constexpr std::array kQuantityWords = {"force", "travel", "kraft", "mesure", "messung"};
 
 /// Words that name neither a stroke nor a curve.
@@ -185,6 +198,13 @@ bool isDefaultName(std::string_view utf8) {
 bool namesNoStroke(std::string_view utf8) {
   return namesACurve(utf8) && !strokeNamedBy(utf8) && !namesBothStrokes(utf8) && !isDefaultName(utf8) &&
          !ownWords(utf8).empty();
+}
+
+bool mayNameAStroke(std::string_view utf8) {
+  constexpr std::size_t fewest = 3;  // letters: shorter ones count switches
+  const std::vector<std::string> words = wordsOf(utf8);
+  return namesNoStroke(utf8) && words.size() == 1 && words.front().size() >= fewest &&
+         numbersOf(utf8).empty() && std::ranges::find(kSwitchWords, words.front()) == kSwitchWords.end();
 }
 
 std::string switchNamedBy(std::string_view utf8) {

@@ -30,6 +30,10 @@ bool namesACurve(std::string_view utf8);
 /// Whether a text calls a curve something of its own that has nothing to do with a stroke: "Clicky", "sample 3"; no program's name.
 bool namesNoStroke(std::string_view utf8);
 
+/// Whether a text that names no stroke may be a word for one in a language or way of speaking that no list has: one word of letters, no colour
+/// and nothing else that switches are called by.
+bool mayNameAStroke(std::string_view utf8);
+
 /// Whether a text is what a program calls a series that nobody named: "data1", "Series 2", "Column B", "'a.txt' using 1:2".
 bool isDefaultName(std::string_view utf8);
 

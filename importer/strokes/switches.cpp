@@ -120,6 +120,13 @@ bool sayNothingOfStrokes(const std::vector<CurveTrace>& traces, const Indices& d
          (named == 0 || (drawn.size() > 2 && 2 * named < drawn.size()));
 }
 
+/// Two curves in inks of their own whose names may be words for strokes that no list has, and whose course says that they are strokes.
+bool areStrokesByCourse(const std::vector<CurveTrace>& traces, const Indices& drawn) {
+  if (drawn.size() != 2) return false;
+  const CurveTrace &a = traces[drawn[0]], &b = traces[drawn[1]];
+  return a.color != b.color && mayNameAStroke(a.label) && mayNameAStroke(b.label) && closeInOnePoint(a, b);
+}
+
 double meanRow(const CurveTrace& trace) {
   double sum = 0;
   for (const Point& p : trace.points_px) sum += p.y;
@@ -280,6 +287,11 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
   drawn = withoutMarks(traces, drawn);
   if (drawn.size() == 1) return {switchOf(drawn, traces)};
   if (const auto pair = theNamedPair(traces, drawn)) return {switchOf({pair->first, pair->second}, traces)};
+  if (areStrokesByCourse(traces, drawn)) {
+    PlotSwitch both = switchOf(drawn, traces);
+    both.name.clear();
+    return {both};
+  }
   const bool unnamed = sayNothingOfStrokes(traces, drawn);
   const std::vector<Indices> apart = unnamed ? pressesApart(traces, drawn) : std::vector<Indices>();
   if (apart.empty() && drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))

@@ -238,6 +238,23 @@ TEST_CASE("Two colours given by hand are a pair whatever the legend says", "[swi
   CHECK(switchesAmong(traces).size() == 1);
 }
 
+TEST_CASE("Names that no list has are strokes' where their curves end in one point", "[switches]") {
+  const auto found = [](const char* first, const char* second, double shorter_px = 0) {
+    std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
+    traces[0].label = first, traces[1].label = second;
+    for (Point& p : traces[1].points_px) p.x *= 1 - shorter_px / 300;
+    return switchesAmong(traces);
+  };
+  REQUIRE(found("Plonger", "Sortir").size() == 1);
+  CHECK(found("Plonger", "Sortir").front().name.empty());
+  CHECK(found("Plonger", "Sortir").front().traces.size() == 2);
+  CHECK(found("Plonger", "Sortir", 6).size() == 2);  // with a wall of its own
+  for (const char* name : {"Brown", "Sortir 2", "K", "Type Sortir", "used"}) {
+    INFO(name);
+    CHECK(found("Plonger", name).size() == 2);
+  }
+}
+
 TEST_CASE("A switch is asked for by name or number", "[switches]") {
   const std::vector<CurveTrace> traces{traced("Switch A", 40, 1, 0), traced("Switch 8", 20, 2, 1),
                                        traced("Gateron", 60, 3, 2), traced("Gateron upstroke", 50, 4, 3)};
