@@ -341,7 +341,7 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
     for (Point& p : crossing[0].points_px) p.y -= 30 * std::sin(2 * M_PI * p.x / 300);
     CHECK(switchesAmong(crossing).size() == 2);
     for (Point& p : crossing[0].points_px)  // a snap that comes earlier on the way back
-      if (p.x > 150 && p.x < 240) p.y = 300 - 10 - 0.3 * p.x - 20;
+      if (p.x > 150 && p.x < 240) p.y = 300 - 10 - 0.3 * p.x - 10;
     CHECK(switchesAmong(crossing).size() == 1);
     for (Point& p : crossing[0].points_px) p.x *= 0.95;  // ends elsewhere: a press of its own
     CHECK(switchesAmong(crossing).size() == 2);

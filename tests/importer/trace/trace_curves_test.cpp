@@ -490,14 +490,14 @@ TEST_CASE(
     "[trace]") {
   Plot plot(700, 430);
   plot.grid(1, 1, kBlack);
-  const auto ending = [&](double end, double height) {
+  const auto ending = [&](double end, double height, double start = 0) {
     return plot.at(
-        {{0, 0}, {0.3 * end, height}, {0.6 * end, 0.6 * height}, {0.8 * end, 0.7 * height}, {end, 0.9}});
+        {{0, start}, {0.3 * end, height}, {0.6 * end, 0.6 * height}, {0.8 * end, 0.7 * height}, {end, 0.9}});
   };
   const bool apart = GENERATE(true, false);
   plot.line(ending(0.55, 0.7), 2, kRed);
   plot.line(ending(apart ? 0.9 : 0.55, 0.5), 2, kBlue);
-  plot.line(ending(0.7, 0.3), 2, kBlack);
+  plot.line(ending(0.7, 0.3, 0.1), 2, kBlack);  // not from where the others begin
   CHECK(plot.trace()->size() == (apart ? 3U : 2U));
   if (apart) return;
   plot.line(plot.at({{0.75, 0.9}, {0.8, 0.9}}), 2, kBlack);
