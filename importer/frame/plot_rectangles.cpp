@@ -144,18 +144,21 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     const double at = placeOf(line);
     return insideOf(line) >= 0.12 * size && at >= acrossFrom - 4 && at <= acrossTo + 4;
   };
+  // A grid goes on where a third of its lines do (titles hide some), or one far beyond the next line. Below a
+  // plot the stems of a few numbers may stand so close under their ticks that these seem drawn on to the numbers' feet.
   int onFrom = 0, onTo = 0;
+  bool farFrom = false, farTo = false;
   for (const auto& line : lines)
     if (isMember(line)) {
       ++fit.members;
-      onFrom += from - line.from >= from - next.from - 4;
-      onTo += line.to - to >= next.to - to - 4;
+      onFrom += line.from <= next.from + 4;
+      onTo += line.to >= next.to - 4;
+      farFrom |= from - line.from >= 2 * (from - next.from);
+      farTo |= line.to - to >= 2 * (next.to - to);
     }
-  // A grid goes on where more than a third of its lines do: titles hide some. Below a plot the stems of a few numbers may
-  // stand so close under their ticks that these seem drawn on to the numbers' feet.
   NextLines grid;
-  if (3 * onFrom > fit.members) grid.from = next.from;
-  if (3 * onTo > fit.members) grid.to = next.to;
+  if (farFrom || 3 * onFrom >= fit.members) grid.from = next.from;
+  if (farTo || 3 * onTo >= fit.members) grid.to = next.to;
   for (const auto& line : lines) {
     if (!isMember(line)) continue;
     const double at = placeOf(line);
