@@ -110,16 +110,6 @@ std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indi
   return groups;
 }
 
-/// Curves that nothing names. Of more than two some may have names that are no strokes': where most of the legend was read, the one that it
-/// does not list is something else.
-bool sayNothingOfStrokes(const std::vector<CurveTrace>& traces, const Indices& drawn) {
-  const auto isStroke = [&](std::size_t i) { return namedStroke(traces[i]).has_value(); };
-  const auto isNamed = [&](std::size_t i) { return !traces[i].label.empty(); };
-  const auto named = static_cast<std::size_t>(std::ranges::count_if(drawn, isNamed));
-  return std::ranges::none_of(drawn, isStroke) &&
-         (named == 0 || (drawn.size() > 2 && 2 * named < drawn.size()));
-}
-
 /// Two curves in inks of their own whose names may be words for strokes that no list has, and whose course says that they are strokes.
 bool areStrokesByCourse(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   if (drawn.size() != 2) return false;
@@ -292,7 +282,8 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
     both.name.clear();
     return {both};
   }
-  const bool unnamed = sayNothingOfStrokes(traces, drawn);
+  const bool unnamed =
+      std::ranges::all_of(drawn, [&](std::size_t i) { return !traces[i].stroke && traces[i].label.empty(); });
   const std::vector<Indices> apart = unnamed ? pressesApart(traces, drawn) : std::vector<Indices>();
   if (apart.empty() && drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))
     return {switchOf(drawn, traces)};
