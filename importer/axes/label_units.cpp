@@ -2,6 +2,7 @@
 #include "importer/axes/label_units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -31,7 +32,57 @@ std::optional<Unit> unitBehindNumbers(GraphReading& r, const AxisLabels& labels,
   return most->first;
 }
 
+/// What stands on an axis in the highest number's neighbour's stead; empty where a number stands there or nothing does.
+Box placeBelowHighest(const GraphReading& r, const AxisLabels& labels, bool alongX) {
+  constexpr double near = 0.3, beside = 0.5;  // of a step along the axis; of a number's height across it
+  const Progression& p = *labels.progression;
+  double highest = -HUGE_VAL, height = 0;
+  Box row;
+  for (std::size_t i = 0; i < labels.words.size(); ++i) {
+    if (p.reading[i] < 0) continue;
+    const Box& word = labels.words[i].box;
+    row = row.empty() ? word : row.joined(word);
+    height = std::max(height, word.height());
+    highest = std::max(highest, labels.readings[i][static_cast<std::size_t>(p.reading[i])].value);
+  }
+  const double at = p.position(highest - p.step), reach = near * std::abs(p.step / p.perPx);
+  const Box place = alongX ? Box{at - reach, row.y0 - beside * height, at + reach, row.y1 + beside * height}
+                           : Box{row.x0 - beside * height, at - reach, row.x1 + 2, at + reach};
+  Box there;
+  for (const Box& glyph : r.glyphs)
+    if (place.contains(glyph)) there = there.empty() ? glyph : there.joined(glyph);
+  const bool isLabel = std::ranges::any_of(labels.words, [&](const SeenText& word) {
+    const auto i = static_cast<std::size_t>(&word - labels.words.data());
+    return p.reading[i] >= 0 && !word.box.common(there).empty();
+  });
+  return isLabel ? Box{} : there;
+}
+
+template <class Unit, class Parse>
+std::optional<Unit> unitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels, bool alongX,
+                                        double certain, Parse parse) {
+  constexpr int fewest = 4;  // labels that make the scale without it
+  if (!labels.progression || !labels.progression->fromTicks || labels.progression->labels < fewest) return {};
+  const Box place = placeBelowHighest(r, labels, alongX);
+  if (place.empty()) return {};
+  const SeenText text = r.reader.readLine(place, TextKind::words);
+  const bool isWord = std::ranges::none_of(text.utf8, [](char c) { return c >= '0' && c <= '9'; });
+  if (!isWord || text.confidence < certain) return {};
+  const auto unit = parse(text.utf8);
+  return unit ? std::optional<Unit>(unit->unit) : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<LengthUnit> lengthUnitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels) {
+  constexpr double certain =
+      0.8;  // of the engine's certainty: units of length look little alike, cN and mN do
+  return unitInPlaceOfNumber<LengthUnit>(r, labels, true, certain, lengthUnitIn);
+}
+
+std::optional<ForceUnit> forceUnitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels) {
+  return unitInPlaceOfNumber<ForceUnit>(r, labels, false, readWithCertainty, forceUnitIn);
+}
 
 std::optional<LengthUnit> lengthUnitBehindNumbers(GraphReading& r, const AxisLabels& labels) {
   return unitBehindNumbers<LengthUnit>(r, labels, lengthUnitIn);

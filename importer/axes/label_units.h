@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Units that stand behind the numbers of an axis themselves: "20 gf", "0.5 mm".
+// Units that stand among the numbers of an axis: "20 gf", "0.5 mm", or "N" instead of the last number but one.
 
 #include <optional>
 
@@ -13,5 +13,9 @@ namespace detent::importer {
 /// single letter behind a single number may be anything's.
 std::optional<LengthUnit> lengthUnitBehindNumbers(GraphReading& r, const AxisLabels& labels);
 std::optional<ForceUnit> forceUnitBehindNumbers(GraphReading& r, const AxisLabels& labels);
+
+/// The unit that stands instead of the last number but one, as drawings by German standards have it: 10, 20, N, 40.
+std::optional<LengthUnit> lengthUnitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels);
+std::optional<ForceUnit> forceUnitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels);
 
 }  // namespace detent::importer

@@ -316,8 +316,10 @@ LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
   x.title = title.text;
   x.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
-  if (labels && title.other.empty())
+  if (labels && title.other.empty()) {
     if (const auto unit = lengthUnitBehindNumbers(r, *labels)) return *unit;
+    if (const auto unit = lengthUnitInPlaceOfNumber(r, *labels)) return *unit;
+  }
   x.unitFound = false;
   remarks.push_back({RemarkCode::lengthUnitAssumed,
                      {"x", symbolOf(LengthUnit::millimetre)},
@@ -342,8 +344,10 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   y.title = title.text;
   y.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
-  if (labels && title.other.empty())
+  if (labels && title.other.empty()) {
     if (const auto unit = forceUnitBehindNumbers(r, *labels)) return *unit;
+    if (const auto unit = forceUnitInPlaceOfNumber(r, *labels)) return *unit;
+  }
   y.unitFound = false;
   const bool newton = std::max(std::abs(values.first), std::abs(values.last)) <= newtonAtMost;
   remarks.push_back({newton ? RemarkCode::smallForcesTakenAsNewton : RemarkCode::largeForcesTakenAsGram,

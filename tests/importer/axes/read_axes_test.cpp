@@ -844,6 +844,33 @@ TEST_CASE("units that stand behind the numbers are theirs where most of them say
   CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
 }
 
+TEST_CASE("a unit that stands instead of the last number but one is the axis'") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.left = 150, s.xTitle = "Travel", s.yTitle = "Force";
+  std::string x = "mm", y = "cN";
+  int fromTop = 1;
+  bool known = true;
+  SECTION("both") {}
+  SECTION("of something else") { x = "ms", y = "mV", known = false; }
+  SECTION("in another number's stead it may be anything") { fromTop = 3, known = false; }
+  Canvas c(s.width, s.height, s.paperGrey);
+  drawInto(c, s);
+  const double atX = s.right - fromTop * (s.right - s.left) / s.xSteps,
+               atY = s.top + fromTop * (s.bottom - s.top) / s.ySteps;
+  c.fill(atX - 28, s.bottom + 9, atX + 28, s.bottom + 34, s.paperGrey);
+  c.fill(s.left - 60, atY - 12, s.left - 9, atY + 12, s.paperGrey);
+  c.text(x, atX, s.bottom + s.labelDrop, s.textGrey, 0.6);
+  c.text(y, s.left - 27, atY, s.textGrey, 0.6);
+  const auto axes = read(c.grey());
+  const AxisCalibration& cal = axes.calibration.value;
+  CHECK((cal.y.unitFound && cal.y.unit == "cN") == known);
+  if (!known) return;
+  CHECK(cal.x.unit == "mm");
+  CHECK(cal.x.unitFound);
+  CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
+}
+
 TEST_CASE("letters behind the numbers are no digits of them") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
