@@ -228,14 +228,18 @@ void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& ink, dou
     return std::pair(strokeOfWord(folded(seen.utf8)), std::move(seen));
   };
   const auto lines = groupedLines(glyphsIn(glyphBoxes(ink, 2, largest_px), headings, largest_px), 1.1);
-  for (const TextLine& own : lines)
-    for (const TextLine& other : lines) {
-      const bool inLine = std::abs(own.box.middle().y - other.box.middle().y) < 0.5 * own.box.height();
-      if (own.box.middle().x > frame.x1 || other.box.x0 < frame.x1 || !inLine) continue;
-      if (!looksWritten(own) || !looksWritten(other) || strokeAt(own).first != Stroke::press) continue;
+  for (const TextLine& own : lines) {
+    if (own.box.middle().x > frame.x1 || !looksWritten(own)) continue;
+    std::vector<TextLine> others = lines;
+    std::erase_if(others, [&](const TextLine& other) {
+      return other.box.x0 < frame.x1 || !looksWritten(other) ||
+             std::abs(own.box.middle().y - other.box.middle().y) >= 0.5 * own.box.height();
+    });
+    if (others.empty() || strokeAt(own).first != Stroke::press) continue;
+    for (const TextLine& other : others)
       if (auto [stroke, seen] = strokeAt(other); stroke == Stroke::release)
         axes.texts.push_back(std::move(seen));
-    }
+  }
 }
 
 /// Callouts and titles inside first, then a legend beside, then what stands above and below.
