@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "importer/page/luma.h"
@@ -29,16 +30,31 @@ double vanishing(double ink, double background) {
   return std::exp(-contrast * contrast);
 }
 
-/// Only ink that borders on transparency tells on which background the picture was meant to stand: letters
-/// and axis lines, not the inside of an opaque white plot area.
-bool bordersOnTransparency(const StoredPicture& in, int x, int y) {
+constexpr double kSoftRim = 6;  // grey levels between a line and its rim
+
+struct Step {
+  int dx = 0, dy = 0;
+};
+
+/// The step from a pixel onto transparency beside it. Only ink that borders on it tells on which background the picture was
+/// meant to stand: letters and axis lines, not the inside of an opaque white plot area.
+std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
   constexpr int reach = 1;  // two would take the ink behind a soft rim for a rim of it
-  for (const auto& [dx, dy] : {std::pair{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
-    const int nx = x + dx, ny = y + dy;
+  for (const Step step : {Step{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
+    const int nx = x + step.dx, ny = y + step.dy;
     if (nx >= 0 && ny >= 0 && nx < in.width_px && ny < in.height_px && pixelAt(in, nx, ny).alpha < 32)
-      return true;
+      return step;
   }
-  return false;
+  return {};
+}
+
+/// Whether what lies behind a rim is the ground of a plot: of one shade farther inwards than ink is thick.
+bool isGround(const StoredPicture& in, int x, int y, Step outwards, double shade) {
+  constexpr int thick = 12;  // px
+  const int nx = x - thick * outwards.dx, ny = y - thick * outwards.dy;
+  if (nx < 0 || ny < 0 || nx >= in.width_px || ny >= in.height_px) return false;
+  const Pixel p = pixelAt(in, nx, ny);
+  return p.alpha >= 128 && std::abs(luma(p) - shade) <= kSoftRim;
 }
 
 /// The ink that a pixel at a rim belongs to: the shade near it that differs most from its own.
@@ -56,20 +72,23 @@ double inkBehindRim(const StoredPicture& in, int x, int y) {
 
 /// 255 or 0: white, unless more of the picture's ink would vanish on white than on black.
 std::uint8_t backgroundFor(const StoredPicture& in) {
-  constexpr double softRim = 6;  // grey levels between a line and its rim
   double lostOnWhite = 0, lostOnBlack = 0;
   const int step =
       std::max(1, static_cast<int>(std::sqrt(static_cast<double>(in.width_px) * in.height_px / 4e6)));
   for (int y = 0; y < in.height_px; y += step)
     for (int x = 0; x < in.width_px; x += step) {
       const Pixel p = pixelAt(in, x, y);
-      if (p.alpha < 128 || !bordersOnTransparency(in, x, y)) continue;
-      const double own = luma(p), ink = inkBehindRim(in, x, y);
-      if (std::abs(own - ink) > softRim) {
+      const auto outwards = p.alpha < 128 ? std::nullopt : towardsTransparency(in, x, y);
+      if (!outwards) continue;
+      const double own = luma(p), behind = inkBehindRim(in, x, y);
+      const bool soft = std::abs(own - behind) > kSoftRim, ground = isGround(in, x, y, *outwards, behind);
+      if (ground && !soft) continue;  // a plot's edge without a line
+      if (soft && !ground) {
         // Smoothed against a background that was cut away later: its shade is left at the rims of every line.
-        (own > ink ? lostOnBlack : lostOnWhite) += 1;
+        (own > behind ? lostOnBlack : lostOnWhite) += 1;
         continue;
       }
+      const double ink = ground ? own : behind;
       lostOnWhite += vanishing(ink, 255);
       lostOnBlack += vanishing(ink, 0);
     }

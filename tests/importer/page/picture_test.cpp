@@ -303,6 +303,20 @@ TEST_CASE("transparent plots stand on the background on which their ink shows") 
   CHECK(pixel(firstPage(encoded(".png", lettersIn(white, dark))).overview, 50, 55) == Rgb{0, 0, 0});
 }
 
+TEST_CASE("a framed plot's ground is no ink within a rim: its letters say on what it stands") {
+  const auto letteredPlot = [](int letters, int line, int ground) {
+    cv::Mat mat(120, 160, CV_8UC4, cv::Scalar(0, 0, 0, 0));
+    const cv::Rect area(30, 10, 120, 90);
+    mat(area) = cv::Scalar(line, line, line, 255);
+    mat({area.x + 1, area.y + 1, area.width - 2, area.height - 2}) = cv::Scalar(ground, ground, ground, 255);
+    for (int y = 20; y < 90; y += 12) mat({10, y, 2, 8}) = cv::Scalar(letters, letters, letters, 255);
+    return pixel(firstPage(encoded(".png", mat)).overview, 4, 115);
+  };
+  CHECK(letteredPlot(0, 0, 255) == Rgb{255, 255, 255});    // a white plot with a black frame
+  CHECK(letteredPlot(0, 255, 255) == Rgb{255, 255, 255});  // and without one
+  CHECK(letteredPlot(255, 255, 20) == Rgb{0, 0, 0});
+}
+
 TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
   const auto cutOut = [](int paper, int ink, int grid) {  // every line with half its contrast on both sides
     cv::Mat mat(60, 60, CV_8UC4, cv::Scalar(0, 0, 0, 0));
