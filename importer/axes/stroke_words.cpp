@@ -185,14 +185,14 @@ std::size_t lettersIn(std::string_view word) {
   return static_cast<std::size_t>(std::ranges::count_if(word, [](char c) { return !isContinuation(c); }));
 }
 
-/// What readers of pixels take for each other written alike: "rn" and "m", "ii" and "u", "vv" and "w", "i", "j" and "l",
+/// What readers of pixels take for each other written alike: "rn" and "m", "ii", "ti" and "u", "vv" and "w", "i", "j" and "l",
 /// "y" and "v".
 std::string looked(std::string_view word) {
   std::string look;
   for (std::size_t i = 0; i < word.size(); ++i) {
     const std::string_view two = word.substr(i, 2);
-    if (two == "rn" || two == "ii" || two == "vv") {
-      look += two == "rn" ? 'm' : two == "ii" ? 'u' : 'w';
+    if (two == "rn" || two == "ii" || two == "ti" || two == "vv") {
+      look += two == "rn" ? 'm' : two == "vv" ? 'w' : 'u';
       ++i;
     } else {
       look += word[i] == 'i' || word[i] == 'j' ? 'l' : word[i] == 'y' ? 'v' : word[i];
