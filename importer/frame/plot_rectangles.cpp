@@ -134,41 +134,19 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
   places.reserve(lines.size());
   EdgeFit fit;
   const double size = to - from, near = 0.015 * size + 3;
-  const auto insideOf = [&](const StraightLine& line) {
-    return std::min(line.to, to) - std::max(line.from, from);
-  };
-  const auto placeOf = [&](const StraightLine& line) {
-    return line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
-  };
-  const auto isMember = [&](const StraightLine& line) {
-    const double at = placeOf(line);
-    return insideOf(line) >= 0.12 * size && at >= acrossFrom - 4 && at <= acrossTo + 4;
-  };
-  // A grid goes on where a third of its lines do (titles hide some), or one far beyond the next line. Below a
-  // plot the stems of a few numbers may stand so close under their ticks that these seem drawn on to the numbers' feet.
-  int onFrom = 0, onTo = 0;
-  bool farFrom = false, farTo = false;
-  for (const auto& line : lines)
-    if (isMember(line)) {
-      ++fit.members;
-      onFrom += line.from <= next.from + 4;
-      onTo += line.to >= next.to - 4;
-      farFrom |= from - line.from >= 2 * (from - next.from);
-      farTo |= line.to - to >= 2 * (next.to - to);
-    }
-  NextLines grid;
-  if (farFrom || 3 * onFrom >= fit.members) grid.from = next.from;
-  if (farTo || 3 * onTo >= fit.members) grid.to = next.to;
   for (const auto& line : lines) {
-    if (!isMember(line)) continue;
-    const double at = placeOf(line);
-    fit.inside += insideOf(line);
+    const double inside = std::min(line.to, to) - std::max(line.from, from);
+    if (inside < 0.12 * size) continue;
+    const double at = line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
+    if (at < acrossFrom - 4 || at > acrossTo + 4) continue;
+    ++fit.members;
+    fit.inside += inside;
     fit.length += line.length();
     // An axis may run on to an arrow; a gridline may not.
     const bool edge = at < acrossFrom + 4 || at > acrossTo - 4;
     const double weight = edge ? 0.15 : 1.0;
-    fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, from - grid.from);
-    fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, grid.to - to);
+    fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, from - next.from);
+    fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, next.to - to);
     fit.endAtFrom += std::abs(line.from - from) <= near;
     fit.endAtTo += std::abs(line.to - to) <= near;
     auto place =
@@ -268,6 +246,22 @@ double nextLine(const CoverTable& cover, const std::vector<double>& at, std::siz
   return step < 0 ? -1e9 : 1e9;
 }
 
+/// Whether more than a third of the upright lines through a plot go on to the next line below it (titles may hide some), or one
+/// goes on by far. The stems of a few numbers stand so close under their ticks that these seem drawn on to the numbers' feet.
+bool goOnBelow(const std::vector<StraightLine>& upright, const Box& plot, double next) {
+  std::ptrdiff_t members = 0, on = 0;
+  for (const auto& line : upright) {
+    const double at = line.acrossAt(std::clamp(plot.y1, line.from, line.to));
+    if (at < plot.x0 - 4 || at > plot.x1 + 4 || line.from > plot.y1 - 0.12 * plot.height() ||
+        line.to < plot.y1 - 4)
+      continue;
+    if (line.to - plot.y1 >= 2 * (next - plot.y1)) return true;
+    ++members;
+    on += line.to >= next - 4;
+  }
+  return 3 * on > members;
+}
+
 struct Candidates {
   std::vector<double> xs, ys;
   CoverTable columns, rows;
@@ -289,8 +283,9 @@ std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::si
   const Box& b = r.box;
   const NextLines across{nextLine(c.columns, c.xs, i, -1, k, l, b.width()),
                          nextLine(c.columns, c.xs, j, 1, k, l, b.width())};
-  const NextLines down{nextLine(c.rows, c.ys, k, -1, i, j, b.height()),
-                       nextLine(c.rows, c.ys, l, 1, i, j, b.height())};
+  NextLines down{nextLine(c.rows, c.ys, k, -1, i, j, b.height()),
+                 nextLine(c.rows, c.ys, l, 1, i, j, b.height())};
+  if (!goOnBelow(g.v, b, down.to)) down.to = NextLines().to;
   const auto fitH = fitAlong(g.h, b.x0, b.x1, b.y0, b.y1, r.edgeCover[0], r.edgeCover[2], across);
   if (mostScore - 1.2 * fitH.overhang <= minScore) return std::nullopt;
   const auto fitV = fitAlong(g.v, b.y0, b.y1, b.x0, b.x1, r.edgeCover[1], r.edgeCover[3], down);

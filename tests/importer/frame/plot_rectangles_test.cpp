@@ -34,7 +34,7 @@ TEST_CASE("numbers whose stems meet their ticks do not draw a plot down to their
   for (const double x : {588.0, 982.0}) lines.vertical.push_back(lineOf(152, 458, x));
   const bool stems = GENERATE(false, true);
   if (stems)
-    for (const std::size_t i : {2U, 8U}) lines.vertical[i].to = 455;
+    for (const std::size_t i : {0U, 2U, 8U}) lines.vertical[i].to = 455;
   const Box box = bestOf(lines).box;
   CHECK(box.x0 == Approx(640));
   CHECK(box.x1 == Approx(892));
@@ -42,14 +42,7 @@ TEST_CASE("numbers whose stems meet their ticks do not draw a plot down to their
   CHECK(box.y1 == Approx(430));
 }
 
-TEST_CASE("a grid goes on where a third of its lines do") {
-  LineSet lines = gridWithTicks();
-  lines.horizontal.push_back(lineOf(640, 892, 461.5));
-  for (std::size_t i = 0; i <= 8; ++i) lines.vertical[i].to = i % 3 == 0 ? 461.5 : 430;
-  CHECK(bestOf(lines).box.y1 == Approx(461.5));
-}
-
-TEST_CASE("a grid of which fewer lines go on by far is not cut where they are fewer") {
+TEST_CASE("a grid of which a few lines go on by far below is not cut where they are fewer") {
   LineSet lines = gridWithTicks();
   for (int i = 1; i <= 3; ++i) lines.horizontal.push_back(lineOf(640, 892, 430 + 31.5 * i));
   for (std::size_t i = 0; i <= 8; ++i) lines.vertical[i].to = i == 3 || i == 6 ? 524.5 : 430;
