@@ -285,9 +285,9 @@ std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::si
                          nextLine(c.columns, c.xs, j, 1, k, l, b.width())};
   NextLines down{nextLine(c.rows, c.ys, k, -1, i, j, b.height()),
                  nextLine(c.rows, c.ys, l, 1, i, j, b.height())};
-  if (!goOnBelow(g.v, b, down.to)) down.to = NextLines().to;
   const auto fitH = fitAlong(g.h, b.x0, b.x1, b.y0, b.y1, r.edgeCover[0], r.edgeCover[2], across);
   if (mostScore - 1.2 * fitH.overhang <= minScore) return std::nullopt;
+  if (down.to < NextLines().to && !goOnBelow(g.v, b, down.to)) down.to = NextLines().to;
   const auto fitV = fitAlong(g.v, b.y0, b.y1, b.x0, b.x1, r.edgeCover[1], r.edgeCover[3], down);
   const double edges = edgeWorth(r.edgeCover[0], fitH.reachFrom, fitH.endAtFrom, fitH.members) +
                        edgeWorth(r.edgeCover[2], fitH.reachTo, fitH.endAtTo, fitH.members) +
