@@ -599,7 +599,7 @@ class Doubts {
 
   /// Ink of a curve's colour that neither the curves nor the plot's lines and words explain; curves that no ink does.
   void leftOver() {
-    constexpr double likeACurve = 0.5;  // likeness 0..1, docs/decisions/0810
+    constexpr double likeACurve = 0.5;  // likeness 0..1, docs/develop/decisions/0810
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
     const auto& [left, leaps, patches, beside] = findings_.explanation;
     const auto ofAStroke = [&](const auto& each) { return isOfAStroke(each); };

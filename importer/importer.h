@@ -60,7 +60,7 @@ struct ImportHints {
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
 
 /// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets another bar. Set
-/// from the corpus (docs/decisions/0800-import-confidence.md).
+/// from the corpus (docs/develop/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
 /// Wall-clock time that the imports of one input may take together.
@@ -190,7 +190,7 @@ struct ImportAttempt {
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
 /// it depends on changed. What was found is kept; pages and pixels are kept within a bound on
-/// memory (docs/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled`
+/// memory (docs/develop/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled`
 /// may be asked from it.
 class ImportSession {
  public:

@@ -13,7 +13,7 @@ namespace detent::importer {
 namespace {
 
 /// Below this a listed graph would more often be a dimension drawing than a force graph
-/// (docs/decisions/0800-import-confidence.md).
+/// (docs/develop/decisions/0800-import-confidence.md).
 constexpr double listBar = 0.3;
 
 /// The graph read again in the frame that its numbers ask for, if that explains more of them.

@@ -27,7 +27,7 @@ constexpr std::array standOnThePage{DoubtCode::severalSwitches,  DoubtCode::tooM
                                     DoubtCode::thousandsUnclear, DoubtCode::valueContradicts};
 /// A look that takes another's place is worth at most this: below the 0.9 from which something is promised of one look.
 constexpr double takenAtMost = 0.8;
-/// What the steps' confidence is worth on a photograph that three looks read alike: counted, docs/decisions/0812.
+/// What the steps' confidence is worth on a photograph that three looks read alike: counted, docs/develop/decisions/0812.
 constexpr double worthOnPhotosReadAlike = 0.85;
 
 double highest_N(const ImportReport& report) {

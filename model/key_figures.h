@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The figures by which the trade names a button, each with its definition. All derived from the state; nothing is
-// stored. The terms stand in docs/glossary.md ("Key figures").
+// stored. The terms stand in docs/reference/glossary.md ("Key figures").
 
 #include <array>
 #include <optional>

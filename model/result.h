@@ -14,7 +14,7 @@
 
 namespace detent {
 
-/// Why something could not be done. The numbers are the programs' exit codes (docs/architecture.md).
+/// Why something could not be done. The numbers are the programs' exit codes (docs/develop/architecture.md).
 enum class FailureCode {
   internalFault = 1,    ///< a bug of ours, caught
   wrongUsage = 2,       ///< a call or argument that cannot mean anything

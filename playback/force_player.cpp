@@ -141,7 +141,7 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   if (!opened.setPace(slow_s, answerOfSlowPeriod * slow_s)) {
     return Failure{FailureCode::deviceTrouble, settings.device.port, "",
                    Message("does not take limits for a slow link"),
-                   Message("Check that the firmware speaks docs/force-protocol.md")};
+                   Message("Check that the firmware speaks docs/reference/force-protocol.md")};
   }
   return fitted;
 }

@@ -24,7 +24,7 @@ constexpr double shortestRange_mm = 4, longestRange_mm = 80;
 // A device's own ramp and the loop's are over after this: what is asked is what is given.
 constexpr double rampsOver_s = 0.25;
 constexpr double movedWrongWay_mm = 0.25;
-// After a pause of so long no device still gives the force it was asked for (docs/force-protocol.md).
+// After a pause of so long no device still gives the force it was asked for (docs/reference/force-protocol.md).
 constexpr double longPause_s = 0.01;
 constexpr auto lookEvery = std::chrono::milliseconds(20);
 
@@ -91,7 +91,7 @@ class Measuring {
     return keepPaceOf(**opened)
                ? started(*std::move(opened))
                : Result<Done>(trouble(device_, "does not take limits for a slow link",
-                                      "Check that the firmware speaks docs/force-protocol.md"));
+                                      "Check that the firmware speaks docs/reference/force-protocol.md"));
   }
 
   bool keepPaceOf(ForceDevice& opened) {

@@ -274,7 +274,7 @@ Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double 
   if (cancelled()) return Failure::cancelled(port);
   if (readings.empty()) {
     return Failure{FailureCode::deviceTrouble, port, "", "sent no reading",
-                   "Check baud rate and wiring; docs/serial-protocol.md"};
+                   "Check baud rate and wiring; docs/reference/serial-protocol.md"};
   }
   RawReading raw;
   raw.steady = !drifts(readings);

@@ -39,7 +39,7 @@
 
 namespace detent::playback {
 
-/// From a `.device` file to a profile; docs/device-profile.md.
+/// From a `.device` file to a profile; docs/reference/device-profile.md.
 Result<DeviceProfile> loadDeviceProfile(const std::string& file);
 
 // ---- live
@@ -68,7 +68,7 @@ struct PlayerSettings {
   int channels = 2;           ///< the same signal on each
   MaskingNoise masking;
   /// JACK through PortAudio instead of a client of our own; cannot recover a lost server
-  /// (docs/decisions/0904).
+  /// (docs/develop/decisions/0904).
   bool jackThroughPortAudio = false;
 };
 
@@ -143,12 +143,12 @@ class LivePlayer {
   /// Down and, after `hold_s`, up again: for terminals, which tell no key-up.
   virtual void fingerTap(double peak_N, double hold_s) = 0;
 
-  /// A serial force sensor (docs/serial-protocol.md), calibrated by the profile.
+  /// A serial force sensor (docs/reference/serial-protocol.md), calibrated by the profile.
   virtual Result<Done> attachSensor(const std::string& port, unsigned baud,
                                     const SensorCalibration& calibration) = 0;
   /// Lets go of the sensor's port; nothing to do where there is none.
   virtual void detachSensor() = 0;
-  /// Signal messages of other programs (docs/osc.md): FUDI over UDP, OSC. Port 0: the system chooses. Gives
+  /// Signal messages of other programs (docs/reference/osc.md): FUDI over UDP, OSC. Port 0: the system chooses. Gives
   /// the port. Only this machine is heard unless another of its IPv4 addresses is given (0.0.0.0: all).
   virtual Result<std::uint16_t> listenFudi(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;
   virtual Result<std::uint16_t> listenOsc(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Undo by value (docs/architecture.md): a button is a few hundred bytes, so a step keeps the button before
+// Undo by value (docs/develop/architecture.md): a button is a few hundred bytes, so a step keeps the button before
 // and after. Three rules: a drag is one step, an unfinished one restores, a step that changes nothing is
 // dropped.
 

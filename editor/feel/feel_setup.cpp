@@ -249,7 +249,7 @@ void FeelSetup::showDelays() {
   stampedDelay_->setText(tr("measured %1").arg(measuredDelay(EventPlacement::timeStamped, buffer_)));
   const QString tip =
       tr("From the force crossing on a 425 Hz sensor to the first sample, on a JACK server, without "
-         "converter, amplifier and transducer (docs/bench-playback.md)");
+         "converter, amplifier and transducer (docs/measurements/bench-playback.md)");
   fastDelay_->setToolTip(tip);
   stampedDelay_->setToolTip(tip);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The pressed button as force on a force device, without widgets: the running loop, what it does to the finger, and
-// whether the device can render the button at all. docs/force-feedback.md.
+// whether the device can render the button at all. docs/guide/force-feedback.md.
 
 #include <memory>
 #include <optional>

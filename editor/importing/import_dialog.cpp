@@ -259,7 +259,7 @@ void ImportDialog::Impl::build() {
   quality->setToolTip(
       tr("How carefully the graph is read: the work of an import and the usual distance of the curve from "
          "the printed one, as measured on drawn graphs "
-         "(docs/trade.md). Corrections stay when it changes."));
+         "(docs/measurements/trade.md). Corrections stay when it changes."));
   top->addWidget(open);
   top->addWidget(pasteButton);
   top->addWidget(document, 1);

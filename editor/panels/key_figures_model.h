@@ -109,7 +109,7 @@ class KeyFiguresModel : public QAbstractTableModel {
 Quantity quantityOf(KeyFigure figure);
 /// "Peak force", in the person's language.
 QString termOf(KeyFigure figure);
-/// What it is: the sentence of docs/glossary.md.
+/// What it is: the sentence of docs/reference/glossary.md.
 QString definitionOf(KeyFigure figure);
 
 }  // namespace detent::editor

@@ -1779,8 +1779,8 @@ Lizenz: %3</translation>
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>Add it, see docs/file-format.md</source>
-        <translation>Ergänzen Sie ihn, siehe docs/file-format.md</translation>
+        <source>Add it, see docs/reference/file-format.md</source>
+        <translation>Ergänzen Sie ihn, siehe docs/reference/file-format.md</translation>
     </message>
 </context>
 <context>
@@ -4114,8 +4114,8 @@ Lizenz: %3</translation>
         <translation>gemessen %1</translation>
     </message>
     <message>
-        <source>From the force crossing on a 425 Hz sensor to the first sample, on a JACK server, without converter, amplifier and transducer (docs/bench-playback.md)</source>
-        <translation>Vom Überschreiten der Kraft an einem Sensor mit 425 Hz bis zum ersten Abtastwert, an einem JACK-Server, ohne Wandler, Verstärker und Umsetzer (docs/bench-playback.md)</translation>
+        <source>From the force crossing on a 425 Hz sensor to the first sample, on a JACK server, without converter, amplifier and transducer (docs/measurements/bench-playback.md)</source>
+        <translation>Vom Überschreiten der Kraft an einem Sensor mit 425 Hz bis zum ersten Abtastwert, an einem JACK-Server, ohne Wandler, Verstärker und Umsetzer (docs/measurements/bench-playback.md)</translation>
     </message>
     <message>
         <source>%1: </source>
@@ -5430,8 +5430,8 @@ Lizenz: %3</translation>
         <translation>Qualität des Imports</translation>
     </message>
     <message>
-        <source>How carefully the graph is read: the work of an import and the usual distance of the curve from the printed one, as measured on drawn graphs (docs/trade.md). Corrections stay when it changes.</source>
-        <translation>Wie sorgfältig der Graph gelesen wird: die Arbeit eines Imports und der übliche Abstand der Kurve von der gedruckten, gemessen an gezeichneten Graphen (docs/trade.md). Berichtigungen bleiben, wenn sie sich ändert.</translation>
+        <source>How carefully the graph is read: the work of an import and the usual distance of the curve from the printed one, as measured on drawn graphs (docs/measurements/trade.md). Corrections stay when it changes.</source>
+        <translation>Wie sorgfältig der Graph gelesen wird: die Arbeit eines Imports und der übliche Abstand der Kurve von der gedruckten, gemessen an gezeichneten Graphen (docs/measurements/trade.md). Berichtigungen bleiben, wenn sie sich ändert.</translation>
     </message>
     <message>
         <source>Graphs onl&amp;y</source>
@@ -10377,8 +10377,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>hat seit dem Einschalten keine Firmware</translation>
     </message>
     <message>
-        <source>Name its firmware file with --firmware FILE (docs/force-feedback.md)</source>
-        <translation>Nennen Sie seine Firmware-Datei mit --firmware DATEI (docs/force-feedback.md)</translation>
+        <source>Name its firmware file with --firmware FILE (docs/guide/force-feedback.md)</source>
+        <translation>Nennen Sie seine Firmware-Datei mit --firmware DATEI (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
         <source>does not take the firmware; tried %1 times</source>
@@ -10389,8 +10389,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Schalten Sie es aus und wieder ein, lassen Sie Hubs weg und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>Name the firmware file that came with the Falcon&apos;s driver (docs/force-feedback.md)</source>
-        <translation>Nennen Sie die Firmware-Datei, die mit dem Treiber des Falcon kam (docs/force-feedback.md)</translation>
+        <source>Name the firmware file that came with the Falcon&apos;s driver (docs/guide/force-feedback.md)</source>
+        <translation>Nennen Sie die Firmware-Datei, die mit dem Treiber des Falcon kam (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
         <source>cannot be read (%1)</source>
@@ -10413,8 +10413,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>darf von Ihnen nicht benutzt werden</translation>
     </message>
     <message>
-        <source>Give yourself the right by a udev rule (docs/force-feedback.md), then plug it in again</source>
-        <translation>Geben Sie sich das Recht durch eine udev-Regel (docs/force-feedback.md) und stecken Sie es neu ein</translation>
+        <source>Give yourself the right by a udev rule (docs/guide/force-feedback.md), then plug it in again</source>
+        <translation>Geben Sie sich das Recht durch eine udev-Regel (docs/guide/force-feedback.md) und stecken Sie es neu ein</translation>
     </message>
     <message>
         <source>is in use by another program</source>
@@ -10521,8 +10521,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>nimmt keine Grenzen für eine langsame Verbindung an</translation>
     </message>
     <message>
-        <source>Check that the firmware speaks docs/force-protocol.md</source>
-        <translation>Prüfen Sie, ob die Firmware docs/force-protocol.md spricht</translation>
+        <source>Check that the firmware speaks docs/reference/force-protocol.md</source>
+        <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md spricht</translation>
     </message>
     <message>
         <source>sample %1</source>
@@ -10829,8 +10829,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Zeile %1</translation>
     </message>
     <message>
-        <source>See docs/device-profile.md</source>
-        <translation>Siehe docs/device-profile.md</translation>
+        <source>See docs/reference/device-profile.md</source>
+        <translation>Siehe docs/reference/device-profile.md</translation>
     </message>
     <message>
         <source>no = in the line</source>
@@ -11557,8 +11557,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>auf Achse %1 antwortet kein ODrive</translation>
     </message>
     <message>
-        <source>Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)</source>
-        <translation>Prüfen Sie Strom, Kabel und Achse und ob das ASCII-Protokoll eingeschaltet ist (docs/force-feedback.md)</translation>
+        <source>Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)</source>
+        <translation>Prüfen Sie Strom, Kabel und Achse und ob das ASCII-Protokoll eingeschaltet ist (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
         <source>axis %1 does not arm: %2</source>
@@ -11795,8 +11795,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>sagt die Grenzen, die es bekam, nicht zurück: Nichts hielte seine Kraft, wenn dieses Programm ausfiele</translation>
     </message>
     <message>
-        <source>Check that the firmware speaks docs/force-protocol.md and the baud rate is the same</source>
-        <translation>Prüfen Sie, ob die Firmware docs/force-protocol.md spricht und die Baudrate dieselbe ist</translation>
+        <source>Check that the firmware speaks docs/reference/force-protocol.md and the baud rate is the same</source>
+        <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md spricht und die Baudrate dieselbe ist</translation>
     </message>
     <message>
         <source>answers with something that is no line of the protocol</source>

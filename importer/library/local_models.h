@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A place on a stroke and its force, from the samples around it: several models of the window, each as likely as its evidence says
-// (Burnham & Anderson 2002), with the errors of each and what they differ by (docs/decisions/0813).
+// (Burnham & Anderson 2002), with the errors of each and what they differ by (docs/develop/decisions/0813).
 
 #include <optional>
 #include <vector>

@@ -16,7 +16,7 @@ struct MeasuredFigures {
 };
 
 /// Of an imported log's first state. Not contained: the meter's own calibration, and that another unit of the switch differs
-/// (docs/decisions/0813). Any thread.
+/// (docs/develop/decisions/0813). Any thread.
 MeasuredFigures measuredFiguresOf(const ImportReport& report);
 
 }  // namespace detent::importer

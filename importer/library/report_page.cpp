@@ -231,7 +231,8 @@ std::string reportPage(const LibrarySwitch& like, const std::vector<FoundSwitch>
                    nameOf(each.entry) + format(", %.2f", each.distance_labNoise.value_or(0)));
   page += "</div>\n<h2>Credits and licences</h2>\n" + creditsOf(like, found);
   page +=
-      "<p>Where none is stated, ask before you pass the measurements on. What is compared: docs/library.md "
+      "<p>Where none is stated, ask before you pass the measurements on. What is compared: "
+      "docs/guide/library.md "
       "of Detent " +
       escapedForMarkup(version()) + ".</p>\n</body></html>\n";
   return page;

@@ -65,7 +65,7 @@ enum class DoubtCode {
   severalSwitches,     ///< how many, their numbers, names and colours
   strokesAlike,        ///< colours of the two
   releaseAbovePress,   ///< share of their travel
-  // what no step sees alone, docs/decisions/0805-doubts.md
+  // what no step sees alone, docs/develop/decisions/0805-doubts.md
   unitMissing,        ///< axis, unit that would be taken
   otherQuantity,      ///< axis, what it measures as printed
   implausibleTravel,  ///< mm

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How a page came to be, as far as it shows: what a confidence is worth was counted for each kind apart
-// (docs/import-confidence.md).
+// (docs/measurements/import-confidence.md).
 
 #include <string_view>
 

@@ -2,7 +2,7 @@
 #pragma once
 // What MuPDF's SVG interpreter leaves out, written into the drawing before it sees it: style sheets, text
 // anchors inherited from groups. And what would keep it busy for ever.
-// docs/decisions/0302-svg-is-prepared-for-mupdf.md. Private to importer/page.
+// docs/develop/decisions/0302-svg-is-prepared-for-mupdf.md. Private to importer/page.
 
 #include <optional>
 #include <string>

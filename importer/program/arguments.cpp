@@ -119,12 +119,12 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   addChoice(
       app, "--quality", a.request.quality, qualities,
       "draft, standard or precise (default: standard): drawn plots come out 0.11, 0.08 and 0.06 % of the "
-      "span off, for 1, 1.1 and 3.6 times the work; docs/trade.md",
+      "span off, for 1, 1.1 and 3.6 times the work; docs/measurements/trade.md",
       "standard");
-  app.add_option(
-         "--sure", a.request.sure,
-         "confidence below which an import is refused with exit 5; docs/import-confidence.md says what a "
-         "confidence is worth")
+  app.add_option("--sure", a.request.sure,
+                 "confidence below which an import is refused with exit 5; "
+                 "docs/measurements/import-confidence.md says what a "
+                 "confidence is worth")
       ->check(within(0.0, 1.0))
       ->capture_default_str();
   app.add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");

@@ -121,7 +121,7 @@ void addRanges(CLI::App& app, std::vector<FigureRange>& ranges) {
   auto* group = app.add_option_group("Figures",
                                      "What a switch has to have, both ends included, either may be left out; "
                                      "without a unit in N, mm, N/mm, mJ or shares. "
-                                     "docs/glossary.md defines each");
+                                     "docs/reference/glossary.md defines each");
   for (const KeyFigureName& name : keyFigureNames()) {
     const auto take = [&ranges, &name](const std::string& text) {
       const auto range = rangeFrom(text, name);

@@ -2,7 +2,7 @@
 #pragma once
 // Between strokes and fit, at `precise`: the axes once more, from every place where a line of the plot was seen, at one common
 // minimum. In: the axes as read. Out: perspective and bend of the sheet, as far as the lines bear evidence of them, with the
-// covariance from which the error of any point follows (docs/decisions/0206-axes-from-whole-lines.md).
+// covariance from which the error of any point follows (docs/develop/decisions/0206-axes-from-whole-lines.md).
 // The strokes' own points are no part of the problem: they say where a curve runs in the picture, and nothing of where the
 // axes are. What they share no unknown with has its minimum apart from theirs.
 // Reading order: sighted_lines.h -> refine_axes.h

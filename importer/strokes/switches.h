@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Several switches in one plot: which traces belong to one of them, what the legend calls it, which one is asked for.
-// docs/decisions/0701-several-switches.md
+// docs/develop/decisions/0701-several-switches.md
 
 #include <cstddef>
 #include <optional>

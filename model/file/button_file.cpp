@@ -42,7 +42,7 @@ class Reader {
 
   void requireObject(const json& value, const std::string& place) const {
     if (!value.is_object())
-      refuse(place, "is " + kindOf(value) + ", not an object", "See docs/file-format.md");
+      refuse(place, "is " + kindOf(value) + ", not an object", "See docs/reference/file-format.md");
   }
 
   void refuseUnknownKeys(const json& object, const std::string& place,
@@ -58,7 +58,7 @@ class Reader {
   const json& required(const json& object, const std::string& place, const char* key) const {
     const auto found = object.find(key);
     if (found == object.end())
-      refuse(join(place, key), Message("is missing"), Message("Add it, see docs/file-format.md"));
+      refuse(join(place, key), Message("is missing"), Message("Add it, see docs/reference/file-format.md"));
     return *found;
   }
 
@@ -100,7 +100,8 @@ class Reader {
   }
 
   const json& array(const json& value, const std::string& place) const {
-    if (!value.is_array()) refuse(place, "is " + kindOf(value) + ", not a list", "See docs/file-format.md");
+    if (!value.is_array())
+      refuse(place, "is " + kindOf(value) + ", not a list", "See docs/reference/file-format.md");
     return value;
   }
 

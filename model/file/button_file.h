@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// *.button.json: the file of a button (docs/file-format.md, button.schema.json beside this file).
+// *.button.json: the file of a button (docs/reference/file-format.md, button.schema.json beside this file).
 //
 // One version number; newer versions are refused, older ones migrated for ever. Every double survives bit for
 // bit. Unknown keys are refused, because a misspelt key would silently lose a value; keys that begin with

@@ -99,7 +99,7 @@ Result<Started> startedFalcon(const FalconSettings& settings, const std::atomic<
   if (running(*started.usb)) return started;
   if (settings.firmware.empty()) {
     return Failure{FailureCode::deviceTrouble, name, "", Message("has no firmware since it was switched on"),
-                   Message("Name its firmware file with --firmware FILE (docs/force-feedback.md)")};
+                   Message("Name its firmware file with --firmware FILE (docs/guide/force-feedback.md)")};
   }
   while (started.uploads < uploadTries && started.usb->alive() && !cancelled) {
     ++started.uploads;

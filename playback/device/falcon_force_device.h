@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A Novint Falcon: pressing goes away from the person, along z; sideways is x and y, held on the axis by the guide. It has never
-// touched hardware (docs/force-feedback.md).
+// touched hardware (docs/guide/force-feedback.md).
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The Novint Falcon's three legs (Stamper's parallel manipulator): angles of the thighs <-> place of the handle, torques of a force.
-// Lengths after libnifalcon (BSD-3), FalconGeometry.h; docs/decisions/1103-falcon.md.
+// Lengths after libnifalcon (BSD-3), FalconGeometry.h; docs/develop/decisions/1103-falcon.md.
 
 #include <array>
 #include <optional>

@@ -45,8 +45,9 @@ std::optional<FalconAnswer> answerOf(const FalconPacket& packet) {
 }
 
 Failure notReadable(const std::string& file, Message problem) {
-  return {FailureCode::unreadableInput, file, "", std::move(problem),
-          Message("Name the firmware file that came with the Falcon's driver (docs/force-feedback.md)")};
+  return {
+      FailureCode::unreadableInput, file, "", std::move(problem),
+      Message("Name the firmware file that came with the Falcon's driver (docs/guide/force-feedback.md)")};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What goes over a Falcon's wire: 16 bytes each way, and the firmware it has to be given once after power-on. After libnifalcon
-// (BSD-3); docs/decisions/1103-falcon.md.
+// (BSD-3); docs/develop/decisions/1103-falcon.md.
 
 #include <array>
 #include <cstddef>

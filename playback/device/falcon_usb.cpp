@@ -61,7 +61,8 @@ Failure troubleOf(unsigned number, int error) {
   if (error == LIBUSB_ERROR_ACCESS) {
     return {
         FailureCode::deviceTrouble, falconName(number), "", Message("may not be used by you"),
-        Message("Give yourself the right by a udev rule (docs/force-feedback.md), then plug it in again")};
+        Message(
+            "Give yourself the right by a udev rule (docs/guide/force-feedback.md), then plug it in again")};
   }
   if (error == LIBUSB_ERROR_BUSY) {
     return {FailureCode::deviceTrouble, falconName(number), "", Message("is in use by another program"),

@@ -61,7 +61,7 @@ struct JackStream::Client {
   }
 
   /// Waits until the callback is over, for good. libjack cancels its thread wherever it is as soon as a cycle took too long: in the midst of
-  /// ours that ends the whole program, by SIGABRT or SIGSEGV (docs/decisions/0904).
+  /// ours that ends the whole program, by SIGABRT or SIGSEGV (docs/develop/decisions/0904).
   void leaveCallback() {
     leaving = true;
     for (double left_s = longestCallback_s; inside && left_s > 0; left_s -= look_s)

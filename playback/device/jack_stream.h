@@ -2,7 +2,7 @@
 #pragma once
 // An output stream as a JACK client of our own. PortAudio plays through JACK too, but once the server is gone
 // its stream waits ten minutes before it can be closed; a client of our own comes back at once
-// (docs/decisions/0904).
+// (docs/develop/decisions/0904).
 
 #include <memory>
 #include <optional>

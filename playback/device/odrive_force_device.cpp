@@ -80,7 +80,8 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
   if (!turns) {
     return Failure{
         FailureCode::deviceTrouble, settings.port, "", Message("no ODrive answers on axis %1", settings.axis),
-        Message("Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)")};
+        Message(
+            "Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)")};
   }
   if (!device->arm(arming_s)) {
     return Failure{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The line protocol of a serial force sensor (docs/serial-protocol.md). Pure text handling: bytes in,
+// The line protocol of a serial force sensor (docs/reference/serial-protocol.md). Pure text handling: bytes in,
 // readings out; any bytes at all are survived and counted.
 
 #include <array>

@@ -105,7 +105,8 @@ Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::st
   }
   return Failure{
       FailureCode::deviceTrouble, port, "", problem,
-      Message("Check that the firmware speaks docs/force-protocol.md and the baud rate is the same")};
+      Message(
+          "Check that the firmware speaks docs/reference/force-protocol.md and the baud rate is the same")};
 }
 
 void SerialForceDevice::send(std::string_view body) {

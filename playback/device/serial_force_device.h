@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A microcontroller with motor and encoder behind our own line protocol (docs/force-protocol.md): the host runs the law, or
+// A microcontroller with motor and encoder behind our own line protocol (docs/reference/force-protocol.md): the host runs the law, or
 // uploads it as a table.
 
 #include <memory>

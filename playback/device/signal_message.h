@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The signal messages of the paper's own route ("sends signal messages to a sound synthesizer by UDP
-// packets", Apparatus): FUDI text as Pure Data speaks it, `;`-terminated. docs/osc.md lists them with their
+// packets", Apparatus): FUDI text as Pure Data speaks it, `;`-terminated. docs/reference/osc.md lists them with their
 // OSC twins. Pure text handling.
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 
 namespace detent::playback {
 
-/// Mechanics of a finger tip that presses. Sources and how little is known: docs/decisions/1102-simulated-finger.md.
+/// Mechanics of a finger tip that presses. Sources and how little is known: docs/develop/decisions/1102-simulated-finger.md.
 struct FingerMechanics {
   double mass_kg = 0.008;
   double stiffness_N_per_mm = 0.3;

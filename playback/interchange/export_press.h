@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A press of a button in the formats of other devices, each with an account of what it does not carry
-// (docs/export-formats.md: what each file holds, and what a player is taken to make of it).
+// (docs/reference/export-formats.md: what each file holds, and what a player is taken to make of it).
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A signal that another program made, to be felt beside a button: never a button, since no such file says what force or place
-// belongs to what is felt (docs/export-formats.md: how each is played).
+// belongs to what is felt (docs/reference/export-formats.md: how each is played).
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a Hall, TMR or inductive sensor under a switch reads over its travel. Reading order of the folder: magnetic_sensor.h,
-// magnetic_key.h, simulate_key.h, write_key_tables.h. Method and limits: docs/magnetic-switches.md.
+// magnetic_key.h, simulate_key.h, write_key_tables.h. Method and limits: docs/guide/magnetic-switches.md.
 
 #include <string>
 #include <vector>

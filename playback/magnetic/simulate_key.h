@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Presses of 64 simulated fingers on a button's own curve, as a magnetic key takes them: which are lost, which count twice, and whether a
-// key that is held lets go. A forecast (docs/press-forecast.md), with what the sensor adds.
+// key that is held lets go. A forecast (docs/reference/press-forecast.md), with what the sensor adds.
 
 #include <functional>
 #include <optional>

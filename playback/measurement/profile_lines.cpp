@@ -45,7 +45,7 @@ Result<Done> readProfileLines(const std::string& text, const std::string& name, 
   bool begun = false;
   const auto bad = [&](Message problem) {
     return Failure{FailureCode::unreadableInput, name, Message("line %1", number), std::move(problem),
-                   Message("See docs/device-profile.md")};
+                   Message("See docs/reference/device-profile.md")};
   };
   std::istringstream lines(text);
   for (std::string raw; std::getline(lines, raw);) {

@@ -172,7 +172,7 @@
     list.hidden = data.buttons.length < 2;
   }
 
-  // -- force sensor (docs/serial-protocol.md) ----------------------------------------------------------------------
+  // -- force sensor (docs/reference/serial-protocol.md) ----------------------------------------------------------------------
   const sensor = { coefficients: null, circuit: "newtons", fullScale: 1023, recent: [], rest: null };
   const steadyFor_ms = 400, fewestReadings = 5, steadyWithin = 0.05;  // the last: of full scale
 

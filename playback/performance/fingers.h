@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The people of the forecast: 64 fingers from a fixed seed (docs/press-forecast.md, "Fingers").
+// The people of the forecast: 64 fingers from a fixed seed (docs/reference/press-forecast.md, "Fingers").
 
 #include <vector>
 

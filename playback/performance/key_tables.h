@@ -21,7 +21,7 @@ struct ContactPoints {
 
 /// Force of the button between its strokes: the mean of both has a potential, the rest is play (decision 1100) and can only
 /// take energy. Immutable after its making; any thread. What a step of the plant asks for stands here, so that it becomes part of it
-/// (docs/decisions/1210-two-presses-at-once.md).
+/// (docs/develop/decisions/1210-two-presses-at-once.md).
 class KeyTables {
  public:
   /// A depth, with where it lies in the tables. `Real`: double, or several presses' (lanes.h).
@@ -31,7 +31,7 @@ class KeyTables {
     typename LanesOf<Real>::Index at{};  ///< cell, as what a table is asked by
   };
 
-  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the wall of docs/press-forecast.md
+  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the wall of docs/reference/press-forecast.md
 
   explicit KeyTables(const ButtonState& state);
 

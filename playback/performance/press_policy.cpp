@@ -14,7 +14,7 @@ namespace detent::playback {
 
 namespace {
 
-// The weights of docs/press-forecast.md; frozen.
+// The weights of docs/reference/press-forecast.md; frozen.
 constexpr double costOfForce_per_N = 1;
 constexpr double costOfTime_per_s = 10;
 constexpr double costOfMiss = 40;

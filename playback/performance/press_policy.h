@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How one finger presses one button: the command that costs it least, and what comes of it over its own noise
-// (docs/press-forecast.md, "Fingers" and "Policy").
+// (docs/reference/press-forecast.md, "Fingers" and "Policy").
 
 #include <optional>
 #include <vector>

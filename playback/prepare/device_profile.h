@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is known about one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`,
-// kept in a text file (study/profile_file.h, docs/device-profile.md), used when a button is prepared for it.
+// kept in a text file (study/profile_file.h, docs/reference/device-profile.md), used when a button is prepared for it.
 
 #include <cmath>
 #include <optional>

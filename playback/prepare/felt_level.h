@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How strongly a vibration is felt at a fingertip, in dB above its threshold: the Pacinian channel of docs/predicted-confusion.md,
+// How strongly a vibration is felt at a fingertip, in dB above its threshold: the Pacinian channel of docs/reference/predicted-confusion.md,
 // best at 250 Hz, behind what the device makes of the signal.
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is known about one force-feedback device: mechanics, encoder, timing and limits. Presets of the simulated devices; a
-// real one starts from the preset nearest to it (docs/force-feedback.md).
+// real one starts from the preset nearest to it (docs/guide/force-feedback.md).
 
 #include <array>
 #include <cstdint>

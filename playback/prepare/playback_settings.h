@@ -45,12 +45,12 @@ enum class JumpFrequencySource {
 /// How slope, jumps and bottom-out stand to each other.
 enum class Feel {
   paper,  ///< as K&L have it
-  clear   ///< the jumps come through, and a denser slope is felt as stronger (docs/decisions/0915)
+  clear   ///< the jumps come through, and a denser slope is felt as stronger (docs/develop/decisions/0915)
 };
 
 inline constexpr auto feels = named<Feel>({{"paper", Feel::paper}, {"clear", Feel::clear}});
 
-/// The rules of Feel::clear, each worth what docs/decisions/0915 says.
+/// The rules of Feel::clear, each worth what docs/develop/decisions/0915 says.
 struct ClearFeel {
   bool jumpsByRoot =
       true;  ///< amplitude by the root of the paper's: twice the area is 3 dB more, and few jumps end at full scale
@@ -77,11 +77,11 @@ struct PlaybackSettings {
   double grainDuration_s =
       0.020;  ///< not given by K&L. 3 cycles: PseudoBend (UIST 2019) uses 3, HapticButton 5; (0, 1]
   double grainAmplitude = 0.5;  ///< not given by K&L, only that jumps are clearly stronger; [0, 1]
-  GrainCarrier grainCarrier = GrainCarrier::running;  ///< docs/decisions/0905
+  GrainCarrier grainCarrier = GrainCarrier::running;  ///< docs/develop/decisions/0905
   double highPass_Hz = 20;  ///< of the grains: nothing constant reaches a transducer; 0: none; [0, 100]
-  LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/decisions/0900
+  LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/develop/decisions/0900
   double lowPassCutoff_Hz = 150;  ///< "a low-pass filter with cutoff frequency of 150Hz"; (0, 20000]
-  unsigned lowPassOrder = 2;      ///< not given by K&L; 1 or 2 (docs/decisions/0900)
+  unsigned lowPassOrder = 2;      ///< not given by K&L; 1 or 2 (docs/develop/decisions/0900)
 
   // Jump. K&L, "Jump Feedback Generation".
   double jumpDurationPerTravel_s_per_mm =
@@ -105,21 +105,22 @@ struct PlaybackSettings {
   ClearFeel clear;  ///< used by Feel::clear alone
 
   // Following the finger.
-  SectionSettings sections;     ///< what counts as a tactile point (model/sections.h)
-  double hysteresis_N = 0;      ///< turning back; 0: from the sensor's noise (docs/decisions/0906); [0, 10]
+  SectionSettings sections;  ///< what counts as a tactile point (model/sections.h)
+  double hysteresis_N =
+      0;  ///< turning back; 0: from the sensor's noise (docs/develop/decisions/0906); [0, 10]
   double hysteresis_mm = 0.01;  ///< for displacement inputs; (0, 1]
   double rearm_N = 0;  ///< back from a tactile force before its jump can fire again, at most half the way to
                        ///< the stroke's start; 0: 2.5 times the hysteresis; [0, 10]
 
   // Time.
-  EventPlacement placement = EventPlacement::timeStamped;  ///< docs/decisions/0901
+  EventPlacement placement = EventPlacement::timeStamped;  ///< docs/develop/decisions/0901
   double sensorPeriod_s = 1.0 / 425;  ///< "at a refresh rate of 425Hz" (Apparatus); [1e-5, 0.25]
   double burstSpacing_s = 0.005;      ///< two taps closer than about 5 ms are felt as one; [0, 0.1]
 
   // Output.
   double limiterCeiling = 1;  ///< (0, 1]
   /// "the frequency of the signal is predetermined from the resonant frequency of the device": flattened, the
-  /// jump would lose what it was put there for (docs/decisions/0907).
+  /// jump would lose what it was put there for (docs/develop/decisions/0907).
   EqualizerUse equalizer = EqualizerUse::sparingJumps;
 };
 

@@ -192,7 +192,7 @@ class Preparation {
 
   // Whatever is pressed at one speed and released at another takes energy: no release lies above a press of any speed; and a force
   // that falls with speed drives the handle no harder than its damper takes, one that rises damps no more than its mass bears.
-  // docs/decisions/1111-graphs-at-several-speeds.md
+  // docs/develop/decisions/1111-graphs-at-several-speeds.md
   void limitSpeeds(const Graphs& members, const ButtonState& from, ForceStateTable& to, std::size_t s) {
     const SpeedDamping allowed = renderedSpeedDamping(from, device_, 1 / prepared_.program.period_s);
     const auto [from_mm, to_mm] = comparedOn(members);

@@ -21,7 +21,7 @@ constexpr double largestCoefficient = 1e9;  // N; a divider's linear quantity go
 constexpr double largestNoise_N = 50, longestLatency_s = 10;
 constexpr double faintestCeiling = 1e-6;  // -120 dB: below it a profile's transducer bears nothing at all
 
-// Following the finger (docs/decisions/0906). What reaches the tracker is steadied already (force_steadier.h);
+// Following the finger (docs/develop/decisions/0906). What reaches the tracker is steadied already (force_steadier.h);
 // these keep the strokes apart where a sensor's steps or a tremor remain.
 constexpr double unknownSensorsHysteresis_N = 0.02;  // above one count of 10 bit over 12 N (0.0117 N)
 constexpr double smallestHysteresis_N = 0.005;

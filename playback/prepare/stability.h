@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Whether a device can render a button, told before it is felt: the margin along the travel, and the nearest button that it can
-// render as drawn. Formulas and what simulation says about them: docs/decisions/1101-stability-margin.md.
+// render as drawn. Formulas and what simulation says about them: docs/develop/decisions/1101-stability-margin.md.
 
 #include <cstddef>
 #include <cstdint>

@@ -29,7 +29,8 @@ struct ExportArguments {
 
 void addOptions(CLI::App& app, ExportArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json")->required();
-  addChoice(app, "--format", a.settings.format, exportFormats, "What for (docs/export-formats.md)", "")
+  addChoice(app, "--format", a.settings.format, exportFormats, "What for (docs/reference/export-formats.md)",
+            "")
       ->required();
   app.add_option("--press", a.press,
                  "standard, human:120ms (a human-like press whose way down takes 10 ms to 10 s), or a press "

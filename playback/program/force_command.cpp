@@ -99,7 +99,7 @@ void addOptions(CLI::App& app, ForceArguments& a) {
   app.add_flag("--upload", a.upload, "The microcontroller runs the law from a table, at its own rate")
       ->group(realDeviceGroup);
   const std::string safety =
-      "Stopping (docs/force-feedback.md): any key, SIGUSR1, Ctrl-C; the key a arms again";
+      "Stopping (docs/guide/force-feedback.md): any key, SIGUSR1, Ctrl-C; the key a arms again";
   app.add_flag("--hold-to-run", a.holdToRun,
                "Force only while the space bar is held, or /detent/hold keeps coming")
       ->group(safety);
@@ -249,7 +249,7 @@ void printFigures(const ForceStatus& s, const RunFigures& run, const ForceSummar
   if (s.steps > 0) {
     std::fprintf(stderr, "deadlines: %.2f %% within 100 us, worst %.0f us, %llu missed%s\n",
                  percentPunctual(s), 1e6 * s.worstLate_s, static_cast<unsigned long long>(s.missedDeadlines),
-                 s.realtime ? "" : " (no real-time scheduling: docs/force-feedback.md)");
+                 s.realtime ? "" : " (no real-time scheduling: docs/guide/force-feedback.md)");
   }
   const std::uint64_t bad = s.guard.missing + s.guard.notFinite + s.guard.absurd + s.guard.frozen;
   if (bad > 0 || s.guard.tooFast > 0) {

@@ -5,7 +5,7 @@
 
 namespace detent::playback {
 
-/// `detent-play force`: a button as force on a device, with log and statistics (docs/force-feedback.md).
+/// `detent-play force`: a button as force on a device, with log and statistics (docs/guide/force-feedback.md).
 void addForceCommand(CLI::App& program, Action& chosen);
 
 }  // namespace detent::playback

@@ -31,10 +31,10 @@ void addOptions(CLI::App& app, LiveArguments& a) {
   addFeelOptions(app, a.feel);
   addDeviceOptions(app, a.player);
   addSensorOptions(app, a.sensor);
-  addEndpoint(
-      app, "--udp", a.udp, thisMachine, 0,
-      "Where to listen for FUDI signal messages (docs/osc.md); without an address only this machine is "
-      "heard; port 0: a free one");
+  addEndpoint(app, "--udp", a.udp, thisMachine, 0,
+              "Where to listen for FUDI signal messages (docs/reference/osc.md); without an address only "
+              "this machine is "
+              "heard; port 0: a free one");
   addEndpoint(app, "--osc", a.osc, thisMachine, 0, "Where to listen for OSC messages, likewise");
   addEndpoint(app, "--signals-to", a.signalTarget, "", 1,
               "A synthesizer (samples/puredata) that gets a message per event");

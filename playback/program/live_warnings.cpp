@@ -39,9 +39,10 @@ constexpr std::array<Wording, liveWarningCodes> wordings{{
     {LiveWarningCode::eventsDropped, true, "events-dropped", "EVENTS DROPPED",
      "%1 jumps came closer than they can be felt; some were left out"},
     {LiveWarningCode::readingsRejected, true, "readings-rejected", "READINGS REJECTED",
-     "%1 readings that cannot be forces of a finger; see docs/serial-protocol.md"},
+     "%1 readings that cannot be forces of a finger; see docs/reference/serial-protocol.md"},
     {LiveWarningCode::badLines, true, "bad-lines", "BAD LINES",
-     "%1 lines or messages that cannot be read; check --baud, docs/serial-protocol.md and docs/osc.md"},
+     "%1 lines or messages that cannot be read; check --baud, docs/reference/serial-protocol.md and "
+     "docs/reference/osc.md"},
     {LiveWarningCode::clipping, true, "clipping", "CLIPPING",
      "%1 blocks louder than full scale were turned down; lower --gain"},
     {LiveWarningCode::forcesTooRare, false, "forces-too-rare", "FORCES TOO RARE",

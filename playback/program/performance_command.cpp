@@ -183,20 +183,21 @@ std::string buttonJson(const PressForecast& forecast, const std::vector<LimitFin
 
 void addPerformanceCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
-      "performance", "How fast, how surely, how hard will people press? A forecast (docs/press-forecast.md)");
+      "performance",
+      "How fast, how surely, how hard will people press? A forecast (docs/reference/press-forecast.md)");
   const auto a = std::make_shared<PerformanceArguments>();
   app->add_option("BUTTON", a->buttons, "*.button.json; several are compared")->required()->expected(1, 100);
   app->add_option("--operate-at", a->operateAt_mm,
                   "What if the contact closed here, mm; the reset point keeps its distance")
       ->check(numberWithin(0, 1e5));
   app->add_option("--limits", a->limitsFile,
-                  "JSON table of further limits of standards (docs/press-forecast.md)");
+                  "JSON table of further limits of standards (docs/reference/press-forecast.md)");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->footer(std::string("Only differences between buttons mean something: absolute numbers depend on the "
                           "body's parameters. "
                           "Published\n"
                           "effects, forecast (5 to 95 % of the fingers) and whether that is what people did "
-                          "(docs/press-forecast.md):\n") +
+                          "(docs/reference/press-forecast.md):\n") +
               pressEffects);
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
 }

@@ -63,7 +63,7 @@ Result<std::vector<Limit>> readLimits(const std::string& file) {
   const Json json = Json::parse(*text, nullptr, false);
   if (!json.is_array() || json.empty())
     return Failure{FailureCode::unreadableInput, file, "", "is no JSON array of limits",
-                   "See docs/press-forecast.md, \"Limits of standards\""};
+                   "See docs/reference/press-forecast.md, \"Limits of standards\""};
   std::vector<Limit> limits;
   for (const Json& entry : json) {
     std::optional<Limit> limit = limitOf(entry);

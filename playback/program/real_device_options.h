@@ -26,7 +26,7 @@ struct RealDeviceOptions {
 /// All but the serial port's speed.
 void addForceDeviceOptions(CLI::App& app, RealDeviceOptions& options, const char* largestForce);
 void addRealDeviceOptions(CLI::App& app, RealDeviceOptions& options, const char* largestForce);
-inline constexpr const char* realDeviceGroup = "Real devices (docs/force-feedback.md)";
+inline constexpr const char* realDeviceGroup = "Real devices (docs/guide/force-feedback.md)";
 
 /// --fast given for a device that has hardware.
 Failure fastNeedsSimulation();

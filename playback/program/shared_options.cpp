@@ -100,7 +100,8 @@ void addFeelOptions(CLI::App& app, FeelOptions& options) {
                  "Time between two sensor readings in s: the delay of time-stamped events")
       ->capture_default_str()
       ->group(group);
-  app.add_option("--profile", options.profileFile, "Device profile (docs/device-profile.md)")->group(group);
+  app.add_option("--profile", options.profileFile, "Device profile (docs/reference/device-profile.md)")
+      ->group(group);
 }
 
 void addDeviceOptions(CLI::App& app, PlayerSettings& options) {
@@ -119,7 +120,7 @@ void addDeviceOptions(CLI::App& app, PlayerSettings& options) {
 
 void addSensorOptions(CLI::App& app, SensorOptions& options) {
   app.add_option("--sensor", options.port,
-                 "Serial force sensor, for example /dev/ttyACM0 (docs/serial-protocol.md)");
+                 "Serial force sensor, for example /dev/ttyACM0 (docs/reference/serial-protocol.md)");
   CLI::Validator isRate = CLI::IsMember(baudRates);
   isRate.description("");
   app.add_option("--baud", options.baud, "Its baud rate, 1200 to 4000000")

@@ -41,7 +41,7 @@ class NoiseEstimate {
 ///  - it turns when one of the means has fallen 8 s / sqrt(n) below its own highest;
 ///  - it rests, where it is, when two halves of the last 64 readings agree, and moves again when one of the
 ///    means leaves the resting mean by 7 standard deviations of their difference.
-/// The numbers are claims of docs/decisions/0906. Any thread, one owner; no allocation.
+/// The numbers are claims of docs/develop/decisions/0906. Any thread, one owner; no allocation.
 class ForceSteadier {
  public:
   /// `known`: SD of the sensor at rest, 0 where unknown; the larger of it and the measured one counts.

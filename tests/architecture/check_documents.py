@@ -8,7 +8,7 @@ Reads README.md, CONTRIBUTING.md and docs/, and prints FILE:LINE of
   nowhere in the code. Names of other programs and libraries stand in foreign_names.txt beside this script, each with its owner;
 - dates of days, and headings that tell a diary ("again", "once more", "later", ...). The changelog and the package's are the places for dates;
 - decisions above 8000 characters: a page says what, why, the figures that decide, and what was rejected; and decisions that the index
-  (docs/decisions/README.md) does not list.
+  (docs/develop/decisions/README.md) does not list.
 
 Fenced blocks are examples and are left alone.
 """
@@ -112,13 +112,13 @@ def findings(root, foreign):
             yield name, at(match.start()), f"{match.group(0)}: documents are undated; what was stands in git"
         for match in DIARY.finditer(text):
             yield name, at(match.start()), f"the heading tells a diary: {match.group(0)}"
-        if re.match(r"docs/decisions/\d", name) and len(whole) > MOST_CHARACTERS:
+        if re.match(r"docs/develop/decisions/\d", name) and len(whole) > MOST_CHARACTERS:
             yield name, 1, f"{len(whole)} characters are more than a page ({MOST_CHARACTERS})"
-    index = root / "docs/decisions/README.md"
+    index = root / "docs/develop/decisions/README.md"
     listed = index.read_text(encoding="utf-8") if index.is_file() else ""
-    for decision in sorted((root / "docs/decisions").glob("[0-9]*.md")):
+    for decision in sorted((root / "docs/develop/decisions").glob("[0-9]*.md")):
         if f"({decision.name})" not in listed:
-            yield "docs/decisions/README.md", 1, f"the index does not list {decision.name}"
+            yield "docs/develop/decisions/README.md", 1, f"the index does not list {decision.name}"
 
 
 def main():

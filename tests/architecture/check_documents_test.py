@@ -41,13 +41,13 @@ class PlantedName(unittest.TestCase):
     def found_in(self, text, decision=False, listed=True):
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder)
-            for room in ("model", "docs/decisions"):
+            for room in ("model", "docs/develop/decisions"):
                 (root / room).mkdir(parents=True)
             (root / "README.md").write_text("# Nothing\n")
             (root / "CONTRIBUTING.md").write_text("# Nothing\n")
             (root / "model" / "curve.h").write_text(CODE)
-            (root / "docs/decisions/README.md").write_text("[0001](0001-page.md)\n" if listed else "nothing\n")
-            (root / "docs" / ("decisions/0001-page.md" if decision else "page.md")).write_text("# Page\n\n" + text + "\n")
+            (root / "docs/develop/decisions/README.md").write_text("[0001](0001-page.md)\n" if listed else "nothing\n")
+            (root / "docs" / ("develop/decisions/0001-page.md" if decision else "page.md")).write_text("# Page\n\n" + text + "\n")
             return list(check_documents.findings(root, {"LibraryName"}))
 
     def test_each_kind_is_found_with_its_line(self):

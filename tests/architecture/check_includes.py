@@ -325,7 +325,7 @@ def main():
         print(f"{root}:1: no source file of a room stands here [nothing checked]")
         return 1
     if found:
-        print(f"{len(found)} violations in {checked} files. The table: tests/architecture/include_table.toml, docs/architecture.md.")
+        print(f"{len(found)} violations in {checked} files. The table: tests/architecture/include_table.toml, docs/develop/architecture.md.")
         return 1
     print(f"{checked} files of {len(ROOMS)} rooms keep to the include table.")
     return 0

@@ -39,7 +39,7 @@ def broken_links(root):
 
 
 def broken_references(root):
-    """Places of docs/ that code names and that are not there. "docs/decisions/0700" may leave the title out."""
+    """Places of docs/ that code names and that are not there. "docs/develop/decisions/0700" may leave the title out."""
     for room in ("model", "importer", "playback", "editor", "tests", "samples"):
         for file in sorted((root / room).rglob("*")):
             if file.suffix not in (".h", ".cpp", ".txt"):

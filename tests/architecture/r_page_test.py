@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/r.md as a reader follows it: its commands, then its R, in one folder. r_page_test.py --root FOLDER --bin FOLDER
+"""docs/guide/r.md as a reader follows it: its commands, then its R, in one folder. r_page_test.py --root FOLDER --bin FOLDER
 
 Without Rscript: SKIPPED."""
 
@@ -24,9 +24,9 @@ def main():
     parser.add_argument("--bin", type=Path, required=True)
     chosen = parser.parse_args()
     if not shutil.which("Rscript"):
-        print("SKIPPED docs/r.md: Rscript is not installed")
+        print("SKIPPED docs/guide/r.md: Rscript is not installed")
         return 0
-    page = (chosen.root / "docs/r.md").read_text()
+    page = (chosen.root / "docs/guide/r.md").read_text()
     environment = {**os.environ, "PATH": f"{chosen.bin.resolve()}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(chosen.root.resolve() / "samples", Path(folder, "samples"))

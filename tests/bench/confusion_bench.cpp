@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The forecast against K&L's noisy group (Table 2), beside three measures of others, and what tuning one
-// number would gain. Figures: docs/predicted-confusion.md
+// number would gain. Figures: docs/reference/predicted-confusion.md
 
 #include <algorithm>
 #include <chrono>

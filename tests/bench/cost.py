@@ -4,7 +4,7 @@
 
     cost.py [--bin FOLDER] [--only WORDS] [--check | --accept]
 
-Without an option: prints the table. --accept: writes tests/bench/cost.json and docs/bench-cost.md. --check: compares with cost.json and
+Without an option: prints the table. --accept: writes tests/bench/cost.json and docs/measurements/bench-cost.md. --check: compares with cost.json and
 fails where a job costs more than 5 % beyond it, unless CHANGELOG.md names the job under "Unreleased" as `cost: JOB`. --only: jobs whose
 name contains one of these words, separated by commas. --bin: default build/release/bin.
 
@@ -25,7 +25,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 BASELINE = ROOT / "tests/bench/cost.json"
-TABLE = ROOT / "docs/bench-cost.md"
+TABLE = ROOT / "docs/measurements/bench-cost.md"
 CHANGELOG = ROOT / "CHANGELOG.md"
 ALLOWED_RISE = 0.05
 INSTRUCTION_SETS = ("sse4_2", "avx", "avx2", "fma")  # what libraries choose by, as far as valgrind passes it on

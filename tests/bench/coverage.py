@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the tables of one room into docs/coverage.md.
+"""Writes the tables of one room into docs/measurements/coverage.md.
 
 coverage.py ROOM PROGRAM...: what PROGRAM prints takes the place of all between `<!-- ROOM -->` and `<!-- /ROOM -->`.
     tests/bench/coverage.py playback build/release/tests/bench/detent_playback_coverage
@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "coverage.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs/measurements/coverage.md"
 
 
 def with_section(page: str, room: str, tables: str) -> str:

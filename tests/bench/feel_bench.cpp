@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // feel_bench [--out FILE] [--note TEXT]: how soon an edit is seen in the feel panel, and how often the finger
-// is told. Figures: docs/bench-feel.md
+// is told. Figures: docs/measurements/bench-feel.md
 
 #include <algorithm>
 #include <chrono>
@@ -177,7 +177,7 @@ std::string format(const char* pattern, Values... values) {
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
-  std::string out = DETENT_SOURCE_DIR "/docs/bench-feel.md";
+  std::string out = DETENT_SOURCE_DIR "/docs/measurements/bench-feel.md";
   std::string note;
   for (int i = 1; i + 1 < argc; ++i) {
     if (std::strcmp(argv[i], "--out") == 0) out = argv[i + 1];

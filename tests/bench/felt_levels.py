@@ -4,7 +4,7 @@
 and steepness.
 
 Apart from the engine: presses, weights and levels are computed here (numpy, scipy), from sound files the program writes. Figures:
-docs/decisions/0915-the-jump-comes-through.md.
+docs/develop/decisions/0915-the-jump-comes-through.md.
 """
 import argparse
 import csv

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The key figures of a curve that is known everywhere, and curves of other kinds than switch_logs.Switch.
 
-Figures by the definitions in docs/glossary.md on a grid of 0.1 um, by numpy alone: no formula of a curve, no code of the program that is judged. Curves: smooth ones (a force that
+Figures by the definitions in docs/reference/glossary.md on a grid of 0.1 um, by numpy alone: no formula of a curve, no code of the program that is judged. Curves: smooth ones (a force that
 comes up exponentially at contact, a collapse between two logistic steps), and ones through random places by scipy's monotone cubics, whose bend jumps at every place. A
 meter whose noise is partly carried on from sample to sample."""
 

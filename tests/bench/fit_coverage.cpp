@@ -3,7 +3,7 @@
 //
 //   detent_fit_coverage [STROKES]      default 400
 //
-// Prints the table of docs/coverage.md (tests/bench/coverage.py fit). Deterministic; no timing.
+// Prints the table of docs/measurements/coverage.md (tests/bench/coverage.py fit). Deterministic; no timing.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_force_bench [step|rest|velocity|energy|identify|day ...] [sim|falcon|rig ...]: the tables of docs/bench-force.md, of all
+// detent_force_bench [step|rest|velocity|energy|identify|day ...] [sim|falcon|rig ...]: the tables of docs/measurements/bench-force.md, of all
 // devices or those named.
 #include <algorithm>
 #include <chrono>

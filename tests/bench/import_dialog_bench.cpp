@@ -2,7 +2,7 @@
 // The import dialogue on a long document: time to the first thumbnail, the longest time the window did not
 // answer, memory.
 //
-//   import_dialog_bench [--pages N] [--write docs]
+//   import_dialog_bench [--pages N] [--write docs/measurements]
 //
 // The document is made here: text pages, vector force graphs, and scanned pages of 300 dpi with a graph on
 // them. Another process writes it, so that this one's memory is the dialogue's alone. The dialogue is opened,
@@ -313,7 +313,7 @@ int main(int argc, char** argv) {
     QFile file(docs + QStringLiteral("/bench-import-dialog.md"));
     if (!file.open(QIODevice::WriteOnly | QIODevice::Text)) return 1;
     QTextStream out(&file);
-    out << "# Import dialogue: a long document\n\nMade by `import_dialog_bench --write docs` "
+    out << "# Import dialogue: a long document\n\nMade by `import_dialog_bench --write docs/measurements` "
            "(tests/bench/import_dialog_bench.cpp, which says how) on a document of "
         << figures.pages << " pages with " << figures.graphs
         << " graphs: text, vector graphs and 300 dpi scans. A stall is how much later than due the window's "

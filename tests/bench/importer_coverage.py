@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Do the errors that an import tells cover? Drawn buttons of known tactile points, page by page of every class.
 
-importer_coverage.py PROGRAM [--number N] [--quality precise]     prints the table of docs/coverage.md
+importer_coverage.py PROGRAM [--number N] [--quality precise]     prints the table of docs/measurements/coverage.md
 
 gnuplot draws (tests/accuracy/draw_plots.py), ImageMagick makes scans (turned, blurred, grainy) and photographs of it (photograph.py). A tactile
 point of the result is held against the drawn one, the press' maximum and the release's minimum; the error is that of `--json`. Deterministic on one machine.

@@ -8,8 +8,8 @@ importer_trade.py PROGRAM [--corpus DIR] [--quality draft,standard,precise] [--c
 One import per item and level, without hints, writes both `--trace-csv` and `--csv`; score.py of the corpus scores them
 (its docstring defines the distance: mean orthogonal, as a share of the axis span). Columns: ok = exit 0 and every true
 stroke present; wrong = exit 0 although the trace is off by more than 2 %; swapped strokes; tactile = press tactile point
-within 0.02 mm and 0.7 gf of the fitted graph, of the items that have one. `--write` puts docs/bench-importer.md and, where
-gnuplot is installed, its picture docs/bench-importer.svg. Needs Debian's python3-numpy. Without the corpus it says SKIPPED.
+within 0.02 mm and 0.7 gf of the fitted graph, of the items that have one. `--write` puts docs/measurements/bench-importer.md and, where
+gnuplot is installed, its picture docs/measurements/bench-importer.svg. Needs Debian's python3-numpy. Without the corpus it says SKIPPED.
 """
 import argparse, concurrent.futures, contextlib, io, json, os, statistics, subprocess, sys, tempfile
 from pathlib import Path

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The library against its bars: reading, figures' errors, search, map, spread, morph.
 
-    library.py [--bin FOLDER] [--clones FOLDER] [--few] [--no-errors] [--out docs/bench-library.md]
+    library.py [--bin FOLDER] [--clones FOLDER] [--few] [--no-errors] [--out docs/measurements/bench-library.md]
 
 Prints the table, writes it with --out. Draws the laboratories' layouts (switch_logs.py); with --clones also reads public clones in FOLDER (force-curves-tidy,
 Open-Switch-Curve-Meter, topre-force-curves, switch-force-tester; none is needed, nothing of them is kept). --few: a tenth of everything, to try the script. --no-errors: without the figures'
-errors, which docs/decisions/0813 has by the same buttons. Times are of the processor,
+errors, which docs/develop/decisions/0813 has by the same buttons. Times are of the processor,
 of all threads together: bars of two cores are met at twice the wall clock. --bin: default build/release/bin."""
 
 import argparse
@@ -301,13 +301,13 @@ def main():
     with tempfile.TemporaryDirectory(prefix="detent-library-bench-") as folder:
         bench = Bench(options.bin.resolve(), Path(folder), options.few)
         bench.say("# The library against its bars\n\nPrinted by one command, which draws everything it needs; clones of public sets are read where they are given:\n\n"
-                  "    tests/bench/library.py --clones FOLDER --out docs/bench-library.md\n\nTimes are of the processor, all threads together. Killed at any moment, two indexers at once, a full disk, a file "
+                  "    tests/bench/library.py --clones FOLDER --out docs/measurements/bench-library.md\n\nTimes are of the processor, all threads together. Killed at any moment, two indexers at once, a full disk, a file "
                   "that changes meanwhile, names in any\nscript, damaged or other databases, hostile archives and tables: `library_test`.")
         database = bench.layouts()
         if options.clones:
             bench.clones(options.clones.resolve())
         if options.no_errors:
-            bench.say("\n## Errors of the figures\n\nBy kind of curve, on seeds that nothing was chosen on: [0813](decisions/0813-errors-of-measured-figures.md).")
+            bench.say("\n## Errors of the figures\n\nBy kind of curve, on seeds that nothing was chosen on: [0813](../develop/decisions/0813-errors-of-measured-figures.md).")
         else:
             bench.coverage()
         bench.five_thousand(database)

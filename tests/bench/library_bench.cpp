@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// library_bench DATABASE [--out docs/library.md]: is a switch found by another laboratory's record of it? The database holds clones of
+// library_bench DATABASE [--out docs/guide/library.md]: is a switch found by another laboratory's record of it? The database holds clones of
 // force-curves-tidy and of the Open-Switch curve meter, indexed by detent-import. Pairs are switches of one name in both; weights are
-// fitted without the pair that is judged. Figures: docs/library.md, between the marks.
+// fitted without the pair that is judged. Figures: docs/guide/library.md, between the marks.
 
 #include <algorithm>
 #include <array>
@@ -327,7 +327,7 @@ int putInto(const std::string& path, const std::string& table) {
   const std::string open = "<!-- library_bench -->\n", close = "<!-- /library_bench -->";
   const std::size_t from = text.find(open), to = text.find(close);
   if (from == std::string::npos || to == std::string::npos) {
-    std::fprintf(stderr, "%s: no marks of library_bench. Pass docs/library.md.\n", path.c_str());
+    std::fprintf(stderr, "%s: no marks of library_bench. Pass docs/guide/library.md.\n", path.c_str());
     return 2;
   }
   text.replace(from + open.size(), to - from - open.size(), table);
@@ -339,7 +339,7 @@ int putInto(const std::string& path, const std::string& table) {
 
 int main(int argc, char** argv) {
   if (argc != 2 && !(argc == 4 && std::string(argv[2]) == "--out")) {
-    std::fprintf(stderr, "library_bench DATABASE [--out docs/library.md]\n");
+    std::fprintf(stderr, "library_bench DATABASE [--out docs/guide/library.md]\n");
     return 2;
   }
   const auto store = LibraryStore::openToRead(argv[1]);

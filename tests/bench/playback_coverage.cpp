@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // detent_playback_coverage: how often the truth lies within the errors that playback and studies print. `coverage.py playback`
-// writes its tables into docs/coverage.md.
+// writes its tables into docs/measurements/coverage.md.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -7,7 +7,7 @@ playback_speed.py PROGRAM [--write DOCS_DIR]
 Renders strokes at constant speed with detent-play: the slope of button A (whole travel, grains only), the jump of button B
 and the bottom-out of button A (clicks only). Level: root of the mean square in 40-400 Hz over the time the finger moves and
 one grain longer (slope), or over the burst's own length (jump, bottom-out). Constant: mean over the same time. `--write` puts
-docs/bench-playback-speed.md and its picture. Plain Python, no timing: the same figures on every machine.
+docs/measurements/bench-playback-speed.md and its picture. Plain Python, no timing: the same figures on every machine.
 """
 import argparse, cmath, math, pathlib, struct, subprocess, sys, tempfile
 

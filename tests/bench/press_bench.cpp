@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forecast of a press against published effects; prints the table of docs/press-forecast.md, "Hits and misses".
+// The forecast of a press against published effects; prints the table of docs/reference/press-forecast.md, "Hits and misses".
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -29,7 +29,7 @@ StrokeCurve straight(const std::vector<CurvePoint>& points) {
   return *std::move(curve);
 }
 
-/// The keys of docs/press-forecast.md, "Criterion of success"; tactile: with the drop of effect 10.
+/// The keys of docs/reference/press-forecast.md, "Criterion of success"; tactile: with the drop of effect 10.
 Button key(double make_N, double travel_mm, bool tactile = false) {
   std::vector<CurvePoint> points = {{0, 0.6 * make_N}};
   if (tactile) {

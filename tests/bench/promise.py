@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an import's confidence is worth, counted: runs the importer over pages whose right answer is known, and writes docs/import-confidence.md.
+"""What an import's confidence is worth, counted: runs the importer over pages whose right answer is known, and writes docs/measurements/import-confidence.md.
 
 promise.py count IMPORT_PROGRAM ROWS.jsonl [--corpus DIR] [--seeds A,B,...] [--fresh FIRST:COUNT] [--source NAME] [--jobs N]
 promise.py write --calibration ROWS.jsonl... --test ROWS.jsonl...
 
 `count` imports every page with `--sure 0`, so that one run answers for every bar, and appends a row a page. `write` puts the tables of two
-such counts of different seeds into docs/import-confidence.md: one from which confidences may be set, one that was not looked at
+such counts of different seeds into docs/measurements/import-confidence.md: one from which confidences may be set, one that was not looked at
 before. Pages, by source:
     real, rendered, ref, web   of the corpus; the importer was built on them
     honesty                    the corpus' drawn plots and charts that are none, of --seeds; nobody built on these
@@ -312,7 +312,7 @@ def count(a):
 
 # -- the document ----------------------------------------------------------------------------------------------------------------
 
-PAGE = ROOT / "docs" / "import-confidence.md"
+PAGE = ROOT / "docs/measurements/import-confidence.md"
 BARS = (0.5, 0.8, 0.9, 0.95, 0.99)
 CLASSES = ("vector", "picture", "scan", "photo")
 BUILT_ON = ("real", "rendered", "ref", "web")

@@ -4,7 +4,7 @@
 
     /usr/bin/python3 tests/bench/python_module.py [--build FOLDER] [--only WORDS] [--write]
 
-Prints tables; --write: docs/bench-python.md, of which only the sections that ran are renewed. --only: sections
+Prints tables; --write: docs/measurements/bench-python.md, of which only the sections that ran are renewed. --only: sections
 whose name contains one of these words, separated by commas. Times of both sides
 are taken in turn, so that a busy machine slows both; the least of several counts. Memory is the resident set, each figure from a Python of
 its own. Needs a build with DETENT_WITH_PYTHON (preset release).
@@ -25,7 +25,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-PAGE = ROOT / "docs/bench-python.md"
+PAGE = ROOT / "docs/measurements/bench-python.md"
 PLOTS, BUTTONS = ROOT / "samples/plots", ROOT / "samples/buttons"
 LOG, PICTURE, SHEET = PLOTS / "force-meter-log.csv", PLOTS / "two-level-legend.png", PLOTS / "white-vector.pdf"
 READABLE = (".png", ".pdf", ".svg", ".csv")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What thousands of pages cost: the figures of docs/scale.md.
+"""What thousands of pages cost: the figures of docs/guide/scale.md.
 
     /usr/bin/python3 tests/bench/scale.py pages NAME=GLOB... [--build FOLDER]
     /usr/bin/python3 tests/bench/scale.py cluster [--pages N] [--batches M] [--kind svg|log] [--profile local|slurm] [--kill] [--build FOLDER]

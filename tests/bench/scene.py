@@ -6,7 +6,7 @@
 
 --check: every claim below, by the functions that ran (callgrind): in the first scene none of them, in the second at least one, so that a
 function that was renamed or inlined cannot pass for one that was spared; and a picture's import loads not more than 60 shared libraries.
---write: docs/scene.md. Without either the tables are printed. What runs inside one program is proved there: tests/playback/poisoned.h makes
+--write: docs/measurements/scene.md. Without either the tables are printed. What runs inside one program is proved there: tests/playback/poisoned.h makes
 every number a signalling NaN that belongs to nothing the button has; silent_player_test counts the threads of a player without a sensor.
 A program that is not there (built without devices or editor) is said to be skipped. Needs valgrind (install-dependencies.sh test).
 """
@@ -23,7 +23,7 @@ from pathlib import Path
 
 import cost
 
-PAGE = cost.ROOT / "docs/scene.md"
+PAGE = cost.ROOT / "docs/measurements/scene.md"
 PLOTS, BUTTONS = cost.SAMPLES / "plots", cost.SAMPLES / "buttons"
 MOST_LIBRARIES, MOST_START_MS = 60, 40
 PATIENCE_S = 600

@@ -4,8 +4,8 @@
 
     /usr/bin/python3 tests/bench/threshold_limits.py [--ways]
 
-All questions at the one best difference, slope and lapses known beforehand. Prints rows of docs/coverage.md. With --ways: what four ways past it come
-to with simulated observers, each question the one that leaves the least doubt; rows of docs/decisions/1211-sixty-questions-are-not-a-tenth.md."""
+All questions at the one best difference, slope and lapses known beforehand. Prints rows of docs/measurements/coverage.md. With --ways: what four ways past it come
+to with simulated observers, each question the one that leaves the least doubt; rows of docs/develop/decisions/1211-sixty-questions-are-not-a-tenth.md."""
 
 import sys
 

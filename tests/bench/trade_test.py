@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What docs/trade.md recommends is what the programs do by themselves, the import dialogue and the help quote its figures, and every section stands there.
+"""What docs/measurements/trade.md recommends is what the programs do by themselves, the import dialogue and the help quote its figures, and every section stands there.
 
     trade_test.py --bin FOLDER
 """
@@ -34,7 +34,7 @@ def quality_box(module):
     source = ROOT / "editor/importing/quality_figures.cpp"
     told = {name: (float(work), float(error)) for name, work, error in re.findall(r"\{importer::Quality::(\w+), ([\d.]+), ([\d.]+)\}", source.read_text())}
     page = {name: (figures[0], figures[1]) for name, figures in module.table_of(module.kept("levels")).items()}
-    return [f"{source.relative_to(ROOT)}: {name} has {told.get(name)}, docs/trade.md {page.get(name)} (work of a draft, error in %)"
+    return [f"{source.relative_to(ROOT)}: {name} has {told.get(name)}, docs/measurements/trade.md {page.get(name)} (work of a draft, error in %)"
             for name in sorted(told.keys() | page.keys()) if told.get(name) != page.get(name)]
 
 
@@ -48,7 +48,7 @@ def quality_help(module, binaries):
     for said in ("{:.2f}, {:.2f} and {:.2f} % of the span".format(*(error for _, error, *_ in levels)),
                  "{:.2g}, {:.2g} and {:.2g} times the work".format(*(work for work, *_ in levels))):
         if said not in " ".join(told.split()):
-            return [f"detent-import --help: of --quality docs/trade.md says {said}"]
+            return [f"detent-import --help: of --quality docs/measurements/trade.md says {said}"]
     return []
 
 
@@ -57,15 +57,15 @@ def main():
     parser.add_argument("--bin", required=True, type=Path)
     binaries = parser.parse_args().bin
     module, wrong = trade(), []
-    page = (ROOT / "docs/trade.md").read_text()
+    page = (ROOT / "docs/measurements/trade.md").read_text()
     for name, (_, section) in module.SECTIONS.items():
         text = module.kept(name)
         if not text:
-            wrong.append(f"docs/trade.md has no section {name}: tests/bench/trade --write --only {name}")
+            wrong.append(f"docs/measurements/trade.md has no section {name}: tests/bench/trade --write --only {name}")
         elif section.advice not in text:
-            wrong.append(f"docs/trade.md, {name}: the advice is not that of tests/bench/trade")
-        if text and not (ROOT / f"docs/trade-{name}.svg").is_file():
-            wrong.append(f"docs/trade-{name}.svg is not there")
+            wrong.append(f"docs/measurements/trade.md, {name}: the advice is not that of tests/bench/trade")
+        if text and not (ROOT / f"docs/measurements/trade-{name}.svg").is_file():
+            wrong.append(f"docs/measurements/trade-{name}.svg is not there")
     recommended = re.findall(r"\*\*Recommended: `([^`]+)`", page)
     pairs = [pair for line in recommended for pair in re.findall(r"(--[a-z-]+) ([\w-]+)", line)]
     if len(pairs) < 4:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `detent-play calibrate` at a terminal, with sensors that are not as kind as those of docs/first-button.md.
+// `detent-play calibrate` at a terminal, with sensors that are not as kind as those of docs/guide/first-button.md.
 
 #include <atomic>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/first-button.md as a person would follow it: its own command lines, at a terminal, with the sketch of samples/firmware on a
+// docs/guide/first-button.md as a person would follow it: its own command lines, at a terminal, with the sketch of samples/firmware on a
 // simulated sensor behind a pty and a simulated transducer on a sound server.
 
 #include <algorithm>
@@ -141,7 +141,7 @@ class SimulatedTransducer {
 
 /// The page's command lines: what is indented and begins with detent-play, with `port` in the place of the board's.
 std::vector<std::vector<std::string>> commandsOfThePage(const std::string& port) {
-  std::ifstream page(DETENT_SOURCE_DIR "/docs/first-button.md");
+  std::ifstream page(DETENT_SOURCE_DIR "/docs/guide/first-button.md");
   std::vector<std::vector<std::string>> commands;
   const std::string indented = "    detent-play ";
   for (std::string line; std::getline(page, line);) {

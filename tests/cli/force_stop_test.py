@@ -24,7 +24,7 @@ def with_sum(body):
 
 
 class Board:
-    """Answers docs/force-protocol.md with a handle that is held at 2 mm, and keeps every force it was sent."""
+    """Answers docs/reference/force-protocol.md with a handle that is held at 2 mm, and keeps every force it was sent."""
 
     def __init__(self):
         self.master, self.slave = pty.openpty()

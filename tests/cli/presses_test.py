@@ -5,7 +5,7 @@
     presses_test.py --detent-play BIN [--laboratories N] [--table]
 
 The people are made by numpy alone: each has a place and a spread of their own about the laboratory's, drifts, lapses, and
-now and then does not press at all. The default is a short run that finds a broken fit; --laboratories 400 --table prints docs/coverage.md's rows.
+now and then does not press at all. The default is a short run that finds a broken fit; --laboratories 400 --table prints docs/measurements/coverage.md's rows.
 Then bad input: refused with exit code 3, its line, and a remedy."""
 
 import argparse

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Holds what the programs print with --json against docs/schema, unknown fields refused: schema_test.py --root FOLDER --bin FOLDER
+"""Holds what the programs print with --json against docs/reference/schema, unknown fields refused: schema_test.py --root FOLDER --bin FOLDER
 
 schema_cases.json names for each schema command lines whose outputs it describes. {out} is a folder of the schema's own, the project's samples are at
 samples/; the commands of a schema run in order. "| NAME" as the last word: the output is held against that schema instead. "write-record" writes a recorded
@@ -23,7 +23,7 @@ ROOT = BIN = None
 
 
 def closed(schema):
-    """The schema with every object refusing fields it does not list. docs/compatibility.md: others must not refuse them."""
+    """The schema with every object refusing fields it does not list. docs/reference/compatibility.md: others must not refuse them."""
     schema = copy.deepcopy(schema)
 
     def close(part):
@@ -65,10 +65,10 @@ class Schemas(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.schemas = {path.name.removesuffix(".schema.json"): json.loads(path.read_text())
-                       for path in sorted((ROOT / "docs/schema").glob("*.schema.json"))}
+                       for path in sorted((ROOT / "docs/reference/schema").glob("*.schema.json"))}
 
     def test_all_are_schemas_and_listed(self):
-        listed = (ROOT / "docs/schema/README.md").read_text()
+        listed = (ROOT / "docs/reference/schema/README.md").read_text()
         self.assertGreater(len(self.schemas), 15)
         for name, schema in self.schemas.items():
             jsonschema.Draft202012Validator.check_schema(schema)

@@ -4,7 +4,7 @@
 
     study_sensor_test.py --detent-play BIN --samples DIR [--studies N] [--jobs N]
 
-The sensor is a pty that speaks docs/serial-protocol.md. It works until a moment in the first trials, then fails in one of the ways below for
+The sensor is a pty that speaks docs/reference/serial-protocol.md. It works until a moment in the first trials, then fails in one of the ways below for
 good. The participant presses, answers, and answers again, whatever the screen says. Asked of each study:
 
 - its journal holds no answer to a trial whose three stimuli the finger did not press past the bottom-out while the sensor worked;

@@ -7,7 +7,7 @@ timed as well as the journal says.
 
 1. Ten people a laboratory, each with a place and a spread of their own, drift and lapses, press in `study run --simulate presses=FILE`, trial
    by trial with the times of the study's own lists. `study presses FOLDER` then has to hold the laboratory's two figures in its 95 % intervals.
-   --laboratories 100 --table prints docs/coverage.md's rows.
+   --laboratories 100 --table prints docs/measurements/coverage.md's rows.
 2. At a pty the space bar is hit at known times, in a rehearsal: what the journal says lies between is compared with what did.
 3. Likewise a serial sensor's presses, with jackd's dummy driver where it can run; there the journal tells of the tones' delay what jackd says.
 4. Cue, window and German words at the terminal; a key that repeats and a trial without a press begin anew; a dead sensor completes nothing.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Will people tell two buttons apart? From what is felt to d' to errors in an ABX test, before anyone is
-// asked. docs/predicted-confusion.md: sources, what it reaches on K&L's Table 2, and where it fails.
+// asked. docs/reference/predicted-confusion.md: sources, what it reaches on K&L's Table 2, and where it fails.
 
 #include <functional>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a vibration excites in a fingertip: two channels, in steps of 1.25 ms, in dB above their thresholds.
-// docs/predicted-confusion.md has the sources of every number.
+// docs/reference/predicted-confusion.md has the sources of every number.
 
 #include <array>
 #include <cstddef>

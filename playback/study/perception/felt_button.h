@@ -20,7 +20,7 @@ namespace detent::playback {
 inline constexpr std::array<double, 4> pressLengths_s{0.06, 0.10, 0.17, 0.30};
 
 /// One hand for all buttons: how hard it presses at least, by the lengths above; a quick press is a hard one. A button that asks for
-/// more gets a quarter more than its strongest force. docs/predicted-confusion.md has the range over hands.
+/// more gets a quarter more than its strongest force. docs/reference/predicted-confusion.md has the range over hands.
 struct Hand {
   std::array<double, pressLengths_s.size()> least_N{3, 2, 1.5, 1};
 };
@@ -50,7 +50,7 @@ struct FeltButton {
 /// is a picture in the paper; 12 dB and Q = 8 are our assumption.
 DeviceProfile kimLeeApparatus();
 
-/// How a button is felt. Every number has its source in docs/predicted-confusion.md; none is tuned.
+/// How a button is felt. Every number has its source in docs/reference/predicted-confusion.md; none is tuned.
 struct PerceptionSettings {
   DeviceProfile device = kimLeeApparatus();
   PlaybackSettings playback;

@@ -126,7 +126,8 @@ std::string pairJson(const std::string& a, const std::string& b, const Predicted
 
 void addConfusionCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
-      "confusion", "Will people tell these buttons apart? A forecast (docs/predicted-confusion.md)");
+      "confusion",
+      "Will people tell these buttons apart? A forecast (docs/reference/predicted-confusion.md)");
   const auto a = std::make_shared<ConfusionArguments>();
   app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required()->expected(2, 1000);
   app->add_flag("--suggest", a->suggest,

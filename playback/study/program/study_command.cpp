@@ -141,7 +141,7 @@ void addNew(CLI::App& parent, Action& chosen) {
   app->add_option("--pairs-each", a->design.pairsEach, "A random choice of so many pairs each; 0: all")
       ->capture_default_str();
   app->add_flag("--physical", a->physical, "matching: X is a real switch, handed over by number");
-  app->add_option("--profile", a->profileFile, "Device profile (docs/device-profile.md)");
+  app->add_option("--profile", a->profileFile, "Device profile (docs/reference/device-profile.md)");
   app->add_option(
          "--consent", a->consentFiles,
          "Text shown before the first trial, one for each language: NAME.en.txt, NAME.de.txt; any other "

@@ -94,7 +94,7 @@ struct StudyDesign {
       consents;  ///< one for each language; empty: a short standard text in English and in German
 };
 
-/// Trials a kind, and of timing a task, usually needs. Threshold: docs/studies.md has what they come to.
+/// Trials a kind, and of timing a task, usually needs. Threshold: docs/guide/studies.md has what they come to.
 std::size_t usualTrials(StudyKind kind, TimingTask task = TimingTask::cue);
 
 /// One button of a study.

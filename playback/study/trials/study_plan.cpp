@@ -236,7 +236,7 @@ std::vector<FigureTable> thresholdPower() {
 /// What a laboratory's two figures come to: half the width of their 95 % intervals over people. `people` and `trials` of each.
 FigureTable timingPrecision(const Study& study) {
   const StudyDesign& d = study.design;
-  // Between people, and of one press: about what practised people do (Lee & Oulasvirta, CHI 2016; docs/press-forecast.md).
+  // Between people, and of one press: about what practised people do (Lee & Oulasvirta, CHI 2016; docs/reference/press-forecast.md).
   constexpr double spread = 0.09, spreadVaries = 0.25, tapsOfRun = 50;
   const bool tapping = d.task == TimingTask::tapping, window = d.task == TimingTask::window;
   const double placeVaries = tapping ? 0.12 : window ? 0.08 : 0.02;
@@ -379,7 +379,7 @@ std::vector<std::string> analysis(const Study& study) {
   if (d.kind == StudyKind::threshold) {
     all.push_back(
         "Per participant and button: median and 95 % credible interval of the difference told in 75 of "
-        "100, by QUEST+'s belief; prior and ranges as in Detent's docs/studies.md.");
+        "100, by QUEST+'s belief; prior and ranges as in Detent's docs/guide/studies.md.");
     all.push_back("Over participants: geometric mean with Student's 95 % interval of the logarithm.");
     return all;
   }
@@ -474,13 +474,13 @@ std::string foretoldSection(const Study& study, const std::vector<ForetoldPair>&
   if (foretold.empty()) return {};
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < study.givenButtons(); ++i) labels.push_back(study.buttons[i].label);
-  FigureTable told =
-      table("foretold", "Foretold",
-            "By Detent's model of what is felt; how far it can be believed: docs/predicted-confusion.md.",
-            {{"pair", "pair", 0, ""},
-             {"mode", "mode", 0, ""},
-             {"verdict", "foretold", 0, ""},
-             {"reason", "what differs", 0, ""}});
+  FigureTable told = table(
+      "foretold", "Foretold",
+      "By Detent's model of what is felt; how far it can be believed: docs/reference/predicted-confusion.md.",
+      {{"pair", "pair", 0, ""},
+       {"mode", "mode", 0, ""},
+       {"verdict", "foretold", 0, ""},
+       {"reason", "what differs", 0, ""}});
   for (const ForetoldPair& pair : foretold)
     told.rows.push_back({pairName(labels, pair.first, pair.second), std::string(nameOf(pair.mode)),
                          pair.verdict, pair.reason});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One-axis force device: a motor or voice coil on an H-bridge, a quadrature encoder at the handle. Speaks docs/force-protocol.md:
+// One-axis force device: a motor or voice coil on an H-bridge, a quadrature encoder at the handle. Speaks docs/reference/force-protocol.md:
 // the host sends a force every millisecond, or uploads a force table that this program then runs at 4 kHz.
 //
 // Board: any Arduino with 32 bit and native USB (Teensy, RP2040, SAMD, ESP32-S3). Without hardware it has been run against Detent

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Force sensor of the mockup: Interlink FSR 400 to the voltage of the board's inputs, a fixed resistor to ground, the middle to A0.
-// Never 5 V on a board of 3.3 V (RP2040, Zero): docs/first-button.md says which pin on which board.
-// Sends one line per reading, 1000 times a second, as docs/serial-protocol.md says:
+// Never 5 V on a board of 3.3 V (RP2040, Zero): docs/guide/first-button.md says which pin on which board.
+// Sends one line per reading, 1000 times a second, as docs/reference/serial-protocol.md says:
 //
 //     TIME_US,COUNTS*XX        time since start (wraps after 71.6 minutes), reading of the converter, checksum
 //

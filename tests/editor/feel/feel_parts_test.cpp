@@ -257,7 +257,7 @@ class FeelPartsTest : public QObject {
   }
 
   void delaysAreTheMeasuredOnes() {
-    QFile file(DETENT_SOURCE_DIR "/docs/bench-playback.md");
+    QFile file(DETENT_SOURCE_DIR "/docs/measurements/bench-playback.md");
     QVERIFY(file.open(QIODevice::ReadOnly));
     QString text = QString::fromUtf8(file.readAll());
     text = text.mid(text.indexOf("## Force crossing on a 425 Hz serial sensor"));

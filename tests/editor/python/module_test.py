@@ -425,7 +425,7 @@ class Notebooks(unittest.TestCase):
 
 class Page(unittest.TestCase):
     def test_what_the_page_shows_runs(self):
-        text = (ROOT / "docs/python.md").read_text()
+        text = (ROOT / "docs/guide/python.md").read_text()
         code = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.S | re.M))
         ran = subprocess.run([sys.executable, "-c", code], cwd=ROOT, env={**os.environ, "PYTHONPATH": str(BUILD / "python")}, capture_output=True, text=True, check=False)
         self.assertEqual(ran.returncode, 0, ran.stderr)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads every exported file by a reader written from the format's description (docs/export-formats.md names it) and plays it.
+"""Reads every exported file by a reader written from the format's description (docs/reference/export-formats.md names it) and plays it.
 
     formats_test.py DETENT_PLAY
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * play_header: a board that follows a header of `detent-play export --format c` and nothing else, written from the words in that
- * header and on docs/export-formats.md. Compiled with -include button.h.
+ * header and on docs/reference/export-formats.md. Compiled with -include button.h.
  *
  * stdin: the force of each sample in N, as text. stdout: a line "event SAMPLE KIND" per onset (press_jump, release_jump,
  * bottom_out, grain), then "samples" and what sounds at each sample, 48000 a second. */

@@ -5,7 +5,7 @@ which something begins to sound, so that another hand can recount what the files
 
 Sources: DA7280 data sheet revision 3.0, pages 42 to 46 (waveform memory); ISO/IEC 23090-31 as its reference software evaluates it;
 Android's reference of VibrationEffect; OpenXR 1.1 with XR_EXT_haptic_parametric; the .haptic and AHAP conventions in
-docs/export-formats.md, since no maker publishes what an actuator makes of them.
+docs/reference/export-formats.md, since no maker publishes what an actuator makes of them.
 """
 import json
 import math

@@ -197,7 +197,7 @@ class PageInBrowser(unittest.TestCase):
         self.press_until(deep=False)
 
     def test_a_force_sensor_presses(self):
-        """Lines of docs/serial-protocol.md from a port that stands for the real one: newtons, then counts by a device profile."""
+        """Lines of docs/reference/serial-protocol.md from a port that stands for the real one: newtons, then counts by a device profile."""
         self.browser.run("""
           window.lines = [];
           const readable = new ReadableStream({ async pull(c) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One press of one finger as an ordinary differential equation, from docs/press-forecast.md ("Plant") and without the plant's source.
+"""One press of one finger as an ordinary differential equation, from docs/reference/press-forecast.md ("Plant") and without the plant's source.
 The rules of walls and of crossing strokes are those of the product's key_tables.cpp, which was read: there it bears no witness.
 
 Every piece between two events (touch, turn of the pulp, turn of the play, stops, contact, end) is smooth and solved by DOP853;
@@ -22,7 +22,7 @@ NOT, COMPRESSED, RELAXING = range(3)  # the pulp
 
 
 class Stroke:
-    """Force over depth from a file's knots (docs/file-format.md): cubics in Hermite form, the nearest end's force outside."""
+    """Force over depth from a file's knots (docs/reference/file-format.md): cubics in Hermite form, the nearest end's force outside."""
 
     def __init__(self, knots):
         self.starts, self.pieces = [], []
@@ -82,7 +82,7 @@ class Key:
 
 
 class Press:
-    """Solves one press; `outcome` afterwards holds what docs/press-forecast.md speaks of."""
+    """Solves one press; `outcome` afterwards holds what docs/reference/press-forecast.md speaks of."""
 
     def __init__(self, case):
         self.key = Key(case["button"])

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The product's plant of a press against an ODE written from docs/press-forecast.md, and its timed presses against chance.
+"""The product's plant of a press against an ODE written from docs/reference/press-forecast.md, and its timed presses against chance.
 
-    press_ode_test.py PRESS_PROBE [--table]     --table: the largest difference of each figure, for docs/press-forecast.md
+    press_ode_test.py PRESS_PROBE [--table]     --table: the largest difference of each figure, for docs/reference/press-forecast.md
 
 Needs Debian's python3-scipy: without it, SKIPPED.
 """

@@ -496,7 +496,7 @@ TEST_CASE("an ODrive's own velocity limit is out of a finger's reach", "[odrive]
   const OdriveRun run = odrive(settings);
   INFO(run.ran.said);
   CHECK(run.largest_N <= 3.01);
-  // The speed limit of docs/force-feedback.md is 2 m/s.
+  // The speed limit of docs/guide/force-feedback.md is 2 m/s.
   CHECK(run.velocityLimit_mm_per_s >= 2000);
 }
 

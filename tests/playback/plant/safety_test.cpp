@@ -17,7 +17,7 @@ using namespace detent::test;
 
 namespace {
 
-constexpr double startRamp_s = 0.2;    // docs/force-feedback.md: up over 0.2 s
+constexpr double startRamp_s = 0.2;    // docs/guide/force-feedback.md: up over 0.2 s
 constexpr double silenceIn_s = 0.015;  // three readings held, 10 ms down, one or two of grace
 
 const std::vector<std::string> buttons = {"A", "B", "C", "D", "E", "F", "EF", "push", "latch"};
@@ -194,7 +194,7 @@ TEST_CASE("a flicker of 0.5 to 3 mm gives no steps of force, and none at all aft
       for (std::int64_t k = 0; k < 500; ++k) {
         const double force_N = told.step(encoder.reading(k, 3));
         INFO(name << ", " << size_mm << " mm, " << k + 1 << " ms after; " << rest_N << " N before");
-        // It only falls, no faster than the largest force does in the 10 ms of docs/force-feedback.md.
+        // It only falls, no faster than the largest force does in the 10 ms of docs/guide/force-feedback.md.
         REQUIRE(std::abs(force_N) <= std::abs(before_N) + 1e-6);
         REQUIRE(std::abs(force_N - before_N) <= 5 * 0.001 / 0.01 + 1e-6);
         if (k >= 14) REQUIRE(force_N == 0);

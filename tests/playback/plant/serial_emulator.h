@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A microcontroller that speaks docs/force-protocol.md, with the safety that the document asks of it.
+// A microcontroller that speaks docs/reference/force-protocol.md, with the safety that the document asks of it.
 
 #include <cstdint>
 #include <string>

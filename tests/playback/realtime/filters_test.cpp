@@ -26,7 +26,7 @@ TEST_CASE("low-pass: -3 dB at 150 Hz at every rate; what it would do to the burs
       CHECK(magnitude(c, rate, 1) == Approx(1).margin(1e-3));
     }
   }
-  // The figures of docs/decisions/0900: on the whole chain it would take these off the bursts.
+  // The figures of docs/develop/decisions/0900: on the whole chain it would take these off the bursts.
   const auto dB = [](unsigned order, double f) {
     return 20 * std::log10(magnitude(lowPass(48000, 150, order), 48000, f));
   };

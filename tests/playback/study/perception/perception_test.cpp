@@ -46,9 +46,9 @@ double steadyLevel(double frequency_Hz, double amplitude, std::size_t channel) {
 /// K&L, Table 2 (b): errors in 90 by A-B, A-C, B-C, A-D, ...
 const std::vector<double> noisyGroup{3, 2, 5, 1, 3, 10, 0, 4, 5, 5, 1, 4, 1, 0, 2};
 
-/// Spearman's coefficient as docs/predicted-confusion.md prints it in the row that begins with `forecast`.
+/// Spearman's coefficient as docs/reference/predicted-confusion.md prints it in the row that begins with `forecast`.
 double printedSpearman(const std::string& forecast) {
-  std::ifstream page(std::string(DETENT_SOURCE_DIR) + "/docs/predicted-confusion.md");
+  std::ifstream page(std::string(DETENT_SOURCE_DIR) + "/docs/reference/predicted-confusion.md");
   for (std::string line; std::getline(page, line);) {
     line.erase(std::remove(line.begin(), line.end(), '*'), line.end());
     const std::string begin = "| " + forecast + " | ";
@@ -57,7 +57,7 @@ double printedSpearman(const std::string& forecast) {
     if (const std::string minus = "−"; number.rfind(minus, 0) == 0) number.replace(0, minus.size(), "-");
     return std::stod(number);
   }
-  throw std::runtime_error("docs/predicted-confusion.md has no row '" + forecast + "'");
+  throw std::runtime_error("docs/reference/predicted-confusion.md has no row '" + forecast + "'");
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ TEST_CASE("confusion: a button whose forces grow by a millinewton at a time move
       REQUIRE(more);
       const double dPrime = predictConfusion(was, felt(*more)).dPrime;
       CHECK(std::fabs(dPrime - before) <=
-            0.07);  // asked 0.02: docs/decisions/1208-where-two-strokes-begin.md
+            0.07);  // asked 0.02: docs/develop/decisions/1208-where-two-strokes-begin.md
       before = dPrime;
     }
   }
