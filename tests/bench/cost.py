@@ -5,7 +5,7 @@
     cost.py [--bin FOLDER] [--only WORDS] [--check | --accept]
 
 Without an option: prints the table. --accept: writes tests/bench/cost.json and docs/measurements/bench-cost.md. --check: compares with cost.json and
-fails where a job costs more than 5 % beyond it, unless CHANGELOG.md names the job under "Unreleased" as `cost: JOB`. --only: jobs whose
+fails where a job costs more than 5 % beyond it, unless the newest section of CHANGELOG.md names the job as `cost: JOB`. --only: jobs whose
 name contains one of these words, separated by commas. --bin: default build/release/bin.
 
 Instructions do not depend on how loaded a machine is; they depend on the processor's instruction sets (libraries choose their code by them),
@@ -99,9 +99,9 @@ def instruction_sets():
 
 
 def excused():
-    """What the changelog says costs more, on purpose, since the last release."""
-    unreleased = CHANGELOG.read_text().split("## Unreleased", 1)[-1].split("\n## ", 1)[0]
-    return set(re.findall(r"`cost: ([^`]+)`", unreleased))
+    """Jobs that the newest section of the changelog announces as costing more."""
+    newest = CHANGELOG.read_text().split("\n## ", 2)[1]
+    return set(re.findall(r"`cost: ([^`]+)`", newest))
 
 
 def check(costs):
@@ -121,7 +121,7 @@ def check(costs):
         fine = fine and not rose
         print(f"{'ROSE    ' if rose else 'fine    '} {name}: {100 * change:+.1f} % instructions")
     if not fine:
-        print(f"Find what costs more, or say why in CHANGELOG.md under Unreleased (`cost: JOB`), then tests/bench/cost.py --accept.")
+        print(f"Find what costs more, or announce it in the newest section of CHANGELOG.md (`cost: JOB`), then tests/bench/cost.py --accept.")
     return fine
 
 

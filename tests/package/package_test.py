@@ -35,7 +35,8 @@ class Version(unittest.TestCase):
         self.assertTrue((ROOT / "docs/package/debian/changelog").read_text().startswith(f"detent ({project}-"))
         changelog = (ROOT / "CHANGELOG.md").read_text()
         self.assertIn(f"\n## {project} (", changelog)
-        self.assertTrue(changelog.split("\n## ")[1].startswith("Unreleased\n"), "the first part of CHANGELOG.md is what is not released")
+        newest = changelog.split("\n## ")[1]
+        self.assertTrue(newest.startswith(("Unreleased\n", f"{project} (")), "CHANGELOG.md begins with neither this version nor Unreleased")
 
 
 class DebianSource(unittest.TestCase):

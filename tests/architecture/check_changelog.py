@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keeps the newest section of CHANGELOG.md short: check_changelog.py ROOT
+
+Prints FILE:LINE of entries longer than 160 characters, entries of more than one line, and groups of more than ten entries.
+"""
+
+import sys
+from pathlib import Path
+
+MOST_CHARACTERS = 160
+MOST_ENTRIES = 10
+
+
+def findings(text):
+    """Yields (line number, problem) for the newest section."""
+    section, group, entries, comment = 0, "", 0, False
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.startswith("## "):
+            section, group, entries = section + 1, line[3:], 0
+        if section != 1:
+            continue
+        if line.startswith("### "):
+            group, entries = line[4:], 0
+        elif line.startswith("- "):
+            entries += 1
+            if len(line) - 2 > MOST_CHARACTERS:
+                yield number, f"the entry has {len(line) - 2} characters; at most {MOST_CHARACTERS} are allowed"
+            if entries == MOST_ENTRIES + 1:
+                yield number, f"the group '{group}' has more than {MOST_ENTRIES} entries; merge some"
+        elif line.startswith("<!--"):
+            comment = True
+        elif line.strip() and not comment and not line.startswith("## "):
+            yield number, "an entry is one sentence on one line"
+        if line.endswith("-->"):
+            comment = False
+
+
+def main():
+    found = list(findings((Path(sys.argv[1]) / "CHANGELOG.md").read_text(encoding="utf-8")))
+    for number, problem in found:
+        print(f"CHANGELOG.md:{number}: {problem}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
