@@ -51,17 +51,18 @@ def broken_references(root):
 
 
 def undescribed(root):
-    """Options of CMake and presets that README.md does not name, and the other way round."""
-    readme = (root / "README.md").read_text()
+    """Options of CMake and presets that docs/develop/building.md does not name, and the other way round."""
+    name = "docs/develop/building.md"
+    page = (root / name).read_text()
     options = set(re.findall(r"^option\((DETENT_\w+)", (root / "CMakeLists.txt").read_text(), re.M))
-    described = set(re.findall(r"^\| `(DETENT_\w+)` \|", readme, re.M))
+    described = set(re.findall(r"^\| `(DETENT_\w+)` \|", page, re.M))
     for option in sorted(options ^ described):
-        yield f"README.md:1: {option} stands in only one of CMakeLists.txt and README.md"
+        yield f"{name}:1: {option} stands in only one of CMakeLists.txt and this page"
     presets = {preset["name"] for preset in json.loads((root / "CMakePresets.json").read_text())["configurePresets"]
                if not preset.get("hidden")}
     for preset in sorted(presets):
-        if f"| `{preset}` |" not in readme:
-            yield f"README.md:1: the preset {preset} is not described"
+        if f"| `{preset}` |" not in page:
+            yield f"{name}:1: the preset {preset} is not described"
 
 
 def failed_commands(root, programs):
