@@ -41,6 +41,7 @@ test_packages=(
   jackd2 puredata-core
   chromium chromium-driver         # a shared page is opened in it
   umockdev libumockdev-dev         # a Falcon that is none
+  arduino-core-avr gcc-avr avr-libc libsimavr-dev  # tests/firmware
   xvfb xauth xdotool openbox imagemagick fonts-dejavu-core
   locales                          # the editor on a German desktop
   gnuplot-nox                      # tests/accuracy draws with it

@@ -23,23 +23,6 @@
 #include "tests/cli/terminal_program.h"
 #include "tests/playback/device/jack_rig.h"
 #include "tests/playback/device/pty_sensor.h"
-#include "tests/playback/device/sketch_on_host.h"
-
-namespace firmware {
-
-std::atomic<double> force_N{0};
-std::uint32_t time_us = 0;
-
-std::uint32_t micros() { return time_us; }
-/// A sensor whose conductance rises with the force, 10 kOhm to ground, one count of noise.
-int analogRead(std::uint8_t) {
-  static std::mt19937 random(7);
-  std::normal_distribution<double> noise(0, 0.5);
-  const double share = force_N / 5;
-  return static_cast<int>(std::lround(1023 * share / (1 + share) + noise(random)));
-}
-
-}  // namespace firmware
 
 using namespace detent;
 using namespace detent::playback;
@@ -50,14 +33,31 @@ using detent::tests::TerminalProgram;
 
 namespace {
 
-/// Sensor and microcontroller: the sketch runs 1000 times a second and writes into a pty.
+/// On the sensor; set by whoever presses.
+std::atomic<double> force_N{0};
+
+/// One line of docs/serial-protocol.md: a sensor whose conductance rises with the force, 10 kOhm to ground, one count of noise.
+std::string readingAt(std::uint32_t time_us) {
+  static std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.5);
+  const double share = force_N / 5;
+  const auto counts = std::lround(1023 * share / (1 + share) + noise(random));
+  std::string line = std::to_string(time_us) + "," + std::to_string(counts);
+  unsigned checksum = 0;
+  for (const char c : line) checksum ^= static_cast<unsigned char>(c);
+  char tail[8];
+  std::snprintf(tail, sizeof tail, "*%02X\n", checksum);
+  return line + tail;
+}
+
+/// Sensor and microcontroller: 1000 readings a second into a pty.
 class Microcontroller {
  public:
   Microcontroller() : thread_([this] { run(); }) {}
   ~Microcontroller() {
     stopping_ = true;
     thread_.join();
-    firmware::force_N = 0;
+    force_N = 0;
   }
   const std::string& port() const { return pty_.port(); }
   /// The longest it stood still: a board does not, a thread on a machine that has other work does.
@@ -71,31 +71,31 @@ class Microcontroller {
     const double began_s = now_s();
     for (double t = 0; t < 2 * stroke_s + hold_s; t = now_s() - began_s) {
       const double down = std::min(t / stroke_s, (2 * stroke_s + hold_s - t) / stroke_s);
-      firmware::force_N = peak_N * std::clamp(down, 0.0, 1.0);
+      force_N = peak_N * std::clamp(down, 0.0, 1.0);
       sleepUntil(now_s() + 0.001);
     }
-    firmware::force_N = 0;
+    force_N = 0;
   }
 
  private:
   void run() {
     const double began_s = now_s();
-    firmware::setup();
-    double last_s = began_s;
+    pty_.send("# detent-force 1 fsr400 divider 1023\r\n");
+    double last_s = began_s, next_s = began_s;
     while (!stopping_) {
       const double at_s = now_s();
       longestHalt_s_ = std::max(longestHalt_s_.load(), at_s - last_s);
       last_s = at_s;
-      firmware::time_us = static_cast<std::uint32_t>((at_s - began_s) * 1e6);
-      firmware::loop();
-      pty_.send(firmware::sent);
+      const std::string line = readingAt(static_cast<std::uint32_t>((at_s - began_s) * 1e6));
+      pty_.send(line);
       {
         const std::lock_guard lock(mutex_);
-        lines_ = (lines_ + firmware::sent);
+        lines_ += line;
         if (lines_.size() > 400) lines_.erase(0, lines_.size() - 200);
       }
-      firmware::sent.clear();
-      sleepUntil(now_s() + 0.0005);
+      next_s = std::max(next_s + 0.001,
+                        at_s - 0.01);  // after a stall no burst of old times, as the sketch does it
+      sleepUntil(next_s);
     }
   }
 
@@ -179,11 +179,11 @@ void calibrate(const std::vector<std::string>& command, const ProgramFolder& fol
   REQUIRE(program.shows("Lay a weight", 5));
   for (const double mass_g : {0.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
     const std::size_t from = program.screen().size();
-    firmware::force_N = 1e-3 * mass_g * standardGravity_m_per_s2;
+    force_N = 1e-3 * mass_g * standardGravity_m_per_s2;
     program.type(std::to_string(mass_g) + "\n");
     REQUIRE(program.shows(" readings", 20, from));
   }
-  firmware::force_N = 0;
+  force_N = 0;
   program.type("\n");
   CHECK(program.exitCode(5) == 0);
   INFO(program.screen());

@@ -25,6 +25,17 @@ void setup() {
   next_us = micros();
 }
 
+void sendReading(uint32_t time_us, int counts) {
+  char line[32];
+  const int length = snprintf(line, sizeof line, "%lu,%d", (unsigned long)time_us, counts);
+  uint8_t checksum = 0;
+  for (int i = 0; i < length; ++i) checksum ^= (uint8_t)line[i];
+  char tail[8];
+  snprintf(tail, sizeof tail, "*%02X\n", checksum);
+  Serial.print(line);
+  Serial.print(tail);
+}
+
 void loop() {
   while (Serial.available() > 0) {
     if (Serial.read() == '?') greet();
@@ -35,15 +46,4 @@ void loop() {
   // After a stall start anew instead of sending a burst of old times.
   if ((int32_t)(now_us - next_us) > (int32_t)(10 * period_us)) next_us = now_us + period_us;
   sendReading(now_us, analogRead(sensorPin));
-}
-
-void sendReading(uint32_t time_us, int counts) {
-  char line[32];
-  const int length = snprintf(line, sizeof line, "%lu,%d", (unsigned long)time_us, counts);
-  uint8_t checksum = 0;
-  for (int i = 0; i < length; ++i) checksum ^= (uint8_t)line[i];
-  char tail[8];
-  snprintf(tail, sizeof tail, "*%02X\n", checksum);
-  Serial.print(line);
-  Serial.print(tail);
 }

@@ -477,25 +477,6 @@ TEST_CASE("serial force device: a board without a limit of its own is refused, a
                                   : goodBoard(line, 0);
   });
   CHECK_FALSE(SerialForceDevice::open(boastful.port, 230400, 0.001, benchLimits()));
-  firmware::setup();
-  const auto answer = [&](const std::string& body) {
-    std::string text = forceLine(body);
-    text = firmware::exchange(text.substr(0, text.size() - 1));
-    return bodyOf(text.substr(0, text.find('\n')));
-  };
-  CHECK(answer("L,0,0,0,0,0") == "N,limit");
-  CHECK(answer("F,1,2000000").ends_with(",2"));
-  CHECK(firmware::pwm == 0);
-  CHECK(answer("T,2,0,1000000,20000,100,1000000") == "N,limit");
-  CHECK(answer("G").starts_with("N"));
-  CHECK(answer("L,1000000,5000000,2000000,200,15") == "L,1000000,5000000,2000000,200,15");
-  CHECK(answer("T,2,0,1000000,20000,100") == "N,limit");
-  CHECK(answer("T,2,0,1000000,20000,100,1000001") == "N,limit");
-  CHECK(answer("T,2,0,1000000,20000,100,1000000") == "A");
-  answer("F,2,4000000");
-  CHECK(firmware::force_uN == 1000000);
-  firmware::run(16000);  // as long as L said
-  CHECK(firmware::force_uN == 0);
 }
 
 TEST_CASE("serial force device: table, host and simulation keep to the same limit and the same ramp") {
