@@ -80,7 +80,7 @@ double worstRms_px(const GraphFindings& findings) {
 /// Errors of a graph's axes, mm and N, that all its points share.
 PointNoise axisError(const GraphFindings& findings) {
   // A drawing program puts lines on whole pixels and leaves curves where they belong; which way it rounded is not known
-  // unless the frame shows it (docs/develop/decisions/0402-lines-on-whole-pixels.md).
+  // unless the frame shows it (docs/develop/decisions/0401-finding-plot-frames.md).
   constexpr double roundedLine_px = 0.5;
   const bool exact =
       findings.pageClass == PageClass::vector || findings.graph.frame.value.drawnOffset_px != Point{};

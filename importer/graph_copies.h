@@ -2,7 +2,7 @@
 #pragma once
 // Documents show one graph twice: on the drawing page and on the page of its load curve. Copies are known by
 // their axes and by where their strokes run, and the better drawn one is imported
-// (docs/develop/decisions/0803-copies.md).
+// (docs/develop/decisions/0812-several-readings.md).
 
 #include <optional>
 

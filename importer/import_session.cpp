@@ -89,7 +89,7 @@ FitOptions fitOptionsFor(double noise_px, const AxisCalibration& calibration,
                          const QualitySettings& settings) {
   FitOptions options =
       fitOptionsFor(settings.fit, {noise_px * calibration.mmPerPx(), noise_px * calibration.newtonPerPx()});
-  options.noiseAtTactilePoints_share = 1.0 / 3;  // docs/develop/decisions/0200-knots-by-evidence.md
+  options.noiseAtTactilePoints_share = 1.0 / 3;  // docs/develop/decisions/0200-choosing-knots.md
   return options;
 }
 

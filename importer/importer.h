@@ -190,7 +190,7 @@ struct ImportAttempt {
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
 /// it depends on changed. What was found is kept; pages and pixels are kept within a bound on
-/// memory (docs/develop/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled`
+/// memory (docs/develop/decisions/1020-memory-of-imports.md). One thread at a time; `Progress::cancelled`
 /// may be asked from it.
 class ImportSession {
  public:

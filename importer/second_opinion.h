@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A page looked at more than once, at other sizes: what two looks say is believed, where they differ both are told
-// (docs/develop/decisions/0812-second-opinion.md).
+// (docs/develop/decisions/0812-several-readings.md).
 
 #include <functional>
 

@@ -2,7 +2,7 @@
 #pragma once
 // What all plots of the editor share: axes in the user's units, theme, zoom, pan, and two grounds.
 // QCustomPlot draws what rests (page, grid, axes) into its buffer; what moves is painted over it with every
-// frame (docs/develop/decisions/1000-moving-layer.md).
+// frame (docs/develop/decisions/1000-canvas-layers.md).
 
 #include <qcustomplot.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The page behind a button's curves as the button's file keeps it (docs/develop/decisions/1065-the-page-in-the-file.md).
+// The page behind a button's curves as the button's file keeps it (docs/develop/decisions/1064-page-behind-a-button.md).
 
 #include <optional>
 

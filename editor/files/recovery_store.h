@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Autosave and recovery: one folder per running editor with a file per modified document
-// (docs/develop/decisions/1060-recovery.md).
+// (docs/develop/decisions/1060-recovery-and-conflicts.md).
 
 #include <memory>
 #include <QHash>

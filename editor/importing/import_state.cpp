@@ -425,7 +425,7 @@ void ImportState::selectGraph(GraphId id) {
 }
 
 /// A result carries the pixels it was read from and a picture of them, 10 to 60 MB: besides the current one
-/// only small ones are kept (docs/develop/decisions/1021-what-the-import-dialogue-keeps.md).
+/// only small ones are kept (docs/develop/decisions/1020-memory-of-imports.md).
 void ImportState::letOldResultsGo() {
   constexpr std::size_t mostBytes = std::size_t{24} << 20;
   std::erase(lookedAt_, *current_);

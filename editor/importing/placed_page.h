@@ -10,7 +10,7 @@ namespace detent::editor {
 
 /// How much of the press curve must lie on ink of the page, 0..1: a dashed line has more than its gaps, a page that lies wrongly
 /// only where gridlines cross, a curve that was reshaped by hand what is left of it. Not yet counted over many sheets
-/// (docs/develop/decisions/1064-the-page-comes-back.md).
+/// (docs/develop/decisions/1064-page-behind-a-button.md).
 constexpr double leastOnInk = 0.5;
 
 /// The part of the sheet around the button's plot frame. Turned pages are laid by quarters so that the ink lies under the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where everything is on the screen, for tests that work the real window with mouse and keys
-// (docs/develop/decisions/1061-finding-widgets-from-outside.md).
+// (docs/develop/decisions/1061-finding-widgets.md).
 
 #include <QObject>
 #include <QTimer>

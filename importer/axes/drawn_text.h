@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Short texts drawn as a plotting program would, to be held against pixels too few for the text engine
-// (docs/develop/decisions/0408-small-labels-together.md).
+// (docs/develop/decisions/0408-small-print.md).
 
 #include <map>
 #include <string>

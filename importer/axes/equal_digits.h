@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Print whose equal digits are equal to the pixel, as programs draw it that smooth nothing: what the text engine makes of one digit
-// at one place it has to make of it everywhere (docs/develop/decisions/0411-equal-digits.md).
+// at one place it has to make of it everywhere (docs/develop/decisions/0408-small-print.md).
 
 #include <cstdint>
 #include <optional>

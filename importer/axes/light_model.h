@@ -2,7 +2,7 @@
 #pragma once
 // Tesseract's model without what makes up nine tenths of its start: a table of letters that older recognisers confused.
 // The engine looks every letter of that table up among the model's own; with those renamed to private code points it
-// finds none and skips it. docs/develop/decisions/0404-start-of-the-text-engine.md
+// finds none and skips it. docs/develop/decisions/0406-text-engine.md
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Labels too small for the text engine, read together: the numbers of an axis count on evenly, so that what a few pixels
-// of one digit leave open the others settle (docs/develop/decisions/0408-small-labels-together.md).
+// of one digit leave open the others settle (docs/develop/decisions/0408-small-print.md).
 
 #include <optional>
 #include <string>

@@ -41,7 +41,7 @@ struct FitOptions {
   int evidenceRounds = 2;        ///< rounds of taking out, adding and rounding off knots; 0..20
 };
 
-/// Settings of the three levels (figures: docs/develop/decisions/0200-knots-by-evidence.md).
+/// Settings of the three levels (figures: docs/develop/decisions/0200-choosing-knots.md).
 FitOptions fitOptionsFor(FitEffort effort, PointNoise noise);
 
 }  // namespace detent::importer

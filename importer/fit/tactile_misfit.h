@@ -8,7 +8,7 @@
 namespace detent::importer {
 
 /// Distance of a tactile point of the chain from the mean of several local models of the points around it, each as likely as its
-/// evidence says, the chain's own pieces among them (Hoeting et al. 1999; docs/develop/decisions/0204-misfit-of-tactile-points.md).
+/// evidence says, the chain's own pieces among them (Hoeting et al. 1999; docs/develop/decisions/0204-errors-of-tactile-points.md).
 struct TactileMisfit {
   double u = 0, v = 0;  ///< sigmas, signed: model mean - chain
 };

@@ -2,7 +2,7 @@
 #pragma once
 // Where plots stand by their numbers alone: a row of words at even distances, and a column of them at its left end.
 // Lines are not asked, so frames that are pale, broken, open or absent are found as well.
-// docs/develop/decisions/0401-frames-and-numbers.md
+// docs/develop/decisions/0401-finding-plot-frames.md
 
 #include <vector>
 

@@ -30,7 +30,7 @@ struct PlotFrame {
       xLines;  ///< vertical gridlines and ticks, left to right (position = x at the bottom edge)
   std::vector<GridLine> yLines;  ///< horizontal ones, top to bottom (position = y at the left edge)
   /// Drawn minus meant place of frame, gridlines and ticks: programs that round lines to whole pixels but not
-  /// curves shift them (docs/develop/decisions/0402-lines-on-whole-pixels.md). Corners and lines here are where they
+  /// curves shift them (docs/develop/decisions/0401-finding-plot-frames.md). Corners and lines here are where they
   /// are drawn.
   Point drawnOffset_px;
   PaperBy paper = PaperBy::page;  ///< what its lines and numbers stand out of

@@ -32,7 +32,7 @@ void fromRgb(const JSAMPLE* from, std::uint8_t* to, int width) {
 }
 
 /// The pixels that share one colour (4:2:0, 4:2:2), where they are more than one and not more than a view averages anyway
-/// (docs/develop/decisions/0305-large-pictures.md).
+/// (docs/develop/decisions/0300-page-views-and-large-pictures.md).
 std::optional<ColourBlock> sharedColour(const jpeg_decompress_struct& jpeg) {
   constexpr double averaged_px = 16e6;
   if (jpeg.jpeg_color_space != JCS_YCbCr || jpeg.num_components != 3) return {};

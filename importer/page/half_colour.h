@@ -13,7 +13,7 @@ struct ColourBlock {
 
 /// Makes red, green and blue of brightness, Cb and Cr (JFIF's, full range, in the picture's first three channels; colour
 /// the same all over a block). Within a block colour follows brightness as it does around it, so that a line keeps its
-/// colour and the paper beside it has none (docs/develop/decisions/0505-colour-at-half-resolution.md).
+/// colour and the paper beside it has none (docs/develop/decisions/0500-colours-of-curves.md).
 void colourByBrightness(StoredPicture& picture, ColourBlock block);
 
 }  // namespace detent::importer

@@ -2,7 +2,7 @@
 // Which fonts of MuPDF's library the programs carry. The functions at the end are MuPDF's own (mupdf/fitz/font.h); the linker takes these
 // definitions and leaves out the library's, with a table of 40 MB of fonts for every script ever written. Kept are the fourteen of
 // PDF, one for Chinese, Japanese and Korean, and those of the scripts and symbols datasheets are printed in. They are drawn where
-// a page does not bring its font; texts are read without them (docs/develop/decisions/0009-what-the-package-carries.md). Any thread.
+// a page does not bring its font; texts are read without them (docs/develop/decisions/0009-contents-of-the-package.md). Any thread.
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a picture file says about itself before a single pixel is decoded;
-// docs/develop/decisions/0301-what-a-file-may-claim.md. Private to importer/page.
+// docs/develop/decisions/0301-input-limits.md. Private to importer/page.
 
 #include <optional>
 #include <span>

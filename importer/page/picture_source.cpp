@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures: the page is the picture, a view is a crop of its own pixels; of what is larger than any plot
-// needs, pixels are averaged (docs/develop/decisions/0305-large-pictures.md).
+// needs, pixels are averaged (docs/develop/decisions/0300-page-views-and-large-pictures.md).
 
 #include <algorithm>
 #include <cmath>

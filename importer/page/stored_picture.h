@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pixels as a picture file stores them, one decoder per format. Private to importer/page. The libraries' own limits are
-// set from the size that the header claims, which was held against ours before (docs/develop/decisions/0301-what-a-file-may-claim.md).
+// set from the size that the header claims, which was held against ours before (docs/develop/decisions/0301-input-limits.md).
 
 #include <cstddef>
 #include <cstdint>

@@ -97,7 +97,7 @@ double crossedShare(const Course& a, const Course& b) {
 }
 
 /// How far the far ends of both lie from the other line, of the two the nearer one, in shares of the room both take: of measured switches
-/// no release begins farther than 0.007 from its press (docs/develop/decisions/0809-ink-left-over.md).
+/// no release begins farther than 0.007 from its press (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 double gapAtTheEnds(const Course& a, const Course& b) {
   const Box both = a.room_px.joined(b.room_px);
   const auto inShares = [&](const Course& course) {

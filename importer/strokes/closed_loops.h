@@ -21,7 +21,7 @@ std::vector<std::vector<std::size_t>> closedLoops(const std::vector<CurveTrace>&
                                                   const std::vector<std::size_t>& drawn);
 
 /// Whether two curves are strokes of one switch by their course alone: they begin and end in one place, and one lies above the other all the
-/// way. Two presses have walls of their own (docs/develop/decisions/0814-styles-never-seen.md).
+/// way. Two presses have walls of their own (docs/develop/decisions/0814-unseen-styles.md).
 bool closeInOnePoint(const CurveTrace& first, const CurveTrace& second);
 
 /// One group for each curve, where all are drawn in inks of their own and no two of them can be the strokes of one switch:

@@ -270,7 +270,7 @@ bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
 }
 
 /// Friction delays what a switch does: on its way back the drop comes at less displacement. One that comes later is
-/// another switch's; both by increasing displacement (docs/develop/decisions/0809-ink-left-over.md).
+/// another switch's; both by increasing displacement (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
   constexpr double late = 0.05;  // of the travel; of 192 pairs 0.035 at most, of a named dome more
   const double travel_mm = press.points.back().displacement_mm - press.points.front().displacement_mm;

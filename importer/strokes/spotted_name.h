@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A switch's name in letters that the text engine does not read: the person says it, it is drawn and looked for on the page.
-// docs/develop/decisions/0702-names-that-are-drawn.md
+// docs/develop/decisions/0701-several-switches.md
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Two lines in one direction of colour and of different strength: black and grey, blue and pale blue. An ink's direction does not
-// tell them apart, as mixing with paper keeps it; how strong a line is at its core does (docs/develop/decisions/0514-shades.md).
+// tell them apart, as mixing with paper keeps it; how strong a line is at its core does (docs/develop/decisions/0500-colours-of-curves.md).
 
 #include <optional>
 #include <vector>

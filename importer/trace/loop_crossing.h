@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Whether the two strokes found in one ink are the upper and the lower outline of two lines that cross, as the presses of two
-// switches do (docs/develop/decisions/0809-ink-left-over.md). Press and release of one switch may touch; they never cross.
+// switches do (docs/develop/decisions/0809-several-curves-in-one-colour.md). Press and release of one switch may touch; they never cross.
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pieces of line joined end to end into strokes that run from the left of the plot to the right;
-// docs/develop/decisions/0303-curves-from-paths.md. Private to importer/trace.
+// docs/develop/decisions/0303-curves-from-vector-paths.md. Private to importer/trace.
 
 #include <cstddef>
 #include <optional>

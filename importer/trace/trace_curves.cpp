@@ -428,7 +428,7 @@ bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& tra
 /// In a small picture colours run into each other, and strokes that lie close have none of their own; in one of medium size
 /// steep thin lines lose theirs where colour is stored at half resolution. Where a stroke was lost by its colour both are
 /// followed in one ink, provided that what the colours told lies on them and that each name of a legend stays with one of
-/// them (docs/develop/decisions/0408-small-labels-together.md).
+/// them (docs/develop/decisions/0408-small-print.md).
 std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTrace>& traces,
                                                       const PlotInks& plot, const TraceOptions& options,
                                                       const Progress& progress) {

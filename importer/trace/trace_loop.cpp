@@ -38,7 +38,7 @@ Failure doubtfulFailure(double confidence) {
                    "curves");
 }
 
-/// A third curve over this share of the frame's width is another switch's (docs/develop/decisions/0809-ink-left-over.md).
+/// A third curve over this share of the frame's width is another switch's (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 constexpr double kAnotherCurve = 0.41;
 
 Failure severalLoopsFailure(Rgb color) {

@@ -7,7 +7,7 @@
 namespace detent::importer {
 
 /// Empty if the curves are not among the view's paths, or only parts of them (then the raster is traced;
-/// docs/develop/decisions/0507-paths-in-pieces.md). Grid, frame, leaders,
+/// docs/develop/decisions/0303-curves-from-vector-paths.md). Grid, frame, leaders,
 /// arrows, glyph outlines, legend samples and markers are told from curves. Where both strokes share one ink,
 /// `stroke` is set.
 std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame, const AxesFound& axes,

@@ -14,7 +14,7 @@ constexpr int loopPriority =
     70;  // above the audio callback (JACK: 65): a late force is felt, a late sample heard
 constexpr double punctual_s = 100e-6;
 // A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits out what is left awake: at
-// most 3 % of a processor (docs/develop/decisions/1106-waiting-of-the-force-loop.md).
+// most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
 constexpr double longestAwake_s = 30e-6, awakeOfPeriod = 0.03;
 constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
 constexpr double queuePause_s = 0.0005;

@@ -312,7 +312,7 @@ struct Fit {
 };
 
 /// Least squares over the windows, where a stay counts as much as its rounding lets it; the errors are those of force and rounding,
-/// carried through windows, weights and solution (docs/develop/decisions/1108-errors-of-an-identification.md).
+/// carried through windows, weights and solution (docs/develop/decisions/1108-errors-of-identification.md).
 Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& stays, const Columns& columns) {
   constexpr int passes = 3;  // the first knows no weights yet, the last changes them no more
   const Equations equations = equationsOf(samples, windows, columns);

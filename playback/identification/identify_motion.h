@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From the movement of a free handle under known forces to what moves: mass, Coulomb friction, damping, and how late and how slowly the
-// motor follows, with standard errors. Model and what was tried: docs/develop/decisions/1110-what-a-device-says-of-itself.md.
+// motor follows, with standard errors. Model and what was tried: docs/develop/decisions/1110-identifying-devices.md.
 
 #include <cstddef>
 #include <vector>

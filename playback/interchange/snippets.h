@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Courses of levels as snippets of the DA728x's waveform memory: 100 bytes for all. docs/develop/decisions/0919-a-unit-for-every-piece.md
+// Courses of levels as snippets of the DA728x's waveform memory: 100 bytes for all. docs/develop/decisions/0913-exporting-presses.md
 
 #include <array>
 #include <cstddef>

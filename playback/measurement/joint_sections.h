@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // All peaking sections of a response at one common minimum: skirts of neighbours, the level they stand on and the heights
-// themselves share every frequency, so none is read off a peak alone. docs/develop/decisions/0916-sections-fitted-together.md
+// themselves share every frequency, so none is read off a peak alone. docs/develop/decisions/0916-fitting-resonances.md
 
 #include <optional>
 #include <vector>

@@ -77,7 +77,7 @@ struct PlaybackSettings {
   double grainDuration_s =
       0.020;  ///< not given by K&L. 3 cycles: PseudoBend (UIST 2019) uses 3, HapticButton 5; (0, 1]
   double grainAmplitude = 0.5;  ///< not given by K&L, only that jumps are clearly stronger; [0, 1]
-  GrainCarrier grainCarrier = GrainCarrier::running;  ///< docs/develop/decisions/0905
+  GrainCarrier grainCarrier = GrainCarrier::running;  ///< docs/develop/decisions/0900
   double highPass_Hz = 20;  ///< of the grains: nothing constant reaches a transducer; 0: none; [0, 100]
   LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/develop/decisions/0900
   double lowPassCutoff_Hz = 150;  ///< "a low-pass filter with cutoff frequency of 150Hz"; (0, 20000]

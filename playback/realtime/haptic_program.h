@@ -86,7 +86,7 @@ struct StateProgram {
 /// Where the 150 Hz low-pass stands (docs/develop/decisions/0900).
 enum class LowPassPlacement : std::uint8_t { slopeOnly, wholeChain, none };
 
-/// What a grain does to the sine of the one still sounding (grain_voice.h, docs/develop/decisions/0905).
+/// What a grain does to the sine of the one still sounding (grain_voice.h, docs/develop/decisions/0900).
 enum class GrainCarrier : std::uint8_t {
   running,     ///< it runs on, only the envelope begins anew
   retriggered  ///< it begins anew too: for comparison; fast strokes lose their vibration

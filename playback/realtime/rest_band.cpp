@@ -8,7 +8,7 @@ namespace detent::playback {
 
 namespace {
 
-// Claims of docs/develop/decisions/0917.
+// Claims of docs/develop/decisions/0906.
 constexpr double negligible_N = 0.001;
 constexpr double fewestTurns = 2.5;   // half swings within the window: 6 Hz and above
 constexpr double surestTurns = 8;     // more do not tell a drift more surely

@@ -42,7 +42,7 @@ class SwingWindow {
 };
 
 /// Holds the force while it only swings. What does not swing passes bit for bit: of a movement, however slow, nothing is held, since it
-/// does not come back within a quarter of a second. The numbers are claims of docs/develop/decisions/0917. Any thread, one owner; no allocation.
+/// does not come back within a quarter of a second. The numbers are claims of docs/develop/decisions/0906. Any thread, one owner; no allocation.
 class RestBand {
  public:
   /// `most_N`: a swing over more is movement; 0: everything passes.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A stroke tracker on a button that may feel different at different speeds: how fast a press is, is told while it goes on, and the tables
-// of that speed are put under the finger (docs/develop/decisions/1112).
+// of that speed are put under the finger (docs/develop/decisions/1111).
 
 #include <array>
 #include <cstdint>

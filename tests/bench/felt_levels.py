@@ -4,7 +4,7 @@
 and steepness.
 
 Apart from the engine: presses, weights and levels are computed here (numpy, scipy), from sound files the program writes. Figures:
-docs/develop/decisions/0915-the-jump-comes-through.md.
+docs/develop/decisions/0915-clear-feel.md.
 """
 import argparse
 import csv

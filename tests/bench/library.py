@@ -307,7 +307,7 @@ def main():
         if options.clones:
             bench.clones(options.clones.resolve())
         if options.no_errors:
-            bench.say("\n## Errors of the figures\n\nBy kind of curve, on seeds that nothing was chosen on: [0813](../develop/decisions/0813-errors-of-measured-figures.md).")
+            bench.say("\n## Errors of the figures\n\nBy kind of curve, on seeds that nothing was chosen on: [0813](../develop/decisions/0813-errors-of-library-figures.md).")
         else:
             bench.coverage()
         bench.five_thousand(database)

@@ -3,7 +3,7 @@
 """rest_under_a_hand.py DETENT_PLAY [OTHER_DETENT_PLAY]: what a resting finger feels of hum, tremor and noise, and what that costs a press.
 
 Finger, hum and tremor are made here (numpy), apart from the product and its tests. With a second program, how much later the second one
-plays each jump and bottom-out. Figures: docs/develop/decisions/0917-a-swing-is-rest.md.
+plays each jump and bottom-out. Figures: docs/develop/decisions/0906-sensor-noise.md.
 """
 import argparse
 import csv

@@ -5,7 +5,7 @@
     /usr/bin/python3 tests/bench/threshold_limits.py [--ways]
 
 All questions at the one best difference, slope and lapses known beforehand. Prints rows of docs/measurements/coverage.md. With --ways: what four ways past it come
-to with simulated observers, each question the one that leaves the least doubt; rows of docs/develop/decisions/1211-sixty-questions-are-not-a-tenth.md."""
+to with simulated observers, each question the one that leaves the least doubt; rows of docs/develop/decisions/1207-thresholds-and-ratings.md."""
 
 import sys
 

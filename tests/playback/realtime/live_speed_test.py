@@ -4,7 +4,7 @@
 
     live_speed_test.py LIVE_SPEED_PROBE DETENT_PLAY [--figures]
 
-From decisions 1111 and 1112: the force at a place is straight in speed between two stated speeds and held beyond; a press belongs to the
+From decision 1111: the force at a place is straight in speed between two stated speeds and held beyond; a press belongs to the
 speed at which it goes from 10 to 90 % of the travel; live that speed is known once the press shows it, at the latest at its first jump.
 """
 

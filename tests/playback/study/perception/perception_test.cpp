@@ -142,7 +142,7 @@ TEST_CASE("confusion: a button whose forces grow by a millinewton at a time move
       REQUIRE(more);
       const double dPrime = predictConfusion(was, felt(*more)).dPrime;
       CHECK(std::fabs(dPrime - before) <=
-            0.07);  // asked 0.02: docs/develop/decisions/1208-where-two-strokes-begin.md
+            0.07);  // asked 0.02: docs/develop/decisions/1202-forecast-of-confusion.md
       before = dPrime;
     }
   }
