@@ -9,7 +9,7 @@
 
 namespace detent::importer {
 
-/// Median distance between the records of one switch in two laboratories, over the pairs of docs/guide/library.md. Below it nobody can say
+/// Median distance between the records of one switch in two laboratories, over the pairs of docs/measurements/bench-library.md. Below it nobody can say
 /// that two records are of different switches. `library_bench` prints it.
 inline constexpr double labNoise_gf = 3.2;
 

@@ -29,7 +29,7 @@ class CoverageCount {
   std::size_t count() const { return count_; }
   double rms() const { return std::sqrt(squares_ / static_cast<double>(std::max<std::size_t>(1, count_))); }
   double worst() const { return worst_; }
-  /// "68.1 (65.1 to 71.0) | 95.2 (93.6 to 96.4)": per cent, with Wilson's 95 % interval of the count.
+  /// "68.1 (65.1–71.0) | 95.2 (93.6–96.4)": per cent, with Wilson's 95 % interval of the count.
   std::string text95() const { return share(within95_); }
   std::string text() const { return share(within68_) + " | " + share(within95_); }
 
@@ -37,7 +37,7 @@ class CoverageCount {
   std::string share(std::size_t inside) const {
     const playback::Interval interval = playback::wilson({inside, count_});
     char text[64];
-    std::snprintf(text, sizeof text, "%.1f (%.1f to %.1f)", 100 * playback::rateOf({inside, count_}),
+    std::snprintf(text, sizeof text, "%.1f (%.1f–%.1f)", 100 * playback::rateOf({inside, count_}),
                   100 * interval.low, 100 * interval.high);
     return text;
   }

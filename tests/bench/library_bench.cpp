@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// library_bench DATABASE [--out docs/guide/library.md]: is a switch found by another laboratory's record of it? The database holds clones of
+// library_bench DATABASE [--out docs/measurements/bench-library.md]: is a switch found by another laboratory's record of it? The database holds clones of
 // force-curves-tidy and of the Open-Switch curve meter, indexed by detent-import. Pairs are switches of one name in both; weights are
-// fitted without the pair that is judged. Figures: docs/guide/library.md, between the marks.
+// fitted without the pair that is judged. Figures: docs/measurements/bench-library.md, between the marks.
 
 #include <algorithm>
 #include <array>
@@ -246,7 +246,7 @@ std::string rowOf(const char* name, const Outcomes& outcomes) {
   for (const Outcome& each : outcomes) ranks.push_back(each.rank);
   const auto [low, high] = wilson(upTo(10), count);
   char text[240];
-  std::snprintf(text, sizeof text, "| %s | %.0f %% | %.0f %% | **%.0f %%** (%.0f to %.0f) | %g |\n", name,
+  std::snprintf(text, sizeof text, "| %s | %.0f %% | %.0f %% | **%.0f %%** (%.0f–%.0f) | %g |\n", name,
                 100 * upTo(1) / count, 100 * upTo(5) / count, 100 * upTo(10) / count, 100 * low, 100 * high,
                 medianOf(ranks));
   return text;
@@ -327,7 +327,8 @@ int putInto(const std::string& path, const std::string& table) {
   const std::string open = "<!-- library_bench -->\n", close = "<!-- /library_bench -->";
   const std::size_t from = text.find(open), to = text.find(close);
   if (from == std::string::npos || to == std::string::npos) {
-    std::fprintf(stderr, "%s: no marks of library_bench. Pass docs/guide/library.md.\n", path.c_str());
+    std::fprintf(stderr, "%s: no marks of library_bench. Pass docs/measurements/bench-library.md.\n",
+                 path.c_str());
     return 2;
   }
   text.replace(from + open.size(), to - from - open.size(), table);
@@ -339,7 +340,7 @@ int putInto(const std::string& path, const std::string& table) {
 
 int main(int argc, char** argv) {
   if (argc != 2 && !(argc == 4 && std::string(argv[2]) == "--out")) {
-    std::fprintf(stderr, "library_bench DATABASE [--out docs/guide/library.md]\n");
+    std::fprintf(stderr, "library_bench DATABASE [--out docs/measurements/bench-library.md]\n");
     return 2;
   }
   const auto store = LibraryStore::openToRead(argv[1]);

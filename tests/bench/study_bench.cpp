@@ -42,7 +42,7 @@ void row(const char* test, std::size_t studies, StudyRandom& random,
   Count alarms{0, studies};
   for (std::size_t i = 0; i < studies; ++i) alarms.errors += p(random) <= level ? 1 : 0;
   const Interval interval = wilson(alarms);
-  std::printf("| %s | %zu | %.2f (%.2f to %.2f) |\n", test, studies, 100 * rateOf(alarms), 100 * interval.low,
+  std::printf("| %s | %zu | %.2f (%.2f–%.2f) |\n", test, studies, 100 * rateOf(alarms), 100 * interval.low,
               100 * interval.high);
   std::fflush(stdout);
 }
@@ -127,7 +127,7 @@ void thresholdRow(const char* observers, std::size_t trials, std::size_t count, 
     return 100 * values[values.size() / 2];
   };
   const Interval interval = wilson(within);
-  std::printf("| %s | %zu | %zu | %.1f (%.1f to %.1f) | %.0f | %.0f |\n", observers, trials, count,
+  std::printf("| %s | %zu | %zu | %.1f (%.1f–%.1f) | %.0f | %.0f |\n", observers, trials, count,
               100 * rateOf(within), 100 * interval.low, 100 * interval.high, middle(off), middle(width));
   std::fflush(stdout);
 }
@@ -177,7 +177,7 @@ void preferenceRow(std::size_t people, double tasteSd, std::size_t count, StudyR
     within.errors += scores.intervals[0].low <= 0 && scores.intervals[0].high >= 0 ? 1 : 0;
   }
   const Interval interval = wilson(within);
-  std::printf("| %zu people, tastes differ by %.1f | %zu | %.1f (%.1f to %.1f) |\n", people, tasteSd, count,
+  std::printf("| %zu people, tastes differ by %.1f | %zu | %.1f (%.1f–%.1f) |\n", people, tasteSd, count,
               100 * rateOf(within), 100 * interval.low, 100 * interval.high);
   std::fflush(stdout);
 }

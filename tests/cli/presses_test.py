@@ -134,7 +134,7 @@ def main():
                 if not options.table and name.startswith("none"):
                     continue
                 place, spread, ratio = covered(options.detent_play, task, habits, n, folder)
-                words = [f"{100 * share:.1f} ({100 * wilson(share, n)[0]:.1f} to {100 * wilson(share, n)[1]:.1f})" for share in (place, spread)]
+                words = [f"{100 * share:.1f} ({100 * wilson(share, n)[0]:.1f}–{100 * wilson(share, n)[1]:.1f})" for share in (place, spread)]
                 if options.table:
                     print(f"| {task} | {name} | {n} | {words[0]} | {words[1]} | {ratio:.3f} |", flush=True)
                 for what, share in (("place", place), ("spread", spread)):

@@ -104,7 +104,7 @@ def coverage(program, samples, laboratories, table, folder):
             found = numpy.array(list(pool.map(lambda seed, t=task, e=empty: laboratory(program, e, t, seed, folder), range(laboratories))), dtype=float)
         place, spread, ratio = found.mean(axis=0)
         if table:
-            words = [f"{100 * s:.1f} ({100 * wilson(s, laboratories)[0]:.1f} to {100 * wilson(s, laboratories)[1]:.1f})" for s in (place, spread)]
+            words = [f"{100 * s:.1f} ({100 * wilson(s, laboratories)[0]:.1f}–{100 * wilson(s, laboratories)[1]:.1f})" for s in (place, spread)]
             print(f"| {task} | {laboratories} | {words[0]} | {words[1]} | {ratio:.3f} |", flush=True)
         for what, share in (("place", place), ("spread", spread)):
             if wilson(share, laboratories)[1] < 0.90 or not 0.9 < ratio < 1.1:
