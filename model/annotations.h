@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What people keep beside a button in its file: remarks, earlier forms, and what an edit has to keep together. No part of the
-// button: nothing here is felt, and two buttons that differ in it alone are the same.
+// Data stored beside a button in its file: notes, named versions and links. They are not part of the button:
+// two buttons that differ only in these are equal.
 
 #include <cstddef>
 #include <optional>
@@ -13,24 +13,24 @@
 
 namespace detent {
 
-/// A remark at a place of a stroke; it stands on the curve whatever becomes of that.
+/// A remark at a place on a stroke. It follows the curve when the curve changes.
 struct Note {
-  std::size_t state = 0;  ///< counted from 0; of a state the button does not have: kept, not shown
+  std::size_t state = 0;  ///< counted from 0; kept but not shown if the button has no such state
   Stroke stroke = Stroke::press;
-  double displacement_mm = 0;  ///< beyond the stroke: at its nearer end
+  double displacement_mm = 0;  ///< clamped to the stroke
   std::string text;            ///< not empty
   friend bool operator==(const Note&, const Note&) = default;
 };
 
-/// A form of the button under a name.
+/// A named earlier form of the button.
 struct NamedVersion {
   std::string name;                 ///< not empty, unique in the file
-  std::string saved;                ///< ISO 8601, UTC; empty where not known
-  std::vector<ButtonState> states;  ///< a valid button's
+  std::string saved;                ///< ISO 8601, UTC; empty if unknown
+  std::vector<ButtonState> states;  ///< states of a valid button
   friend bool operator==(const NamedVersion&, const NamedVersion&) = default;
 };
 
-/// A place of a stroke whose force and displacement no edit changes.
+/// A place on a stroke whose force and displacement no edit may change.
 struct PinnedPoint {
   std::size_t state = 0;  ///< counted from 0
   Stroke stroke = Stroke::press;
@@ -38,11 +38,11 @@ struct PinnedPoint {
   friend bool operator==(const PinnedPoint&, const PinnedPoint&) = default;
 };
 
-/// What edits keep together.
+/// Constraints that every edit keeps.
 struct EditLinks {
   bool oneTravelEnd = false;  ///< both strokes of all states end at one displacement
   std::optional<double>
-      releaseBelowPress_N;  ///< >= 0: each release is its press less this (mirrorPressToRelease)
+      releaseBelowPress_N;  ///< >= 0: each release equals its press less this force (mirrorPressToRelease)
   std::vector<PinnedPoint> pinned;
   bool empty() const { return !oneTravelEnd && !releaseBelowPress_N && pinned.empty(); }
   friend bool operator==(const EditLinks&, const EditLinks&) = default;

@@ -12,13 +12,14 @@
 namespace detent {
 namespace {
 
-/// Features closer than this share of the travel are one place; what lies between them would be stretched without bounds.
+/// Features closer than this share of the travel are treated as one, because the stretch between them has no
+/// finite scale.
 constexpr double leastGapOfTravel = 1e-3;
 
-/// Knots of two curves whose places differ by rounding alone are one, in shares of the way between two features.
+/// Knots of two curves closer than this share of a stretch are the same knot (rounding).
 constexpr double samePlace = 1e-9;
 
-/// Displacements of features, the most telling first; nothing where a curve has none.
+/// Displacements of features, most significant first; nullopt if a curve lacks the feature.
 using Features = std::vector<std::optional<double>>;
 
 Features featuresOf(const ButtonState& state, Stroke stroke, const SectionSettings& settings) {
@@ -40,7 +41,7 @@ Features featuresOf(const ButtonState& state, Stroke stroke, const SectionSettin
   return features;
 }
 
-/// One curve with the displacements of the features that all of the curves share, its two ends among them; increasing.
+/// One curve with the displacements of the features that all curves share, increasing, including both ends.
 struct AlignedCurve {
   const StrokeCurve* curve = nullptr;
   std::vector<double> marks_mm;
@@ -48,7 +49,7 @@ struct AlignedCurve {
   double length_mm(std::size_t interval) const { return marks_mm[interval + 1] - marks_mm[interval]; }
   std::size_t lastInterval() const { return marks_mm.size() - 2; }
 
-  /// The number of features passed plus the share of the way to the next.
+  /// Number of passed features plus the share of the way to the next.
   double placeOf(double displacement_mm) const {
     const auto above = std::ranges::upper_bound(marks_mm, displacement_mm);
     const auto passed = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - marks_mm.begin() - 1, 0));
@@ -61,7 +62,8 @@ struct AlignedCurve {
   }
 };
 
-/// Puts a feature among the marks of all curves where every one has it, at the same place in the order.
+/// Adds a feature to the aligned features of all curves if every curve has it at the same position in the
+/// order.
 void align(std::vector<AlignedCurve>& curves, const std::vector<Features>& features, std::size_t feature) {
   std::optional<std::ptrdiff_t> place;
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -86,14 +88,14 @@ std::vector<AlignedCurve> aligned(const std::vector<const StrokeCurve*>& curves,
   return all;
 }
 
-/// Where at least one of the curves has a knot, in the order of places.
+/// A place where at least one of the curves has a knot.
 struct Joint {
   double place = 0;
-  std::vector<std::optional<double>> own_mm;  ///< per curve: its knot there, if it has one
-  bool wall = false;                          ///< one of the curves has two
+  std::vector<std::optional<double>> own_mm;  ///< per curve: displacement of its knot there, if any
+  bool wall = false;                          ///< one of the curves has two knots here
 };
 
-/// Every knot of every curve, those of one place together.
+/// Returns the knots of all curves, with those at one place merged.
 std::vector<Joint> jointsOf(const std::vector<AlignedCurve>& curves) {
   struct Placed {
     double place;
@@ -123,7 +125,7 @@ std::vector<Joint> jointsOf(const std::vector<AlignedCurve>& curves) {
   return joints;
 }
 
-/// The mean of the curves at one joint; slopes over places, so that they mix like forces.
+/// Mean of the curves at one joint. Slopes are per share of the way, so that they average like forces.
 struct Mean {
   double displacement_mm = 0, forceBefore_N = 0, forceAfter_N = 0;
   double slopeBefore_N = 0, slopeAfter_N = 0, lengthBefore_mm = 0, lengthAfter_mm = 0;
@@ -145,7 +147,7 @@ struct Mean {
 
 void appendKnots(const Mean& mean, bool wall, std::vector<Knot>& knots) {
   if (!knots.empty() && mean.displacement_mm <= knots.back().displacement_mm)
-    return;  // one place, by rounding
+    return;  // the same place, apart from rounding
   const double before = mean.slopeBefore_N / mean.lengthBefore_mm,
                after = mean.slopeAfter_N / mean.lengthAfter_mm;
   if (!wall) {
@@ -156,7 +158,8 @@ void appendKnots(const Mean& mean, bool wall, std::vector<Knot>& knots) {
   knots.push_back({mean.displacement_mm, mean.forceAfter_N, 0, after});
 }
 
-/// The factor that brings the work of a mean between those of its curves; 1 where it is, or where one pushes by itself.
+/// Factor that brings the work of the mean between those of its curves; 1 if it already is, or if a curve has
+/// negative work.
 double factorForWork(const StrokeCurve& mean, const std::vector<AlignedCurve>& curves) {
   const auto workOf = [](const StrokeCurve& curve) {
     return curve.area_mJ(curve.start_mm(), curve.end_mm());
@@ -170,7 +173,7 @@ double factorForWork(const StrokeCurve& mean, const std::vector<AlignedCurve>& c
   return least > 0 && work > 0 ? std::clamp(work, least, most) / work : 1;
 }
 
-/// `weights` with the sum 1, all above 0.
+/// `weights` are all above 0 and sum to 1.
 Result<StrokeCurve> blendCurves(const std::vector<AlignedCurve>& curves, const std::vector<double>& weights) {
   std::vector<Knot> knots;
   for (const Joint& joint : jointsOf(curves)) {
@@ -204,7 +207,7 @@ Result<StrokeCurve> blendStroke(const States& states, Stroke stroke, const std::
   return blendCurves(aligned(curves, features), weights);
 }
 
-/// Nothing unless every state has the point.
+/// Returns nullopt unless every state has the point.
 std::optional<double> meanPoint(const States& states, const std::vector<double>& weights,
                                 std::optional<double> ButtonState::*point) {
   double mean_mm = 0;
@@ -215,7 +218,7 @@ std::optional<double> meanPoint(const States& states, const std::vector<double>&
   return mean_mm;
 }
 
-/// Over the share of the travel.
+/// Averages damping over the share of the travel.
 std::vector<DampingPoint> meanDamping(const States& states, const std::vector<double>& weights) {
   std::vector<double> shares;
   double travel_mm = 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Buttons between buttons. Force graphs are averaged feature by feature, not displacement by displacement, where the peaks of two
-// buttons would become two bumps: start, peak, valley, operating or reset point, the foot of the bottom-out and the end are laid on one
-// another, travels and forces of each are averaged, and so is what lies between two of them, over the share of the way from one to the
-// next.
+// Weighted means of buttons. Force graphs are averaged feature by feature: start, peak, valley, contact
+// points, start of the bottom-out and end are aligned before forces and travels are averaged. Averaging by
+// displacement would turn one peak at different places into two bumps.
 
 #include <vector>
 
@@ -12,17 +11,20 @@
 
 namespace detent {
 
-/// The weighted mean of buttons. A feature that one of them lacks, or has in another order, is not aligned. Exact: where all
-/// curves are the same, so is the mean, to rounding. The work of each stroke is kept between the least and the largest of the buttons'
-/// by one factor on its forces. A release, an operating and a reset point need one in every button; damping missing counts as none.
-///
-/// `weights`: one per button, finite, >= 0, with a sum above 0; only their ratios count. The name is the first button's, the provenance
-/// none. Failure wrongUsage: no buttons, weights that do not fit, momentary and self-locking buttons mixed. Any thread.
+/// Returns the weighted mean of buttons. A feature that one button lacks, or has in another order, is not
+/// aligned.
+/// If all curves are equal, so is the mean, to rounding. One factor on the forces keeps the work of each
+/// stroke between those of the buttons. Release, operating point and reset point exist in the mean only if
+/// every button has them; missing damping counts as 0.
+/// `weights`: one per button, finite, >= 0, with a sum above 0; only their ratios count. The name is the
+/// first button's; there is no provenance. Failure wrongUsage: no buttons, weights that do not fit, momentary
+/// and self-locking buttons mixed. Any thread.
 Result<Button> blend(const std::vector<Button>& buttons, const std::vector<double>& weights,
                      const SectionSettings& settings = {});
 
-/// The button on the way from `from` to `to`; `share` in [0, 1]. 0 and 1 give the buttons themselves, to the bit; near them the curves
-/// are within rounding of theirs. Its name is "FROM - TO". Failures: as of blend; wrongUsage for a share outside.
+/// Returns the button at `share` in [0, 1] of the way from `from` to `to`. 0 and 1 return the buttons
+/// themselves, bit for bit. The name is "FROM - TO". Failures: as of blend; wrongUsage for a share outside
+/// [0, 1].
 Result<Button> between(const Button& from, const Button& to, double share,
                        const SectionSettings& settings = {});
 

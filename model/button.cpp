@@ -76,7 +76,7 @@ std::optional<Failure> speedProblem(const Message& place, const ButtonState& sta
   return {};
 }
 
-// Strokes of one button end alike however fast they are travelled; between speeds their forces are mixed place by place.
+// Strokes of one button must end alike at all speeds, because forces are mixed at equal displacements.
 std::optional<Failure> familyProblem(const Message& place, const ButtonState& state) {
   if (!state.speed_mm_per_s && state.otherSpeeds.empty()) return {};
   if (auto problem = speedProblem(place, state)) return problem;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button: one or more states, each with its force graph, and what is known about where it came from.
+// A button: one or more states, each with its force graph, and its provenance.
 
 #include <optional>
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace detent {
 
-/// Damping b(x) for force feedback (Shrestha, "Basic Model": F = -kx - bv): N·s/mm over displacement.
-/// Same machinery as a stroke curve; its "force" is the coefficient.
+/// A point of the damping b(x) for force feedback, N·s/mm over displacement (Shrestha, "Basic Model": F = -kx
+/// - bv).
 struct DampingPoint {
   double displacement_mm = 0;
   double damping_Ns_per_mm = 0;  ///< >= 0
   friend bool operator==(const DampingPoint&, const DampingPoint&) = default;
 };
 
-/// The force graph of a state pressed and released at one speed.
+/// Force graph of a state pressed and released at one speed.
 struct SpeedGraph {
-  double speed_mm_per_s = 0;  ///< > 0; of the press and of the release
+  double speed_mm_per_s = 0;  ///< > 0; for press and release
   ForceGraph graph;
   friend bool operator==(const SpeedGraph&, const SpeedGraph&) = default;
 };
@@ -32,15 +32,15 @@ struct ButtonState {
   ForceGraph graph;
   std::optional<double> operatingPoint_mm;  ///< where the contact closes on the press stroke
   std::optional<double> resetPoint_mm;      ///< where it opens on the release stroke
-  std::vector<DampingPoint> damping;  ///< empty: no damping is modelled, none is computed; linear in between
-  /// A button that feels different at different speeds: the speed of `graph`, and its graphs at one to three other speeds, by rising
-  /// speed (speed_family.h). `graph` is what everything that knows no speed takes.
+  std::vector<DampingPoint> damping;        ///< linear between points; empty: no damping is computed
+  /// For a button that feels different at different speeds: the speed of `graph`, and graphs at one to three
+  /// other speeds, by rising speed (speed_family.h). Code that knows no speed uses `graph`.
   std::optional<double> speed_mm_per_s = {};
   std::vector<SpeedGraph> otherSpeeds = {};
   friend bool operator==(const ButtonState&, const ButtonState&) = default;
 };
 
-/// Who decided a value of the import: found by Detent or given by the user.
+/// Origin of an imported value: found by Detent or given by the user.
 enum class DecidedBy { found, given };
 
 /// One calibrated axis as it stood on the page.
@@ -52,14 +52,14 @@ struct AxisProvenance {
   friend bool operator==(const AxisProvenance&, const AxisProvenance&) = default;
 };
 
-/// What a person should know of an import, as its file keeps it: for scripts, and for a reader of any time.
+/// A warning of an import as stored in the button file, in words and as a code.
 struct RecordedWarning {
-  std::string code;  ///< "several-graphs"; empty in files from before there were codes
+  std::string code;  ///< "several-graphs"; empty in files of version 1
   std::string text;  ///< English
   friend bool operator==(const RecordedWarning&, const RecordedWarning&) = default;
 };
 
-/// Where an imported button came from; kept in the file.
+/// Where an imported button came from; stored in the file.
 struct Provenance {
   std::string sourceFile;    ///< name without folder
   std::string sourceSha256;  ///< hex
@@ -74,11 +74,11 @@ struct Provenance {
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 
-/// A button. Rules: one state (momentary) or two (self-locking, alternating at each actuation); state names
-/// unique; operating and reset points inside the travel; damping by increasing displacement, finite, >= 0; where
-/// there are graphs at other speeds: two to four speeds in all, each stated once, the same in all states; the strokes
-/// of a state are the same at all speeds, their ends within `familyTravelShare` of the travel.
-/// Immutable value; any thread.
+/// A button. Rules: one state (momentary) or two (self-locking, alternating at each actuation); unique state
+/// names; operating and reset points inside the travel; damping by increasing displacement, finite, >= 0.
+/// With graphs at other speeds: two to four speeds in all, each stated once, the same in all states; a state
+/// has the same strokes at all speeds, and their ends agree within `familyTravelShare` of the travel.
+/// Immutable; any thread.
 class Button {
  public:
   static constexpr std::size_t mostSpeeds = 4;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Our own bugs: a check that stays on in release. Never for the world's faults, never in the audio
-// callback.
+// Checks for programming errors. They stay on in release builds. Not for external errors, and not in the
+// audio callback.
 
 namespace detent {
 
@@ -10,6 +10,6 @@ namespace detent {
 
 }  // namespace detent
 
-/// `why` says which contract was broken, e.g. DETENT_CHECK(i < n, "piece index inside the curve").
+/// `why` names the broken contract, e.g. DETENT_CHECK(i < n, "piece index inside the curve").
 #define DETENT_CHECK(condition, why) \
   ((condition) ? static_cast<void>(0) : ::detent::failCheck(__FILE__, __LINE__, #condition, why))

@@ -10,8 +10,8 @@
 namespace detent {
 namespace {
 
-constexpr double sampleStep = 0.002;  // normalised units of arc length
-constexpr double mostSamples = 1e5;   // of a stroke that is thousands of times larger than the other's spans
+constexpr double sampleStep = 0.002;  // in normalised units of arc length
+constexpr double mostSamples = 1e5;   // limit for a stroke that is thousands of times larger than the spans
 constexpr std::size_t runsPerLine = 256;
 
 struct Spot {
@@ -29,7 +29,7 @@ Line normalised(const StrokePolyline& stroke, double span_mm, double span_N) {
   return line;
 }
 
-// Evenly spaced by arc length, both ends included.
+// Returns points at even arc lengths, both ends included.
 Line sampled(const Line& line) {
   std::vector<double> along{0};
   for (std::size_t i = 1; i < line.size(); ++i)
@@ -63,8 +63,7 @@ Offset offsetTo(const Spot& p, const Spot& a, const Spot& b) {
   return {dx * dx + dy * dy, std::abs(dx), std::abs(dy)};
 }
 
-// Runs of consecutive segments with their boxes: a far run is passed over at once, so long measured strokes
-// stay fast.
+// Finds the nearest place on a polyline. Bounding boxes of runs of segments let distant runs be skipped.
 class NearestPlace {
  public:
   explicit NearestPlace(const Line& line) : line_(line) {
@@ -85,7 +84,7 @@ class NearestPlace {
   Offset to(const Spot& p) {
     if (line_.size() == 1) return offsetTo(p, line_[0], line_[0]);
     Offset best{std::numeric_limits<double>::infinity(), 0, 0};
-    searchRun(p, lastRun_, best);  // the previous sample's neighbourhood first: a tight bound at once
+    searchRun(p, lastRun_, best);  // the previous sample's run first, for a tight bound
     const std::size_t near = lastRun_;
     for (std::size_t run = 0; run < boxes_.size(); ++run)
       if (run != near && boxes_[run].squaredDistance(p) < best.squared) searchRun(p, run, best);
@@ -118,7 +117,7 @@ struct OneWay {
   double mean = 0, p95 = 0, max = 0, meanX = 0, maxX = 0, meanY = 0, maxY = 0;
 };
 
-// Linear interpolation between order statistics, as numpy does it.
+// Linear interpolation between order statistics, as in numpy.
 double percentile(std::vector<double>& values, double share) {
   std::sort(values.begin(), values.end());
   const double at = share * static_cast<double>(values.size() - 1);
@@ -162,7 +161,7 @@ StrokeDistance distanceBetween(const Line& a, const Line& b, double span_mm, dou
   return d;
 }
 
-// max - min over both strokes; 1 where nothing varies.
+// max - min over both strokes; 1 if nothing varies.
 double spanOf(const GraphPolylines& graph, double CurvePoint::*value) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const StrokePolyline* stroke : {&graph.press, &graph.release})

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tables as text.
+// CSV fields.
 
 #include <string>
 
 namespace detent {
 
-/// One field of a CSV line (RFC 4180), quoted where it has to be.
+/// Returns one field of a CSV line, quoted if RFC 4180 requires it.
 std::string csvField(const std::string& text);
 
 }  // namespace detent

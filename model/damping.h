@@ -8,7 +8,8 @@
 
 namespace detent {
 
-/// N·s/mm, straight between points, the nearest end outside them, 0 without any. Any thread.
+/// Returns b(x) in N·s/mm: linear between points, constant beyond the outermost ones, 0 without points. Any
+/// thread.
 double dampingAt(const std::vector<DampingPoint>& points, double displacement_mm);
 
 }  // namespace detent

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits of scale, graphs and buttons.
+// Edits that scale, and edits of graphs and buttons.
 #include <cmath>
 #include <cstdio>
 
@@ -31,7 +31,7 @@ Result<ForceGraph> editBothStrokes(const ForceGraph& graph, const CurveEdit& edi
   return ForceGraph::fromCurves(*std::move(press), *std::move(release));
 }
 
-// How far below a press force its mirrored release lies; C1, and never below 0 for a force that is not.
+// Distance of a mirrored release below its press, with its derivative. A force >= 0 stays >= 0.
 struct Lowered {
   double force_N, slopeFactor;
 };

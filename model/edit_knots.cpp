@@ -27,7 +27,7 @@ Result<StrokeCurve> editKnot(const StrokeCurve& curve, std::size_t index, const 
   return StrokeCurve::fromKnots(std::move(knots));
 }
 
-// Slope of the chord between two knots; nullopt for a wall.
+// Slope of the chord between two knots; nullopt for a vertical piece.
 std::optional<double> chordSlope(const Knot& a, const Knot& b) {
   if (a.displacement_mm == b.displacement_mm) return {};
   return (b.force_N - a.force_N) / (b.displacement_mm - a.displacement_mm);
@@ -51,7 +51,8 @@ Chords chordsAt(const std::vector<Knot>& knots, std::size_t index) {
   return chords;
 }
 
-// Fritsch and Carlson's safe slope between two chords: their weighted harmonic mean, 0 where they disagree.
+// Fritsch and Carlson's monotone slope between two chords: their weighted harmonic mean, 0 if their signs
+// differ.
 double smoothSlope(const Chords& chords) {
   if (!chords.before || !chords.after) return chords.before.value_or(chords.after.value_or(0));
   const double before = *chords.before, after = *chords.after;
@@ -113,7 +114,7 @@ bool isCorner(const StrokeCurve& curve, std::size_t index) {
   const std::vector<Knot>& knots = curve.knots();
   if (index == 0 || index + 1 >= knots.size()) return false;
   const Chords chords = chordsAt(knots, index);
-  if (!chords.before || !chords.after) return true;  // the end of a wall
+  if (!chords.before || !chords.after) return true;  // the end of a vertical piece
   return knots[index].slopeBefore_N_per_mm != knots[index].slopeAfter_N_per_mm;
 }
 

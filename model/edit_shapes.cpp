@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits of whole shapes: tactile points, sections, jumps.
+// Edits of shapes: tactile points, sections, jumps.
 #include <algorithm>
 #include <cmath>
 
@@ -13,14 +13,13 @@ Failure refusal(Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedies)};
 }
 
-// Adds a knot without changing the shape unless one (or a wall) stands there already; the curve otherwise
-// unchanged.
+// Adds a knot without changing the shape, unless one (or a vertical piece) is there already.
 StrokeCurve withKnotAt(const StrokeCurve& curve, double displacement_mm) {
   auto inserted = insertKnot(curve, displacement_mm);
   return inserted ? *std::move(inserted) : curve;
 }
 
-// The knot at a place of the curve (of a wall's two, the one with that force).
+// Index of the knot at a place on the curve; of the two knots of a vertical piece, the one with that force.
 std::size_t knotAt(const std::vector<Knot>& knots, CurvePoint place) {
   std::size_t best = knots.size();
   for (std::size_t i = 0; i < knots.size(); ++i) {
@@ -33,8 +32,8 @@ std::size_t knotAt(const std::vector<Knot>& knots, CurvePoint place) {
   return best;
 }
 
-// The same at an extremum: its slope is exactly 0 there, so that the knot stays the extremum under affine
-// maps.
+// Like withKnotAt, at an extremum: the slope becomes exactly 0, so that the knot stays the extremum under
+// affine maps.
 StrokeCurve withExtremumKnotAt(const StrokeCurve& curve, CurvePoint extremum) {
   auto inserted = insertKnot(curve, extremum.displacement_mm);
   if (!inserted) return curve;
@@ -45,7 +44,7 @@ StrokeCurve withExtremumKnotAt(const StrokeCurve& curve, CurvePoint extremum) {
   return exact ? *std::move(exact) : *std::move(inserted);
 }
 
-// One flank's stretch: its far end stays, the apex goes where it is moved.
+// Stretch of one flank: its far end stays, the apex moves.
 struct AffineMap {
   CurvePoint anchor;
   double scale_mm, scale_N;
@@ -58,7 +57,7 @@ struct AffineMap {
   double mappedSlope(double slope) const { return slope * scaleOfSlopes; }
 };
 
-// A wall's inner slopes mean nothing and a level flank has none: both are drawn out between level ends.
+// Map of a flank. A vertical or level flank has no slope to scale and gets level ends.
 AffineMap flankMap(CurvePoint anchor, CurvePoint apex, CurvePoint to) {
   const double width_mm = apex.displacement_mm - anchor.displacement_mm,
                height_N = apex.force_N - anchor.force_N;
@@ -72,14 +71,14 @@ struct Hill {
   CurvePoint before, apex, after;
 };
 
-// Along the curve: a wall's foot and top share a displacement.
+// Returns true if `a` comes before `b` along the curve; both ends of a vertical piece have one displacement.
 bool isBefore(const StrokeCurve& curve, CurvePoint a, CurvePoint b) {
   if (a.displacement_mm != b.displacement_mm) return a.displacement_mm < b.displacement_mm;
   const bool rising = curve.forceBefore_N(a.displacement_mm) < curve.force_N(a.displacement_mm);
   return rising ? a.force_N < b.force_N : a.force_N > b.force_N;
 }
 
-// The neighbours of an extremum: the nearest turns on both sides, or the ends of the reach.
+// Returns the extremum and the nearest turns on both sides, or the ends of the range.
 Hill hillAt(const StrokeCurve& curve, CurvePoint apex, double reachEnd_mm) {
   std::vector<CurvePoint> turns = curve.localMaxima();
   for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
@@ -96,7 +95,8 @@ Hill hillAt(const StrokeCurve& curve, CurvePoint apex, double reachEnd_mm) {
 
 std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Message& place) {
   const auto [before, apex, after] = hill;
-  const bool upWall = to.displacement_mm == apex.displacement_mm;  // an end of a wall may go along it
+  // the end of a vertical piece may move along it
+  const bool upWall = to.displacement_mm == apex.displacement_mm;
   const bool between = (to.displacement_mm > before.displacement_mm ||
                         (upWall && before.displacement_mm == apex.displacement_mm)) &&
                        (to.displacement_mm < after.displacement_mm ||
@@ -119,7 +119,7 @@ std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Messag
 
 CurvePoint pointOf(const Knot& k) { return {k.displacement_mm, k.force_N}; }
 
-// Maps the knots strictly between two indices, and the slopes of all pieces between them.
+// Maps the knots strictly between two indices and the slopes of all pieces between them.
 void stretchFlank(std::vector<Knot>& knots, std::size_t first, std::size_t last, const AffineMap& map,
                   CurvePoint apex, CurvePoint to) {
   for (std::size_t i = first; i <= last; ++i) {
@@ -127,7 +127,7 @@ void stretchFlank(std::vector<Knot>& knots, std::size_t first, std::size_t last,
     if (i > first) k.slopeBefore_N_per_mm = map.mappedSlope(k.slopeBefore_N_per_mm);
     if (i < last) k.slopeAfter_N_per_mm = map.mappedSlope(k.slopeAfter_N_per_mm);
     if (i == first || i == last) continue;
-    // Exact where it must be: a wall stays vertical, a flat top flat.
+    // exact, so that a vertical piece stays vertical and a flat one flat
     k.displacement_mm =
         k.displacement_mm == apex.displacement_mm ? to.displacement_mm : map.mapped_mm(k.displacement_mm);
     k.force_N = k.force_N == apex.force_N ? to.force_N : map.mapped_N(k.force_N);
@@ -159,13 +159,13 @@ Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
 
 // ---- sections
 
-// Shift of a section. Beside it displacements follow linearly, so their order is kept; forces follow with a
-// share that leaves and arrives level, so an extremum at either end stays one.
+// Shift of a section. Beside it, displacements follow linearly, so that their order is kept. Forces follow
+// with a share whose slope is 0 at both ends, so that an extremum there stays one.
 struct Drag {
-  double left_mm, from_mm, to_mm, right_mm;  // left == from: nothing stretches there
+  double left_mm, from_mm, to_mm, right_mm;  // left == from: nothing is stretched there
   double by_mm, by_N;
 
-  // 1 in the section, falling linearly to 0 at the far ends of its neighbours.
+  // 1 in the section, decreasing linearly to 0 at the far ends of its neighbours.
   double shareOf(double x) const {
     if (x >= from_mm && x <= to_mm) return 1;
     if (x < from_mm) return x <= left_mm ? 0 : (x - left_mm) / (from_mm - left_mm);
@@ -214,7 +214,7 @@ Result<StrokeCurve> dragged(const StrokeCurve& curve, const Drag& drag) {
 
 // ---- jumps
 
-// Replaces everything strictly between two displacements (knots stand at both) by the given knots.
+// Replaces all knots strictly between two displacements (which have knots) by the given ones.
 std::vector<Knot> replacedBetween(const StrokeCurve& curve, double from_mm, double to_mm,
                                   const std::vector<Knot>& inside) {
   std::vector<Knot> knots;
@@ -226,7 +226,7 @@ std::vector<Knot> replacedBetween(const StrokeCurve& curve, double from_mm, doub
   return knots;
 }
 
-// A straight line between two displacements; what lies outside keeps its shape.
+// Replaces the curve between two displacements by a straight line.
 Result<StrokeCurve> straightBetween(const StrokeCurve& original, double from_mm, double to_mm) {
   const StrokeCurve curve = withKnotAt(withKnotAt(original, from_mm), to_mm);
   std::vector<Knot> knots = replacedBetween(curve, from_mm, to_mm, {});
@@ -260,7 +260,7 @@ std::optional<Failure> newJumpProblem(const StrokeCurve& curve, Stroke stroke, c
                  Message("Start it on a rising slope, so that its start is a tactile point"));
 }
 
-// Steepest safe slope at the end of a monotone piece that should arrive with `slope`.
+// Steepest slope at the end of a monotone piece that should end with `slope`.
 double limitedSlope(double slope, double rise, double length_mm) {
   const double chord = rise / length_mm;
   if (chord == 0 || (slope < 0) != (chord < 0)) return 0;
@@ -337,7 +337,7 @@ Result<StrokeCurve> moveSection(const StrokeCurve& curve, Stroke stroke, std::si
 Result<StrokeCurve> addJump(const StrokeCurve& curve, Stroke stroke, NewJump jump) {
   if (auto problem = newJumpProblem(curve, stroke, jump)) return *problem;
   const bool press = stroke == Stroke::press;
-  const double sign = press ? 1 : -1;  // of displacement along the stroke; a release's drop goes up
+  const double sign = press ? 1 : -1;  // sign of displacement along the stroke; the drop of a release goes up
   const double end_mm = jump.at_mm + sign * jump.width_mm;
   const auto [from_mm, to_mm] = std::minmax(jump.at_mm, end_mm);
   const StrokeCurve prepared = withKnotAt(withKnotAt(curve, from_mm), to_mm);
@@ -370,7 +370,7 @@ Result<StrokeCurve> removeJump(const StrokeCurve& curve, Stroke stroke, std::siz
   if (tactileIndex >= points.size()) return noSuchTactilePoint(tactileIndex, points.size());
   const bool press = stroke == Stroke::press;
   const double tactile_mm = points[tactileIndex].displacement_mm;
-  // The end of the jump that begins here, also where an earlier jump swallows it.
+  // End of the jump that begins here, even if an earlier jump contains it.
   double end_mm = press ? curve.end_mm() : curve.start_mm();
   for (const Section& s : sectionsOf(curve, stroke, settings))
     if (s.kind == SectionKind::jump && (press ? s.from_mm <= tactile_mm && tactile_mm < s.to_mm
@@ -382,7 +382,7 @@ Result<StrokeCurve> removeJump(const StrokeCurve& curve, Stroke stroke, std::siz
     for (const auto& [x, force] : {std::pair{s.from_mm, s.fromForce_N}, std::pair{s.to_mm, s.toForce_N}})
       if (press ? x > tactile_mm && x <= end_mm : x < tactile_mm && x >= end_mm)
         valley_N = press ? std::min(valley_N, force) : std::max(valley_N, force);
-  // On the other side: the last place before the tactile point where the force has the valley's value.
+  // Last place before the tactile point where the force has the valley's value.
   double begin_mm = press ? curve.start_mm() : curve.end_mm();
   for (double x : curve.displacementsAt(valley_N)) {
     if (press && x < tactile_mm) begin_mm = std::max(begin_mm, x);

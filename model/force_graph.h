@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A force graph: a press curve and, where it is known, a release curve. Exists only if valid.
+// A force graph: a press curve and optionally a release curve. Exists only if valid.
 
 #include <optional>
 
@@ -8,11 +8,11 @@
 
 namespace detent {
 
-/// Press and release of one button state. Rules (checked at birth, named in the Failure):
-///  - the press curve starts at 0 mm or later, forces within ±maxForce_N, travel within (0, maxTravel_mm];
-///  - the release curve overlaps the press curve's displacement range.
-/// Crossing strokes are allowed (real measurements cross); `check` in validation.h warns about them.
-/// Immutable value; any thread.
+/// Press and release of one button state. Rules (checked on construction, named in the Failure):
+/// - the press curve starts at 0 mm or later, forces within ±maxForce_N, travel within (0, maxTravel_mm];
+/// - the release curve overlaps the press curve's displacement range.
+/// Crossing strokes are allowed, because real measurements cross; validate() in validation.h warns about
+/// them. Immutable; any thread.
 class ForceGraph {
  public:
   static constexpr double maxForce_N = 1e7;
@@ -22,7 +22,7 @@ class ForceGraph {
 
   const StrokeCurve& press() const { return press_; }
   const std::optional<StrokeCurve>& release() const { return release_; }
-  /// The curve a stroke is felt on: release falls back to press where none is known.
+  /// Returns the curve of a stroke; the press curve if no release is known.
   const StrokeCurve& curve(Stroke stroke) const {
     return stroke == Stroke::release && release_ ? *release_ : press_;
   }

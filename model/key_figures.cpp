@@ -9,7 +9,7 @@ namespace {
 // Marks a term for translation.
 constexpr const char* words(const char* term) { return term; }
 
-/// The tactile point of the press with the largest drop; null if there is none.
+/// Returns the tactile point of the press with the largest drop; null without tactile points.
 const TactileEvent* mainEvent(const StrokeMetrics& press) {
   const TactileEvent* best = nullptr;
   double largest_N = 0;
@@ -23,7 +23,7 @@ const TactileEvent* mainEvent(const StrokeMetrics& press) {
   return best;
 }
 
-/// Empty between points that lie above each other.
+/// nullopt if both points have one displacement.
 std::optional<double> meanSlope(const CurvePoint& from, const CurvePoint& to) {
   const double run_mm = to.displacement_mm - from.displacement_mm;
   if (!(run_mm > 0)) return {};
@@ -44,7 +44,7 @@ void fillContacts(KeyFigures& figures, const StateMetrics& state, double start_m
   }
 }
 
-/// Where the press starts, turns and meets its wall.
+/// Returns start, peak, valley and start of the bottom-out of a press.
 ShapePlaces placesOf(const StrokeMetrics& press, const CurvePoint& start) {
   ShapePlaces places{start, {}, {}, {press.bottomOut.displacement_mm, press.bottomOut.force_N}};
   if (const TactileEvent* event = mainEvent(press)) {

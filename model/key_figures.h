@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The figures by which the trade names a button, each with its definition. All derived from the state; nothing is
-// stored. The terms stand in docs/reference/glossary.md ("Key figures").
+// The figures by which datasheets describe a button, derived from its state. Definitions:
+// docs/reference/glossary.md ("Key figures").
 
 #include <array>
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace detent {
 
-/// In the order in which they are listed. "Peak" is the tactile point of the press with the largest drop after it,
-/// "valley" the lowest force between it and the next tactile point (or the end of the press).
+/// In display order. "Peak" is the tactile point of the press with the largest drop after it; "valley" is the
+/// lowest force between it and the next tactile point (or the end of the press).
 enum class KeyFigure {
   initialForce,        ///< N, press, at the start of its curve
   preTravel,           ///< mm, start of the press to the operating point (PT)
@@ -36,24 +36,25 @@ enum class KeyFigure {
   totalTravel,         ///< mm, start to end of the press (TT)
   endForce,            ///< N, press, at its end
   pressWork,           ///< mJ, area under the press curve
-  hysteresis  ///< mJ, press minus release where both strokes are: the energy lost in one actuation; signed
+  hysteresis           ///< mJ, press minus release where both exist: energy lost in one actuation; signed
 };
 inline constexpr std::size_t keyFigureCount = static_cast<std::size_t>(KeyFigure::hysteresis) + 1;
 
 enum class FigureUnit { mm, N, N_per_mm, mJ, share };
 
-/// What a figure is called. Strings live for ever.
+/// Names of a figure, with static lifetime.
 struct KeyFigureName {
   KeyFigure figure;
   FigureUnit unit;
-  std::string_view key;  ///< "peak_force_N": for files and programs; ends in the unit, a share in none
+  std::string_view key;  ///< "peak_force_N": for files and programs; ends in the unit, except for shares
   const char* term;      ///< "Peak force": English, a pattern for translation
 };
 
 /// One entry per figure, in the order of the enum.
 const std::array<KeyFigureName, keyFigureCount>& keyFigureNames();
 
-/// Empty where the button has no such figure: a linear button has no peak, one without contact points no pre-travel.
+/// Values of all figures; nullopt if the button has no such figure: a linear button has no peak, a button
+/// without contact points no pre-travel.
 struct KeyFigures {
   std::array<std::optional<double>, keyFigureCount> values;  ///< mm, N, N/mm, mJ, or a share
 
@@ -63,17 +64,18 @@ struct KeyFigures {
   std::optional<double>& operator[](KeyFigure figure) { return values[static_cast<std::size_t>(figure)]; }
 };
 
-/// The places of a press that its figures are made of.
+/// Places on a press from which figures are derived.
 struct ShapePlaces {
   CurvePoint start;
-  std::optional<CurvePoint> peak, valley;  ///< both or none
+  std::optional<CurvePoint> peak, valley;  ///< both or neither
   CurvePoint bottom;                       ///< where the bottom-out begins
 };
 
 /// Any thread.
 ShapePlaces shapePlacesOf(const ButtonState& state, const SectionSettings& settings = {});
 
-/// Sets the figures that are made of these places alone: of the peak, the valley, the bottom-out, and the spring rates between them.
+/// Sets the figures that depend only on these places: peak, valley, bottom-out, and the spring rates between
+/// them.
 void fillShape(KeyFigures& figures, const ShapePlaces& places);
 
 /// Any thread.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What sections.h gives, where the curve's bottom-out is known already: to find it is most of the work.
+// Variants of the functions in sections.h for a known bottom-out, whose search is most of their work.
 
 #include <vector>
 
@@ -13,7 +13,8 @@ struct Section;
 struct SectionSettings;
 struct TactilePoint;
 
-/// As tactilePoints() and sectionsOf() without it; `bottomOut` is bottomOutOf(curve, settings).
+/// Like tactilePoints() and sectionsOf() without this argument; `bottomOut` must equal bottomOutOf(curve,
+/// settings).
 std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke, const BottomOut& bottomOut,
                                         const SectionSettings& settings);
 std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const BottomOut& bottomOut,

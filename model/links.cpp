@@ -10,7 +10,7 @@
 namespace detent {
 namespace {
 
-constexpr double rounding = 1e-9;  // mm, N: below what any edit means
+constexpr double rounding = 1e-9;  // mm, N: smaller changes are rounding
 
 Failure refusal(Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "links", std::move(place), std::move(problem), std::move(remedies)};
@@ -22,7 +22,7 @@ bool has(const ButtonState& state, Stroke stroke) {
   return stroke == Stroke::press || state.graph.release().has_value();
 }
 
-// The end that an edit has set; nothing where none was moved.
+// Returns the end that an edit has set; nullopt if none was moved.
 Result<std::optional<double>> newEnd_mm(const Button& before, const Button& after) {
   std::optional<double> end_mm;
   for (std::size_t i = 0; i < std::min(before.states().size(), after.states().size()); ++i)
@@ -39,7 +39,7 @@ Result<std::optional<double>> newEnd_mm(const Button& before, const Button& afte
   return end_mm;
 }
 
-// The bottom-out goes there whole; what lies before it is stretched.
+// Moves the bottom-out as a whole to the new end and stretches the rest.
 Result<StrokeCurve> endingAt(const StrokeCurve& curve, Stroke stroke, double end_mm) {
   const double by_mm = end_mm - curve.end_mm();
   if (std::abs(by_mm) <= rounding) return curve;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent-graph: show, check, convert and compare force graphs. Arguments in; one front door; text and exit
-// code out.
+// detent-graph: shows, checks, converts and compares force graphs.
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -17,7 +16,7 @@ namespace {
 
 using namespace detent;
 
-// Text to stdout; with --json the JSON goes there and the text to stderr. A failure's text goes to stderr.
+// Prints text to stdout; with --json JSON to stdout and text to stderr. Failures go to stderr.
 int print(const Result<Report>& result, bool asJson) {
   const Report report = result ? *result : failureReport(result.failure());
   std::fputs(report.text.c_str(), result && !asJson ? stdout : stderr);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What there is to say, before anybody says it: an English pattern and the values that go into it. Each edge makes
-// its own words of it: the command line and JSON in English, the editor in the person's language, number style and
-// units.
+// A message as an English pattern with values. Each edge words it: command line and JSON in English, the
+// editor in the user's language, number style and units.
 
 #include <concepts>
 #include <cstddef>
@@ -15,14 +14,14 @@ namespace detent {
 
 class Message;
 
-/// What a value of a message measures, so that an edge can show it in the units it uses.
+/// Quantity of a message value, so that an edge can show it in its own units.
 enum class Measure {
-  text,             ///< as it is: a name, a symbol, what stands on the page
+  text,             ///< shown unchanged: a name, a symbol, text of the page
   number,           ///< without a unit
-  share,            ///< 0..1, shown in percent
-  displacement_mm,  ///< a length of the travel
+  share,            ///< 0..1, shown in per cent
+  displacement_mm,  ///< a displacement
   force_N,
-  messages  ///< said in their turn, joined by semicolons
+  messages  ///< nested messages, joined by semicolons
 };
 
 /// One value of a message.
@@ -41,22 +40,22 @@ struct MessageValue {
   std::vector<Message> messages;
 };
 
-/// Something to say. Plain value, any thread.
+/// A message. Plain value, any thread.
 class Message {
  public:
   Message() = default;
-  /// `words` is a literal; %1 to %9 stand for the values.
+  /// `words` is a literal; %1 to %9 are replaced by the values.
   template <std::size_t n, class... Values>
   Message(const char (&words)[n], Values&&... values)
       : words_(words), values_{MessageValue(std::forward<Values>(values))...} {}
-  /// Words that were made while running: an error text of the system, what stands in a file. Kept as they are.
+  /// Text made at run time, such as a system error or the contents of a file; shown unchanged.
   Message(std::string text) : words_(text.empty() ? "" : "%1") {
     if (!text.empty()) values_.emplace_back(std::move(text));
   }
   template <std::size_t n>
   Message(char (&buffer)[n]) : Message(std::string(buffer)) {}
   Message(std::same_as<const char*> auto text) : Message(std::string(text)) {}
-  /// As the first constructor, for patterns in a table; `words` must live for ever.
+  /// Like the first constructor, for patterns in a table; `words` must have static lifetime.
   static Message of(const char* words, std::vector<MessageValue> values);
 
   bool empty() const { return *words_ == '\0'; }
@@ -68,7 +67,7 @@ class Message {
   std::vector<MessageValue> values_;
 };
 
-// Below Message, which it holds: a constructor's body asks for the destructor of what it builds.
+// Defined after Message, which it contains.
 MessageValue::MessageValue(std::integral auto count)
     : MessageValue(static_cast<double>(count), Measure::number) {}
 
@@ -78,9 +77,9 @@ inline MessageValue newtons(double value_N) { return {value_N, Measure::force_N}
 /// `pattern` with %1, %2 ... replaced by `values`.
 std::string filled(std::string_view pattern, const std::vector<std::string>& values);
 
-/// As the command line says it: English, mm and N.
+/// Returns the wording of the command line: English, mm and N.
 std::string english(const Message& message);
-/// Several, joined by semicolons.
+/// Joins several messages by semicolons.
 std::string english(const std::vector<Message>& messages);
 
 }  // namespace detent

@@ -9,8 +9,8 @@
 namespace detent {
 namespace {
 
-// The extremum against the tactile point between it and the next one (or the end of the jump): the lowest of
-// a press, the highest of a release. A force that never turns back has its end as valley.
+// Returns the extremum between the tactile point and the next one (or the end of the jump): the lowest of a
+// press, the highest of a release. If the force never turns back, the end.
 std::optional<CurvePoint> followingExtremum(const StrokeCurve& curve, Stroke stroke,
                                             const std::vector<CurvePoint>& extrema, double from_mm,
                                             double to_mm) {

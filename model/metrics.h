@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The figures by which buttons are compared. All derived; nothing is stored.
+// Figures for comparing buttons, derived from the state.
 
 #include <optional>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace detent {
 
-/// One tactile point with what follows it.
+/// One tactile point and the extremum after it.
 struct TactileEvent {
   TactilePoint point;                   ///< its force is the tactile force
   std::optional<CurvePoint> following;  ///< press: the valley after it; release: the hump after it
   std::optional<double>
       snapRatio;  ///< press: (tactile force - valley)/tactile force; only for a tactile force > 0
-  std::optional<Section> jump;  ///< the jump that begins here; none inside an earlier jump
+  std::optional<Section> jump;  ///< the jump that begins here; nullopt inside an earlier jump
   double jumpArea_mJ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Values and the words that files, command lines and settings know them by.
+// Enum values and their names in files, command lines and settings.
 
 #include <array>
 #include <cstddef>
@@ -15,18 +15,18 @@ struct NamedValue {
   Value value;
 };
 
-/// Each value once, each word once; in the order people should read them.
+/// A table of values and names; each value and each name occurs once, in display order.
 template <class Value, std::size_t count>
 struct NamedValues {
   std::array<NamedValue<Value>, count> all;
 
-  /// Empty for a value that has no word.
+  /// Returns "" for a value without a name.
   constexpr const char* word(Value value) const {
     for (const NamedValue<Value>& named : all)
       if (named.value == value) return named.word;
     return "";
   }
-  /// Empty for a word that stands for nothing.
+  /// Returns nullopt for an unknown name.
   constexpr std::optional<Value> value(std::string_view word) const {
     for (const NamedValue<Value>& named : all)
       if (named.word == word) return named.value;

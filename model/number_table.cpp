@@ -14,7 +14,7 @@
 namespace detent {
 namespace {
 
-/// Cuts the next piece off the front, up to a separator.
+/// Removes and returns the text up to the next separator.
 std::string_view nextPart(std::string_view& rest, char separator) {
   const std::size_t at = rest.find(separator);
   const std::string_view part = rest.substr(0, at);

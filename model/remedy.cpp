@@ -8,7 +8,7 @@ namespace {
 
 struct RemedyNames {
   std::string_view name;
-  const char* option;  ///< what to pass; null: no option, see commandLineWords
+  const char* option;  ///< option to pass; null: none, see commandLineWords
 };
 
 RemedyNames namesOf(RemedyKind kind) {
@@ -47,7 +47,7 @@ RemedyNames namesOf(RemedyKind kind) {
   return {"advice", nullptr};
 }
 
-/// Given together, as the two sides of one decision.
+/// Returns true if both are given together, like the two sides of one decision.
 bool belongTogether(RemedyKind a, RemedyKind b) {
   return (a == RemedyKind::giveXAxis && b == RemedyKind::giveYAxis) ||
          (a == RemedyKind::pickPress && b == RemedyKind::pickRelease) ||

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What helps against a Failure, a doubt or what a warning speaks of. What a person can do differs from edge to edge
-// (an option at the command line, a tool in the editor), so it is named here and worded there.
+// Remedies for a Failure, doubt or warning. The same remedy is an option on the command line and a tool in
+// the editor, so it is a code here and worded there.
 
 #include <concepts>
 #include <initializer_list>
@@ -14,8 +14,8 @@
 namespace detent {
 
 enum class RemedyKind {
-  advice,  ///< in words, the same at every edge
-  // Decisions of an import that can be given by hand:
+  advice,  ///< free text, the same at every edge
+  // Import hints:
   giveFrame,      ///< the plot frame's corners
   giveXAxis,      ///< values at the frame's left and right edge
   giveYAxis,      ///< values at its lower and upper edge
@@ -23,27 +23,27 @@ enum class RemedyKind {
   giveYUnit,      ///< unit of force
   pickPress,      ///< the press curve's colour
   pickRelease,    ///< the release curve's colour
-  addMask,        ///< over what is no curve
-  setResolution,  ///< trace a picture of the page, drawn in this resolution
-  swapStrokes,    ///< press is release
+  addMask,        ///< mask what is not a curve
+  setResolution,  ///< trace a picture of the page in this resolution
+  swapStrokes,    ///< exchange press and release
   choosePage,     ///< another page
   chooseGraph,    ///< another graph
   importAll,      ///< every graph
-  // Only where limits can be set:
-  raiseLimit,  ///< the limit that the problem names
+  // Limits:
+  raiseLimit,  ///< the limit named in the problem
 };
 
-/// "give-frame": as scripts see it.
+/// "give-frame": name for scripts.
 std::string_view nameOf(RemedyKind kind);
 
 struct Remedy {
   RemedyKind kind = RemedyKind::advice;
-  /// Of advice the words, a sentence without its full stop; else what the command line says after the option:
-  /// "if the plot stands elsewhere". May be empty.
+  /// For advice: a sentence without its full stop; else the condition after the option: "if the plot stands
+  /// elsewhere". May be empty.
   Message words = {};
 };
 
-/// The likeliest first. Words alone are advice.
+/// Remedies, most likely first. Words alone are advice.
 class Remedies {
  public:
   Remedies() = default;
@@ -60,7 +60,7 @@ class Remedies {
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }
   bool include(RemedyKind kind) const;
-  /// All but those of a kind that `is` says true of.
+  /// Returns all remedies except those whose kind satisfies `is`.
   template <std::predicate<RemedyKind> Is>
   Remedies without(Is is) const {
     Remedies left = *this;
@@ -72,8 +72,8 @@ class Remedies {
   std::vector<Remedy> all_;
 };
 
-/// As a program says it that takes options: "Pass --x-axis MIN:MAX, or --frame X0,Y0,X1,Y1 if the plot stands
-/// elsewhere", without the last full stop. Empty without remedies.
+/// Returns the wording for command lines: "Pass --x-axis MIN:MAX, or --frame X0,Y0,X1,Y1 if the plot stands
+/// elsewhere", without the last full stop. "" without remedies.
 std::string commandLineWords(const Remedies& remedies);
 
 }  // namespace detent

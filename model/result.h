@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How the rooms report the world's faults: a value, or what is wrong and what helps, as data.
-// Bugs of ours are DETENT_CHECKs; doubt is importer::Found, not an error.
+// External errors: a value, or a Failure with problem and remedies as data. Programming errors are
+// DETENT_CHECKs; doubts are importer::Found.
 
 #include <optional>
 #include <string>
@@ -14,27 +14,27 @@
 
 namespace detent {
 
-/// Why something could not be done. The numbers are the programs' exit codes (docs/develop/architecture.md).
+/// Kind of a failure. The numbers are the programs' exit codes (docs/develop/architecture.md).
 enum class FailureCode {
-  internalFault = 1,    ///< a bug of ours, caught
-  wrongUsage = 2,       ///< a call or argument that cannot mean anything
-  unreadableInput = 3,  ///< the input is missing, broken, too large, or not what it says it is
-  noForceGraph = 4,     ///< readable, but no force graph stands in it
-  notCertain = 5,       ///< found, but not certain enough; the remedies say what to give by hand
+  internalFault = 1,    ///< a programming error that was caught
+  wrongUsage = 2,       ///< an invalid call or argument
+  unreadableInput = 3,  ///< the input is missing, broken, too large, or of another type than its name says
+  noForceGraph = 4,     ///< readable, but without a force graph
+  notCertain = 5,       ///< found, but not certain enough; the remedies say what to give
   deviceTrouble = 6,    ///< a device is missing, busy or lost
-  cancelled = 130       ///< who asked for it does not want it any more; the shell's number for Ctrl-C
+  cancelled = 130       ///< cancelled by the caller; the shell's number for Ctrl-C
 };
 
-/// "unreadable_input": as scripts see it.
+/// "unreadable_input": name for scripts.
 std::string_view nameOf(FailureCode code);
 
-/// What a Failure is about. A text made while running is something's own name, a literal a part in words.
+/// Subject of a Failure. Text made at run time is a name, a literal is a part in words.
 struct Subject {
   enum class Kind {
     none,
-    named,  ///< a file, a device: by its own name
+    named,  ///< a file or device by its name
     part,   ///< "press curve", "plot frame"
-    option  ///< an option of the program: "--frame"
+    option  ///< a command line option: "--frame"
   };
   Subject() = default;
   Subject(const std::string& itsOwn) : Subject(itsOwn.empty() ? Kind::none : Kind::named, Message(itsOwn)) {}
@@ -52,27 +52,27 @@ struct Subject {
   Subject(Kind itsKind, Message itsName) : kind(itsKind), name(std::move(itsName)) {}
 };
 
-/// One fault of the world, in the parts every message has. Plain value, any thread.
+/// An external error. Plain value, any thread.
 struct Failure {
   FailureCode code = FailureCode::internalFault;
   Subject subject;               ///< the file or value: "plot.png", "press curve"
   Message place;                 ///< where in it: "page 3", "knot 4", "line 17"; may be empty
   Message problem;               ///< what is wrong, with the offending value
   Remedies remedies;             ///< what to do next
-  std::string_view reason = {};  ///< the room's own code of what is wrong, where it has one; never freed
+  std::string_view reason = {};  ///< the room's own code for the problem; static lifetime; may be empty
 
-  /// What a step gives that was told to stop.
+  /// Failure of a step that was cancelled.
   static Failure cancelled(Subject subject = {}) {
     return {FailureCode::cancelled, std::move(subject), {}, "cancelled", {}};
   }
 
-  /// "SUBJECT, PLACE: PROBLEM. REMEDIES." in one line, as a program says it.
+  /// "SUBJECT, PLACE: PROBLEM. REMEDIES." on one line.
   std::string sentence() const;
 
   int exitCode() const { return static_cast<int>(code); }
 };
 
-/// A value or the Failure that prevented it. Asking for the one that is not there is a bug (checked).
+/// A value or a Failure. Accessing the one that is not present is a programming error (checked).
 template <class T>
 class [[nodiscard]] Result {
  public:

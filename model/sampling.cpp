@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t maxSamplesPerPiece = 100000;
 
-// Straight parts of a cubic piece that stay within the tolerance: the chord error is at most max|F''| du^2
-// / 8.
+// Number of straight parts of a cubic piece within the tolerance; the chord error is at most max|F''| du^2 /
+// 8.
 std::size_t partsOf(const Knot& a, const Knot& b, double tolerance_N) {
   const double length = b.displacement_mm - a.displacement_mm;
   const double t0 = a.slopeAfter_N_per_mm * length, t1 = b.slopeBefore_N_per_mm * length;
@@ -31,10 +31,10 @@ void appendIfNew(std::vector<CurvePoint>& points, CurvePoint point) {
 
 // ---- from points to a curve
 
-// One cubic between two of the points: exact at both, free slopes, least squares over those between.
+// One cubic between two points: exact at both, free slopes, least squares over the points between.
 struct Span {
   std::size_t first, last;
-  double slopeFirst, slopeLast;  // N per mm
+  double slopeFirst, slopeLast;  // N/mm
 };
 
 double hermite(CurvePoint a, CurvePoint b, double slopeA, double slopeB, double x) {
@@ -44,7 +44,7 @@ double hermite(CurvePoint a, CurvePoint b, double slopeA, double slopeB, double 
          length * (slopeA * (u * v * v) - slopeB * (u * u * v));
 }
 
-// Through one point between two: the parabola, since two free slopes are one too many.
+// Parabola for a single point between two; two free slopes would be one too many.
 Span parabola(const std::vector<CurvePoint>& points, std::size_t first) {
   const CurvePoint a = points[first], m = points[first + 1], b = points[first + 2];
   const double length = b.displacement_mm - a.displacement_mm, chord = (b.force_N - a.force_N) / length;
@@ -100,7 +100,8 @@ std::optional<Span> spanIfGood(const std::vector<CurvePoint>& points, std::size_
   return {};
 }
 
-// The longest good span from a point on: galloping, then bisection. Two points always make one.
+// Returns the longest span within the tolerance from a point on, by galloping and bisection. Two points
+// always make one.
 Span longestSpan(const std::vector<CurvePoint>& points, std::size_t first, std::size_t limit,
                  double tolerance_N) {
   Span best = leastSquares(points, first, first + 1);
@@ -125,7 +126,7 @@ Span longestSpan(const std::vector<CurvePoint>& points, std::size_t first, std::
   return best;
 }
 
-// Two spans that meet with nearly one slope get exactly one, where the tolerance allows.
+// Gives two spans that meet with nearly one slope exactly one slope, if the tolerance allows.
 void joinSmoothly(const std::vector<CurvePoint>& points, std::vector<Span>& spans, double tolerance_N) {
   for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
     Span before = spans[i], after = spans[i + 1];
@@ -143,7 +144,7 @@ struct CleanPoints {
   std::optional<PointFault> fault;
 };
 
-// Repeated points and the inner points of walls removed.
+// Removes repeated points and inner points of vertical pieces.
 CleanPoints cleaned(const std::vector<CurvePoint>& points) {
   std::vector<CurvePoint> clean;
   const auto pointFault = [](std::size_t index, Message problem, Remedies remedies) {
@@ -213,7 +214,7 @@ std::vector<CurvePoint> samplesOf(const StrokeCurve& curve, double tolerance_N) 
                                   : a.displacement_mm + share * (b.displacement_mm - a.displacement_mm);
       for (; turn != turns.end() && turn->displacement_mm < x; ++turn)
         if (turn->displacement_mm > points.back().displacement_mm) points.push_back(*turn);
-      // Between knots an ulp apart a place may round to the next knot, which speaks for itself.
+      // Between knots one ulp apart a place may round to the next knot, which has its own point.
       if (x > points.back().displacement_mm && x < b.displacement_mm) points.push_back({x, curve.force_N(x)});
     }
   }
@@ -242,7 +243,7 @@ Result<StrokeCurve> curveThroughDensePoints(const std::vector<CurvePoint>& point
                    fault->problem, fault->remedies};
   std::vector<Span> spans;
   for (std::size_t first = 0; first + 1 < clean.size();) {
-    if (clean[first].displacement_mm == clean[first + 1].displacement_mm) {  // a wall
+    if (clean[first].displacement_mm == clean[first + 1].displacement_mm) {  // a vertical piece
       if (spans.empty()) spans.push_back({first, first, 0, 0});
       ++first;
       if (first + 1 == clean.size()) spans.push_back({first, first, 0, 0});
@@ -258,7 +259,7 @@ Result<StrokeCurve> curveThroughDensePoints(const std::vector<CurvePoint>& point
   }
   joinSmoothly(clean, spans, tolerance_N);
   std::vector<Knot> knots = knotsFrom(clean, spans);
-  // A wall at an end is a span of one point: its knot stands once.
+  // A vertical piece at an end is a span of one point, so its knot occurs twice here.
   knots.erase(std::unique(knots.begin(), knots.end(),
                           [](const Knot& a, const Knot& b) {
                             return a.displacement_mm == b.displacement_mm && a.force_N == b.force_N;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Between curves and dense points, both ways, within a stated tolerance.
+// Conversion between curves and dense points within a tolerance.
 
 #include <optional>
 #include <vector>
@@ -9,33 +9,32 @@
 
 namespace detent {
 
-/// Share of the force range (of the whole graph) by which linear interpolation between samples may miss the
-/// curve, and by which a curve through dense points may miss a point: below a pixel of any plot that fits a
-/// screen.
+/// Largest error as a share of the graph's force range, of linear interpolation between samples and of a
+/// curve through dense points. Below one pixel of any plot that fits a screen.
 constexpr double samplingTolerance = 1e-4;
 
-/// Points on the curve by increasing displacement such that straight lines between them stay within
-/// `tolerance_N` (> 0) of it. Knots (walls, corners) and extrema are among them exactly.
+/// Returns points by increasing displacement such that straight lines between them stay within `tolerance_N`
+/// (> 0) of the curve. Knots and extrema are included exactly.
 std::vector<CurvePoint> samplesOf(const StrokeCurve& curve, double tolerance_N);
 
 /// samplesOf with samplingTolerance of the graph's force range, in the order travelled (release: backwards).
 std::vector<CurvePoint> travelledSamples(const ForceGraph& graph, Stroke stroke);
 
-/// A curve with few knots, chosen among dense points: it passes every point within `tolerance_N` (> 0) and,
-/// between points, stays within twice that of the straight line joining them, so nothing is invented where
-/// points are sparse. No noise is modelled and nothing is fitted in displacement: for measured points use the
-/// importer's fit. Points by increasing displacement; a run at one displacement is a wall (its inner points
-/// must lie between its ends). Failure names the point (counted from 1) that breaks a rule, see faultOf.
+/// Returns a curve with few knots among dense points. It passes every point within `tolerance_N` (> 0) and
+/// stays within twice that of the line between points, so nothing is invented between sparse points. It
+/// models no noise: for measured points use the importer's fit. Points by increasing displacement; several
+/// points at one displacement are a vertical piece, inner ones between its ends. The Failure names the point
+/// (from 1) that breaks a rule, see faultOf.
 Result<StrokeCurve> curveThroughDensePoints(const std::vector<CurvePoint>& points, double tolerance_N);
 
-/// What keeps points from being a curve, and which of them it is, from 0.
+/// Why points are no curve, and the index of the offending point, from 0.
 struct PointFault {
   std::size_t index = 0;
   Message problem;
   Remedies remedies;
 };
 
-/// The first rule of curveThroughDensePoints that the points break by themselves; nothing if they keep all.
+/// Returns the first rule of curveThroughDensePoints that the points break; nullopt if none.
 std::optional<PointFault> faultOf(const std::vector<CurvePoint>& points);
 
 }  // namespace detent

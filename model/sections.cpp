@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // ---- bottom-out
 
-// A short straight stretch of the curve, for the search of the knee.
+// A short straight part of the curve, for finding the start of the bottom-out.
 struct Chord {
   double from_mm, to_mm, fromForce_N, toForce_N;
   bool wall() const { return from_mm == to_mm; }
@@ -27,7 +27,7 @@ struct Chord {
   }
 };
 
-// Every piece as chords: enough of them that the knee of a curve with few knots is met to a part of a piece.
+// Splits every piece into chords, enough to locate the start of the bottom-out within a piece.
 std::vector<Chord> chordsOf(const StrokeCurve& curve) {
   const std::vector<Knot>& knots = curve.knots();
   const std::size_t perPiece = std::clamp<std::size_t>(2048 / knots.size(), 1, 64);
@@ -55,7 +55,7 @@ std::vector<Chord> chordsOf(const StrokeCurve& curve) {
   return chords;
 }
 
-// Force range (max - min) of everything up to the start of each chord.
+// Force range (max - min) up to the start of each chord.
 std::vector<double> rangesBefore(const std::vector<Chord>& chords) {
   std::vector<double> ranges;
   ranges.reserve(chords.size());
@@ -68,14 +68,14 @@ std::vector<double> rangesBefore(const std::vector<Chord>& chords) {
   return ranges;
 }
 
-// The first chord of the wall, or chords.size() where there is none.
+// Index of the first chord of the bottom-out, or chords.size() if there is none.
 std::size_t firstWallChord(const std::vector<Chord>& chords, const SectionSettings& settings) {
   const double start = chords.front().from_mm, end = chords.back().to_mm, travel = end - start;
   const double endForce = chords.back().toForce_N;
   const std::vector<double> ranges = rangesBefore(chords);
   std::size_t first = chords.size();
   double leastSlope =
-      infinity;  // of the chords from i on, the last percent of travel left out (meters round off there)
+      infinity;  // of the chords from i on, without the last percent of travel, where meters round off
   for (std::size_t i = chords.size(); i-- > 0;) {
     const Chord& chord = chords[i];
     if (chord.slope() <= 0 || chord.from_mm - start < 0.5 * travel) break;
@@ -89,7 +89,8 @@ std::size_t firstWallChord(const std::vector<Chord>& chords, const SectionSettin
   return first;
 }
 
-// Where inside the chord before the wall the slope passes the bar; the chord's end where it does not.
+// Displacement in the chord before the bottom-out where the slope exceeds the limit; the chord's end if it
+// does not.
 double footBefore(const StrokeCurve& curve, const Chord& before, const Chord& wall, double slopeRatio,
                   double range) {
   double low = before.from_mm, high = wall.from_mm;
@@ -106,10 +107,10 @@ double footBefore(const StrokeCurve& curve, const Chord& before, const Chord& wa
 
 // ---- tactile points
 
-// A stroke as it is travelled, with the sign that turns a release's minima into maxima.
+// A stroke in the order travelled; the sign turns a release's minima into maxima.
 struct Travelled {
   std::vector<MonotoneStretch>
-      stretches;  // in the order travelled, ends swapped for release, force times `sign`
+      stretches;  // in the order travelled, ends exchanged for a release, force times `sign`
   double sign;
 };
 
@@ -122,7 +123,7 @@ Travelled travelled(const StrokeCurve& curve, Stroke stroke) {
     std::swap(s.fromForce_N, s.toForce_N);
     s.fromForce_N = -s.fromForce_N;
     s.toForce_N = -s.toForce_N;
-    // Travelled backwards and turned upside down: a stretch that rose still rises.
+    // Travelled backwards and with the sign changed, a rising stretch still rises.
   }
   return out;
 }
@@ -147,7 +148,7 @@ std::vector<Turn> turnsOf(const std::vector<MonotoneStretch>& stretches) {
   return turns;
 }
 
-// Depth of the valley on one side, down to where the turn's height is passed or the stroke ends.
+// Depth of the valley on one side, until the force passes the turn's again or the stroke ends.
 double dropAfter(const std::vector<MonotoneStretch>& stretches, const Turn& turn) {
   double low = turn.height_N;
   for (std::size_t i = turn.firstFalling; i < stretches.size() && stretches[i].toForce_N <= turn.height_N;
@@ -196,7 +197,7 @@ std::vector<ProminentTurn> prominentTurns(const StrokeCurve& curve, const Travel
 
 // ---- sections
 
-// Displacement where the height of a turn is passed again; nullopt where it never is.
+// Displacement where the force passes that of a turn again; nullopt if it never does.
 std::optional<double> regainedAt(const StrokeCurve& curve, const Travelled& way, const Turn& turn) {
   for (std::size_t i = turn.firstFalling; i < way.stretches.size(); ++i) {
     MonotoneStretch s = way.stretches[i];
@@ -216,7 +217,7 @@ Section sectionBetween(SectionKind kind, double from_mm, double to_mm, double fr
   return {kind, from_mm, to_mm, fromForce_N, toForce_N};
 }
 
-// Appends the slope up to a place, unless nothing lies between.
+// Appends a slope section up to a place, unless its length is 0.
 void appendSlope(std::vector<Section>& sections, double& at_mm, double& atForce, double to_mm,
                  double toForce) {
   if (to_mm == at_mm && toForce == atForce) return;
@@ -309,7 +310,8 @@ std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const B
 
 double jumpArea_mJ(const StrokeCurve& curve, const Section& jump) {
   DETENT_CHECK(jump.kind == SectionKind::jump, "a jump section");
-  // Press: the curve lies below its tactile force; release, travelled backwards, above it. Both signs cancel.
+  // On a press the curve lies below its tactile force, on a release, travelled backwards, above it. Both
+  // signs cancel.
   return std::max(0.0, -curve.areaAbove_mJ(jump.fromForce_N, jump.from_mm, jump.to_mm));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Fingerprint of a file: where an import came from, what a study played.
+// Hash of a file: source of an import, stimuli of a study.
 
 #include <span>
 #include <string>

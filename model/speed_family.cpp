@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/speed_family.h"
 
-// Without std::ranges: the browsers' library (libc++ 14, playback/page) has none.
+// No std::ranges: libc++ 14, used for the browser module (playback/page), lacks it.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,7 +12,7 @@
 namespace detent {
 namespace {
 
-// Beyond its ends a curve goes on with the nearest end's force.
+// Beyond its ends a curve keeps the force of the nearest end.
 double slopeBefore(const StrokeCurve& curve, double at_mm) {
   return at_mm <= curve.start_mm() || at_mm > curve.end_mm() ? 0 : curve.slopeBefore_N_per_mm(at_mm);
 }

@@ -21,7 +21,7 @@ std::set<fs::path>& openFiles() {
   return files;
 }
 
-// The file a path finally stands for.
+// Returns the file that a path resolves to.
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   if (!fs::is_symlink(path, error)) return path;
@@ -29,7 +29,7 @@ fs::path resolved(const fs::path& path) {
   return error ? path : target;
 }
 
-// Short, so that a long target name does not make it too long.
+// Short, so that a long target name stays within the limit.
 fs::path temporaryBeside(const fs::path& target) {
   std::random_device random;
   char name[48];
@@ -88,7 +88,7 @@ Result<Done> StagedFile::commit() {
   std::error_code error;
   const fs::file_status status = fs::status(target_, error);
   if (fs::exists(status)) fs::permissions(path_, status.permissions(), error);
-  // Else the name could reach the disk before what it names: after a power cut an empty file would stand there.
+  // Otherwise the name could reach the disk before the contents, and a power cut would leave an empty file.
   if (const std::error_code refused = writeToDisk(path_)) return notWritten(refused.message());
   fs::rename(path_, target_, error);
   if (error) return notWritten(error.message());

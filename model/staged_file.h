@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Files that are complete or not there, for every writer of the product.
+// Files that are either complete or absent, for every writer.
 
 #include <filesystem>
 #include <string>
@@ -9,27 +9,29 @@
 
 namespace detent {
 
-/// A file under a temporary name beside its target, which it replaces when it is committed; what is not committed goes.
-/// Any thread; one at a time.
+/// A file under a temporary name beside its target, which it replaces on commit; removed if not committed.
+/// Any thread; one thread at a time.
 class StagedFile {
  public:
-  /// Nothing is written yet. Failure wrongUsage: the target is a folder, no regular file, or lies in no folder.
+  /// Creates it without writing. Failure wrongUsage: the target is a folder, no regular file, or in no
+  /// folder.
   static Result<StagedFile> beside(const std::filesystem::path& target);
   StagedFile(StagedFile&& other) noexcept;
   StagedFile& operator=(StagedFile&&) = delete;
   ~StagedFile();
 
-  /// Where to write: a name that no other writer has.
+  /// Path to write to; unique.
   const std::filesystem::path& path() const { return path_; }
-  /// What it will be.
+  /// Path after commit.
   const std::filesystem::path& target() const { return target_; }
-  /// An existing target keeps its permissions, a symbolic link what it points to. A power cut leaves the target as it was or
-  /// complete, and complete once this has returned. Failure internalFault: the disk refused, and the target is as it was.
+  /// Replaces the target. An existing target keeps its permissions, a symbolic link its target. After a power
+  /// cut the target is unchanged or complete, and complete once this has returned. Failure internalFault: the
+  /// disk refused; the target is unchanged.
   Result<Done> commit();
-  /// Removes all that are open in this process: for the moment before it is ended by force. Any thread; does nothing where another
-  /// one holds the list.
+  /// Removes all uncommitted files of this process before it is ended by force. Any thread; does nothing if
+  /// another thread holds the list.
   static void removeAll();
-  /// What to say of a target whose writing failed for `reason` (may be empty).
+  /// Failure for a target that could not be written for `reason` (may be empty).
   Failure notWritten(const std::string& reason) const;
 
  private:

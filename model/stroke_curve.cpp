@@ -23,8 +23,8 @@ Failure curveFailure(Message place, Message problem, Remedies remedies) {
 
 Message knotPlace(std::size_t index) { return Message("knot %1", index + 1); }
 
-// One non-vertical piece over u = (x - x0)/h in [0, 1]; tangents are slopes times h, so no division by a tiny
-// h occurs.
+// One non-vertical piece over u = (x - x0)/h in [0, 1]. Tangents are slopes times h, so nothing is divided by
+// a small h.
 struct Piece {
   double start_mm, length_mm;
   double forceStart, forceEnd;      // N
@@ -34,7 +34,7 @@ struct Piece {
   double quadratic() const { return 3 * rise() - 2 * tangentStart - tangentEnd; }
   double cubic() const { return tangentStart + tangentEnd - 2 * rise(); }
 
-  // From the nearer end, so that both knots are met exactly.
+  // Evaluated from the nearer end, so that both knots are met exactly.
   double force(double u) const {
     if (u <= 0.5) return forceStart + u * (tangentStart + u * (quadratic() + u * cubic()));
     const double v = 1 - u;
@@ -45,7 +45,7 @@ struct Piece {
   double displacement(double u) const { return u >= 1 ? start_mm + length_mm : start_mm + u * length_mm; }
   bool flat() const { return forceStart == forceEnd && tangentStart == 0 && tangentEnd == 0; }
 
-  // Size of the terms whose rounding decides what a turn of the curve is worth.
+  // Size of the terms whose rounding limits the significance of a turn.
   double magnitude() const {
     return std::max({std::abs(forceStart), std::abs(forceEnd), std::abs(tangentStart), std::abs(tangentEnd)});
   }
@@ -67,7 +67,7 @@ bool isVertical(const std::vector<Knot>& knots, std::size_t index) {
   return knots[index].displacement_mm == knots[index + 1].displacement_mm;
 }
 
-// Real roots of c + b u + a u^2 strictly inside (0, 1), increasing; the two closed forms that do not cancel.
+// Real roots of c + b u + a u^2 strictly inside (0, 1), increasing, by the closed forms without cancellation.
 struct Roots {
   std::array<double, 2> at{};
   int count = 0;
@@ -86,18 +86,18 @@ Roots quadraticRootsInside(double a, double b, double c) {
   const double discriminant = b * b - 4 * a * c;
   if (discriminant < 0) return roots;
   const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-  if (q == 0) return roots;  // b = c = 0 (double root at u = 0) or b = 0 = a*c: nothing inside
+  if (q == 0) return roots;  // b = c = 0 (double root at u = 0) or b = 0 = a*c: no root inside
   roots.addInside(c / q);
   if (a != 0 && q / a != c / q) roots.addInside(q / a);
   if (roots.count == 2 && roots.at[0] > roots.at[1]) std::swap(roots.at[0], roots.at[1]);
   return roots;
 }
 
-// Where a piece turns: derivative roots that separate rising from falling by more than rounding.
+// Derivative roots that separate rising from falling by more than rounding.
 Roots turnsOf(const Piece& piece) {
   Roots candidates = quadraticRootsInside(3 * piece.cubic(), 2 * piece.quadratic(), piece.tangentStart);
   const double noise = 4 * epsilon * piece.magnitude();
-  // Drop the cut that bounds the smallest step, until every step is real and neighbours alternate.
+  // Drop the root with the smallest step until every step is significant and directions alternate.
   while (candidates.count > 0) {
     std::array<double, 4> force{};
     const auto n = static_cast<std::size_t>(candidates.count);
@@ -125,7 +125,7 @@ Roots turnsOf(const Piece& piece) {
 int directionOf(double from, double to) { return to > from ? 1 : to < from ? -1 : 0; }
 
 void appendStretch(std::vector<MonotoneStretch>& stretches, const MonotoneStretch& next) {
-  if (next.from_mm == next.to_mm && next.direction == 0) return;  // a doubled knot is nothing
+  if (next.from_mm == next.to_mm && next.direction == 0) return;  // a doubled knot has no length
   if (!stretches.empty()) {
     MonotoneStretch& last = stretches.back();
     const bool bothExtended = last.from_mm < last.to_mm && next.from_mm < next.to_mm;
@@ -138,7 +138,7 @@ void appendStretch(std::vector<MonotoneStretch>& stretches, const MonotoneStretc
   stretches.push_back(next);
 }
 
-// u in [low, high] where the piece, monotone there, has the force; force(low) and force(high) enclose it.
+// Returns u in [low, high] where the monotone piece has the force; force(low) and force(high) enclose it.
 double solveMonotone(const Piece& piece, double low, double high, double force, double tolerance) {
   double lowValue = piece.force(low) - force;
   const double highValue = piece.force(high) - force;
@@ -200,7 +200,7 @@ std::optional<Failure> pieceProblem(const std::vector<Knot>& knots, std::size_t 
     const double length = knots[i + 1].displacement_mm - knots[i].displacement_mm;
     steepest = 6 * (std::abs(rise) / length) +
                6 * (std::abs(knots[i].slopeAfter_N_per_mm) + std::abs(knots[i + 1].slopeBefore_N_per_mm));
-    if (length > 1) steepest *= length;  // the tangents over the piece must stay finite as well
+    if (length > 1) steepest *= length;  // the tangents over the piece must stay finite too
   }
   if (std::isfinite(steepest)) return {};
   return curveFailure(Message("piece %1", i + 1),
@@ -208,7 +208,7 @@ std::optional<Failure> pieceProblem(const std::vector<Knot>& knots, std::size_t 
                       Message("Make the piece vertical (equal displacements) or less steep"));
 }
 
-// Three-point end slope of a monotone-safe curve (Fritsch and Butland's limits at the border).
+// Three-point end slope of a monotone curve (Fritsch and Butland).
 double endSlope(double h0, double h1, double d0, double d1) {
   const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (slope * d0 <= 0) return 0;
@@ -222,7 +222,7 @@ double innerSlope(double h0, double h1, double d0, double d1) {
   return (w0 + w1) / (w0 / d0 + w1 / d1);
 }
 
-// Slopes of the run of strictly increasing points [first, last].
+// Sets the slopes of strictly increasing points [first, last].
 void setSlopes(std::vector<Knot>& knots, std::size_t first, std::size_t last) {
   const auto length = [&](std::size_t i) { return knots[i + 1].displacement_mm - knots[i].displacement_mm; };
   const auto secant = [&](std::size_t i) { return (knots[i + 1].force_N - knots[i].force_N) / length(i); };
@@ -381,7 +381,8 @@ std::vector<MonotoneStretch> StrokeCurve::monotoneStretches() const {
     for (int t = 0; t < turns.count; ++t) {
       const double u = turns.at[static_cast<std::size_t>(t)];
       const double turn_mm = piece.displacement(u), turnForce = piece.force(u);
-      if (turn_mm <= cut_mm || turn_mm >= to_mm) continue;  // the piece is shorter than the doubles around it
+      // the piece is shorter than the resolution of doubles
+      if (turn_mm <= cut_mm || turn_mm >= to_mm) continue;
       appendStretch(stretches, {cut_mm, turn_mm, cutForce, turnForce, directionOf(cutForce, turnForce)});
       cut_mm = turn_mm;
       cutForce = turnForce;
@@ -403,7 +404,7 @@ double StrokeCurve::displacementIn(const MonotoneStretch& stretch, double force_
   const double sign = stretch.direction;
   if (sign * force_N <= sign * stretch.fromForce_N) return stretch.from_mm;
   if (sign * force_N >= sign * stretch.toForce_N) return stretch.to_mm;
-  // Knots inside the stretch are monotone in force: find the piece by bisection over them.
+  // Knots inside the stretch are monotone in force, so the piece is found by bisection.
   std::size_t low = pieceFrom(stretch.from_mm), high = pieceTo(stretch.to_mm);
   while (low < high) {
     const std::size_t middle = low + (high - low + 1) / 2;

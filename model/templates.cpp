@@ -147,7 +147,7 @@ Result<Button> selfLockingButton(const SelfLockingTemplate& values) {
   if (!unlocked) return unlocked.failure();
   auto locked = graphFrom(lockedPress, lockedRelease);
   if (!locked) return locked.failure();
-  // Both states latch on the far side of the lock, where the release curve of either state passes.
+  // Both states latch between the lock and the end, where both release curves pass.
   const double latch_mm = 0.5 * (values.lock_mm + values.travel_mm);
   return Button::fromStates(values.name, {ButtonState{"unlocked", *std::move(unlocked), latch_mm, {}, {}},
                                           ButtonState{"locked", *std::move(locked), latch_mm, {}, {}}});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Buttons to start from. Each takes a plain struct whose defaults make a plausible key switch; every value is
-// free.
+// Templates for new buttons. Defaults make a plausible key switch; every value is free.
 
 #include <cstddef>
 #include <optional>
@@ -12,11 +11,12 @@
 
 namespace detent {
 
-/// One stroke as a hand would sketch it: points joined by monotone-safe cubics, so an extremum of the points
-/// is an extremum of the curve and nothing overshoots.
+/// One stroke as points joined by monotone cubics: extrema of the points are extrema of the curve, without
+/// overshoot.
 struct StrokeSketch {
-  std::vector<CurvePoint> points;     ///< by increasing displacement; equal displacements make a wall
-  std::vector<std::size_t> straight;  ///< pieces (i: from point i to i + 1) that are straight lines
+  std::vector<CurvePoint> points;     ///< by increasing displacement; equal displacements make a vertical
+                                      ///< piece
+  std::vector<std::size_t> straight;  ///< pieces (i: from point i to i + 1) that are straight
 };
 Result<StrokeCurve> strokeFrom(const StrokeSketch& sketch);
 
@@ -27,7 +27,7 @@ struct LinearTemplate {
   double startForce_N = 0.30;
   double endForce_N = 0.80;
   double hysteresis_N = 0.05;         ///< release below press; >= 0
-  std::optional<double> wallForce_N;  ///< top of a vertical bottom-out; none: the curve just ends
+  std::optional<double> wallForce_N;  ///< force at the top of a vertical bottom-out; nullopt: none
   std::optional<double> operatingPoint_mm = 2.0, resetPoint_mm = 1.9;
 };
 Result<Button> linearButton(const LinearTemplate& values = {});
@@ -41,8 +41,8 @@ struct ReleaseLevel {
   CurvePoint tactile, hump;
 };
 
-/// A button with one or more jumps per stroke: the press goes start, (tactile, valley)..., end, wall; the
-/// release comes back end, (tactile, hump)..., start. A release with no levels is smooth.
+/// A button with one or more jumps per stroke: the press goes start, (tactile, valley)..., end, bottom-out;
+/// the release goes end, (tactile, hump)..., start. A release without levels is smooth.
 struct TactileTemplate {
   std::string name = "tactile";
   double travel_mm = 4;
@@ -58,7 +58,7 @@ struct TactileTemplate {
 };
 Result<Button> tactileButton(const TactileTemplate& values = {});
 
-/// A tactile button whose force collapses within `collapse_mm` after the tactile point, in a corner, on both
+/// A tactile button whose force drops within `collapse_mm` after the tactile point, in a corner, on both
 /// strokes.
 struct ClickyTemplate {
   std::string name = "clicky";
@@ -81,8 +81,8 @@ Result<Button> clickyButton(const ClickyTemplate& values = {});
 TactileTemplate twoLevelValues();
 Result<Button> twoLevelButton();
 
-/// Two states that alternate at each actuation: "unlocked" rests at 0 and, once pressed, comes back to
-/// `lock_mm` only; "locked" starts there and comes back to 0.
+/// Two states that alternate at each actuation: "unlocked" starts at 0 and returns to `lock_mm` once pressed;
+/// "locked" starts there and returns to 0.
 struct SelfLockingTemplate {
   std::string name = "self-locking";
   double travel_mm = 4;
@@ -90,8 +90,9 @@ struct SelfLockingTemplate {
   double startForce_N = 0.35;
   PressLevel press = {{1.4, 0.75}, {2.0, 0.55}};  ///< of the unlocked state
   double endForce_N = 0.95;
-  double lockForce_N = 0.05;                          ///< what is left at the lock, carried by the latch
-  double lockedStartForce_N = 0.60;                   ///< where the locked press leaves the latch, at lock_mm
+  double lockForce_N = 0.05;                          ///< force left at the lock, carried by the latch
+  double lockedStartForce_N = 0.60;                   ///< force where the locked press leaves the latch, at
+                                                      ///< lock_mm
   ReleaseLevel release = {{1.8, 0.30}, {1.2, 0.50}};  ///< of the locked state, on its way back to 0
   double releaseStartForce_N = 0.20;
   double hysteresis_N = 0.05;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t bandPoints = 201;
 
-/// A mean of many units has a knot wherever one of them has: thinned, it stays this close, as a share of the force range.
+/// Share of the force range by which the thinned mean may differ; the full mean has the knots of all units.
 constexpr double thinnedWithin = 1e-4;
 
 struct Moments {
@@ -99,7 +99,7 @@ std::vector<FigureSpread> figuresOf(const std::vector<Button>& units, std::size_
   return spreads;
 }
 
-/// Of every unit from the median of all, over the press of the first state up to where the first of them reaches its bottom-out.
+/// Distance of every unit from the median, over the press of the first state up to the first bottom-out.
 std::vector<double> distancesOf(const Curves& presses, const SectionSettings& settings) {
   Range_mm range = commonRange(presses);
   for (const StrokeCurve* press : presses)

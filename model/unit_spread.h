@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Several units of one button as one: the mean, how far the units scatter around it, and which of them is odd.
+// Several units of one button: their mean, spread and outliers.
 
 #include <cstddef>
 #include <vector>
@@ -13,8 +13,8 @@ namespace detent {
 /// One key figure over the units that have it.
 struct FigureSpread {
   KeyFigure figure = KeyFigure::peakForce;
-  std::size_t units = 0;    ///< that have it, >= 1
-  double mean = 0, sd = 0;  ///< mm, N, N/mm, mJ, or a share; sd of a unit, n - 1; 0 of a single one
+  std::size_t units = 0;    ///< number of units with this figure, >= 1
+  double mean = 0, sd = 0;  ///< mm, N, N/mm, mJ, or a share; sd of a unit, n - 1; 0 for a single one
   double least = 0, most = 0;
 };
 
@@ -24,29 +24,30 @@ struct BandPoint {
   double mean_N = 0, sd_N = 0;  ///< sd of a unit, n - 1
 };
 
-/// What the units' forces at each displacement say, over the travel that all of them have.
+/// Mean and deviation of forces at each displacement, over the common travel.
 using ToleranceBand = std::vector<BandPoint>;
 
 struct StateSpread {
-  std::vector<FigureSpread> figures;  ///< those that any unit has, in the order of KeyFigure
-  ToleranceBand press, release;       ///< 201 points each; the release empty where a unit has none
+  std::vector<FigureSpread> figures;  ///< figures that any unit has, in the order of KeyFigure
+  ToleranceBand press, release;       ///< 201 points each; release empty if a unit has none
 };
 
 struct UnitSpread {
   Button mean;                      ///< aligned by features (blend.h), with few knots
   std::vector<StateSpread> states;  ///< as the mean's
   std::vector<double>
-      distance_N;  ///< per unit: rms from the median of all over the press to its first bottom-out
+      distance_N;  ///< per unit: rms distance from the median press of all units, up to the first bottom-out
   std::vector<std::size_t>
-      outliers;  ///< units more than `outlierRatio` times the median distance away; in the mean like all others
+      outliers;  ///< units more than `outlierRatio` times the median distance away; included in the mean
 };
 
-/// Of units that scatter alike, 5 of them or 20, fewer than one in a hundred is this far out.
+/// Of 5 to 20 units with equal scatter, fewer than one in a hundred is this far out.
 inline constexpr double outlierRatio = 5;
-/// Fewer cannot say which of them is odd: none is marked.
+/// With fewer units no outlier is marked.
 inline constexpr std::size_t fewestForOutliers = 4;
 
-/// Two units or more, all momentary or all self-locking. Failure wrongUsage: otherwise, or without a travel that all have. Any thread.
+/// Two or more units, all momentary or all self-locking. Failure wrongUsage: otherwise, or without a common
+/// travel. Any thread.
 Result<UnitSpread> spreadOf(const std::vector<Button>& units, const SectionSettings& settings = {});
 
 }  // namespace detent

@@ -14,19 +14,19 @@ namespace {
 constexpr double standardGravity_m_per_s2 = 9.80665;  // exact by definition (3rd CGPM, 1901)
 constexpr double newtonsPerPoundForce = 4.4482216152605;
 
-using Spellings = std::array<std::string_view, 20>;  // empty ones at the end
+using Spellings = std::array<std::string_view, 20>;  // unused entries at the end are empty
 
-/// All there is to know of a unit.
+/// Definition of a unit.
 template <class Unit>
 struct UnitEntry {
   Unit unit;
   double inBaseUnits;  // newtons, millimetres
   std::string_view symbol;
-  Spellings exact;  // spellings whose case carries meaning: tried before anything is lowered
+  Spellings exact;  // spellings whose case matters; tried before lowering
   Spellings words;  // in lower case
 };
 
-// "p" is pond, on old German sheets.
+// "p" is pond, used on old German sheets.
 constexpr UnitEntry<ForceUnit> forceUnits[] = {
     {ForceUnit::newton,
      1,
@@ -67,7 +67,7 @@ constexpr UnitEntry<ForceUnit> forceUnits[] = {
      {},
      {"lbf", "lb", "lb.", "lb.f", "lbs", "lbs.", "pound", "pounds"}}};
 
-// Of micrometres, the second spelling has the micro sign, the third a Greek mu.
+// The second spelling of micrometres has the micro sign, the third a Greek mu.
 constexpr UnitEntry<LengthUnit> lengthUnits[] = {
     {LengthUnit::millimetre,
      1,
@@ -118,7 +118,7 @@ std::optional<Unit> unitFrom(const UnitEntry<Unit> (&units)[count], std::string_
   return {};
 }
 
-// Half mega, half milli: lowering it would silently be wrong by nine orders of magnitude.
+// "Mn" may be mega or milli; lowering it could be wrong by nine orders of magnitude.
 bool mayBeMega(std::string_view text) { return text == "Mn"; }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The one place where forces and lengths change their unit. Inside Detent: newton and millimetre, as double.
+// The only place that converts units of force and length. Internally: newton and millimetre, as double.
 
 #include <optional>
 #include <string_view>
@@ -28,12 +28,13 @@ double newtonsPer(ForceUnit unit);
 /// Millimetres in one unit (1 in = 25.4 mm).
 double millimetresPer(LengthUnit unit);
 
-/// "cN", "gf", "mm", "µm" ...: the symbol we print.
+/// "cN", "gf", "mm", "µm" ...: the printed symbol.
 std::string_view symbolOf(ForceUnit unit);
 std::string_view symbolOf(LengthUnit unit);
 
-/// From a symbol or word as printed or typed, Latin, Cyrillic or CJK: "gf", "g", "gram", "cN", "mN", "N", "ozf", "oz",
-/// "lbf", "kgf", "гс", "牛"...; case matters only where it must ("mN" and "MN", "m" and "M"). nullopt if it names no known unit.
+/// Parses a printed or typed symbol or word, Latin, Cyrillic or CJK: "gf", "g", "gram", "cN", "mN", "N",
+/// "ozf", "oz", "lbf", "kgf", "гс", "牛"...; case matters only where needed ("mN" and "MN", "m" and "M").
+/// nullopt for an unknown unit.
 std::optional<ForceUnit> forceUnitFrom(std::string_view text);
 std::optional<LengthUnit> lengthUnitFrom(std::string_view text);
 

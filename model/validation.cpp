@@ -11,10 +11,9 @@
 namespace detent {
 namespace {
 
-// A stroke may cross the other by measuring noise; 2 % of the force range is what datasheet graphs show at
-// most.
+// Allowed crossing of strokes by measurement noise; datasheet graphs show at most 2 % of the force range.
 constexpr double crossingShare = 0.02;
-// Ends of strokes closer than this share of the travel meet (a drawn line's width).
+// Ends of strokes closer than this share of the travel (a line's width) coincide.
 constexpr double meetingShare = 0.02;
 constexpr std::size_t handyKnots = 200;
 constexpr double lowConfidenceBar = 0.5;
@@ -28,7 +27,7 @@ std::string numberText(double value) {
 std::string mm(double value) { return numberText(value) + " mm"; }
 std::string newton(double value) { return numberText(value) + " N"; }
 
-// Displacements at which two curves are compared: all knots and turns of both, and points between.
+// Displacements for comparing two curves: all knots and turns of both, and points between.
 std::vector<double> sampleDisplacements(const StrokeCurve& a, const StrokeCurve& b) {
   std::vector<double> xs;
   const double from = std::max(a.start_mm(), b.start_mm()), to = std::min(a.end_mm(), b.end_mm());
@@ -58,7 +57,7 @@ struct Findings {
   }
 };
 
-// Where the first of the two strokes meets its wall; infinity where neither has one.
+// Displacement where the first of the two bottom-outs begins; infinity if neither stroke has one.
 double firstWall(const StrokeCurve& press, const StrokeCurve& release, const SectionSettings& settings) {
   double first = std::numeric_limits<double>::infinity();
   for (const StrokeCurve* curve : {&press, &release})
@@ -71,13 +70,13 @@ struct Crossing {
   double above_N = 0, at_mm = 0;
 };
 
-// How far a release lies above a press, at most.
+// Largest distance of a release above a press.
 Crossing worstCrossing(const StrokeCurve& press, const StrokeCurve& release,
                        const SectionSettings& settings) {
   const double wall_mm = firstWall(press, release, settings);
   Crossing worst;
   for (double x : sampleDisplacements(press, release)) {
-    if (x >= wall_mm) break;  // on a wall a hair of displacement is any force
+    if (x >= wall_mm) break;  // in a bottom-out a tiny displacement changes the force by any amount
     const double above_N = std::max(release.force_N(x), release.forceBefore_N(x)) -
                            std::max(press.force_N(x), press.forceBefore_N(x));
     if (above_N > worst.above_N) worst = {above_N, x};
@@ -85,15 +84,15 @@ Crossing worstCrossing(const StrokeCurve& press, const StrokeCurve& release,
   return worst;
 }
 
-// One finding for the worst pair of speeds.
+// Reports the worst pair of speeds.
 void checkSpeeds(Findings& out, const ButtonState& state, const SectionSettings& settings) {
   const std::vector<double> speeds = speedsOf(state);
   Crossing worst;
   std::size_t pressed = 0, released = 0;
   for (std::size_t p = 0; p < speeds.size(); ++p)
     for (std::size_t r = 0; r < speeds.size(); ++r) {
-      if (p == r && speeds[p] == *state.speed_mm_per_s) continue;  // release-above-press tells of these two
-      if (p != r && !state.graph.release()) continue;  // a press stands in for the release of its speed
+      if (p == r && speeds[p] == *state.speed_mm_per_s) continue;  // release-above-press reports this pair
+      if (p != r && !state.graph.release()) continue;  // a press is used as the release of its own speed only
       const Crossing each =
           worstCrossing(graphAt(state, p).press(), graphAt(state, r).curve(Stroke::release), settings);
       if (each.above_N <= worst.above_N) continue;

@@ -29,7 +29,7 @@ std::optional<std::string> bytesFromBase64(std::string_view text) {
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3);
   std::uint32_t bits = 0;
-  int held = 0;  // of bits, not yet given out
+  int held = 0;  // number of pending bits
   const std::size_t letters = text.find_last_not_of('=') + 1;
   if (text.size() - letters > 2) return {};
   for (const char letter : text.substr(0, letters)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Bytes as text that JSON can hold (RFC 4648, section 4).
+// Base64 (RFC 4648, section 4).
 
 #include <optional>
 #include <string>
@@ -9,7 +9,8 @@
 namespace detent {
 
 std::string base64From(std::string_view bytes);
-/// nullopt for anything that base64From does not write: other characters, missing padding, bits left over.
+/// Returns nullopt for text that base64From does not write: other characters, missing padding, left-over
+/// bits.
 std::optional<std::string> bytesFromBase64(std::string_view text);
 
 }  // namespace detent

@@ -22,11 +22,11 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr int maxDepth = 16;  // the format itself needs 5; deeper text is hostile
+constexpr int maxDepth = 16;  // levels of nesting; the format needs 5, deeper text is hostile
 
 // ---- parsing
 
-// A reading fault; never leaves this file.
+// A parse error; does not leave this file.
 struct Refusal {
   Failure failure;
 };
@@ -113,7 +113,7 @@ class Reader {
     return out;
   }
 
-  // A value's own Failure, with this file and place in front of it.
+  // Adds file and place to the Failure of a value.
   template <class T>
   T accepted(Result<T> result, const std::string& place) const {
     if (!result) {
@@ -144,7 +144,7 @@ class Reader {
   std::string subject_;
 };
 
-// Refuses what the parser would build without complaint: bottomless nesting and keys given twice.
+// Refuses unlimited nesting and duplicate keys, which the parser accepts.
 json parsedJson(std::string_view text, const Reader& reader) {
   std::vector<std::set<std::string>> keys;
   const json::parser_callback_t watch = [&](int depth, json::parse_event_t event, json& parsed) {
@@ -322,7 +322,7 @@ std::vector<ButtonState> statesFrom(const Reader& in, const json& object, const 
   return states;
 }
 
-// The objects of an optional list, each with its place.
+// Visits the objects of an optional list with their places.
 template <class Take>
 void forEachObject(const Reader& in, const json& object, const std::string& place, const char* key,
                    Take take) {
@@ -342,7 +342,7 @@ std::string filledText(const Reader& in, const json& object, const std::string& 
   return text;
 }
 
-// Where a remark or pin stands: state, stroke, displacement.
+// Reads the place of a note or pin: state, stroke, displacement.
 template <class At>
 void takePlace(const Reader& in, const json& value, const std::string& place, At& at) {
   const int state = in.wholeNumber(value, place, "state", 0);
@@ -516,7 +516,7 @@ void append(ordered_json& document, const Annotations& annotations) {
   if (!annotations.links.empty()) document["links"] = jsonOf(annotations.links);
 }
 
-// The oldest that holds the content.
+// Returns the oldest version that holds the content.
 int versionFor(const Button& button, const std::optional<PageCutout>& cutout,
                const Annotations& annotations) {
   const auto atSpeeds = [](const std::vector<ButtonState>& states) {
@@ -533,7 +533,7 @@ bool holdsOnlyScalars(const ordered_json& value) {
   return std::none_of(value.begin(), value.end(), [](const ordered_json& v) { return v.is_structured(); });
 }
 
-// Indented by two, but a knot stays on one line.
+// Indents by two, but keeps a knot on one line.
 void print(std::string& out, const ordered_json& value, const std::string& indent) {
   const bool scalarRow = value.is_structured() && !indent.empty() && holdsOnlyScalars(value);
   if (!value.is_structured() || value.empty() || (scalarRow && value.is_array())) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// *.button.json: the file of a button (docs/reference/file-format.md, button.schema.json beside this file).
-//
-// One version number; newer versions are refused, older ones migrated for ever. Every double survives bit for
-// bit. Unknown keys are refused, because a misspelt key would silently lose a value; keys that begin with
-// "x-" are free for other programs, are ignored here, and are not written back. Keys given twice are refused.
+// *.button.json: the button file (docs/reference/file-format.md, button.schema.json beside this file).
+// One version number; newer versions are refused, older ones are migrated. Every double survives bit for bit.
+// Unknown keys are refused, because a misspelt key would silently lose a value; keys that begin with "x-"
+// belong to other programs, are ignored and not written back. Duplicate keys are refused.
 
 #include <optional>
 #include <string>
@@ -16,11 +15,11 @@
 
 namespace detent {
 
-/// The newest that is read. Written is the oldest that can hold the content: what has neither cut-out nor annotations stays
-/// readable for programs that know version 2.
+/// Newest version that is read. The oldest version that can hold the content is written, so files without
+/// cut-out and annotations stay readable for programs that know version 2.
 constexpr int buttonFileVersion = 5;
 
-/// Everything a file holds.
+/// Contents of a button file.
 struct ButtonFile {
   Button button;
   std::optional<PageCutout> cutout = {};
@@ -28,18 +27,17 @@ struct ButtonFile {
 };
 
 /// `subject` names the text in Failures (a file name). Failures: unreadableInput with line and column for
-/// malformed JSON, with the path of the value ("states[0].press[3].force_N") for everything else.
+/// malformed JSON, with the path of the value ("states[0].press[3].force_N") otherwise.
 Result<ButtonFile> buttonFileFromJson(std::string_view text, const std::string& subject);
-/// The button alone.
+/// Only the button.
 Result<Button> buttonFromJson(std::string_view text, const std::string& subject);
 
-/// Deterministic text, one knot per line, ending in a newline. Bytes of names that are no UTF-8 become
-/// U+FFFD.
+/// Deterministic text, one knot per line, ending in a newline. Invalid UTF-8 in names becomes U+FFFD.
 std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cutout = {},
                      const Annotations& annotations = {});
 
 Result<ButtonFile> readWholeButtonFile(const std::string& path);
-/// The button alone.
+/// Only the button.
 Result<Button> readButtonFile(const std::string& path);
 /// Atomic: see writeTextFileAtomically.
 Result<Done> writeButtonFile(const std::string& path, const Button& button);

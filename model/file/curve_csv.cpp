@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view header = "stroke,displacement_mm,force_N";
 
-/// `line` from 1; 0: the file as a whole.
+/// `line` from 1; 0: the whole file.
 Failure csvFailure(FailureCode code, const std::string& subject, std::size_t line, Message problem,
                    Remedies remedies) {
   return {code, subject, line == 0 ? Message() : Message("line %1", line), std::move(problem),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The CSV of the programs' contract: header `stroke,displacement_mm,force_N`, rows in the order travelled.
-// For force meters' own logs see importer/log.
+// CSV with the header `stroke,displacement_mm,force_N`, rows in the order travelled. For logs of force
+// testers see importer/log.
 
 #include <string>
 #include <string_view>
@@ -11,16 +11,16 @@
 
 namespace detent {
 
-/// Samples of both strokes (samplingTolerance of the force range; walls, corners and extrema exact). Numbers
-/// read back bit for bit. No release rows where none is known.
+/// Samples of both strokes (samplingTolerance of the force range; vertical pieces, corners and extrema
+/// exact). Numbers read back bit for bit. No rows for a missing release.
 std::string csvFrom(const ForceGraph& graph);
 
-/// The rows as they stand, any sampling, any order within a stroke. A byte order mark, CRLF and blank lines
-/// are tolerated. Failure unreadableInput with the line: wrong header, wrong field count, not finite, unknown
-/// stroke; noForceGraph: no rows.
+/// Returns the rows unchanged, with any sampling and any order within a stroke. Tolerates a byte order mark,
+/// CRLF and blank lines. Failure unreadableInput with the line: wrong header, wrong field count, not finite,
+/// unknown stroke; noForceGraph: no rows.
 Result<GraphPolylines> polylinesFromCsv(std::string_view text, const std::string& subject);
 
-/// A graph through the rows: see curveThroughDensePoints. The release must come back from large to small
+/// Returns a graph through the rows, see curveThroughDensePoints. The release must go from large to small
 /// displacement. Failure noForceGraph: no press rows.
 Result<ForceGraph> graphFromCsv(std::string_view text, const std::string& subject);
 

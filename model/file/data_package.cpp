@@ -63,7 +63,7 @@ std::string figuresCsv(const Button& button) {
   return csv;
 }
 
-/// The package's name: small Latin letters, digits, '-', '_', '.'; nothing else may stand in it.
+/// Returns a valid package name: lower-case Latin letters, digits, '-', '_', '.'.
 std::string packageName(const std::string& title) {
   std::string name;
   for (const char c : title) {

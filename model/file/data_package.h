@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button as a Frictionless data package (Tabular Data Package 1.0): a description beside CSV tables, each column with its unit, so
-// that programs of others read the numbers without knowing Detent.
+// A button as a Frictionless data package (Tabular Data Package 1.0): a description beside CSV tables, each
+// column with its unit.
 
 #include <string>
 #include <vector>
@@ -18,13 +18,13 @@ struct PackageTable {
 
 struct DataPackage {
   std::string description;           ///< datapackage.json
-  std::vector<PackageTable> tables;  ///< what it describes: a curve per state, and the key figures
+  std::vector<PackageTable> tables;  ///< described tables: a curve per state, and the key figures
 };
 
-/// Deterministic: no time of day, no machine. Any thread.
+/// Deterministic: independent of time and machine. Any thread.
 DataPackage dataPackageFrom(const Button& button);
 
-/// Writes it: `description`, a path that ends in datapackage.json, and the tables beside it; all of them or none.
+/// Writes `description` (a path that ends in datapackage.json) and its tables; all or none.
 Result<Done> writeDataPackage(const Button& button, const std::string& description);
 
 }  // namespace detent

@@ -17,7 +17,7 @@ struct Crossing {
   double force_N = 0, displacement_mm = 0;
 };
 
-/// Where the curve has `force_N` between two samples on its two sides. A wall has one place.
+/// Displacement where the curve has `force_N` between two samples on its two sides.
 double placeBetween(const StrokeCurve& curve, const CurvePoint& a, const CurvePoint& b, double force_N) {
   double from_mm = a.displacement_mm, to_mm = b.displacement_mm;
   const bool rises = b.force_N > a.force_N;
@@ -28,7 +28,7 @@ double placeBetween(const StrokeCurve& curve, const CurvePoint& a, const CurvePo
   return 0.5 * (from_mm + to_mm);
 }
 
-/// Multiples of a force, told as their decimal digits: 0.3, not 0.30000000000000004.
+/// Multiples of a force with their decimal digits: 0.3, not 0.30000000000000004.
 class Steps {
  public:
   explicit Steps(double step_N) : step_N_(step_N) {}
@@ -41,7 +41,7 @@ class Steps {
     std::from_chars(digits, end, value);
     return value;
   }
-  /// The count of a force that is a multiple.
+  /// Factor of a force that is a multiple; nullopt otherwise.
   std::optional<double> countOf(double force_N) const {
     const double nearest = std::round(force_N / step_N_);
     return this->force_N(nearest) == force_N ? std::optional(nearest) : std::nullopt;
@@ -53,7 +53,7 @@ class Steps {
   double step_N_;
 };
 
-/// Multiples passed from one sample to the next: that of the start was told before, that of the end is told now.
+/// Adds the multiples between two samples, excluding that of the start and including that of the end.
 void addCrossings(const StrokeCurve& curve, const CurvePoint& a, const CurvePoint& b, const Steps& steps,
                   std::vector<Crossing>& crossings) {
   if (a.force_N == b.force_N) {

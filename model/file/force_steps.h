@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Travel over force: where a graph passes each multiple of a force, for those who think in grams, not in millimetres.
+// Displacement over force: where a graph passes each multiple of a force.
 
 #include <string>
 
@@ -9,13 +9,13 @@
 
 namespace detent {
 
-/// Rows the table may have at most.
+/// Limit of table rows.
 inline constexpr std::size_t mostForceSteps = 100000;
 
-/// CSV with the header `stroke,force_N,displacement_mm`: a row for each place where a stroke passes a multiple of `step_N`, in the
-/// order travelled. A force that is passed several times (before and after a peak) has a row each; where a stroke runs along a
-/// multiple, the places where it comes to it and leaves it. Displacements to 1e-9 mm of the curve. Failure wrongUsage: the step
-/// is not above 0, or so small that the rows would be more than mostForceSteps.
+/// Returns CSV with the header `stroke,force_N,displacement_mm`: one row for each place where a stroke passes
+/// a multiple of `step_N`, in the order travelled. A force that is passed several times has several rows; a
+/// stroke that runs along a multiple has rows for both ends. Displacements to 1e-9 mm. Failure wrongUsage:
+/// the step is not above 0, or gives more than mostForceSteps rows.
 Result<std::string> forceStepsFrom(const ForceGraph& graph, double step_N);
 
 }  // namespace detent

@@ -34,7 +34,7 @@ std::string stateNames(const Button& button) {
   return names;
 }
 
-// The state by name; the only one where no name is given.
+// Returns the state by name; the only one if no name is given.
 Result<ButtonState> chosenState(const Button& button, const std::string& name, const std::string& path,
                                 const char* option) {
   if (name.empty() && button.states().size() == 1) return button.states().front();
@@ -47,7 +47,7 @@ Result<ButtonState> chosenState(const Button& button, const std::string& name, c
   return usage(path, "has no state \"" + name + "\"", "Name one of its states: " + stateNames(button));
 }
 
-// A CSV's rows as they stand, a button's curves sampled.
+// Rows of a CSV unchanged, or samples of a button's curves.
 Result<GraphPolylines> readPolylines(const std::string& path, const std::string& state, const char* option) {
   auto kind = kindOfFile(path);
   if (!kind) return kind.failure();
@@ -110,7 +110,7 @@ Result<ButtonFile> readFile(const std::string& path) {
 Result<GraphFileKind> kindOfFile(const std::string& path) {
   if (lowered(std::filesystem::path(path).filename().string()) == "datapackage.json")
     return GraphFileKind::dataPackage;
-  // Its readers look for this very name, and tables of two packages in a folder would have one.
+  // Readers look for this exact name, and the tables of two packages in one folder would collide.
   if (endsWith(path, ".datapackage.json"))
     return usage(path, "is no name of a data package: its description is called datapackage.json",
                  "Give each package a folder of its own: FOLDER/datapackage.json");

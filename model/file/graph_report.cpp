@@ -174,7 +174,7 @@ ordered_json jsonOf(const StrokeMetrics& m, std::size_t knots) {
   return out;
 }
 
-/// Key figures the button has; the unit stands at the end of their names.
+/// Key figures of the button; the names end in the unit.
 ordered_json figuresJson(const ButtonState& state) {
   const KeyFigures figures = keyFiguresOf(state);
   ordered_json out = ordered_json::object();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What detent-graph says about a button, as text for people and as one JSON object for scripts.
+// Reports of detent-graph, as text and as one JSON object.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace detent {
 
-/// The same report twice: text ends in a newline, json is one object on one line with a newline.
+/// One report in two forms: text ends in a newline, json is one object on one line with a newline.
 struct Report {
   std::string text;
   std::string json;
@@ -23,7 +23,7 @@ Report checkReport(const Button& button, const std::vector<Warning>& warnings, c
 Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath,
                      const char* command = "convert");
 Report compareReport(const GraphDistance& distance, const std::string& first, const std::string& second);
-/// Of units (their files, in order) that became the button `out`.
+/// Report on units (their files, in order) that became the button `out`.
 Report averageReport(const UnitSpread& spread, const std::vector<std::string>& units, const std::string& out);
 Report failureReport(const Failure& failure);
 

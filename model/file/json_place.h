@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where a text stops being JSON, and why, in a reader's words.
+// Place and reason of a JSON syntax error, in plain words.
 
 #include <cstddef>
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace detent {
 
-/// "line 3, column 7" of a byte offset (1-based offset of the last read byte, as nlohmann counts).
+/// "line 3, column 7" of a byte offset (1-based offset of the last byte read, as nlohmann counts).
 Message placeOfByte(std::string_view text, std::size_t byte);
 
-/// What nlohmann says after the position: "syntax error while parsing value - invalid literal; last read: 'x'". At most some 160
-/// bytes, in one line.
+/// Text of nlohmann after the position: "syntax error while parsing value - invalid literal; last read: 'x'".
+/// At most about 160 bytes, on one line.
 std::string plainReason(const std::string& what);
 
 }  // namespace detent

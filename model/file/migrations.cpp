@@ -7,10 +7,10 @@ namespace detent {
 
 const std::vector<Migration>& buttonMigrations() {
   static const std::vector<Migration> steps{
-      [](nlohmann::json&) {},  // 2 adds provenance.warningCodes, which may be missing
-      [](nlohmann::json&) {},  // 3 adds cutout, which may be missing
-      [](nlohmann::json&) {},  // 4 adds notes, versions and links, which may be missing
-      [](nlohmann::json&) {},  // 5 adds speed_mm_per_s and otherSpeeds of a state, which may be missing
+      [](nlohmann::json&) {},  // 2 adds the optional provenance.warningCodes
+      [](nlohmann::json&) {},  // 3 adds the optional cutout
+      [](nlohmann::json&) {},  // 4 adds the optional notes, versions and links
+      [](nlohmann::json&) {},  // 5 adds the optional speed_mm_per_s and otherSpeeds of a state
   };
   return steps;
 }

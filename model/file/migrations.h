@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Old button files are brought to the present version step by step, on the JSON, before anything is read from
-// it.
+// Migration of old button files on the JSON, version by version, before it is read.
 
 #include <functional>
 #include <vector>
@@ -12,14 +11,14 @@
 
 namespace detent {
 
-/// Turns a document of one version into one of the next; `version` itself is set by migrated().
+/// Converts a document to the next version; migrated() sets `version` itself.
 using Migration = std::function<void(nlohmann::json&)>;
 
-/// Entry i turns version i + 1 into version i + 2. One entry is added whenever buttonFileVersion grows, none
-/// ever goes.
+/// Entry i converts version i + 1 to version i + 2. One entry is added whenever buttonFileVersion grows; none
+/// is removed.
 const std::vector<Migration>& buttonMigrations();
 
-/// Brings a document to version steps.size() + 1. Refuses versions above it and below 1. `subject` as in
+/// Brings a document to version steps.size() + 1. Refuses versions above it and below 1. `subject`: as in
 /// buttonFromJson.
 Result<nlohmann::json> migrated(nlohmann::json document, const std::vector<Migration>& steps,
                                 const std::string& subject);

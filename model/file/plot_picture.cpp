@@ -15,7 +15,7 @@ namespace detent {
 
 namespace {
 
-/// Indexes of the palette.
+/// Indices of the palette.
 enum Ink : std::uint8_t { paper, grid, black, press, release };
 constexpr std::array<std::uint8_t, 15> palette{255, 255, 255, 205, 205, 205, 0, 0, 0, 200, 0, 0, 0, 80, 200};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A plot as pixels, for programs that read no SVG: frame, grid, tick numbers and both strokes.
+// A plot as pixels for programs that read no SVG: frame, grid, tick labels and both strokes.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace detent {
 
-/// A PNG of style.width_px by style.height_px (rounded) pixels, everything where frameOfPlot() has it. Plain: no titles, no callouts.
-/// Deterministic; some 10 ms for 640 x 460. Any thread.
+/// PNG of style.width_px by style.height_px (rounded) pixels, laid out as in frameOfPlot(), without titles
+/// and callouts. Deterministic; about 10 ms for 640 x 460. Any thread.
 std::string pngFrom(const ButtonState& state, const SvgPlotStyle& style = {});
 
 }  // namespace detent

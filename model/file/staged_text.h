@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Texts that are complete under temporary names before one of them takes its place.
+// Texts written under temporary names before the first one replaces its target.
 
 #include <string>
 #include <string_view>
@@ -10,13 +10,13 @@
 
 namespace detent {
 
-/// Written and closed, not committed. Failures as StagedFile's.
+/// Written and closed, not committed. Failures: as of StagedFile.
 Result<StagedFile> stagedText(const std::string& path, std::string_view text);
 
 struct NamedText {
   std::string path, text;
 };
-/// Files that belong together: the first takes its place when the last is complete beside its own.
+/// Writes files that belong together: the first replaces its target after all are complete.
 Result<Done> writeTextFilesAtomically(const std::vector<NamedText>& files);
 
 }  // namespace detent

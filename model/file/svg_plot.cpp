@@ -17,17 +17,17 @@ namespace detent {
 namespace {
 
 constexpr double marginLeft_px = 74, marginRight_px = 24, marginTop_px = 44, marginBottom_px = 60;
-constexpr double designedFor_px = 12;  // the size of text that all other lengths here belong to
-constexpr double glyphWidth_px = 6.6;  // of a sans-serif digit of that size, generous
-constexpr double secondScale_px = 58;  // room for it at the right side
+constexpr double designedFor_px = 12;  // font size for which the other lengths here are designed
+constexpr double glyphWidth_px = 6.6;  // width of a sans-serif digit of that size, generous
+constexpr double secondScale_px = 58;  // space for it at the right
 constexpr double dimensionRow_px = 24, leaderGap_px = 7;
-constexpr double leaderUnderName = 2000;  // as bad as a hundred places of curve under the words
+constexpr double leaderUnderName = 2000;  // cost of a leader under a name, in places of curve under the words
 
 std::string fixed(double value, int decimals) {
   char buffer[400];
   std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
   std::string text = buffer;
-  // "-0.0" is 0.
+  // "-0.0" becomes "0.0".
   if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
   return text;
 }
@@ -44,7 +44,7 @@ struct Box {
   bool contains(const Spot& p) const { return p.x > x0 && p.x < x1 && p.y > y0 && p.y < y1; }
 };
 
-// One state's plot: the map from mm and N to pixels and what is drawn with it.
+// Drawing of one state: map from mm and N to pixels, and the elements.
 class Plot {
  public:
   Plot(const ButtonState& state, const SvgPlotStyle& style, std::string title, double top_px)
@@ -65,7 +65,8 @@ class Plot {
     for (const Stroke stroke : {Stroke::press, Stroke::release})
       if (stroke == Stroke::press || state_.graph.release()) remember(travelledSamples(state_.graph, stroke));
     if (style_.dimensions) drawDimensions(out);
-    if (style_.callouts) drawCallouts(out);  // beneath the curves, which stay whole where it is crowded
+    // beneath the curves, so that they stay visible where it is crowded
+    if (style_.callouts) drawCallouts(out);
     drawCurves(out);
     out += dots_;
     drawLegend(out);
@@ -112,7 +113,7 @@ class Plot {
     yTicks_ = niceTicks(y.lowest, y.highest, steps(frame_.y1 - frame_.y0, 28, 7));
   }
 
-  // Where the last tick lies far behind the curves, the box ends before it.
+  // Ends the frame behind the curves if the last tick lies far out.
   void endBehindCurve(double highest) {
     constexpr int leastTicks = 3;
     const double end = highest + style_.roomBeyondEnd * (highest - xTicks_.first);
@@ -155,7 +156,7 @@ class Plot {
     }
   }
 
-  // The same forces in another unit, on round numbers of its own.
+  // The same forces in another unit, with its own round ticks.
   void drawSecondScale(std::string& out) const {
     const double perFirst = newtonsPer(style_.forceUnit) / newtonsPer(*style_.secondForceUnit);
     const double low = yTicks_.first * perFirst, high = yTicks_.last() * perFirst;
@@ -194,7 +195,7 @@ class Plot {
            " font-size=\"" + px(sized(15)) + "\" font-weight=\"bold\"");
   }
 
-  // Hermite pieces as Béziers; walls as lines.
+  // Hermite pieces as Béziers; vertical pieces as lines.
   std::string pathOf(const StrokeCurve& curve) const {
     const std::vector<Knot>& knots = curve.knots();
     const Spot start = spot(knots[0].displacement_mm, knots[0].force_N);
@@ -236,7 +237,8 @@ class Plot {
            "\" stroke-linejoin=\"round\"" + dashes + "/>\n";
   }
 
-  // What of a line lies in the frame. Not by a clip path: programs that know only the small SVG draw over the axes then.
+  // Clips a line to the frame. No clip path, because programs that read only basic SVG would draw over the
+  // axes.
   std::string cutPathOf(const std::vector<CurvePoint>& points) const {
     std::string d;
     std::optional<Spot> pen;
@@ -284,8 +286,8 @@ class Plot {
     out += "<path class=\"tolerance\" d=\"" + d + " Z\" fill=\"#dfe7ee\"/>\n";
   }
 
-  // From the start of the travel to where the switch closes, and from there back to where it opens: one row each, at the top
-  // or the bottom of the frame, wherever less of the curves is.
+  // Draws pre-travel and differential travel, one row each, at the top or bottom of the frame, wherever the
+  // curves leave more space.
   void drawDimensions(std::string& out) {
     if (!metrics_.operatingPoint) return;
     const double start_mm = state_.graph.press().start_mm(),
@@ -321,7 +323,7 @@ class Plot {
 
   std::string smallText() const { return " font-size=\"" + px(sized(11)) + "\""; }
 
-  // Places texts should keep off.
+  // Marks places that labels should avoid.
   void remember(const std::vector<CurvePoint>& points) {
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const Spot a = spot(points[i].displacement_mm, points[i].force_N);
@@ -346,7 +348,7 @@ class Plot {
     if (state_.graph.release()) entry(style_.words.release, Stroke::release, dash());
   }
 
-  // Of the band: its half width.
+  // Half width of the band as text.
   std::string toleranceText() const {
     char buffer[60] = "";
     if (style_.tolerance)
@@ -367,7 +369,7 @@ class Plot {
     return numbered(buffer);
   }
 
-  // More would cover the curve: of a rough measurement's thousands the most prominent are named.
+  // Limits the callouts to the most prominent points; thousands of a rough measurement would cover the curve.
   static std::vector<TactileEvent> namedOf(std::vector<TactileEvent> events) {
     constexpr std::size_t most = 12;
     if (events.size() <= most) return events;
@@ -391,8 +393,7 @@ class Plot {
     out += plates_;
   }
 
-  // Two lines of text with a leader and a dot, where they cover neither curves nor each other if any place
-  // allows.
+  // Draws two lines of text with a leader and a dot, free of curves and other callouts if possible.
   void callout(std::string& out, CurvePoint point, const std::string& name, double preferredSide) {
     const Spot at = spot(point.displacement_mm, point.force_N);
     const std::string value = valueText(point);
@@ -429,7 +430,7 @@ class Plot {
     return {std::clamp(to.x, box.x0, box.x1), std::clamp(to.y, box.y0, box.y1)};
   }
 
-  // Whether a leader would run under what is written elsewhere: its words would be taken for the other's.
+  // Returns true if a leader would run under another callout's text.
   bool underAnother(Spot at, Spot edge) const {
     constexpr int places = 16;
     for (int i = 0; i <= places; ++i) {
@@ -441,7 +442,7 @@ class Plot {
     return false;
   }
 
-  // A leader keeps off the curve.
+  // Start of a leader that avoids the curve.
   Spot awayFrom(Spot at, Spot towards) const {
     const double length = std::hypot(towards.x - at.x, towards.y - at.y);
     const double gap = std::min(sized(leaderGap_px), length);
@@ -465,13 +466,13 @@ class Plot {
   const SvgPlotStyle& style_;
   std::string title_;
   StateMetrics metrics_;
-  Box frame_{};         // what lies between the first and the last tick
-  double edge_px_ = 0;  // right end of the box that is drawn
+  Box frame_{};         // area between the first and the last tick
+  double edge_px_ = 0;  // right edge of the drawn frame
   Ticks xTicks_, yTicks_;
   std::vector<Spot> ink_;
   std::vector<Box> taken_;
-  std::string plates_;  // of the callouts, over every leader
-  std::string dots_;    // of the callouts, over the curves
+  std::string plates_;  // texts of callouts, over all leaders
+  std::string dots_;    // dots of callouts, over the curves
 };
 
 }  // namespace
@@ -484,7 +485,7 @@ double Ticks::at(int i) const {
 Ticks niceTicks(double low, double high, int aboutSteps) {
   DETENT_CHECK(std::isfinite(low) && std::isfinite(high) && low <= high && aboutSteps >= 2, "a finite range");
   if (!(high > low)) high = low == 0 ? 1 : low + std::abs(low);
-  // A step keeps all its digits only above the smallest normal numbers: narrower ranges are one of their own.
+  // Smallest range whose step keeps its digits.
   constexpr double narrowest = 1e-290;
   if (high - low < narrowest)
     high = low + std::max(narrowest, std::abs(low) * std::numeric_limits<double>::epsilon());

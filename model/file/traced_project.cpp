@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A known place of the page: WebPlotDigitizer keeps the values as they were typed.
+/// A calibration point; WebPlotDigitizer keeps values as typed.
 Json knownPoint(const PlotFrame& frame, double x, double y) {
   return {{"px", frame.xPx(x)},
           {"py", frame.yPx(y)},
@@ -59,7 +59,7 @@ Json setOf(const ForceGraph& graph, Stroke stroke, const PlotFrame& frame, const
 constexpr std::size_t block_bytes = 512;
 constexpr const char* folder = "detent/";
 
-/// A header and the content in whole blocks; a folder where the name ends in a slash.
+/// Appends header and content in whole blocks; a name that ends in a slash is a folder.
 void putEntry(std::string& archive, const std::string& name, const std::string& content) {
   std::string header(block_bytes, '\0');
   const auto put = [&](std::size_t at, std::string_view text) { header.replace(at, text.size(), text); };

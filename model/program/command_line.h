@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the programs' command lines have in common. CLI11's types are parameters: programs of other rooms include this, and a header
-// that rooms share carries no library.
+// Shared code of the programs' command lines. CLI11's types are template parameters, because a header shared
+// by rooms includes no library.
 
 #include <cstddef>
 #include <set>
@@ -14,8 +14,8 @@
 
 namespace detent {
 
-/// CLI11's help with values as a reader would write them: "--jobs 1..1024=4", "--gain NUMBER", not "INT:INT in [1 - 1024]=4" and
-/// "FLOAT". Formatter: CLI::Formatter, Option: CLI::Option. For the program itself, before it gets its subcommands.
+/// CLI11's help with readable values: "--jobs 1..1024=4", "--gain NUMBER" instead of "INT:INT in [1 -
+/// 1024]=4" and "FLOAT". Formatter: CLI::Formatter, Option: CLI::Option. Call it before adding subcommands.
 template <class Formatter, class Option>
 class PlainHelp : public Formatter {
  public:
@@ -32,8 +32,7 @@ class PlainHelp : public Formatter {
   }
 };
 
-/// A number from `low` to `high`, both included, and nothing else: CLI::Range lets "nan" pass, which is neither. Validator:
-/// CLI::Validator.
+/// A number from `low` to `high`, both included. CLI::Range would accept "nan". Validator: CLI::Validator.
 template <class Validator>
 Validator numberWithin(double low, double high) {
   const std::string range = shortestText(low) + ".." + shortestText(high);
@@ -46,8 +45,9 @@ Validator numberWithin(double low, double high) {
       range);
 }
 
-/// An option whose value is one of several words, in either case; --help lists them, another word is wrong usage. App: CLI::App.
-/// Target: Enum, or an optional of it where there is no `standard`. `names` and `target` must outlive the parse.
+/// An option with one of several words as its value, in either case; --help lists them, other words are wrong
+/// usage. App: CLI::App. Target: Enum, or an optional of it if there is no `standard`. `names` and `target`
+/// must outlive the parse.
 template <class App, class Target, class Enum, std::size_t count>
 auto addChoice(App& app, const std::string& name, Target& target, const NamedValues<Enum, count>& names,
                const std::string& help, const std::string& standard) {

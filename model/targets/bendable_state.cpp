@@ -13,21 +13,23 @@
 namespace detent {
 namespace {
 
-constexpr std::size_t mostHandles = 40;    // of a stroke
-constexpr double bulgeStiffness = 0.25;    // a bulge against a landmark that moves as far
-constexpr double narrowest = 0.1;          // share of its width that a piece keeps
-constexpr double lowest = 0.02;            // share of its height that a rise or a fall keeps
-constexpr double same = 1e-9;              // shares of travel and range at which ends are one place
-constexpr double sameFoot = 0.03;          // share of the travel within which both strokes meet one wall
-constexpr double contactRoom = 1e-6;       // share of the travel between contacts and ends
-constexpr double roomToProminence = 1.25;  // the range may grow by so much before a tactile point is none
-constexpr double leastDropAhead = 0.01;    // of the largest drop, over the next one
+constexpr std::size_t mostHandles = 40;  // of a stroke
+constexpr double bulgeStiffness = 0.25;  // cost of a bulge relative to a landmark that moves as far
+constexpr double narrowest = 0.1;        // share of its width that a piece keeps
+constexpr double lowest = 0.02;          // share of its height that a rise or fall keeps
+constexpr double same = 1e-9;            // shares of travel and range within which ends coincide
+// share of the travel within which both strokes have one bottom-out
+constexpr double sameFoot = 0.03;
+constexpr double contactRoom = 1e-6;  // share of the travel between contacts and ends
+// factor by which the range may grow before a tactile point loses its prominence
+constexpr double roomToProminence = 1.25;
+constexpr double leastDropAhead = 0.01;  // of the largest drop, over the next one
 
 bool isTwin(const std::vector<Knot>& knots, std::size_t i) {
   return i > 0 && knots[i].displacement_mm == knots[i - 1].displacement_mm;
 }
 
-// A knot exactly at an extremum, level there, so that it stays the extremum however its flanks are stretched.
+// Adds a level knot exactly at an extremum, so that it stays the extremum under stretching.
 StrokeCurve withTurnAt(const StrokeCurve& curve, CurvePoint turn) {
   const auto inserted = insertKnot(curve, turn.displacement_mm);
   if (!inserted) return curve;
@@ -44,7 +46,7 @@ StrokeCurve withKnotAt(const StrokeCurve& curve, double at_mm) {
   return inserted ? *inserted : curve;
 }
 
-// What a piece's slopes are multiplied by when it is stretched; empty where it has no direction of its own.
+// Factor for the slopes of a stretched piece; nullopt if the piece has no direction.
 std::optional<double> slopeScale(const Knot& a, const Knot& b, const Knot& newA, const Knot& newB) {
   const double width = b.displacement_mm - a.displacement_mm,
                newWidth = newB.displacement_mm - newA.displacement_mm;
@@ -58,7 +60,7 @@ struct Slopes {
   double before, after;
 };
 
-// A smooth knot stays smooth, and no piece gets steeper ends than a monotone cubic allows.
+// A smooth knot stays smooth, and no piece gets ends steeper than a monotone cubic allows.
 Slopes joined(const Knot& old, Slopes scaled, double chordBefore, double chordAfter) {
   if (old.slopeBefore_N_per_mm != old.slopeAfter_N_per_mm || scaled.before == scaled.after) return scaled;
   const double most = 3 * std::min(std::abs(chordBefore), std::abs(chordAfter));
@@ -97,7 +99,7 @@ void reslope(const std::vector<Knot>& old, std::vector<Knot>& knots) {
   }
 }
 
-// Places of a stroke that a person would name, in any order.
+// Landmarks of a stroke, in any order.
 std::vector<double> landmarksOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings) {
   std::vector<double> places{curve.start_mm(), curve.end_mm()};
   const StrokeMetrics metrics = metricsOf(curve, stroke, settings);
@@ -109,7 +111,7 @@ std::vector<double> landmarksOf(const StrokeCurve& curve, Stroke stroke, const S
   return places;
 }
 
-// How far along a stretch each of its knots stands, 0 at the first and 1 at the last: by what it has climbed.
+// Position of each knot in a stretch, 0 at the first and 1 at the last, by its share of the force change.
 std::vector<double> climbed(const std::vector<Knot>& knots, std::size_t first, std::size_t last) {
   std::vector<double> way{0};
   double whole = 0;
@@ -133,7 +135,7 @@ std::vector<double> crossed(const std::vector<Knot>& knots, std::size_t first, s
   return way;
 }
 
-// Press less release, before a wall that stands there; at their common start after one.
+// Press less release: before a vertical piece, and after one at the common start.
 double gapAt(const ForceGraph& graph, double x) {
   const StrokeCurve &press = graph.press(), &release = graph.curve(Stroke::release);
   const auto force_N = [x](const StrokeCurve& curve) {
@@ -144,7 +146,7 @@ double gapAt(const ForceGraph& graph, double x) {
 
 }  // namespace
 
-// The cost, while unknowns are still being found.
+// Costs while the unknowns are being collected.
 struct BendableState::Unknowns {
   struct Entry {
     Eigen::Index a, b;
@@ -158,7 +160,7 @@ struct BendableState::Unknowns {
     return count++;
   }
   Eigen::Index free() { return count++; }
-  // A spring between two bulges; -1: a landmark, where there is none.
+  // Adds a spring between two bulges; -1: a landmark without one.
   void spring(Eigen::Index a, Eigen::Index b, double cost) {
     if (a >= 0) entries.push_back({a, a, cost});
     if (b >= 0) entries.push_back({b, b, cost});
@@ -235,7 +237,7 @@ BendableState::Line BendableState::lineOf(const StrokeCurve& curve, Stroke strok
   return line;
 }
 
-// Rows of moves: landmarks move by their unknown, what lies between in proportion and by its bulge.
+// Rows of moves: a landmark moves by its unknown; knots between move in proportion and by their bulge.
 void BendableState::spread(Line& line, const std::vector<Eigen::Index>& mm,
                            const std::vector<Eigen::Index>& N, Unknowns& unknowns) {
   const std::size_t count = line.handles.size();
@@ -266,7 +268,7 @@ void BendableState::spread(Line& line, const std::vector<Eigen::Index>& mm,
       put(line.N, N, up[at], bulges_N[i]);
       if (i == left) continue;
       const std::size_t before = line.handles[i - 1].knot - first;
-      const double least = 0.02;  // of the stretch: what stands close together does not become rigid
+      const double least = 0.02;  // share of the stretch: close knots do not become rigid
       unknowns.spring(bulges_mm[i - 1], bulges_mm[i],
                       bulgeStiffness / std::max(least, along[at] - along[before]));
       unknowns.spring(bulges_N[i - 1], bulges_N[i],
@@ -310,7 +312,8 @@ void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
   spread(line, mm, N, unknowns);
 }
 
-// At a corner of the curve a contact that moves by itself has another slope to each side, and no solve gets away from it.
+// Rows for the contacts. At a corner a contact that moves by itself has a different slope on each side, and
+// no solve can leave it.
 Eigen::RowVectorXd BendableState::contactMoves(const Line& line, std::optional<double> at_mm,
                                                Contacts contacts, Unknowns& unknowns) const {
   if (!at_mm) return {};
@@ -415,8 +418,7 @@ void BendableState::addRulesOfContacts() {
 void BendableState::findGaps() {
   if (!release_) return;
   const StrokeCurve &press = state_.graph.press(), &release = *state_.graph.release();
-  double wall_mm =
-      std::numeric_limits<double>::infinity();  // from there on a hair of displacement is any force
+  double wall_mm = std::numeric_limits<double>::infinity();  // from there on a tiny displacement is any force
   for (const StrokeCurve* curve : {&press, &release})
     if (const BottomOut foot = bottomOutOf(*curve, settings_); foot.wall)
       wall_mm = std::min(wall_mm, foot.displacement_mm);
@@ -487,7 +489,7 @@ std::optional<ButtonState> BendableState::at(const Eigen::VectorXd& z) const {
   if (!graph) return {};
   ButtonState next{state_.name, *std::move(graph), state_.operatingPoint_mm, state_.resetPoint_mm,
                    state_.damping};
-  // Damping covers the travel as it did, and its last point does not end a rounding error behind it.
+  // Damping keeps covering the travel, and its last point does not exceed it by rounding.
   const double start_mm = press->start_mm(), longer = press->travel_mm() / travel_mm_,
                before_mm = state_.graph.press().end_mm();
   for (DampingPoint& point : next.damping) {

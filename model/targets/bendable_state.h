@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button state that can be bent: few numbers that move its landmarks and what lies between them.
+// A deformable button state: few unknowns move its landmarks and the curve between them.
 
 #include <cstddef>
 #include <optional>
@@ -14,57 +14,58 @@
 
 namespace detent {
 
-/// What a bent state has to keep. Each is a reason why a figure can go no further.
+/// Properties that a deformed state keeps. Each can be the reason why a figure cannot change further.
 enum class ShapeRule {
   onStroke,      ///< operating and reset point stay on their strokes
-  inOrder,       ///< the contact opens no deeper than where it closes
-  releaseBelow,  ///< the release stays below the press where it was
+  inOrder,       ///< the contact opens no deeper than it closes
+  releaseBelow,  ///< the release stays below the press where it was below
   noPull,        ///< forces stay above 0 where they were
-  tactile,       ///< a tactile point stays prominent enough to be one
-  mainEvent,     ///< the tactile point with the largest drop stays that, later ones stay beyond it
-  width,         ///< knots keep their order, and a stretch some of its width
+  tactile,       ///< a tactile point keeps its prominence
+  mainEvent,     ///< the tactile point with the largest drop stays the largest, later ones stay beyond it
+  width,         ///< knots keep their order, and a stretch keeps some width
   direction,     ///< rising stays rising, falling stays falling
-  wall,          ///< a wall at the end stays one, and what is none stays none
+  wall,          ///< a bottom-out at the end stays one, and nothing else becomes one
 };
 
-/// Landmarks are the ends of the strokes, every tactile point with the valley or hump after it, and the foot of the
-/// wall. Moving one stretches the curve between it and the next, in proportion; what lies between can also bulge away
-/// from that. Unknowns are shares of the travel and of the force range below the bottom-out, all 0 at first. The start of
-/// the travel stays; ends and feet at which the two strokes meet move as one; so do the two knots of a wall. Any thread.
+/// Landmarks are the ends of the strokes, every tactile point with the valley or hump after it, and the start
+/// of the bottom-out. Moving one stretches the curve to its neighbours in proportion; the curve between them
+/// can also bulge. Unknowns are shares of the travel and of the force range below the bottom-out, initially
+/// 0. The start of the travel is fixed; ends and bottom-out starts at which the strokes meet move together,
+/// as do the two knots of a vertical piece. Any thread.
 class BendableState {
  public:
-  /// How freely a curve may bulge.
+  /// Where a curve may bulge.
   enum class Bulges {
-    atKnots,  ///< where its own knots are
-    finer     ///< also in the middle of what has no knot between two landmarks
+    atKnots,  ///< at its own knots
+    finer     ///< also in the middle of a stretch without knots
   };
   /// How operating and reset point move.
   enum class Contacts {
     free,   ///< by themselves
-    riding  ///< with the place of the curve on which they stand
+    riding  ///< with their place on the curve
   };
   BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges, Contacts contacts);
 
   Eigen::Index unknowns() const { return unknowns_; }
-  /// Inverse of the cost's matrix. One whole travel, or one whole force range, of a landmark, the operating or the reset
-  /// point costs 1; bulges cost by their steepness.
+  /// Inverse of the cost matrix. Moving a landmark or contact by the whole travel or force range costs 1;
+  /// bulges cost by their steepness.
   const Eigen::MatrixXd& inverseCost() const { return inverseCost_; }
-  /// Empty where it is no curve any more, or a contact would leave the stroke.
+  /// nullopt if it is no curve any more, or a contact would leave its stroke.
   std::optional<ButtonState> at(const Eigen::VectorXd& z) const;
   struct Rule {
     LinearRule linear;
     ShapeRule kind;
   };
-  /// All but releaseBelow, which is no line (gaps()), and wall.
+  /// All linear rules: all but releaseBelow (see gaps()) and wall.
   const std::vector<Rule>& rules() const { return rules_; }
-  /// Where release did not lie above press at first: how far it lies below it now, in N; 0 or more is well.
+  /// Distance of the release below the press, N, where it was below at first; >= 0 keeps the rule.
   Eigen::VectorXd gaps(const Eigen::VectorXd& z, const ButtonState& bent) const;
 
   double travel_mm() const { return travel_mm_; }
   double range_N() const { return range_N_; }
 
  private:
-  // A knot that is moved; those between two handles follow in proportion.
+  // A knot that is moved; knots between two handles follow in proportion.
   struct Handle {
     std::size_t knot;
     bool landmark;
@@ -72,7 +73,7 @@ class BendableState {
   struct Line {
     std::vector<Knot> knots;
     std::vector<Handle> handles;
-    Eigen::MatrixXd mm, N;  // unknowns to the moves of the handles, in shares
+    Eigen::MatrixXd mm, N;  // unknowns to moves of the handles, in shares
   };
   struct Unknowns;
 
@@ -96,10 +97,10 @@ class BendableState {
   Eigen::Index unknowns_ = 0;
   Line press_;
   std::optional<Line> release_;
-  Eigen::RowVectorXd operating_, reset_;  // unknowns to their moves, in shares
+  Eigen::RowVectorXd operating_, reset_;  // unknowns to moves of the contacts, in shares
   Eigen::MatrixXd inverseCost_;
   std::vector<Rule> rules_;
-  std::vector<std::size_t> pressGaps_, releaseGaps_;  // handles at which release did not lie above press
+  std::vector<std::size_t> pressGaps_, releaseGaps_;  // handles at which the release was not above the press
 };
 
 }  // namespace detent

@@ -11,10 +11,10 @@ namespace detent {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double violated = 1e-10;  // a rule that is broken by less is kept; unknowns are of the order of 1
-constexpr double dependent = 1e-9;  // a normal that others span leaves less than this share of itself
+constexpr double violated = 1e-10;  // a smaller violation counts as kept; unknowns are of the order of 1
+constexpr double dependent = 1e-9;  // a normal spanned by others leaves less than this share of itself
 
-// The rules that bind now, with their multipliers, in the order in which they were met.
+// The active rules with their multipliers, in the order of activation.
 class Binding {
  public:
   Binding(const std::vector<LinearRule>& rules, const Eigen::MatrixXd& inverseCost)
@@ -23,7 +23,7 @@ class Binding {
   const Eigen::VectorXd& place() const { return z_; }
   double slackOf(std::size_t rule) const { return rules_[rule].normal.dot(z_) - rules_[rule].bound; }
 
-  /// Moves until a broken rule holds, giving up others where that is cheaper. False where it cannot.
+  /// Moves until a broken rule holds, dropping others if that is cheaper. Returns false if impossible.
   bool take(std::size_t rule) {
     double slack = slackOf(rule);
     const double sign = rules_[rule].equal && slack > 0 ? -1 : 1;
@@ -63,7 +63,8 @@ class Binding {
     Eigen::VectorXd along, pressing;
   };
 
-  // Where z may go for a rule without leaving those that bind, and how it presses on them.
+  // Direction in which z may move for a rule without leaving the active ones, and its effect on their
+  // multipliers.
   Directions directions(const Eigen::VectorXd& across) const {
     const auto count = static_cast<Eigen::Index>(active_.size());
     if (count == 0) return {across, Eigen::VectorXd()};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The least of a quadratic cost under linear equalities and inequalities: Goldfarb & Idnani, "A numerically stable dual
-// method for solving strictly convex quadratic programs" (Mathematical Programming 27, 1983).
+// Minimises a quadratic cost under linear equalities and inequalities: Goldfarb & Idnani, "A numerically
+// stable dual method for solving strictly convex quadratic programs" (Mathematical Programming 27, 1983).
 
 #include <cstddef>
 #include <optional>
@@ -18,8 +18,8 @@ struct LinearRule {
   bool equal = false;
 };
 
-/// The z that makes z' H z least and keeps every rule, given H's inverse (symmetric, positive definite). Empty where the
-/// rules contradict each other. For some hundred unknowns. Any thread.
+/// Returns the z that minimises z' H z and keeps every rule, given H's inverse (symmetric, positive
+/// definite). nullopt if the rules contradict. For some hundred unknowns. Any thread.
 std::optional<Eigen::VectorXd> leastUnder(const std::vector<LinearRule>& rules,
                                           const Eigen::MatrixXd& inverseCost);
 

@@ -15,16 +15,17 @@ namespace detent {
 namespace {
 
 constexpr int mostSteps = 40;
-constexpr int stepsOnceMet = 3;      // towards the least cost, when the figures are right already
-constexpr double difference = 1e-6;  // of an unknown, for slopes of figures
-constexpr double settled = 1e-5;     // an unknown that moves by less has arrived
-constexpr double exact = 1e-9;       // shares of travel and range: a figure that is nearer than this is met
-constexpr double leastPart = 1.0 / 32;  // of the way to the targets that one step must be able to go
+constexpr int stepsOnceMet = 3;         // towards the least cost, after the figures are met
+constexpr double difference = 1e-6;     // of an unknown, for numeric slopes of figures
+constexpr double settled = 1e-5;        // an unknown that moves by less has converged
+constexpr double exact = 1e-9;          // shares of travel and range: a closer figure is met
+constexpr double leastPart = 1.0 / 32;  // smallest share of the way to the targets that a step must achieve
 constexpr double leastStep = 1.0 / 256;
-constexpr double leap = 4;  // a foot that moves so many times as far as any landmark is another one
-constexpr double leastOfWay = 1.0 / 64;  // to a value that cannot be had: how exactly its limit is told
+// a bottom-out start that moves this many times as far as any landmark is another one
+constexpr double leap = 4;
+constexpr double leastOfWay = 1.0 / 64;  // resolution of the limit of an impossible value
 
-// Those a step can be held up by, what says most first.
+// Rules that can block a step, most informative first.
 constexpr ShapeRule rulesOfSteps[] = {ShapeRule::inOrder, ShapeRule::onStroke, ShapeRule::releaseBelow,
                                       ShapeRule::noPull,  ShapeRule::tactile,  ShapeRule::mainEvent,
                                       ShapeRule::width,   ShapeRule::direction};
@@ -32,7 +33,7 @@ constexpr ShapeRule rulesOfSteps[] = {ShapeRule::inOrder, ShapeRule::onStroke, S
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 const char* termOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].term; }
 
-// What has been done, and how much may be.
+// Work done and its limit.
 class Effort {
  public:
   explicit Effort(const TargetPatience& patience) : patience_(patience) {}
@@ -50,7 +51,8 @@ class Effort {
   std::size_t knots_ = 0;
 };
 
-// One solve: the unknowns of a state, and how far its figures are from the targets, in shares of travel and range.
+// One solve: the unknowns of a state, and the distances of its figures from the targets, in shares of travel
+// and range.
 class Search {
  public:
   Search(BendableState bendable, const std::vector<FigureTarget>& targets, const TargetTolerance& tolerance,
@@ -66,7 +68,7 @@ class Search {
     auto now = seen(z);
     int onceMet = 0;
     for (int step = 0; now && step < mostSteps && !effort_.givenUp(); ++step) {
-      if (onceMet == 0 && effort_.spent()) break;  // what is met is still made the least change
+      if (onceMet == 0 && effort_.spent()) break;  // once met, the change is still minimised
       const bool met = isMet(*now);
       if (met && onceMet++ >= stepsOnceMet) break;
       const auto slopes = slopesAt(z, *now);
@@ -88,7 +90,7 @@ class Search {
     return std::move(now->state);
   }
 
-  /// Where nothing was found: what stood in the way.
+  /// The blocking rule if nothing was found.
   std::optional<ShapeRule> obstacle() const {
     if (!stuck_) return {};
     return stuck_->way ? firstLost(stuck_->z, *stuck_->way) : holdingUp(*stuck_);
@@ -97,10 +99,10 @@ class Search {
  private:
   struct Seen {
     ButtonState state;
-    Eigen::VectorXd missing;  // target less figure
+    Eigen::VectorXd missing;  // target minus figure
     Eigen::VectorXd gaps;     // in shares of the range
   };
-  // Where no step led on: none was allowed, or `way`, which was, brought nothing.
+  // State in which no step helped: none was allowed, or `way`, which was, brought nothing.
   struct Stuck {
     Eigen::VectorXd z;
     Eigen::MatrixXd slopes;
@@ -124,7 +126,7 @@ class Search {
     }
     return 1;
   }
-  // As exact as the arithmetic lets it, up to a part of what is tolerated.
+  // As exact as rounding allows, up to a fraction of the tolerance.
   double bound(FigureUnit unit) const {
     const double mm = tolerance_.length_mm / bendable_.travel_mm(),
                  N = tolerance_.force_N / bendable_.range_N();
@@ -156,7 +158,7 @@ class Search {
     return seen.gaps.size() == 0 || seen.gaps.minCoeff() > -1e-6;
   }
 
-  // How figures and gaps change with each unknown.
+  // Derivatives of figures and gaps by the unknowns.
   std::optional<Eigen::MatrixXd> slopesAt(const Eigen::VectorXd& z, const Seen& now) const {
     const Eigen::Index figures = now.missing.size(), gaps = now.gaps.size();
     Eigen::MatrixXd slopes(figures + gaps, z.size());
@@ -177,7 +179,8 @@ class Search {
     return slopes;
   }
 
-  // Where the figures, taken as straight, are right at the least cost; part of the way there where that is no curve.
+  // The point where the linearised figures are right at the least cost; part of the way there if that is no
+  // curve.
   std::optional<Eigen::VectorXd> next(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& z,
                                       const Seen& now) const {
     for (double part = 1; part >= leastPart; part /= 2)
@@ -185,7 +188,7 @@ class Search {
     return {};
   }
 
-  // The rule without which the least step could be made, if it is one alone.
+  // The single rule whose removal would allow the smallest step; nullopt if there is no such rule.
   std::optional<ShapeRule> holdingUp(const Stuck& stuck) const {
     for (const ShapeRule rule : rulesOfSteps)
       if (leastUnder(rulesFor(leastPart, stuck.slopes, stuck.z, stuck.seen, rule), bendable_.inverseCost()))
@@ -193,7 +196,7 @@ class Search {
     return {};
   }
 
-  // The figures as straight lines, `part` of the way to the targets, and what the shape has to keep.
+  // Linearised figures at `part` of the way to the targets, and the shape rules.
   std::vector<LinearRule> rulesFor(double part, const Eigen::MatrixXd& slopes, const Eigen::VectorXd& z,
                                    const Seen& now, std::optional<ShapeRule> without) const {
     const Eigen::Index figures = now.missing.size();
@@ -209,7 +212,7 @@ class Search {
     return rules;
   }
 
-  // Goes as far as the figures come nearer; `z` moves along.
+  // Goes as far as the figures come nearer; updates `z`.
   std::optional<Seen> stepAlong(Eigen::VectorXd& z, const Eigen::VectorXd& way, const Seen& now,
                                 bool met) const {
     const double before = distance(now);
@@ -223,7 +226,7 @@ class Search {
     }
     return {};
   }
-  // What kind of shape is lost first on a way that brings the figures no nearer.
+  // The first shape rule lost on a direction that brings the figures no nearer.
   std::optional<ShapeRule> firstLost(const Eigen::VectorXd& z, const Eigen::VectorXd& way) const {
     const auto before = bendable_.at(z);
     for (double part = leastStep; before && part <= 1; part *= 2) {
@@ -261,7 +264,7 @@ Failure refusal(Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "key figures", {}, std::move(problem), std::move(remedies)};
 }
 
-// What bending beyond a rule would do to the button.
+// Describes what breaking a rule would do to the button.
 Message lossOf(ShapeRule rule) {
   switch (rule) {
     case ShapeRule::width:
@@ -338,7 +341,7 @@ TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
   return {figuresOf(targets), {}, refusal(std::move(problem), remedy)};
 }
 
-/// What was not found out with all the effort allowed, of targets that could not be met until then.
+/// Conflict for targets that could not be decided within the limit.
 TargetConflict undecided(const std::vector<FigureTarget>& targets) {
   return {figuresOf(targets),
           {},
@@ -364,7 +367,7 @@ Message valueWithUnit(double value, FigureUnit unit) {
   return {};
 }
 
-// A button and what is wanted of one of its states.
+// A button and the targets for one of its states.
 class Bending {
  public:
   Bending(const Button& button, std::size_t state, const TargetTolerance& tolerance,
@@ -386,9 +389,10 @@ class Bending {
     return whole;
   }
 
-  /// Targets of which none can be done without: as few as still contradict each other.
+  /// Returns a minimal set of contradicting targets.
   std::vector<FigureTarget> fewest(std::vector<FigureTarget> targets) const {
-    // What a solve could not reach with more of them it may reach with fewer: tried until nothing goes any more.
+    // A solve may reach fewer targets that it could not reach together with others; repeat until nothing
+    // changes.
     for (bool gone = true; gone && !effort_.over();) {
       gone = false;
       for (std::size_t i = targets.size(); i-- > 0 && targets.size() > 1;) {
@@ -403,7 +407,7 @@ class Bending {
     return targets;
   }
 
-  /// Of a figure that cannot be had even alone: how far it goes, and what stops it there.
+  /// For a figure that is impossible by itself: its limit and the blocking rule.
   TargetConflict limitOf(const FigureTarget& target, double now) const {
     const double reachable = nearest(target, now);
     const Message term = Message::of(termOf(target.figure), {});
@@ -420,7 +424,7 @@ class Bending {
   using Takes = std::function<bool(const Button&)>;
   using Failed = std::function<void(const Search&)>;
 
-  /// Every way of bending in turn, until one gives what `takes` it; `failed` is told of those that gave nothing.
+  /// Tries every kind of bending until `takes` accepts one; reports the others to `failed`.
   void solve(const std::vector<FigureTarget>& targets, const Takes& takes, const Failed& failed = {}) const {
     const ButtonState& state = button_.states()[state_];
     const bool contacts = state.operatingPoint_mm || state.resetPoint_mm;
@@ -444,7 +448,7 @@ class Bending {
     return {};
   }
 
-  /// The last value on the way from `now` to the target that can be had.
+  /// The last possible value on the way from `now` to the target.
   double nearest(const FigureTarget& target, double now) const {
     double reached = 0;
     for (double part = 0.5; part >= leastOfWay && !effort_.over(); part /= 2)
@@ -452,7 +456,7 @@ class Bending {
     return now + reached * (target.value - now);
   }
 
-  /// What the button would lose with that target.
+  /// Describes what the button would lose with that target.
   Message lossAt(const FigureTarget& target) const {
     std::optional<Rule> broken;
     std::optional<ShapeRule> obstacle;
