@@ -6,7 +6,7 @@
 namespace detent::importer {
 
 void BandMatrix::add(const ResidualRow& row, double weight) {
-  const std::array<double, bandWidth> by = row.by;  // a copy, which no column can be
+  const std::array<double, bandWidth> by = row.by;  // a copy, because columns may alias it
   for (std::size_t i = 0; i < bandWidth; ++i) {
     if (by[i] == 0) continue;
     const double factor = weight * by[i];
@@ -25,7 +25,7 @@ double BandMatrix::at(std::size_t i, std::size_t j) const {
   return below < bandWidth ? columns_[first][below] : 0;
 }
 
-// Cholesky's method without roots: A = L D L', the columns of D L' in the place of A's.
+// Square-root-free Cholesky: A = L D L'; the columns of D L' replace those of A.
 bool BandMatrix::solve(std::vector<double>& right) {
   const std::size_t n = columns_.size();
   for (std::size_t i = 0; i < n; ++i) {

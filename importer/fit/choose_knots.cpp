@@ -9,7 +9,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t knotsAdapting = 3;  // knots to each side that adapt to a change
+constexpr std::size_t knotsAdapting = 3;  // knots on each side that adapt to a change
 
 using Index = std::ptrdiff_t;
 
@@ -17,8 +17,7 @@ bool isExtremum(const KnotChain& chain, std::size_t k) {
   return (chain[k].v() - chain[k - 1].v()) * (chain[k + 1].v() - chain[k].v()) < 0;
 }
 
-/// A smooth joint that has become an extremum bends on one side only: in truth it is a corner. Keeps the
-/// shape.
+/// Turns a smooth joint that has become an extremum into a corner. Keeps the shape.
 void settleJoints(KnotChain& chain) {
   for (std::size_t k = 1; k + 1 < chain.size(); ++k)
     if (chain[k].joint == JointKind::smooth && isExtremum(chain, k)) {
@@ -27,7 +26,7 @@ void settleJoints(KnotChain& chain) {
     }
 }
 
-/// The chain with its points sorted by the piece they lie on.
+/// The chain with its points grouped by piece.
 class Workpiece {
  public:
   Workpiece(KnotChain& chain, const std::vector<SigmaPoint>& points, const SolveSettings& settings)
@@ -42,7 +41,7 @@ class Workpiece {
   const KnotChain& chain() const { return chain_; }
   double chiSquareOfPiece(std::size_t piece) const { return pieceChiSquare_[piece]; }
 
-  /// Points on one piece in their order.
+  /// Indices of the points on one piece, in order.
   std::vector<std::size_t> pointsOfPiece(std::size_t piece) const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < feet_.size(); ++i)
@@ -52,15 +51,15 @@ class Workpiece {
   const Footpoint& foot(std::size_t point) const { return feet_[point]; }
   const SigmaPoint& point(std::size_t i) const { return points_[i]; }
 
-  /// A trial: knots [from, to] of the chain replaced by `trial`, whose outermost knots stay unless they are
-  /// ends.
+  /// A trial change: knots [from, to] of the chain are replaced by `trial`, whose outermost knots stay unless
+  /// they are ends.
   struct Trial {
     std::size_t from = 0, to = 0;
     KnotChain knots;
-    double gain = -std::numeric_limits<double>::infinity();  ///< fall of chi-square
+    double gain = -std::numeric_limits<double>::infinity();  ///< decrease of chi-square
   };
 
-  /// The knots around `knot`, for a change to be made in them; `at` is the knot's index in the trial.
+  /// Copies the knots around `knot` for a change; `at` is the index of `knot` in the trial.
   Trial around(std::size_t knot, std::size_t& at) const {
     Trial trial;
     trial.from = knot > knotsAdapting ? knot - knotsAdapting : 0;
@@ -109,11 +108,12 @@ class Workpiece {
     sumUp();
   }
 
-  /// A knot whose removal was refused is not asked again until something near it changes.
+  /// Returns true if removing the knot was refused and nothing near it has changed since.
   bool isRefused(std::size_t knot) const { return refused_[knot] != 0; }
   void refuse(std::size_t knot) { refused_[knot] = 1; }
 
-  /// Chi-square of the points around a knot if it were gone and no other moved: how much is at stake.
+  /// Chi-square of the points around a knot if it were removed and no other moved: an upper bound of the
+  /// loss.
   double chiSquareWithout(std::size_t knot) const {
     ChainPiece merged(chain_[knot - 1], chain_[knot + 1]);
     double sum = 0;
@@ -156,7 +156,7 @@ double secant(const ChainKnot& a, const ChainKnot& b) {
 ChainKnot cornerOf(const KnotChain& chain, std::size_t k) {
   ChainKnot knot = chain[k];
   const double before = secant(chain[k - 1], chain[k]), after = secant(chain[k], chain[k + 1]);
-  // A held slope says nothing about its side; the secant is the neutral start.
+  // A slope at its limit has no information; the secant is a neutral start.
   knot.at[2] = knot.slopeBefore() * before > 0 ? knot.slopeBefore() : before;
   knot.at[3] = chain[k].slopeAfter() * after > 0 ? chain[k].slopeAfter() : after;
   knot.joint = JointKind::corner;
@@ -173,7 +173,7 @@ ChainKnot smoothOf(const KnotChain& chain, std::size_t k) {
   return knot;
 }
 
-/// Knots in the order of what their removal puts at stake, dearest last; those beyond `limit` are left out.
+/// Knots by increasing loss when removed; those above `limit` are left out.
 std::vector<std::size_t> removable(const Workpiece& work, double limit) {
   std::vector<std::pair<double, std::size_t>> stakes;
   for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
@@ -187,7 +187,7 @@ std::vector<std::size_t> removable(const Workpiece& work, double limit) {
   return knots;
 }
 
-/// A flat joint that is not an extremum any more gets a slope of its own.
+/// Gives a flat joint that is no extremum any more its own slope.
 void freeSlope(KnotChain& chain, std::size_t k) {
   if (k == 0 || k + 1 >= chain.size() || chain[k].joint != JointKind::flat || isExtremum(chain, k)) return;
   const double before = secant(chain[k - 1], chain[k]), after = secant(chain[k], chain[k + 1]);
@@ -196,7 +196,7 @@ void freeSlope(KnotChain& chain, std::size_t k) {
       std::copysign(std::min(std::abs(before), std::abs(after)), before + after);
 }
 
-/// The chain without `count` knots from `knot` on.
+/// The chain without `count` knots from index `knot` on.
 Workpiece::Trial withoutKnots(const Workpiece& work, std::size_t knot, std::size_t count) {
   std::size_t at = 0;
   Workpiece::Trial trial = work.around(knot, at);
@@ -218,7 +218,7 @@ Workpiece::Trial withJoint(const Workpiece& work, std::size_t knot, const ChainK
   return trial;
 }
 
-/// A new knot on a piece where its residuals, averaged over a few neighbours, are largest.
+/// Adds a knot to a piece where the residuals, averaged over a few neighbours, are largest.
 bool withNewKnot(const Workpiece& work, std::size_t piece, Workpiece::Trial& trial) {
   const std::vector<std::size_t> members = work.pointsOfPiece(piece);
   if (members.size() < 4) return false;
@@ -262,7 +262,7 @@ bool pays(const Workpiece& work, const Workpiece::Trial& trial, const Evidence& 
   return trial.gain > evidence.pricePerParameter * evidence.correlationPoints * added;
 }
 
-/// A small step back inside a rise (or the reverse) needs two extrema; they can only go together.
+/// Removes a small step back inside a rise (or the reverse). Its two extrema can only be removed together.
 bool straightenZigzags(Workpiece& work, const Evidence& evidence) {
   constexpr double small = 6;  // sigmas
   bool changed = false;
@@ -279,7 +279,7 @@ bool straightenZigzags(Workpiece& work, const Evidence& evidence) {
   return changed;
 }
 
-/// Two knots close together can be one corner; taking out either alone would lose a slope.
+/// Merges two close knots into one corner; removing either alone would lose a slope.
 bool mergeCloseKnots(Workpiece& work, const Evidence& evidence) {
   constexpr double close = 15;  // sigmas
   bool changed = false;
@@ -304,7 +304,7 @@ bool mergeCloseKnots(Workpiece& work, const Evidence& evidence) {
 
 bool simplify(Workpiece& work, const Evidence& evidence) {
   bool changed = false;
-  // What is at stake is an upper bound: neighbours that adapt take over most of it.
+  // The loss is an upper bound, because neighbours adapt and compensate most of it.
   const double limit = 12 * evidence.chiSquarePer(3);
   bool again = true;
   while (again) {
@@ -362,7 +362,7 @@ Evidence::Evidence(double points, double correlation)
       pricePerParameter(std::log(std::max(3.0, points / std::max(1.0, correlation)))) {}
 
 int parametersOf(const KnotChain& chain) {
-  // Each end: one of its two coordinates and a slope.
+  // Each end has one coordinate and a slope.
   int count = 4;
   for (std::size_t k = 1; k + 1 < chain.size(); ++k) count += freedomOf(chain[k].joint);
   return count;
@@ -381,7 +381,7 @@ std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaP
 bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
                  const ChoiceSettings& settings) {
   settleJoints(chain);
-  // The first cut may be far off in places: there a robust loss would take the points for outliers.
+  // The first cut may be far off in places, where a robust loss would treat the points as outliers.
   SolveSettings first = settings.solve;
   first.robustScale *= 10;
   bool converged = solveChain(chain, points, {0, chain.size()}, first);
@@ -412,7 +412,7 @@ bool reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pi
     Workpiece work(chain, points, local);
     const std::vector<std::size_t> knots = removable(work, std::numeric_limits<double>::infinity());
     Workpiece::Trial best;
-    // The knots with least at stake; the solve then tells which of them really costs least.
+    // Tries the knots with the smallest loss; the solve then shows which is really the cheapest.
     for (std::size_t i = 0; i < std::min<std::size_t>(knots.size(), 3); ++i) {
       Workpiece::Trial trial = withoutKnot(work, knots[i]);
       if (trial.gain > best.gain) best = std::move(trial);
@@ -449,7 +449,7 @@ struct PlaceOnLine {
   double u = 0, v = 0, distance = std::numeric_limits<double>::infinity();
 };
 
-/// The place nearest to a knot on the line through the points.
+/// Returns the place nearest to a knot on the line through the points.
 PlaceOnLine nearestOnLine(const ChainKnot& knot, const std::vector<SigmaPoint>& points) {
   PlaceOnLine best;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -478,12 +478,13 @@ int returnStrayKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, do
       if (near.distance > reach) put(chain[k], near.u, near.v);
       continue;
     }
-    // An end that was taken for a wall's may slide along a flat stretch instead, and the curve lose what lies before it.
+    // An end mistaken for a bottom-out may slide along a flat stretch, and the curve would lose the part
+    // before it.
     const SigmaPoint& end = k == 0 ? points.front() : points.back();
     if (near.distance > reach || std::abs(chain[k].u() - end.u) > reach) put(chain[k], end.u, end.v);
   }
   if (returned > 0) {
-    // Knots that stand beyond an end would draw it with them when they are put in order.
+    // Knots beyond an end would move the end when they are sorted.
     const auto [low, high] = std::minmax({chain.front().u(), chain.back().u()});
     for (ChainKnot& knot : chain) knot.at[0] = std::clamp(knot.u(), low, high);
     levelDisplacements(chain);

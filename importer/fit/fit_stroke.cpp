@@ -51,7 +51,7 @@ ChoiceSettings choiceSettings(const FitOptions& options) {
   return settings;
 }
 
-/// Fewer points than one cubic has parameters: joined by straight pieces.
+/// With fewer points than one cubic has parameters they are joined by straight pieces.
 constexpr std::size_t fewestPoints = 5;
 
 KnotChain joined(const std::vector<SigmaPoint>& points) {
@@ -79,10 +79,10 @@ struct ChosenChain {
 ChosenChain chooseChain(const StrokeSamples& samples, const FitOptions& options) {
   const std::vector<SigmaPoint>& points = samples.points;
   const double n = static_cast<double>(points.size());
-  // The first cut puts in more than the evidence for whole cubics supports: taking out is surer than finding
-  // later.
+  // The first cut uses more knots than the evidence for cubics supports, because removing knots is more
+  // reliable than adding them.
   constexpr int parametersPerCut = 2;
-  constexpr double longestCorrelation = 10;  // beyond it the residuals show shape, not noise
+  constexpr double longestCorrelation = 10;  // points; beyond it the residuals show shape, not noise
   Evidence evidence(n, std::max(1.0, options.correlationPoints));
   Segmentation cut = segmentStroke(points, options.candidateKnots, evidence.chiSquarePer(parametersPerCut));
   if (options.correlationPoints == 0 && cut.correlationPoints > 1.2) {
@@ -98,7 +98,7 @@ ChosenChain chooseChain(const StrokeSamples& samples, const FitOptions& options)
     if (static_cast<int>(cut.chain.size()) - 1 > options.maxPieces)
       converged = reachPieces(cut.chain, points, options.maxPieces, settings);
   }
-  // Corners of drawn lines lie up to the robust scale outside of them.
+  // Corners of drawn lines lie up to the robust scale outside.
   if (returnStrayKnots(cut.chain, points, options.robustScale + 2) > 0) converged = false;
   return {std::move(cut.chain), evidence, converged ? FitOutcome::converged : FitOutcome::iterationLimit};
 }
@@ -120,8 +120,7 @@ std::vector<Knot> modelKnots(const KnotChain& chain, const StrokeSamples& sample
   return knots;
 }
 
-/// Distances in sigmas of the given noise, whatever yardstick the fit used: square to the curve in these
-/// units.
+/// Distances in sigmas of the given noise, orthogonal to the curve in these units.
 void addDistances(FitSummary& summary, const ChosenChain& fit, const StrokeSamples& samples,
                   const PointNoise& noise) {
   const std::vector<ChainPiece> pieces = piecesOf(fit.chain);

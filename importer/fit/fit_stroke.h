@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Step 6: from dense points of one stroke to a StrokeCurve with as few pieces as the evidence supports.
-// In:  points in the order travelled (a traced line, a force meter's log), the noise of the points, FitOptions.
-// Out: the curve and a FitSummary; or a Failure.
-// Reading order: stroke_samples.h (order, thinning, yardstick) -> segment_stroke.h (first knots) ->
-//                knot_chain.h (the curve being fitted) -> solve_chain.h (least distance,
-//                band_matrix.h) -> choose_knots.h (evidence).
+// Step 6: from dense points of one stroke to a StrokeCurve with as few pieces as the evidence supports. In:
+// points in the order travelled (a traced line, a tester's log), their noise, FitOptions. Out: the curve and
+// a FitSummary, or a Failure. Reading order: stroke_samples.h (order, thinning, scaling) -> segment_stroke.h
+// (first knots) -> knot_chain.h (the curve being fitted) -> solve_chain.h (least distance, band_matrix.h) ->
+// choose_knots.h (evidence).
 
 #include <cstddef>
 #include <string>
@@ -17,7 +16,7 @@
 
 namespace detent::importer {
 
-/// A tactile point with standard errors from the covariance of the fit.
+/// A tactile point with standard errors of the fit.
 struct FittedTactilePoint {
   TactilePoint point;
   double sigma_mm = 0;
@@ -27,7 +26,7 @@ struct FittedTactilePoint {
 enum class FitOutcome {
   converged,
   iterationLimit,  ///< usable; the solver stopped before its tolerance
-  tooFewPoints     ///< the points alone do not determine a fit: they are joined by straight pieces
+  tooFewPoints     ///< too few points for a fit; they are joined by straight pieces
 };
 
 struct FitSummary {
@@ -36,8 +35,10 @@ struct FitSummary {
   int points = 0;       ///< points used, after thinning
   double rmsSigma = 0;  ///< rms orthogonal distance of the points, in sigmas of the given noise
   double maxSigma = 0;
-  double correlationPoints = 1;  ///< points that share one error, >= 1; standard errors take it into account
-  double condition = 1;          ///< of the fit (KnotErrors), 1 to 1e8; 1 where points were only joined
+  double correlationPoints = 1;  ///< number of points that share one error, >= 1; included in the standard
+                                 ///< errors
+  double condition = 1;          ///< condition number of the fit (KnotErrors), 1 to 1e8; 1 if points were
+                                 ///< only joined
   double bic = 0;
   double seconds = 0;
   std::vector<FittedTactilePoint> tactilePoints;
@@ -49,10 +50,10 @@ struct FittedStroke {
   FitSummary summary;
 };
 
-/// Points in the order travelled (press: towards larger displacement; release: back). Points given the other
-/// way round are turned. Every piece of the curve is monotone; extrema stand at knots; the ends of the curve
-/// are the ends of the points. Deterministic. Any thread. Failure unreadableInput: fewer than 2 distinct
-/// points, not finite, no travel, points that run to and fro; wrongUsage: options outside their ranges.
+/// Fits a curve to points in the order travelled (press: towards larger displacement; release: back);
+/// reversed points are turned. Every piece is monotone, extrema lie on knots, and the ends are the ends of
+/// the points. Deterministic. Any thread. Failure unreadableInput: fewer than 2 distinct points, not finite,
+/// no travel, points that run to and fro; wrongUsage: options outside their ranges.
 Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke stroke,
                                const FitOptions& options);
 

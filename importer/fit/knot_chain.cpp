@@ -9,15 +9,15 @@ namespace detent::importer {
 namespace {
 
 constexpr double greatestTangent =
-    3;  // of the secant: the largest box inside Fritsch & Carlson's monotone region
+    3;  // times the secant: the largest box inside Fritsch & Carlson's monotone region
 
 void limitTangent(double slope, double h, double d, double& tangent, bool& free, double& perD) {
   const double wanted = slope * h;
   if (h <= 0) {
-    // A wall: straight.
+    // A vertical piece: straight.
     tangent = d, free = false, perD = 1;
   } else if (d == 0 || wanted * d <= 0) {
-    // A slope against the piece's direction; at d == 0 the piece is flat.
+    // The slope points against the piece's direction; at d == 0 the piece is flat.
     tangent = 0, free = false, perD = 0;
   } else if (std::abs(wanted) > greatestTangent * std::abs(d)) {
     tangent = greatestTangent * d, free = false, perD = greatestTangent;
@@ -86,8 +86,8 @@ ChainPiece::ChainPiece(const ChainKnot& from, const ChainKnot& to)
 Footpoint nearestFrom(const ChainPiece& piece, const SigmaPoint& p, double t) {
   t = std::clamp(t, 0.0, 1.0);
   if (t <= 0 || t >= 1) {
-    // At an end the curve may stand still over t (a steep piece between two flat joints): no gradient leads
-    // away from it.
+    // At an end the derivative over t may vanish (a steep piece between two flat joints), so the search
+    // starts inside.
     const double inside = t <= 0 ? 0.05 : 0.95;
     if (squaredDistance(piece, p, inside) < squaredDistance(piece, p, t)) t = inside;
   }
@@ -109,7 +109,7 @@ Footpoint nearestFrom(const ChainPiece& piece, const SigmaPoint& p, double t) {
     if (distance > best) break;
     const double moved = std::abs(next - t);
     t = next, du = nextU, dv = nextV, best = distance;
-    // Convergence is quadratic: what is left after such a step is its square.
+    // Convergence is quadratic: the remaining error is the square of this step.
     if (moved < 1e-4) break;
   }
   return {0, t, best};
@@ -138,7 +138,7 @@ std::vector<Footpoint> footpointsOn(const KnotChain& chain, const std::vector<Si
   feet.reserve(points.size());
   std::size_t last = 0;
   for (const SigmaPoint& p : points) {
-    // The previous point's piece first: it gives a close bound that rules the others out by their boxes.
+    // The piece of the previous point gives a tight bound that excludes the others by their boxes.
     Footpoint best = nearestOn(pieces[last], p);
     best.piece = last;
     for (std::size_t i = 0; i < pieces.size(); ++i) {

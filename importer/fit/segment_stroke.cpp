@@ -8,10 +8,10 @@
 namespace detent::importer {
 namespace {
 
-/// A point seen along its run: z runs, w is fitted as a cubic of z.
+/// A point in its run: z is the run's variable, w is fitted as a cubic of z.
 struct RunPoint {
   double z = 0, w = 0;
-  double weight = 1;  ///< of the square of a residual in w
+  double weight = 1;  ///< weight of a squared residual in w
 };
 
 struct Run {
@@ -19,9 +19,9 @@ struct Run {
   bool steep = false;
 };
 
-/// Direction of the points around each one, over a few sigmas so that noise does not turn it.
+/// Direction of the points around each one, over a few sigmas to suppress noise.
 std::vector<SigmaPoint> localDirections(const std::vector<SigmaPoint>& points) {
-  constexpr double reach = 3;  // sigmas to each side
+  constexpr double reach = 3;  // sigmas on each side
   const std::size_t n = points.size();
   std::vector<SigmaPoint> directions(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -37,7 +37,7 @@ std::vector<SigmaPoint> localDirections(const std::vector<SigmaPoint>& points) {
 }
 
 std::vector<Run> runsOf(const std::vector<SigmaPoint>& points, const std::vector<SigmaPoint>& directions) {
-  constexpr double steepness = 4;       // sigma per sigma: beyond it u(v) is the better-conditioned function
+  constexpr double steepness = 4;       // sigma per sigma: above it u(v) is the better-conditioned function
   constexpr double shortestSteep = 10;  // sigmas of v
   std::vector<char> steep(points.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -56,7 +56,7 @@ std::vector<Run> runsOf(const std::vector<SigmaPoint>& points, const std::vector
   return runs;
 }
 
-/// Sums over points of z^k and z^k w about an origin; shifting the origin keeps them exact for short
+/// Sums over points of z^k and z^k w about an origin; shifting the origin keeps them accurate for short
 /// stretches.
 struct Moments {
   double z[7] = {}, zw[4] = {}, ww = 0;
@@ -73,7 +73,7 @@ struct Moments {
     ++count;
   }
 
-  /// Adds moments taken about an origin that lies `shift` further along z and `lift` higher in w.
+  /// Adds moments whose origin lies `shift` further along z and `lift` higher in w.
   void addShifted(const Moments& m, double shift, double lift) {
     static constexpr double binomial[7][7] = {{1},
                                               {1, 1},
@@ -116,7 +116,8 @@ struct Cubic {
   }
 };
 
-/// Least-squares cubic from moments about (z0, w0); `length` is the stretch's extent. Returns the chi-square.
+/// Fits a cubic by least squares from moments about (z0, w0); `length` is the extent of the stretch. Returns
+/// chi-square.
 double solveCubic(const Moments& m, double length, Cubic& cubic) {
   const int order = std::min(4, std::max(1, m.count));
   const double scale = length > 0 ? length : 1;
@@ -124,7 +125,8 @@ double solveCubic(const Moments& m, double length, Cubic& cubic) {
   power[0] = 1;
   for (int k = 1; k < 7; ++k) power[k] = power[k - 1] / scale;
   double lower[4][4], y[4];
-  // Cholesky with a tiny ridge: equal z make the system singular, the ridge then takes the flattest answer.
+  // Cholesky with a small ridge: equal z make the system singular, and the ridge selects the flattest
+  // solution.
   const double ridge = 1e-11 * m.z[0];
   for (int i = 0; i < order; ++i) {
     for (int j = 0; j <= i; ++j) {
@@ -148,7 +150,7 @@ double solveCubic(const Moments& m, double length, Cubic& cubic) {
   return std::max(0.0, m.ww - explained);
 }
 
-/// Noise spikes must not buy a piece of their own: w is held near the median of its neighbours.
+/// Limits w to the median of its neighbours, so that noise spikes get no piece of their own.
 void tameSpikes(std::vector<RunPoint>& points) {
   constexpr double reach = 4;  // sigmas
   if (points.size() < 5) return;
@@ -170,7 +172,7 @@ std::vector<RunPoint> alongRun(const std::vector<SigmaPoint>& points,
   along.reserve(run.to - run.from);
   for (std::size_t i = run.from; i < run.to; ++i) {
     const SigmaPoint &p = points[i], &dir = directions[i];
-    // A residual in w, seen across the curve, is shorter by the cosine of the local direction.
+    // A residual in w, measured across the curve, is shorter by the cosine of the local direction.
     const double length = std::hypot(dir.u, dir.v), across = run.steep ? dir.v : dir.u;
     const double cosine = length > 0 ? std::max(0.02, std::abs(across) / length) : 1;
     const double weight = p.weight * p.weight * cosine * cosine;
@@ -180,7 +182,7 @@ std::vector<RunPoint> alongRun(const std::vector<SigmaPoint>& points,
   return along;
 }
 
-/// Where blocks of points begin: no more than about `blocks`, at equal shares of points and of length.
+/// Indices where blocks of points begin: about `blocks` at most, at equal shares of points and of length.
 std::vector<std::size_t> blockStarts(const std::vector<RunPoint>& points, double blocks) {
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -215,7 +217,7 @@ Cubic cubicOver(const std::vector<RunPoint>& points, std::size_t from, std::size
   return cubic;
 }
 
-/// The cuts of least chi-square + penalty per piece.
+/// The cuts with the least chi-square + penalty per piece.
 std::vector<Stretch> cutRun(const std::vector<RunPoint>& points, double blocks, double penalty) {
   const std::vector<std::size_t> starts = blockStarts(points, blocks);
   const std::size_t n = starts.size() - 1;
@@ -247,7 +249,7 @@ std::vector<Stretch> cutRun(const std::vector<RunPoint>& points, double blocks, 
   return stretches;
 }
 
-constexpr double steepest = 1e6;  // of the scaled axes: steeper is a wall
+constexpr double steepest = 1e6;  // slope in scaled axes: steeper is vertical
 
 double slopeOf(const Stretch& stretch, double z, bool steep) {
   const double slope = stretch.cubic.slopeAt(z);
@@ -255,18 +257,16 @@ double slopeOf(const Stretch& stretch, double z, bool steep) {
   return std::abs(slope) * steepest > 1 ? 1 / slope : std::copysign(steepest, slope);
 }
 
-/// The slope a joint would have on both sides: the gentler one never overshoots; between slopes of two signs
-/// it is 0.
+/// Common slope of both sides: the gentler one, which never overshoots; 0 if the signs differ.
 double sharedSlope(double before, double after) {
   if (before * after <= 0) return 0;
   return std::abs(before) < std::abs(after) ? before : after;
 }
 
-/// A corner where sharing one slope would bend the curve visibly on either side; else a smooth joint, or a
-/// flat one.
+/// A corner if one common slope would bend the curve visibly; else a smooth or flat joint.
 JointKind jointFor(double slopeBefore, double slopeAfter, double lengthBefore, double lengthAfter) {
   const double shared = std::atan(sharedSlope(slopeBefore, slopeAfter));
-  // A cubic whose end slope is off by a small angle leaves its course by 4/27 of the angle times its length.
+  // A cubic whose end slope is off by a small angle deviates by 4/27 of the angle times its length.
   const auto bend = [&](double slope, double length) {
     return 4.0 / 27 * std::abs(std::atan(slope) - shared) * length;
   };
@@ -280,7 +280,7 @@ ChainKnot knotAt(double u, double v, double slopeBefore, double slopeAfter, Join
   return {{u, v, shared, shared}, joint};
 }
 
-/// Extrema inside one cubic that stand out from the noise become knots of their own.
+/// Adds knots at extrema inside a cubic that exceed the noise.
 void addInnerExtrema(KnotChain& chain, const Stretch& stretch, double fromU, double toU) {
   const Cubic& cubic = stretch.cubic;
   const double a = 3 * cubic.c[3], b = cubic.c[2], c = cubic.c[1];  // derivative a s^2 + 2 b s + c

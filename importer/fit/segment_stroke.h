@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The first knots of a stroke: optimal cutting into cubics by dynamic programming.
+// First knots of a stroke: optimal cutting into cubics by dynamic programming.
 
 #include "importer/fit/knot_chain.h"
 
@@ -8,16 +8,16 @@ namespace detent::importer {
 
 struct Segmentation {
   KnotChain chain;               ///< at least 2 knots, u never decreasing, ends at the ends of the points
-  double correlationPoints = 1;  ///< neighbouring residuals of the cubics that share one error, >= 1
+  double correlationPoints = 1;  ///< number of neighbouring residuals that share one error, >= 1
 };
 
-/// Cuts the points into runs where v is a function of u and steep runs where u is a function of v (walls),
-/// each run into cubics that minimise chi-square + `penalty` per piece over all cuts at `candidates` places
+/// Cuts the points into runs where v is a function of u, and steep runs where u is a function of v. Each run
+/// is cut into cubics that minimise chi-square + `penalty` per piece over all cuts at `candidates` places
 /// (Bellman 1961).
 Segmentation segmentStroke(const std::vector<SigmaPoint>& points, int candidates, double penalty);
 
-/// How many neighbouring residuals share one error: their integrated autocorrelation, outliers cut; 1 if
-/// independent.
+/// Number of neighbouring residuals that share one error: their integrated autocorrelation with outliers
+/// clipped; 1 if independent.
 double correlationOf(std::vector<double> residuals);
 
 }  // namespace detent::importer

@@ -28,11 +28,11 @@ RobustResidual robust(double r, double scale) {
 struct AssignedPoint {
   SigmaPoint point;
   std::size_t piece = 0;
-  /// Where its footpoint was last: only the start of the search, so that results do not depend on it.
+  /// Last footpoint, used as the start of the search, so that results do not depend on it.
   double t = 0;
 };
 
-/// A point may slip to the piece before or after while knots move.
+/// A point may move to an adjacent piece while knots move.
 Footpoint nearestAround(const std::vector<ChainPiece>& pieces, AssignedPoint& assigned) {
   const std::size_t own = assigned.piece;
   Footpoint best = nearestFrom(pieces[own], assigned.point, assigned.t);
@@ -48,15 +48,15 @@ Footpoint nearestAround(const std::vector<ChainPiece>& pieces, AssignedPoint& as
   return best;
 }
 
-/// The robust distance of a point. The footpoint moves along the curve only, so to first order the distance changes by the
-/// curve's own movement along the line of sight (envelope theorem).
+/// Robust distance of a point. To first order it changes by the curve's own movement along the line of sight,
+/// because the footpoint moves along the curve (envelope theorem).
 ResidualRow distanceRow(const KnotChain& chain, const ChainPiece& piece, const Footpoint& foot,
                         const SigmaPoint& p, double robustScale) {
   const double t = foot.t, du = p.u - piece.u(t), dv = p.v - piece.v(t), tangent = piece.dv(t);
   const double distance = std::sqrt(du * du + dv * dv), side = dv * piece.h - du * tangent >= 0 ? 1 : -1;
   const RobustResidual r = robust(side * p.weight * distance, robustScale);
   ResidualRow row{foot.piece, r.value};
-  double nu = 0, nv = 0;  // unit vector from the curve to the point, turned to the positive side
+  double nu = 0, nv = 0;  // unit vector from the curve to the point, on the positive side
   if (distance > 1e-9) {
     nu = side * du / distance, nv = side * dv / distance;
   } else {
@@ -67,8 +67,7 @@ ResidualRow distanceRow(const KnotChain& chain, const ChainPiece& piece, const F
   const double scale = -r.derivative * p.weight;
   const double t2 = t * t, t3 = t2 * t;
   const double overD = 3 * t2 - 2 * t3, overA = t - 2 * t2 + t3, overB = t3 - t2;
-  // How v at t follows the secant, the two ends and the slopes, with the limits of the tangents taken into
-  // account.
+  // Derivatives of v at t by the secant, the ends and the slopes, including the limits of the tangents.
   const double perD = overD + overA * piece.aPerD + overB * piece.bPerD;
   const double slopeA = piece.aFree && piece.h > 0 ? piece.a / piece.h : 0;
   const double slopeB = piece.bFree && piece.h > 0 ? piece.b / piece.h : 0;
@@ -84,8 +83,8 @@ ResidualRow distanceRow(const KnotChain& chain, const ChainPiece& piece, const F
   return row;
 }
 
-/// Holds a knot near its place and slopes where the points say nothing about them: a smooth joint may slide
-/// along a straight line, a short piece may hold no points.
+/// Weak prior on a knot's place and slopes, for parameters that the points do not determine: a smooth joint
+/// may slide along a straight line, a short piece may have no points.
 class WeakPlace {
  public:
   WeakPlace(const KnotChain& chain, std::size_t knot) : at_(chain[knot].at) {
@@ -107,8 +106,8 @@ class WeakPlace {
   KnotParameters at_{}, per_{};
 };
 
-/// The points say where the curve runs, so a knot may not leave them: orthogonal distance alone would not
-/// notice a spike of the curve between two points. Costs nothing within `slack`.
+/// Keeps a knot near the points, because orthogonal distance does not notice a spike between two points. No
+/// cost within `slack`.
 class StayWithPoints {
  public:
   StayWithPoints(const std::vector<SigmaPoint>& points, const ChainKnot& knot) : points_(points) {
@@ -122,7 +121,7 @@ class StayWithPoints {
   ResidualRow row(std::size_t knot, const ChainKnot& now) const {
     const double u = now.u(), v = now.v();
     double awayU = 0, awayV = 0, best = std::numeric_limits<double>::infinity();
-    // Outwards from where the knot was: most often the first lines are near enough.
+    // Search outwards from the last place; most often the first lines are close enough.
     for (std::size_t step = 0; step < 2 * window; ++step) {
       const std::size_t i = step % 2 == 0 ? nearest_ + step / 2 : nearest_ - 1 - step / 2;  // wraps below 0
       if (i >= points_.size() - 1) continue;
@@ -139,17 +138,16 @@ class StayWithPoints {
   }
 
  private:
-  static constexpr double stiffness = 3;  // as much as 9 points
-  static constexpr double slack =
-      1.5;  // sigmas: a true corner lies outside of a line that is drawn around it
-  static constexpr std::size_t window = 30;  // points to each side of the nearest at the start
+  static constexpr double stiffness = 3;     // weight of 9 points
+  static constexpr double slack = 1.5;       // sigmas: a true corner lies outside the line drawn around it
+  static constexpr std::size_t window = 30;  // points on each side of the initially nearest one
   const std::vector<SigmaPoint>& points_;
   std::size_t nearest_ = 0;
 };
 
-/// Displacements never run backwards: a wall that would lean back ends vertical.
+/// Keeps displacements in order: a leaning bottom-out ends vertical.
 ResidualRow keepOrderRow(const KnotChain& chain, std::size_t knot) {
-  constexpr double perSigma = 30;  // residuals (sigmas) per unit of a piece's length turned round
+  constexpr double perSigma = 30;  // residuals (sigmas) per unit of reversed piece length
   const double h = chain[knot + 1].u() - chain[knot].u();
   return h < 0 ? ResidualRow{knot, perSigma * h, {-perSigma, 0, 0, 0, perSigma}} : ResidualRow{knot};
 }
@@ -158,7 +156,7 @@ bool isSteep(const ChainKnot& a, const ChainKnot& b) {
   return std::abs(b.v() - a.v()) > std::abs(b.u() - a.u());
 }
 
-/// Whether one of a knot's four parameters stays as it is.
+/// Returns true if one of a knot's four parameters is fixed.
 bool isHeld(const KnotChain& chain, std::size_t knot, std::size_t parameter) {
   const bool first = knot == 0, end = first || knot + 1 == chain.size();
   const JointKind joint = chain[knot].joint;
@@ -168,13 +166,13 @@ bool isHeld(const KnotChain& chain, std::size_t knot, std::size_t parameter) {
   return end && parameter == (isSteep(chain[before], chain[before + 1]) ? 1 : 0);
 }
 
-/// Least squares over one association of points and pieces.
+/// Least squares for one assignment of points to pieces.
 class ChainProblem {
  public:
   ChainProblem(const KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
                const SolveSettings& settings)
       : range_(range), robustScale_(settings.robustScale) {
-    // Pieces one further than the range touches: their points may slip over.
+    // One piece beyond those that the range touches, because points may move to it.
     const std::size_t fromPiece = range.from < 2 ? 0 : range.from - 2;
     const std::size_t toPiece = std::min(chain.size() - 1, range.to + 1);
     const std::vector<Footpoint> feet = footpointsOn(chain, points);
@@ -189,7 +187,7 @@ class ChainProblem {
     }
   }
 
-  // `chain` below: the chain of the start with other parameters.
+  // Below, `chain` is the start chain with other parameters.
 
   /// Half the sum of squares.
   double costAt(const KnotChain& chain) {
@@ -204,7 +202,7 @@ class ChainProblem {
     return 0.5 * sum;
   }
 
-  /// Hands every residual to `take`.
+  /// Passes every residual to `take`.
   template <class Take>
   void rowsAt(const KnotChain& chain, const Take& take) {
     const std::vector<ChainPiece> pieces = piecesOf(chain);
@@ -215,11 +213,11 @@ class ChainProblem {
     holdsAt(chain, take);
   }
 
-  /// Parameters that move, counted through the chain, in order.
+  /// Indices of the free parameters over the chain, in order.
   const std::vector<std::size_t>& freeParameters() const { return free_; }
   bool isFree(std::size_t i) const { return std::binary_search(free_.begin(), free_.end(), i); }
 
-  /// Root of the sum of squares of the moving knots' parameters.
+  /// Norm of the moving knots' parameters.
   double lengthOf(const KnotChain& chain) const {
     double sum = 0;
     for (std::size_t k = range_.from; k < range_.to; ++k)
@@ -228,7 +226,7 @@ class ChainProblem {
   }
 
  private:
-  /// The residuals that belong to knots and to no point.
+  /// Residuals that belong to knots only.
   template <class Take>
   void holdsAt(const KnotChain& chain, const Take& take) const {
     for (std::size_t k = range_.from == 0 ? 0 : range_.from - 1; k < range_.to && k + 1 < chain.size(); ++k)
@@ -244,16 +242,16 @@ class ChainProblem {
   KnotRange range_;
   double robustScale_;
   std::vector<AssignedPoint> points_;
-  std::vector<WeakPlace> weak_;       // of each knot that moves
-  std::vector<StayWithPoints> stay_;  // likewise
+  std::vector<WeakPlace> weak_;       // of each moving knot
+  std::vector<StayWithPoints> stay_;  // of each moving knot
   std::vector<std::size_t> free_;
 };
 
-/// Half the sum of squares at one place, and what its residuals say of the way down.
+/// Half the sum of squares at one place, with gradient and J'J.
 struct NormalEquations {
   double cost = 0;
-  std::vector<double> gradient;  ///< 0 for held parameters
-  BandMatrix information;        ///< J'J; held parameters stand apart
+  std::vector<double> gradient;  ///< 0 for fixed parameters
+  BandMatrix information;        ///< J'J; fixed parameters are decoupled
 
   NormalEquations(ChainProblem& problem, const KnotChain& chain)
       : gradient(perKnot * (chain.size() + 1)), information(chain.size()) {
@@ -275,7 +273,7 @@ struct NormalEquations {
 
 struct Step {
   std::vector<double> by;
-  double promised = 0;  ///< fall of the cost if residuals were linear; 0: there is no step
+  double promised = 0;  ///< decrease of the cost predicted by the linear model; 0: no step
 
   double length() const {
     double sum = 0;
@@ -284,7 +282,7 @@ struct Step {
   }
 };
 
-/// The step inside a region of trust with that radius, each parameter in its own scale.
+/// The step within a trust region of that radius, scaled per parameter.
 Step stepFrom(const NormalEquations& here, const std::vector<double>& leastDamping, double radius) {
   Step step{here.gradient};
   BandMatrix damped = here.information;
@@ -306,11 +304,12 @@ KnotChain moved(KnotChain chain, const Step& step) {
   return chain;
 }
 
-/// Levenberg and Marquardt's method. Its rules and values are those of Ceres Solver 2.1, with which all else in the fit was chosen.
+/// Levenberg–Marquardt with the rules and values of Ceres Solver 2.1, with which the other constants of the
+/// fit were chosen.
 bool minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& settings) {
-  constexpr double firstRadius = 1e4, greatestRadius = 1e16;  // shares of a parameter's own scale
-  constexpr double leastShareKept = 1e-3;                     // of the fall a step promised
-  constexpr double leastInformation = 1e-6;  // of that at the start, where a parameter loses its influence
+  constexpr double firstRadius = 1e4, greatestRadius = 1e16;  // relative to each parameter's scale
+  constexpr double leastShareKept = 1e-3;                     // of the predicted decrease
+  constexpr double leastInformation = 1e-6;  // of the initial value, if a parameter loses its influence
   NormalEquations here(problem, chain);
   std::vector<double> leastDamping;
   for (std::size_t i = 0; i < here.information.size(); ++i)
@@ -342,7 +341,7 @@ bool minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& sett
   return false;
 }
 
-/// The condition number of a Jacobian, from J'J.
+/// Condition number of a Jacobian from J'J.
 double conditionOf(const Eigen::MatrixXd& information) {
   constexpr double beyondRounding = 1e-16;  // of the greatest eigenvalue
   const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
@@ -380,7 +379,7 @@ bool solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRan
 KnotErrors knotErrors(const KnotChain& chain, const std::vector<SigmaPoint>& points,
                       const SolveSettings& settings) {
   ChainProblem problem(chain, points, {0, chain.size()}, settings);
-  // J'J and, with the residuals as they are, J'RRJ.
+  // J'J and, with the actual residuals, J'RRJ.
   BandMatrix informationBand(chain.size()), scatterBand(chain.size());
   problem.rowsAt(chain, [&](const ResidualRow& row) {
     informationBand.add(row);
@@ -398,7 +397,7 @@ KnotErrors knotErrors(const KnotChain& chain, const std::vector<SigmaPoint>& poi
   KnotErrors errors;
   errors.sigmas.resize(chain.size());
   if (!information.allFinite() || !scatter.allFinite()) return errors;
-  // A slope that a limit holds has no influence and an empty row: it counts as fixed.
+  // A slope at its limit has an empty row and counts as fixed.
   for (Eigen::Index c = 0; c < columns; ++c)
     if (information(c, c) <= 1e-12 * information.trace()) information(c, c) += 1;
   errors.condition = conditionOf(information);

@@ -33,10 +33,12 @@ Extent extentOf(const std::vector<CurvePoint>& points) {
   return e;
 }
 
-/// Whether a point stands off by itself: the two on each side follow each other in displacement and lie on one line, and it is far from that. A
-/// peak of one sample is none such: the samples on its flanks lie on no line.
+/// Returns true if a point is an isolated outlier: the two points on each side increase in displacement and
+/// lie on one line, far from the point. A peak of one sample is not an outlier, because the samples on its
+/// flanks lie on no line.
 bool standsAlone(const std::vector<CurvePoint>& points, std::size_t i, double sigma_N) {
-  constexpr double near = 4, far = 20;  // sigmas: 1 in 16,000 by noise alone; five times that
+  // sigmas: noise alone exceeds 4 in 1 of 16,000 points; five times that
+  constexpr double near = 4, far = 20;
   if (i < 2 || i + 2 >= points.size()) return false;
   const CurvePoint &first = points[i - 2], &last = points[i + 2];
   const double way_mm = last.displacement_mm - first.displacement_mm;
@@ -50,9 +52,9 @@ bool standsAlone(const std::vector<CurvePoint>& points, std::size_t i, double si
          off_N(points[i + 1]) <= near * sigma_N;
 }
 
-/// Points between the ends that lie farther outside of the others than those reach among themselves, or that stand alone, are slips of an instrument. Kept,
-/// one of the former would make the resolution, which is a share of the spans, too coarse for all others, and one of the latter may become a spike of its
-/// own, with a tactile point. An end may be a wall's only sample.
+/// Removes instrument errors: inner points farther outside the others than their range, or isolated outliers.
+/// One of the former would make the resolution, a share of the spans, too coarse; one of the latter could
+/// become a tactile point. Ends stay, because an end may be the only sample of a bottom-out.
 std::vector<CurvePoint> withoutSlips(const std::vector<CurvePoint>& points, const PointNoise& noise) {
   constexpr std::size_t fewest = 8;
   if (points.size() < fewest) return points;
@@ -71,7 +73,7 @@ std::vector<CurvePoint> withoutSlips(const std::vector<CurvePoint>& points, cons
   return kept;
 }
 
-/// Largest way back against the direction of travel: 0 for a clean stroke, near the travel for a
+/// Largest movement against the direction of travel: 0 for a clean stroke, near the travel for a
 /// there-and-back run.
 double greatestSetback(const std::vector<SigmaPoint>& points) {
   double furthest = points.front().u, setback = 0;
@@ -92,12 +94,12 @@ std::vector<SigmaPoint> withoutRepeats(const std::vector<SigmaPoint>& points) {
   return kept;
 }
 
-/// Weight of a mean of `count` points: their noise averages out, what lies below the resolution does not.
+/// Weight of a mean of `count` points: noise averages out, the resolution does not.
 double weightOfMean(double count, double noiseShare) {
   return 1 / std::sqrt(noiseShare / count + (1 - noiseShare));
 }
 
-/// Means over equal numbers of points; bounds the work and tames noise before arc length is measured.
+/// Means over equal numbers of points; limit the work and the noise before arc length is measured.
 std::vector<SigmaPoint> blockMeans(const std::vector<SigmaPoint>& points, std::size_t maxCount,
                                    double noiseShare) {
   if (points.size() <= maxCount) return points;
@@ -117,7 +119,7 @@ std::vector<SigmaPoint> blockMeans(const std::vector<SigmaPoint>& points, std::s
   return means;
 }
 
-/// Means over equal lengths of arc (each axis in shares of its span), so that a steep wall keeps its points.
+/// Means over equal arc lengths (each axis relative to its span), so that a steep stretch keeps its points.
 std::vector<SigmaPoint> arcMeans(const std::vector<SigmaPoint>& points, std::size_t maxCount, double spanU,
                                  double spanV, double noiseShare) {
   if (points.size() <= maxCount) return points;
@@ -150,7 +152,7 @@ std::vector<SigmaPoint> arcMeans(const std::vector<SigmaPoint>& points, std::siz
   return means;
 }
 
-/// One local maximum in the order of the points, after a running mean.
+/// One local maximum after a running mean.
 struct Peak {
   std::size_t at = 0;
   double height = 0;
@@ -161,7 +163,7 @@ std::vector<double> smoothedHeights(const std::vector<SigmaPoint>& points, doubl
   const std::size_t window = std::min(2 * reach + 1, points.size());
   std::vector<double> heights(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // As wide at the ends as elsewhere: a single reading there is no peak either.
+    // Full window width at the ends too, so that a single reading there is no peak.
     const std::size_t first = std::min(i - std::min(i, reach), points.size() - window);
     double sum = 0;
     for (std::size_t k = first; k < first + window; ++k) sum += points[k].v;
@@ -170,11 +172,11 @@ std::vector<double> smoothedHeights(const std::vector<SigmaPoint>& points, doubl
   return heights;
 }
 
-/// Maxima that no end of the stroke takes part in and that stand out by more than `least`.
+/// Maxima without the ends that exceed their surroundings by more than `least`.
 std::vector<Peak> peaksOf(const std::vector<double>& heights, double least) {
   std::vector<Peak> peaks;
-  // One pass: a candidate is the highest point since the last low; it counts once the force has fallen by
-  // `least`.
+  // One pass: a candidate is the highest point since the last minimum; it counts once the force has dropped
+  // by `least`.
   std::size_t top = 0;
   double low = heights[0];
   bool climbed = false;
@@ -193,13 +195,12 @@ std::vector<Peak> peaksOf(const std::vector<double>& heights, double least) {
   return peaks;
 }
 
-/// A tactile point is what a finger feels first: near it the points count with their own noise, without the
-/// resolution that is good enough elsewhere. "Near" is where the force lies within `flatTop` of the extremum,
-/// because wiggles of that height decide where a flat top has its middle. `ownNoise` in units of the points'
-/// sigma.
+/// Weights points near tactile points with their own noise instead of the resolution, because a tactile point
+/// is felt first. "Near": the force is within `flatTop` of the extremum, because such deviations decide where
+/// a flat top has its middle. `ownNoise` in units of the points' sigma.
 void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double ownNoise) {
   constexpr double standsOut = 0.03, flatTop = 0.012;  // of the force span
-  constexpr double greatestGain = 8;                   // times the weight of a sample away from peaks
+  constexpr double greatestGain = 8;                   // times the weight of a point away from peaks
   const std::vector<double> heights = smoothedHeights(points, stroke == Stroke::press ? 1 : -1);
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   const double span = *highest - *lowest;

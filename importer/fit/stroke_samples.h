@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The points of one stroke made ready: by increasing displacement, thinned, in units of their noise.
+// Points of one stroke prepared for the fit: ordered by displacement, thinned, in units of their noise.
 
 #include <vector>
 
@@ -13,12 +13,12 @@ namespace detent::importer {
 /// One point in sigmas: u along displacement, v along force, origin at the stroke's first point.
 struct SigmaPoint {
   double u = 0, v = 0;
-  double weight = 1;  ///< 1/sigma in these units; > 1 for averages of several points and near tactile points
+  double weight = 1;  ///< 1/sigma in these units; > 1 for averages and near tactile points
 };
 
-/// Points of a stroke and the way back to mm and N.
+/// Points of a stroke and the conversion back to mm and N.
 struct StrokeSamples {
-  std::vector<SigmaPoint> points;  ///< >= 2, from the least to the greatest displacement; neighbours differ
+  std::vector<SigmaPoint> points;  ///< >= 2, by increasing displacement; neighbours differ
   CurvePoint origin;               ///< of u and v
   double mmPerU = 1, newtonsPerV = 1;
 
@@ -28,9 +28,9 @@ struct StrokeSamples {
   double force_N(double v) const { return origin.force_N + v * newtonsPerV; }
 };
 
-/// Checks, orders and thins, and leaves out single points far outside of all others, or more than 20 sigmas off the line of their four
-/// neighbours. The first and the last point stay as they are; points between are averaged along equal lengths of arc where there are more than
-/// `options.maxPoints`. Failures as fitStroke.
+/// Checks, orders and thins points. Leaves out single points far outside all others, or more than 20 sigmas
+/// off the line of their four neighbours. First and last point stay; if there are more than
+/// `options.maxPoints`, points between are averaged over equal arc lengths. Failures: as of fitStroke.
 Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stroke stroke,
                                      const FitOptions& options);
 

@@ -12,18 +12,18 @@ namespace {
 
 constexpr std::size_t fewestPoints = 14;
 constexpr int chainParameters =
-    5;  // of the window's: a knot's place, and half of what its two pieces share with others
+    5;  // parameters of the window: a knot's place, and half of what its two pieces share with others
 
-/// Points around an extremum: t in -1..1 of the half width about it, v against it, upright.
+/// Points around an extremum: t in -1..1 of the half width, v upright.
 struct Window {
   double halfWidth_u = 1;
   Eigen::VectorXd t, v, weight;
 };
 
-/// Force against a curve whose slope moves the points sideways too: orthogonal distance to first order.
+/// Weight of a force residual for the orthogonal distance to first order.
 double weightOf(double slope) { return 1 / std::sqrt(1 + slope * slope); }
 
-/// From `peak` on, by `step`, to the last point before the force passes the extremum again.
+/// Index of the last point from `peak` in direction `step` before the force exceeds the extremum again.
 std::size_t reachOf(const std::vector<double>& heights, std::size_t peak, double height, int step) {
   std::size_t at = peak;
   const auto last = step > 0 ? heights.size() - 1 : 0;
@@ -45,8 +45,8 @@ std::vector<double> runningMeans(const std::vector<SigmaPoint>& points, double s
 }
 
 Window windowAround(const std::vector<SigmaPoint>& points, const ChainKnot& at, double sign) {
-  constexpr double dropShare = 0.5;  // of the shallower side's drop, down to which points count
-  constexpr double noise = 3;        // sigmas that a point may stand above the extremum
+  constexpr double dropShare = 0.5;  // share of the shallower side's drop within which points are used
+  constexpr double noise = 3;        // sigmas by which a point may exceed the extremum
   const std::vector<double> heights = runningMeans(points, sign);
   const double height = sign * at.v();
   const auto beyond =
@@ -78,7 +78,7 @@ Window windowAround(const std::vector<SigmaPoint>& points, const ChainKnot& at, 
   return window;
 }
 
-/// One model of the window: where it has its extremum, and how well it runs through the points.
+/// One local model: its extremum and its quality.
 struct LocalModel {
   double t = 0, v = 0, squares = 0;
   int parameters = 0;
@@ -100,7 +100,7 @@ double squaresOf(const Eigen::VectorXd& residuals, const Eigen::VectorXd& weight
   return weight.cwiseProduct(residuals).squaredNorm();
 }
 
-/// Value, slope and bend of a polynomial.
+/// Value, slope and curvature of a polynomial.
 std::array<double, 3> valueOf(const Eigen::VectorXd& c, double t) {
   double value = 0, slope = 0, bend = 0;
   for (Eigen::Index k = c.size(); k-- > 0;)
@@ -122,12 +122,12 @@ std::optional<LocalModel> smoothModel(const Window& window, int degree) {
   return LocalModel{t, valueOf(c, t)[0], squaresOf(window.v - columns * c, window.weight), degree + 1};
 }
 
-/// Two polynomials that meet level at the extremum, each with a bend of its own, as two of the fit's pieces do.
+/// Two polynomials that meet level at the extremum with separate curvatures, like two pieces of the fit.
 std::optional<LocalModel> splitModel(const Window& window, int degree) {
   const Eigen::Index sides = 2 * (degree - 1);
   LocalModel model{0, 0, 0, static_cast<int>(sides) + 2};
   Eigen::MatrixXd columns(window.t.size(),
-                          sides + 2);  // height, each side's powers from 2 on, movement of the extremum
+                          sides + 2);  // height, powers from 2 on of each side, shift of the extremum
   for (int i = 0; i < 30; ++i) {
     columns.setZero();
     columns.col(0).setOnes();
@@ -153,7 +153,7 @@ std::optional<LocalModel> splitModel(const Window& window, int degree) {
   return model;
 }
 
-/// The chain's heights at the window's points, upright and against its extremum; the weights by its slopes.
+/// Heights of the chain at the window's points relative to its extremum; weights by its slopes.
 Eigen::VectorXd chainHeights(const KnotChain& chain, const ChainKnot& at, double sign, Window& window) {
   const std::vector<ChainPiece> pieces = piecesOf(chain);
   Eigen::VectorXd heights(window.t.size());

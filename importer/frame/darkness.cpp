@@ -17,7 +17,7 @@ cv::Mat luminanceOf(const Raster& raster) {
 
 namespace {
 
-/// Most frequent luminance, over bins of four so that scanner noise does not split the peak.
+/// Most frequent luminance, in bins of four so that scanner noise does not split the peak.
 int paperLuminance(const cv::Mat& grey) {
   std::array<long, 256> count{};
   for (int y = 0; y < grey.rows; ++y) {
@@ -39,8 +39,8 @@ int paperLuminance(const cv::Mat& grey) {
   return best;
 }
 
-/// Wider than two strokes of the largest writing and any line, so that most of a window is paper; far below a plot's
-/// size, so that it is one paper.
+/// Window size: wider than two strokes of the largest text and any line, so that most of it is paper; far
+/// below a plot's size, so that it has one paper.
 int windowOf(const cv::Mat& grey) {
   constexpr int smallest_px = 31, largest_px = 121, perSide = 14;
   return std::clamp(std::min(grey.cols, grey.rows) / perSide, smallest_px, largest_px) | 1;
@@ -48,7 +48,7 @@ int windowOf(const cv::Mat& grey) {
 
 cv::Mat squareOf(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
 
-/// What of `mask` hangs together with a place that a square of `side_px` fits into: 255, else 0.
+/// Returns 255 where `mask` is connected to a place that contains a square of `side_px`, else 0.
 cv::Mat joinedToWide(const cv::Mat& mask, int side_px) {
   cv::Mat wide, parts;
   cv::morphologyEx(mask, wide, cv::MORPH_OPEN, squareOf(side_px));
@@ -70,14 +70,14 @@ cv::Mat distanceTo(const cv::Mat& place) {
   return distance;
 }
 
-/// Beside a step between papers the median takes the wrong one under writing that stands close to it. There a paper is
-/// what hangs together with a wide place of its grey, so that it reaches between the letters; the rest lies on the paper
-/// next to it.
+/// Corrects the paper beside a step between two papers, where the median takes the wrong one under nearby
+/// text. There, paper is what is connected to a wide area of its grey, so that it reaches between letters;
+/// the rest uses the nearest paper.
 void settleBesideSteps(const cv::Mat& grey, const cv::Mat& paper, int window, cv::Mat& contrast) {
   constexpr int step = 48;                                  // grey levels between papers
-  constexpr double likePaper = 0.35;                        // of that step
-  constexpr float edge_px = 1.5;                            // a smoothed step is no ink
-  const int stroke_px = std::clamp(window / 3, 7, 25) | 1;  // wider than writing's
+  constexpr double likePaper = 0.35;                        // share of that step
+  constexpr float edge_px = 1.5;                            // px; a smoothed step is not print
+  const int stroke_px = std::clamp(window / 3, 7, 25) | 1;  // wider than a stroke of text
   cv::Mat light, dark, apart, beside;
   cv::dilate(paper, light, squareOf(window));
   cv::erode(paper, dark, squareOf(window));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Pixels as ink: one channel, 0 = paper, 255 = full ink, whatever the colours of paper and ink are.
+// Darkness of pixels: one channel, 0 = paper, 255 = full contrast, for any colours of paper and print.
 
 #include <opencv2/core/mat.hpp>
 
@@ -9,11 +9,12 @@
 
 namespace detent::importer {
 
-/// Contrast to the paper, 0..255, 8-bit, same size as the raster. By page: paper is the most frequent luminance. By
-/// region: the median around each pixel, which keeps its step where one paper meets the next; about 40 ms per megapixel.
+/// Contrast to the paper, 0..255, 8-bit, same size as the raster. By page: paper is the most frequent
+/// luminance. By region: paper is the median around each pixel, which keeps edges between papers; about 40 ms
+/// per megapixel.
 cv::Mat darknessOf(const Raster& raster, PaperBy paper = PaperBy::page);
 
-/// As it is, 0..255, 8-bit.
+/// Luminance, 0..255, 8-bit.
 cv::Mat luminanceOf(const Raster& raster);
 
 }  // namespace detent::importer

@@ -17,14 +17,14 @@
 namespace detent::importer {
 namespace {
 
-/// Everything seen on the overview that a decision needs.
+/// Properties of the overview that decisions need.
 struct Overview {
   cv::Mat darkness;
   double shrink = 1;       ///< overview pixels per pixel of this plane
-  Homography levelToPage;  ///< the plane shows the page stood level
-  Point origin;            ///< of the level page, in this plane's pixels
+  Homography levelToPage;  ///< the plane shows the levelled page
+  Point origin;            ///< of the levelled page, in this plane's pixels
 
-  /// On the level page.
+  /// The box on the levelled page.
   Box onLevel(const Box& b, const Affine& overviewToPage) const {
     const double shift = 0.5 * (shrink - 1);
     const auto along = [&](double plane, double from) { return (plane + from) * shrink + shift; };
@@ -33,7 +33,7 @@ struct Overview {
   }
 };
 
-/// Stands the plane so that its lines run level and plumb; nothing shows where no page was.
+/// Rotates the plane so that its lines are horizontal and vertical; areas outside the page stay empty.
 void standUpright(Overview& o, const Page& page) {
   if (o.levelToPage == Homography{}) return;
   const double s = o.shrink, shift = 0.5 * (s - 1);
@@ -50,14 +50,14 @@ void standUpright(Overview& o, const Page& page) {
   o.darkness = level;
 }
 
-/// From a page so many times its size to the page, pixel centres.
+/// Map from a page scaled by `factor` to the page, between pixel centres.
 Affine reducedBy(double factor) {
   const double s = 1 / factor, shift = 0.5 * (s - 1);
   return {s, 0, 0, s, shift, shift};
 }
 
 constexpr int maxSide_px =
-    2600;  // larger pictures are searched at half or quarter size; locating is done in full
+    2600;  // px; larger pictures are searched at half or quarter size, frames are located at full size
 
 Overview seen(const Page& page, const FrameSearch& search) {
   Overview o;
@@ -75,12 +75,12 @@ Overview seen(const Page& page, const FrameSearch& search) {
   return o;
 }
 
-/// Which way up, told by the two sides that carry numbers.
+/// Orientation of a graph, by the two sides with tick labels.
 struct Orientation {
   int quarterTurns = 0;
-  int below = 0, left = 0;  ///< regular labels on either axis
+  int below = 0, left = 0;  ///< regularly spaced labels on either axis
   double worth = 0;
-  bool asTurned = false;  ///< its numbers stand where those of a turned page do: above or at the right
+  bool asTurned = false;  ///< its labels are where those of a rotated page are: above or at the right
 };
 
 std::vector<double> turnedPositions(const PlotRectangle& r, int turns, bool alongX) {
@@ -95,7 +95,7 @@ std::vector<double> turnedPositions(const PlotRectangle& r, int turns, bool alon
   return out;
 }
 
-/// Digits are taller than wide: share of a graph's label glyphs that say it is read along x.
+/// Share of a graph's label glyphs that are taller than wide, which means that it is read along x.
 double uprightShare(const LabelRow& a, const LabelRow& b, const std::vector<Box>& glyphs) {
   const auto in = [](const LabelRow& row, Point p) {
     return std::any_of(row.words.begin(), row.words.end(), [&](const Box& w) { return w.contains(p); });
@@ -106,7 +106,7 @@ double uprightShare(const LabelRow& a, const LabelRow& b, const std::vector<Box>
     const bool tiny = g.height() < 0.5 * a.height_px || g.height() < 0.5 * b.height_px;  // points, ticks
     if (!tiny && (in(a, middle) || in(b, middle))) members.push_back(g);
   }
-  // Digits that touch make wide blobs: the smaller half of the blobs are single ones.
+  // Touching digits make wide blobs, so only the smaller half of the blobs counts.
   const auto size = [](const Box& g) { return std::max(g.width(), g.height()); };
   std::sort(members.begin(), members.end(), [&](const Box& p, const Box& q) { return size(p) < size(q); });
   members.resize((members.size() + 1) / 2);
@@ -115,12 +115,12 @@ double uprightShare(const LabelRow& a, const LabelRow& b, const std::vector<Box>
   return members.empty() ? 0 : tall / static_cast<double>(members.size());
 }
 
-/// One hand, one size: the numbers of both axes are about equally high.
+/// Returns true if the labels of both axes have about the same height.
 bool sameSize(const LabelRow& a, const LabelRow& b) {
   return a.height_px <= 1.7 * b.height_px + 1 && b.height_px <= 1.7 * a.height_px + 1;
 }
 
-/// Glyphs around a rectangle, in the plane's pixels; those of its own grid and curves left out.
+/// Glyphs around a rectangle, in the plane's pixels, without its own grid and curves.
 std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& ink) {
   const double mx = 0.4 * r.box.width() + 8, my = 0.4 * r.box.height() + 8;
   const int x0 = std::max(0, static_cast<int>(r.box.x0 - mx)),
@@ -139,7 +139,7 @@ std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& ink) {
   return glyphs;
 }
 
-/// Ways up that its surroundings allow, likeliest first; empty if it is no graph.
+/// Possible orientations by the surroundings, likeliest first; empty if it is no graph.
 std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& ink) {
   const auto near = glyphsAround(r, ink);
   std::vector<Orientation> ways;
@@ -150,19 +150,19 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
     const Box box = turned(r.box, turns);
     auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
     auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
-    // The numbers of the travel may stand over the plot alone.
+    // The labels of the travel axis may stand above the plot only.
     const bool atTop = turns == 0 && below.regular < 3;
     if (atTop) below = labelsAbove(words, box, turnedPositions(r, turns, true));
     if (below.regular >= 3 && (left.regular < 3 || !sameSize(below, left)))
       left = labelsUpwards(words, box, turnedPositions(r, turns, false));
-    // The numbers of the force may stand at the plot's right alone.
+    // The labels of the force axis may stand at the right only.
     const bool atRight = turns == 0 && below.regular >= 3 && left.regular < 3;
     if (atRight) left = labelsRight(words, box, turnedPositions(r, turns, false));
-    // Numbers beside the plot may read upwards: their digits lie, and say nothing of how those below stand.
+    // Labels beside the plot may be rotated; their digits then say nothing about the labels below.
     const double share = std::max(uprightShare(below, left, upright), uprightShare(below, below, upright));
     if (std::min(below.regular, left.regular) < 3 || !sameSize(below, left) || share < 0.3) continue;
-    // Graphs stand upright, lie on their side on sideways sheets, and hardly ever stand on their head.
-    // One whose numbers stand at the top and at the right is one that stands on its head until they are read.
+    // Graphs are upright, rotated on sideways sheets, and hardly ever upside down. One with labels at the top
+    // and right counts as upside down until they are read.
     const int handicap = atTop && atRight ? 13 : turns == 0 ? 0 : turns == 2 ? 12 : 4;
     const double worth =
         (0.3 + share) * (2 * std::min(below.regular, left.regular) + below.regular + left.regular - handicap);
@@ -170,8 +170,8 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
   }
   std::sort(ways.begin(), ways.end(),
             [](const Orientation& a, const Orientation& b) { return a.worth > b.worth; });
-  // A sideways reading that the labels' places suggest is settled by reading them: the upright one stays in
-  // the race; and it does beside an upright one whose numbers stand as a turned page's do.
+  // A rotated orientation is decided by reading the labels, so the upright one stays a candidate; also beside
+  // an upright one whose labels are where those of a rotated page are.
   const auto isTurned = [](const Orientation& w) { return w.quarterTurns != 0; };
   const auto likeliest = std::ranges::find_if(ways, isTurned);
   if (likeliest == ways.end()) return ways;
@@ -181,7 +181,7 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
   return ways;
 }
 
-/// Around the whole page, stood level.
+/// Bounds of the whole levelled page.
 Box pageBounds(const Page& page, const Homography& levelToPage) {
   const Box bounds = page.unit == PageUnit::pixel ? Box{-0.5, -0.5, page.width - 0.5, page.height - 0.5}
                                                   : Box{0, 0, page.width, page.height};
@@ -199,7 +199,7 @@ FrameCandidate candidateAt(const Box& place, const Overview& o, const Page& page
   return c;
 }
 
-/// Room for tick labels, titles and a legend, in the graph's own upright sense.
+/// Region with room for tick labels, titles and a legend, relative to the upright graph.
 Box regionAround(const Box& frame, int turns, const Box& page) {
   const Box up = turned(frame, turns);
   const double w = up.width(), h = up.height();
@@ -218,14 +218,14 @@ struct Scored {
   double rectangleScore = 0;
 };
 
-/// Strictly: parts of a grid share an edge with it, a border leaves room on all sides.
+/// Returns true if `outer` leaves room on all sides. Parts of a grid share an edge with it.
 bool surrounds(const Box& outer, const Box& inner) {
   const double mx = 0.03 * outer.width(), my = 0.03 * outer.height();
   return inner.x0 > outer.x0 + mx && inner.x1 < outer.x1 - mx && inner.y0 > outer.y0 + my &&
          inner.y1 < outer.y1 - my;
 }
 
-/// Graphs do not nest: what surrounds another candidate that is about as good is a border of the sheet.
+/// Removes borders of the sheet: a candidate that surrounds another one of about the same score.
 void dropBorders(std::vector<Scored>& all) {
   std::vector<bool> border;
   for (const auto& outer : all)

@@ -22,7 +22,7 @@ bool convex(const std::vector<Point>& p) {
   return true;
 }
 
-/// Four corners say which way up the graph is: its top edge runs to the right once it stands upright.
+/// Quarter turns that make the graph upright; its top edge then runs to the right.
 int quarterTurnsOf(const std::vector<Point>& p) {
   const double dx = p[1].x - p[0].x, dy = p[1].y - p[0].y;
   if (std::abs(dx) >= std::abs(dy)) return dx > 0 ? 0 : 2;
@@ -62,7 +62,7 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
   c.regionBox = Box{c.uprightBox.x0 - 0.45 * w, c.uprightBox.y0 - 0.4 * h, c.uprightBox.x1 + 0.5 * w,
                     c.uprightBox.y1 + 0.45 * h}
                     .common(bounds);
-  if (c.quarterTurns != 0) {  // its labels may stand on any side of the page's box
+  if (c.quarterTurns != 0) {  // its labels may be on any side of the page's box
     const double room = 0.5 * std::max(w, h);
     c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - room), std::max(bounds.y0, c.pageBox.y0 - room),
                    std::min(bounds.x1, c.pageBox.x1 + room), std::min(bounds.y1, c.pageBox.y1 + room)};

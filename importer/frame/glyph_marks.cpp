@@ -18,7 +18,7 @@ namespace {
 
 constexpr int maxHalfEdge_px = 12;  // half of the thickest frame line
 constexpr int paperWindow_px = 61;
-constexpr int inkContrast = 34;  // grey levels; light grids stay below or are too long to be letters
+constexpr int inkContrast = 34;  // grey levels; light grids stay below, or are too long for letters
 
 bool besides(const Box& left, const Box& right, double gapInHeights) {
   const double height = std::max(left.height(), right.height());
@@ -28,7 +28,7 @@ bool besides(const Box& left, const Box& right, double gapInHeights) {
          right.x0 - left.x1 <= gapInHeights * height;
 }
 
-/// Width of the ink around column `x` in one row, at most `atMost`; 0 if there is none within a pixel.
+/// Width of the dark run around column `x` in one row, at most `atMost`; 0 if there is none within a pixel.
 int inkWidth(const std::uint8_t* row, int cols, int x, int atMost) {
   int middle = -1;
   for (const int k : {x, x - 1, x + 1})
@@ -40,7 +40,7 @@ int inkWidth(const std::uint8_t* row, int cols, int x, int atMost) {
   return r - l + 1;
 }
 
-/// How thick a nearly vertical line at column `x` is between two rows; 0 if there is none.
+/// Thickness of a nearly vertical line at column `x` between two rows; 0 if there is none.
 int lineThickness(const cv::Mat& ink, double x, int y0, int y1) {
   if (ink.cols < 4) return 0;
   const int at = std::clamp(static_cast<int>(std::lround(x)), 1, ink.cols - 2);
@@ -51,8 +51,8 @@ int lineThickness(const cv::Mat& ink, double x, int y0, int y1) {
   return medianOf(std::move(widths));
 }
 
-/// How far each column's line goes on downwards from row `edge` without getting wider: that is its tick; what
-/// is wider, there or from the start, is a label that stands close to it.
+/// Length of each column's line below row `edge` until it gets wider: its tick. Wider marks are labels close
+/// to it.
 std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns, int edge, int atMost,
                             int thickest) {
   std::vector<int> lengths;
@@ -70,8 +70,7 @@ std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns
   return lengths;
 }
 
-/// The length most runs have, if so many agree that they can only be ticks; 0 if they are labels that touch
-/// the edge.
+/// Modal run length if so many runs agree that they are ticks; 0 if they are labels that touch the edge.
 int commonLength(const std::vector<int>& lengths) {
   int best = 0, bestCount = 0, positive = 0;
   for (const int n : lengths) {
@@ -89,8 +88,8 @@ int commonLength(const std::vector<int>& lengths) {
   return ticks ? best : 0;
 }
 
-/// Blanks ticks below row `edge` (towards larger rows). A run longer than the others has a label at its end,
-/// of which nothing may be taken.
+/// Erases ticks below row `edge` (towards larger rows). A run longer than the others ends in a label, which
+/// is kept.
 void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, double frameHeight,
                      int thickest) {
   if (edge >= d.rows || edge < 0 || d.cols < 4 || columns.empty()) return;
@@ -134,7 +133,7 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
   int y1 = std::clamp(static_cast<int>(std::ceil(frame.y1)) + 2, 0, ink.rows);
   cv::Mat out = ink.clone();
   if (x1 <= x0 || y1 <= y0) return out;
-  // Thick edges reach beyond their middle.
+  // Thick edges extend beyond their middle.
   const auto lined = [&](const cv::Mat& strip) {
     return cv::countNonZero(strip) > 0.35 * static_cast<double>(strip.total());
   };
@@ -142,7 +141,7 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
   for (int k = 0; k < maxHalfEdge_px && x1 < ink.cols && lined(ink(cv::Rect(x1, y0, 1, y1 - y0))); ++k) ++x1;
   for (int k = 0; k < maxHalfEdge_px && y0 > 0 && lined(ink(cv::Rect(x0, y0 - 1, x1 - x0, 1))); ++k) --y0;
   for (int k = 0; k < maxHalfEdge_px && y1 < ink.rows && lined(ink(cv::Rect(x0, y1, x1 - x0, 1))); ++k) ++y1;
-  // Beside the ink of an edge its smoothing remains.
+  // Antialiasing remains beside an edge.
   x0 = std::max(0, x0 - 1);
   y0 = std::max(0, y0 - 1);
   x1 = std::min(ink.cols, x1 + 1);
@@ -151,13 +150,13 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
   const int thickness =
       std::max({lineThickness(ink, frame.x0, y0, y1), lineThickness(ink, frame.x1, y0, y1),
                 lineThickness(sideways, frame.y0, x0, x1), lineThickness(sideways, frame.y1, x0, x1)});
-  const int thickest = std::max(4, 2 * thickness);  // ticks are drawn with the frame's pen
+  const int thickest = std::max(4, 2 * thickness);  // ticks have about the frame's line width
   out(cv::Rect(x0, y0, x1 - x0, y1 - y0)).setTo(0);
   const auto mirrored = [](std::vector<double> places, int size) {
     for (auto& p : places) p = size - 1 - p;
     return places;
   };
-  // Every side in turn becomes "below".
+  // Every side in turn is rotated to the bottom.
   eraseTicksBelow(out, xLines, y1, frame.height(), thickest);
   cv::flip(out, out, -1);
   eraseTicksBelow(out, mirrored(xLines, out.cols), out.rows - y0, frame.height(), thickest);
@@ -171,7 +170,7 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
 }
 
 cv::Mat inkOf(const cv::Mat& darkness) {
-  // Dense writing raises its surroundings, but not above its own ink.
+  // Dense text darkens its surroundings, but not above its own darkness.
   cv::Mat around, ink;
   cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
            cv::BORDER_REPLICATE);

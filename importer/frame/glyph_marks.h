@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Blobs of ink the size of letters, and rows of them: where numbers could stand, before anything is read.
+// Letter-sized blobs and rows of them: possible places of tick labels, before anything is read.
 
 #include <vector>
 
@@ -10,46 +10,48 @@
 
 namespace detent::importer {
 
-/// What stands out of its surroundings by writing's contrast: 255, else 0. Paper may shade.
+/// Returns 255 where a pixel differs from its surroundings by the contrast of text, else 0. Paper may be
+/// shaded.
 cv::Mat inkOf(const cv::Mat& darkness);
 
-/// What is darker than `threshold` grey levels above paper: 255, else 0.
+/// Returns 255 where a pixel is darker than paper by more than `threshold` grey levels, else 0.
 cv::Mat inkAbove(const cv::Mat& darkness, int threshold);
 
-/// Boxes (pixel edges: a single pixel has width 1) of connected ink between `minSize_px` and `maxSize_px` in
-/// its larger extent.
+/// Bounding boxes (pixel edges: a single pixel has width 1) of connected components with a larger extent
+/// between `minSize_px` and `maxSize_px`.
 std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSize_px);
 
-/// Whether a small mark hangs at a word's foot, as a comma does, which may share no more than a pixel's height with it.
+/// Returns true if a small mark hangs at a word's baseline like a comma; it may share as little as one pixel
+/// row with the word.
 bool isComma(const Box& mark, const Box& word);
 
-/// Whether a flat mark lies at a word's foot or under it, as the stroke that parts the names of columns does.
+/// Returns true if a flat mark lies at or under a word's baseline like an underscore.
 bool isUnderscore(const Box& mark, const Box& word);
 
-/// A number set so close to a title that runs upwards that a letter of it was taken up: the letter stands in a column with
-/// others, nearer than one label to the next. `glyphs`: all of the page or of the place.
+/// Removes a letter of a vertical title from a label that stands too close to it. The letter is part of a
+/// column of letters that are closer than labels. `glyphs`: all of the page or the region.
 Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs);
 
-/// A copy of the ink without the inside of an upright frame and without the ticks that stick out of it, so
-/// that labels stand free of them. `xLines`, `yLines`: where its gridlines and ticks are.
+/// A copy without the inside of an upright frame and without its outer ticks, so that labels are separate.
+/// `xLines`, `yLines`: positions of gridlines and ticks.
 cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,
                         const std::vector<double>& yLines);
 
-/// Widest gap between the characters of one number: a decimal point leaves almost a digit's width.
+/// Widest gap between the characters of one number, in heights; a decimal point leaves almost a digit's
+/// width.
 inline constexpr double labelGapInHeights = 0.6;
 
-/// Glyphs that stand side by side, closer than `gap` of their height, joined into words. Reading direction is
-/// +x.
+/// Joins glyphs closer than `gap` of their height into words. Reading direction is +x.
 std::vector<Box> wordBoxes(std::vector<Box> glyphs, double gapInHeights);
 
-/// Words as close as the characters of one number. A tick that reaches a label from the right is no minus sign: it is
-/// left out of the word's box.
+/// Joins characters of numbers. A tick that reaches a label from the right is no minus sign and is left out
+/// of the box.
 std::vector<Box> numberBoxes(const std::vector<Box>& glyphs);
 
-/// The box after the page was turned clockwise by 90° `quarterTurns` times about the origin.
+/// The box after rotating the page clockwise by 90° `quarterTurns` times about the origin.
 Box turned(const Box& box, int quarterTurns);
 
-/// The box in a mirror: left for right, or above for below, about the origin.
+/// The box mirrored left to right, or top to bottom, about the origin.
 Box leftForRight(const Box& box);
 Box upsideDown(const Box& box);
 

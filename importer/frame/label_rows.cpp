@@ -10,7 +10,8 @@
 namespace detent::importer {
 namespace {
 
-/// Most members of an even progression through two of the places; neighbours at least `minStep` apart.
+/// Largest number of places in an even progression through two of them; neighbours are at least `minStep`
+/// apart.
 int evenlySpaced(const std::vector<double>& places, double tolerance, double minStep) {
   int best = 0;
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -37,14 +38,15 @@ int atLines(const std::vector<double>& places, const std::vector<double>& lines,
   return n;
 }
 
-/// Up to six characters, and high enough to be read: what is lower is a rest of a tick. In small pictures so are letters.
+/// Returns true for up to six characters of legible height; lower marks are remains of ticks. Letters of
+/// small pictures are low too.
 bool couldBeNumber(const Box& word, double frameHeight_px) {
   constexpr double lowest_px = 4.5, lowestOfFrame = 0.025;  // height of a digit, px and of the frame's height
   return word.height() >= std::min(lowest_px, lowestOfFrame * frameHeight_px) &&
          word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
 }
 
-/// Labels stand next to their axis: gap in front of them.
+/// Labels are next to their axis: largest gap in front of them.
 double farthest(const Box& word) { return 3.5 * word.height() + 4; }
 
 int regularity(const std::vector<double>& places, const std::vector<double>& lines, double height,
@@ -54,8 +56,8 @@ int regularity(const std::vector<double>& places, const std::vector<double>& lin
                   lines.size() >= 3 ? atLines(places, lines, tolerance) : 0);
 }
 
-/// Hardly a word of it stands anywhere else. Letters of a title that runs upwards stand at even distances by chance, more of them
-/// than there are labels, but others stand between.
+/// Returns true if nearly all words are in the progression. Letters of a vertical title are evenly spaced by
+/// chance, and more numerous than labels, but others stand between.
 bool allInStep(const LabelRow& row) {
   constexpr int fewest = 4;
   return row.regular >= fewest && 4 * row.regular >= 3 * static_cast<int>(row.words.size());
@@ -111,7 +113,7 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
     column.regular = regularity(places, lines, seed.height(), r.height());
     column.height_px = seed.height();
     const bool nearer = !best.words.empty() && seed.x1 > best.words.front().x1;
-    // Of equally regular columns the one nearest the axis: titles stand farther out.
+    // Of equally regular columns the one nearest to the axis, because titles stand farther out.
     const auto rank = std::tuple(allInStep(column), column.regular, nearer);
     if (rank > std::tuple(allInStep(best), best.regular, false)) best = std::move(column);
   }
@@ -133,7 +135,7 @@ LabelRow labelsAbove(std::vector<Box> words, const Box& r, const std::vector<dou
 }
 
 LabelRow labelsUpwards(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
-  constexpr double aligned = 0.25, joined = 0.8;  // of a digit's height, which is the width here
+  constexpr double aligned = 0.25, joined = 0.8;  // share of a digit's height, which is the width here
   const auto isAligned = [&](const Box& w, const Box& seed) {
     const double off = aligned * seed.width() + 1.5;
     return std::abs(w.x0 - seed.x0) <= off && std::abs(w.x1 - seed.x1) <= off;

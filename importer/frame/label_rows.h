@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Do numbers stand along a rectangle as they stand along axes? Judged from where ink is, nothing is read.
+// Finds labels along a rectangle's axes by the places of marks, without reading them.
 
 #include <vector>
 
@@ -8,26 +8,26 @@
 
 namespace detent::importer {
 
-/// Words that line up with an axis of an upright rectangle.
+/// Words aligned with an axis of an upright rectangle.
 struct LabelRow {
   std::vector<Box> words;  ///< in order along the axis
   double height_px = 0;    ///< of a typical word
-  int regular = 0;         ///< how many of them stand at evenly spaced places or at gridlines
+  int regular = 0;         ///< number of words at even distances or at gridlines
 };
 
-/// The row of labels below the rectangle. `lines` are the x of its vertical lines (may be empty).
+/// Row of labels below the rectangle. `lines`: x of its vertical lines (may be empty).
 LabelRow labelsBelow(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
-/// The row above it.
+/// Row of labels above it.
 LabelRow labelsAbove(std::vector<Box> words, const Box& rectangle, const std::vector<double>& lines);
 
-/// The column of labels left of the rectangle. `lines` are the y of its horizontal lines.
+/// Column of labels left of the rectangle. `lines`: y of its horizontal lines.
 LabelRow labelsLeft(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
-/// The column right of it.
+/// Column of labels right of it.
 LabelRow labelsRight(std::vector<Box> words, const Box& rectangle, const std::vector<double>& lines);
 
-/// Numbers on the left that read upwards, as some programs set them: their digits stand one above the other.
+/// Rotated labels on the left, whose digits stand one above the other.
 LabelRow labelsUpwards(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
 }  // namespace detent::importer

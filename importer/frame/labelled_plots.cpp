@@ -12,12 +12,12 @@ namespace detent::importer {
 namespace {
 
 constexpr int fewestLabels = 3;
-constexpr std::size_t mostWords = 1500;  // pages of running text are no place for this
+constexpr std::size_t mostWords = 1500;  // pages of running text are skipped
 
 double middleX(const Box& b) { return 0.5 * (b.x0 + b.x1); }
 double middleY(const Box& b) { return 0.5 * (b.y0 + b.y1); }
 
-/// Up to five characters, high enough to be read.
+/// Returns true for up to five characters of legible height.
 bool couldBeNumber(const Box& word) {
   return word.height() >= 5 && word.width() <= 4.5 * word.height() && word.height() <= 3.5 * word.width();
 }
@@ -26,17 +26,18 @@ bool alike(const Box& a, const Box& b) {
   return a.height() <= 1.35 * b.height() + 2 && b.height() <= 1.35 * a.height() + 2;
 }
 
-/// Words in a line, those at even distances.
+/// Evenly spaced words in a line.
 struct Series {
   std::vector<Box> words;  // along the axis
   double step_px = 0;
   double height_px = 0;
-  double first_px = 0, last_px = 0;  // places of the outermost numbers along the axis
+  double first_px = 0, last_px = 0;  // positions of the outermost labels along the axis
 };
 
-/// Some programs move the outermost numbers inwards, flush with the axis' ends: their places are a step on all the same.
+/// Some programs move the outermost labels inwards, flush with the axis ends; their values are still one step
+/// away.
 void takeFlushEnds(Series& s, const std::vector<Box>& line, const std::vector<double>& places) {
-  constexpr double moved = 0.75;  // of a word's width: half of it, and a little
+  constexpr double moved = 0.75;  // share of a word's width: half of it, and a margin
   const auto at = [&](double place) {
     return static_cast<std::size_t>(std::find(places.begin(), places.end(), place) - places.begin());
   };
@@ -54,7 +55,7 @@ void takeFlushEnds(Series& s, const std::vector<Box>& line, const std::vector<do
   }
 }
 
-/// The longest even progression of places that has no gap; `places` increasing.
+/// The longest even progression without a gap; `places` increase.
 Series evenSeries(const std::vector<Box>& words, const std::vector<double>& places, double height,
                   double minStep) {
   Series best;
@@ -101,8 +102,8 @@ std::vector<Series> allSeries(const std::vector<Box>& words, Aligned aligned, Pl
   return found;
 }
 
-/// The place that a row and a column enclose, if the column stands at the row's left end and the row at the column's
-/// foot.
+/// Region enclosed by a row and a column, if the column is at the row's left end and the row at the column's
+/// bottom.
 std::optional<LabelledPlot> between(const Series& row, const Series& column) {
   if (!alike(row.words.front(), column.words.front())) return {};
   const double left = row.first_px, right = row.last_px;
@@ -110,7 +111,8 @@ std::optional<LabelledPlot> between(const Series& row, const Series& column) {
   double columnEnd = column.words.front().x1;
   for (const Box& w : column.words) columnEnd = std::max(columnEnd, w.x1);
   const double rowTop = row.words.front().y0, width = right - left, height = bottom - top;
-  // The first label may stand one step right of the axis, the last one a step above it: zeros are often left out.
+  // The first label may be one step right of the axis, the last one a step above it, because zeros are often
+  // omitted.
   if (columnEnd > left + 0.5 * row.height_px || left - columnEnd > 1.6 * row.step_px) return {};
   if (rowTop < bottom - 0.3 * row.height_px || rowTop - bottom > 1.6 * column.step_px) return {};
   const bool zeroLeft = left - columnEnd > 0.75 * row.step_px && left - columnEnd > 3 * row.height_px;
@@ -126,7 +128,7 @@ std::optional<LabelledPlot> between(const Series& row, const Series& column) {
   return plot;
 }
 
-/// A series in a mirror, `side` of which takes a box there; `along` where its words run across that mirror.
+/// A series mirrored by `side`; `along`: its words run across the mirror axis.
 Series mirrored(Series s, Box (*side)(const Box&), bool along) {
   for (Box& word : s.words) word = side(word);
   if (along) {
@@ -136,14 +138,14 @@ Series mirrored(Series s, Box (*side)(const Box&), bool along) {
   return s;
 }
 
-/// Likewise if the column stands at the row's right end. It may be the next plot's: a column at the left is likelier.
+/// The same with the column at the row's right end. Less likely, because it may belong to the next plot.
 std::optional<LabelledPlot> betweenFromRight(const Series& row, const Series& column) {
   auto plot = between(mirrored(row, leftForRight, true), mirrored(column, leftForRight, false));
   if (plot) plot->box = leftForRight(plot->box), plot->score -= 1;
   return plot;
 }
 
-/// Likewise if the row stands over the column's head. It may be another plot's: a row below is likelier.
+/// The same with the row above the column. Less likely, because it may belong to another plot.
 std::optional<LabelledPlot> betweenFromAbove(const Series& row, const Series& column) {
   const Series rowBelow = mirrored(row, upsideDown, false), columnUp = mirrored(column, upsideDown, true);
   auto plot = between(rowBelow, columnUp);
@@ -166,7 +168,7 @@ std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_
       words,
       [](const Box& a, const Box& b) { return std::abs(middleY(a) - middleY(b)) <= 0.3 * b.height() + 1; },
       middleX, 1.6, true);
-  // A title stands under the row as well, but beside the column it joins its words.
+  // A vertical title beside the column joins its words; one below the row does not.
   for (Box& word : words) word = withoutTitleLetter(word, glyphs);
   const auto columns = allSeries(
       words,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where plots stand by their numbers alone: a row of words at even distances, and a column of them at its left end.
-// Lines are not asked, so frames that are pale, broken, open or absent are found as well.
+// Finds plots by tick labels alone: a row of evenly spaced words, and a column at its left end. Needs no
+// lines, so it also finds frames that are pale, broken, open or absent.
 // docs/develop/decisions/0401-finding-plot-frames.md
 
 #include <vector>
@@ -12,14 +12,14 @@
 
 namespace detent::importer {
 
-/// A place between two rows of labels, in pixels of the plane they were found in.
+/// Region between a row and a column of labels, in pixels of the plane.
 struct LabelledPlot {
   Box box;                  ///< from the column's last label to its first, from the row's first to its last
   int below = 0, left = 0;  ///< evenly spaced words on either axis
   double score = 0;         ///< higher is surer; comparable within one page
 };
 
-/// Best first, none overlapping a better one. Upright plots only. `ink`: of writing, 255 or 0.
+/// Best first, without overlaps. Upright plots only. `ink`: text pixels, 255 or 0.
 std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_px, double minHeight_px);
 
 }  // namespace detent::importer

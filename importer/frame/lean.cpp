@@ -13,11 +13,11 @@ namespace {
 
 constexpr double farthest_deg = 15, least_deg = 0.4;
 constexpr double coarse_deg = 0.25, fine_deg = 0.02;
-constexpr double standsOut = 1.5;  // times the score at no lean: a curve's slope does not reach it
+constexpr double standsOut = 1.5;  // times the score without tilt; a curve's slope does not reach it
 constexpr int largestSide_px = 1400;
-constexpr int minContrast = 12;  // grey levels of a line above both its sides
+constexpr int minContrast = 12;  // grey levels of a line above both sides
 
-/// Crests of nearly level lines, as (along, across).
+/// Crests of nearly horizontal lines, as (along, across).
 std::vector<cv::Point> levelCrests(const cv::Mat& darkness) {
   std::vector<cv::Point> crests;
   for (int y = 3; y < darkness.rows - 3; ++y) {
@@ -31,11 +31,11 @@ std::vector<cv::Point> levelCrests(const cv::Mat& darkness) {
   return crests;
 }
 
-/// How sharply points fall into level rows once the lean is taken out.
+/// How sharply points fall into horizontal rows after removing the tilt.
 double rowScore(const std::vector<cv::Point>& points, double slope, int size, std::vector<int>& rows) {
   const int room = static_cast<int>(std::abs(slope) * size) + 2;
   rows.assign(static_cast<std::size_t>(size + 2 * room + 2), 0);
-  const double nearest = room + 0.5;  // all rows are above zero, so the fraction that is cut off rounds
+  const double nearest = room + 0.5;  // all rows are above zero, so truncation rounds
   for (const cv::Point& p : points) ++rows[static_cast<std::size_t>(p.y - slope * p.x + nearest)];
   double sum = 0;
   for (const int n : rows) sum += static_cast<double>(n) * n;
@@ -49,7 +49,7 @@ class Directions {
         plumb_(levelCrests(darkness.t())),
         size_(std::max(darkness.cols, darkness.rows)) {}
 
-  /// Lines down to the right by `deg` stand beside lines that lean to the left by as much.
+  /// Lines tilted down to the right by `deg` go with vertical lines tilted to the left by the same angle.
   double score(double deg) {
     const double slope = std::tan(deg * CV_PI / 180);
     return rowScore(level_, slope, size_, rows_) + rowScore(plumb_, -slope, size_, rows_);

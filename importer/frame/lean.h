@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How far a picture's lines lean: sheets that were scanned or photographed askew.
+// Tilt of a picture's lines: sheets scanned or photographed askew.
 
 #include <opencv2/core/mat.hpp>
 
@@ -8,11 +8,11 @@
 
 namespace detent::importer {
 
-/// Degrees by which most lines of a picture run down to the right, within ±15; 0 where they do so by less than 0.4, which
-/// the steps take as it is, or where no direction stands out.
+/// Angle in degrees by which most lines run down to the right, within ±15. Returns 0 below 0.4, which later
+/// steps tolerate, or if no direction stands out.
 double leanOf(const cv::Mat& darkness);
 
-/// From the page turned about its middle, so that lines which ran down to the right by `lean_deg` run level, to the page.
+/// Map to the page from the page rotated about its middle so that lines with a tilt of `lean_deg` are level.
 Affine turnedToPage(const Page& page, double lean_deg);
 
 }  // namespace detent::importer

@@ -19,8 +19,8 @@ struct Peak {
   double at = 0, width = 1, contrast = 0;
 };
 
-/// The ridge around sample k of a profile: from its foot on either side; centroid above the line between the
-/// feet.
+/// The ridge around sample k of a profile, down to its minimum on either side; centroid above the line
+/// between these minima.
 std::optional<Peak> peakAt(const std::vector<double>& p, int k) {
   const int n = static_cast<int>(p.size());
   const auto at = [&](int i) { return p[static_cast<std::size_t>(i)]; };
@@ -56,8 +56,7 @@ std::optional<EdgeLine> consensusLine(const std::vector<Peak>& peaks, const std:
     std::size_t count = 0;
     for (std::size_t i = 0; i < n; ++i) count += std::abs(peaks[i].at - at0 - slope * along[i]) <= tolerance;
     const double miss = std::abs(at0 + slope * mid - expected);
-    // Leaning must explain clearly more than standing upright: a curve beside the edge pulls some of its
-    // points.
+    // A tilt must explain clearly more points than none, because a curve beside the edge attracts some.
     const double worth = static_cast<double>(count) * (slope == 0 ? 1.2 : 1.0);
     if (worth > bestWorth || (worth == bestWorth && miss < bestMiss)) {
       bestWorth = worth;
@@ -90,7 +89,7 @@ std::optional<EdgeLine> consensusLine(const std::vector<Peak>& peaks, const std:
   const double det = w * sxx - sx * sx;
   EdgeLine edge;
   edge.slope = bestSlope != 0 && w >= 3 && det > 1e-9 ? (w * sxy - sx * sy) / det : 0;
-  // A lean that the points cannot tell from their own noise is none.
+  // A tilt within the points' noise counts as none.
   if (std::abs(edge.slope) * (along.back() - along.front()) < 0.35) edge.slope = 0;
   std::vector<double> level;
   for (std::size_t i = 0; i < n; ++i)
@@ -102,7 +101,7 @@ std::optional<EdgeLine> consensusLine(const std::vector<Peak>& peaks, const std:
   return edge;
 }
 
-/// A line's place from many short stretches: those where something stands beside it look wider and are left
+/// Position of a line from many short stretches; those with something beside the line look wider and are left
 /// out.
 std::optional<Peak> cleanPeak(const cv::Mat& d, int l, int r, int y0, int y1) {
   const int reach = r - l + 4;
@@ -135,9 +134,9 @@ std::optional<Peak> cleanPeak(const cv::Mat& d, int l, int r, int y0, int y1) {
   return Peak{medianOf(at), width / n, contrast / n};
 }
 
-/// Enlarging by a filter with lobes, sharpening and JPEG leave pale copies beside a line: they are none.
+/// Removes pale copies beside a line, made by sharpening resampling filters and JPEG.
 std::vector<Peak> withoutRinging(const std::vector<Peak>& lines) {
-  constexpr double paler = 0.15, withinWidths = 4;  // of the other line's contrast; in its widths
+  constexpr double paler = 0.15, withinWidths = 4;  // of the other line's contrast; in line widths
   std::vector<Peak> kept;
   std::copy_if(lines.begin(), lines.end(), std::back_inserter(kept), [&](const Peak& line) {
     return std::none_of(lines.begin(), lines.end(), [&](const Peak& other) {
@@ -209,7 +208,7 @@ std::vector<GridLine> columnLines(const cv::Mat& d, double left, double right, d
   constexpr int bands = 8;
   if (x1 - x0 < 9 || y1 - y0 < 3 * bands) return {};
   const auto width = static_cast<std::size_t>(x1 - x0);
-  // A pixel votes for a line if it is darker than both sides; three distances, for thin, middling and thick
+  // A pixel votes for a line if it is darker than both sides, at three distances for thin, medium and thick
   // lines.
   std::vector<std::array<int, bands>> votes(width, std::array<int, bands>{});
   for (int y = y0; y < y1; ++y) {
@@ -230,7 +229,7 @@ std::vector<GridLine> columnLines(const cv::Mat& d, double left, double right, d
     std::sort(v.begin(), v.end());
     double sum = 0;
     for (const int c : v) sum += c;
-    // Text may hide a line in two of its eight parts; a curve's wall is seen in few of them.
+    // Text may hide a line in two of its eight parts; a steep curve is visible in few of them.
     share[k] = v[2] >= 0.12 * rows ? sum / (rows * bands) : 0;
   }
   std::vector<Peak> peaks;

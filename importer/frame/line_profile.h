@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Sub-pixel places of lines: the centroid of darkness across them.
+// Sub-pixel positions of lines: centroids of darkness across them.
 
 #include <optional>
 #include <vector>
@@ -14,21 +14,21 @@ namespace detent::importer {
 /// Mean darkness of columns [x0, x1) over rows [y0, y1), inside the plane.
 std::vector<double> meanColumns(const cv::Mat& darkness, int x0, int x1, int y0, int y1);
 
-/// An edge of the frame: position across it as a straight function of the place along it.
+/// An edge of the frame: position across it as a linear function of the position along it.
 struct EdgeLine {
   double at0 = 0, slope = 0;  ///< across = at0 + slope * along
   double width_px = 1;
-  double support = 0;  ///< share of its length where it was seen
+  double support = 0;  ///< share of its length where it is visible
   double across(double along) const { return at0 + slope * along; }
 };
 
-/// The line near `across` on [from, to] (along = row, across = column); nullopt where less than a third of it
-/// is seen.
+/// The line near `across` on [from, to] (along = row, across = column); nullopt if less than a third of it is
+/// visible.
 std::optional<EdgeLine> locateColumnEdge(const cv::Mat& darkness, double across, double from, double to,
                                          double reach);
 
-/// How a line near column `across` covers the pixels beside its crest, as shares of the crest's ink: left and
-/// right, and what is left two pixels away. Median over [from, to].
+/// How a line near column `across` covers the pixels beside its crest, as shares of the crest's darkness:
+/// left, right, and two pixels away. Median over [from, to].
 struct RimCover {
   double left = 0, right = 0, beyond = 0;
 };
@@ -38,7 +38,7 @@ std::optional<RimCover> rimCover(const cv::Mat& darkness, double across, double 
 std::vector<GridLine> columnLines(const cv::Mat& darkness, double left, double right, double top,
                                   double bottom);
 
-/// Marks that stand out in a narrow strip of rows beside an axis, left to right: ticks.
+/// Marks in a narrow strip of rows beside an axis, left to right: ticks.
 std::vector<GridLine> columnTicks(const cv::Mat& darkness, double left, double right, double stripTop,
                                   double stripBottom);
 

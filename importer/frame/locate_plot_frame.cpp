@@ -11,7 +11,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr double alignedWithin_px = 0.6;  // a frame that leans less over its whole side is taken as upright
+constexpr double alignedWithin_px = 0.6;  // px over the whole side: a frame with less tilt is upright
 
 /// View pixels per pixel of the overview the candidate was found in.
 double viewPerOverview(const PageView& view, const Page& page) {
@@ -42,7 +42,7 @@ Edges locateEdges(const cv::Mat& d, const cv::Mat& turnedD, const Box& box, doub
   return e;
 }
 
-/// An edge that is not drawn leans like the opposite one.
+/// An edge that is not drawn has the tilt of the opposite one.
 void leanTogether(EdgeLine& a, EdgeLine& b, double mid) {
   const auto lean = [mid](EdgeLine& blank, const EdgeLine& drawn) {
     blank.at0 = blank.across(mid) - drawn.slope * mid;
@@ -85,7 +85,7 @@ std::vector<GridLine> linesAlongX(const cv::Mat& d, double left, double right, d
   return merged(std::move(lines), columnTicks(d, left, right, bottom - half - depth, bottom - half - 1), 2);
 }
 
-/// Same for the vertical axis, on the transposed plane; top to bottom.
+/// The same for the vertical axis, on the transposed plane; top to bottom.
 std::vector<GridLine> linesAlongY(const cv::Mat& transposed, const UprightBox& b) {
   const double half = 0.5 * b.leftWidth;
   const double depth = std::clamp(0.008 * (b.right - b.left), 2.0, 8.0);
@@ -96,7 +96,7 @@ std::vector<GridLine> linesAlongY(const cv::Mat& transposed, const UprightBox& b
                 columnTicks(transposed, b.top, b.bottom, b.left + half + 1, b.left + half + depth), 2);
 }
 
-/// An edge that is not drawn stands at the tick next to where the lines end.
+/// An edge that is not drawn is set to the tick next to the ends of the lines.
 void settleOpenEdges(PlotFrame& frame, const Edges& e) {
   auto& c = frame.corners;
   const auto nearest = [](const std::vector<GridLine>& lines, double at, double within) {
@@ -123,7 +123,7 @@ void findLinesUpright(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
   frame.yLines = linesAlongY(d.t(), b);
 }
 
-/// A leaning frame is looked at through the map that puts its corners upright; places are mapped back.
+/// Finds lines of a tilted frame through the map that makes its corners upright; positions are mapped back.
 void findLinesLeaning(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
   const auto& c = frame.corners;
   const double w = distance(c[2], c[3]), h = distance(c[0], c[3]);
@@ -147,10 +147,9 @@ void findLinesLeaning(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
   for (auto& line : frame.yLines) line.position_px = back({b.left, line.position_px}).y;
 }
 
-/// Agg (matplotlib) moves axis-parallel lines of odd rounded width to floor(x + 1/2) + 1/2, half a pixel
-/// right and down on average, but leaves their true width: a whole-pixel crest with equal thin rims, the same
-/// on every edge. Nothing else seen draws so: others either smooth lines where they stand, or round the width
-/// as well.
+/// Returns true if Agg (matplotlib) rounded the lines. It moves axis-parallel lines of odd rounded width to
+/// floor(x + 1/2) + 1/2, half a pixel right and down on average, but keeps their true width: a whole-pixel
+/// crest with equal thin rims on every edge. Other programs smooth lines in place, or round the width too.
 bool roundedByAgg(const cv::Mat& d, const cv::Mat& turnedD, const Edges& e, const Box& box) {
   std::vector<RimCover> rims;
   const auto add = [&](const cv::Mat& plane, const EdgeLine& edge, double from, double to) {
@@ -162,7 +161,7 @@ bool roundedByAgg(const cv::Mat& d, const cv::Mat& turnedD, const Edges& e, cons
   add(turnedD, e.top, box.x0, box.x1);
   add(turnedD, e.bottom, box.x0, box.x1);
   if (rims.size() < 2) return false;
-  constexpr double same = 0.012;  // of the picture's width
+  constexpr double same = 0.012;  // share of the picture's width
   const double rim = rims.front().left;
   return rim >= 0.02 && rim <= 0.24 && std::all_of(rims.begin(), rims.end(), [&](const RimCover& r) {
            return std::abs(r.left - rim) <= same && std::abs(r.right - rim) <= same && r.beyond <= same;
@@ -175,7 +174,7 @@ bool isUpright(const PlotFrame& f) {
          std::abs(c[0].y - c[1].y) <= alignedWithin_px && std::abs(c[3].y - c[2].y) <= alignedWithin_px;
 }
 
-/// Corners given by hand stay where they were put; only the thickness of what is drawn there is looked up.
+/// Corners given by hand stay; only the thickness of the lines there is measured.
 PlotFrame givenFrame(const PageView& view, const std::vector<Point>& corners) {
   const Homography toView = view.viewToPage.inverse();
   PlotFrame frame;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sheet before a camera: what is parallel on it runs towards one point in the picture. Two such points, that of the
-// lines along a plot and that of the lines up it, give the map back to the level sheet but for its two scales, which
-// axes carry themselves.
+// Photographed sheets: parallel lines of the sheet meet in a vanishing point. The two vanishing points, of
+// lines along and up the plot, give the map to the level sheet except for its two scales, which the axes
+// provide.
 
 #include <algorithm>
 #include <array>
@@ -19,16 +19,16 @@ namespace detent::importer {
 namespace {
 
 constexpr int largestSide_px = 1400;
-constexpr double detectorScale = 0.5;     // noise no longer breaks long edges
-constexpr double shortest_share = 0.035;  // of the larger side: letters stay below
-constexpr double farthestLean_deg = 32;   // tilt and turn together
-constexpr double agrees_deg = 0.8;        // a sagging sheet bends its lines by as much
-constexpr std::size_t mostSeeds = 70;     // the longest segments; each pair of them proposes a point
-constexpr double leastSupport = 1.5;      // of the larger side, in all segments that agree
-// Largest to smallest scale over the page: of a picture that stands level or is turned it is 1.
+constexpr double detectorScale = 0.5;     // at full scale noise breaks long edges
+constexpr double shortest_share = 0.035;  // share of the larger side; letters are shorter
+constexpr double farthestLean_deg = 32;   // tilt and rotation together
+constexpr double agrees_deg = 0.8;        // deviation of lines on a sagging sheet
+constexpr std::size_t mostSeeds = 70;     // of the longest segments; each pair proposes a point
+constexpr double leastSupport = 1.5;      // share of the larger side, total length of agreeing segments
+// Largest to smallest scale over the page; 1 for a level or rotated picture.
 constexpr double leastForeshortened = 1.015, mostForeshortened = 1.8;
 
-/// A straight piece of an edge. Coordinates: the middle of the picture is 0, half its larger side 1.
+/// A straight piece of an edge. Coordinates: the picture's middle is 0, half its larger side 1.
 struct Segment {
   cv::Vec3d line;  ///< a x + b y + c = 0, (a, b) of length 1
   Point middle, along;
@@ -77,7 +77,7 @@ double supportOf(const std::vector<Segment>& segments, const cv::Vec3d& point) {
   return sum;
 }
 
-/// The point nearest to all lines that agree with a first one.
+/// The point nearest to all lines that agree with the first estimate.
 cv::Vec3d refined(const std::vector<Segment>& segments, cv::Vec3d point) {
   constexpr int rounds = 5;
   for (int round = 0; round < rounds; ++round) {
@@ -92,9 +92,9 @@ cv::Vec3d refined(const std::vector<Segment>& segments, cv::Vec3d point) {
   return point;
 }
 
-/// Where most lines run to; homogeneous. Empty if too few agree.
+/// The point to which most lines run, homogeneous; nullopt if too few agree.
 std::optional<cv::Vec3d> vanishingPoint(const std::vector<Segment>& segments) {
-  constexpr double nearest = 2;  // half sides from the middle: nearer only under 45 degrees of tilt
+  constexpr double nearest = 2;  // half sides from the middle; a nearer point needs a tilt above 45 degrees
   const std::size_t seeds = std::min(segments.size(), mostSeeds);
   cv::Vec3d best;
   double most = 0;
@@ -109,7 +109,7 @@ std::optional<cv::Vec3d> vanishingPoint(const std::vector<Segment>& segments) {
   return refined(segments, best);
 }
 
-/// The map whose axes run to the two points, with the middle and its scale kept.
+/// The map whose axes run to the two points; middle and its scale are kept.
 std::optional<Homography> mapTowards(cv::Vec3d level, cv::Vec3d plumb) {
   const double across = std::hypot(level[0], level[1]), up = std::hypot(plumb[0], plumb[1]);
   if (across == 0 || up == 0) return {};
@@ -118,7 +118,7 @@ std::optional<Homography> mapTowards(cv::Vec3d level, cv::Vec3d plumb) {
   return Homography{{level[0], plumb[0], 0, level[1], plumb[1], 0, level[2], plumb[2], 1}};
 }
 
-/// Largest to smallest scale over the page; infinite where a part of it lies behind the camera.
+/// Largest to smallest scale over the page; infinite if a part lies behind the camera.
 double foreshortening(const Homography& levelToPage, const Page& page) {
   const Homography toLevel = levelToPage.inverse();
   double least = std::numeric_limits<double>::infinity(), largest = 0;
@@ -151,7 +151,7 @@ std::optional<Homography> photographedSheet(const Page& page) {
 }
 
 std::optional<Homography> sheetOfCorners(const std::vector<Point>& corners, const Page& page) {
-  constexpr double leastLean = 0.01;  // of a slope: what leans less is read as it stands
+  constexpr double leastLean = 0.01;  // slope; less tilt is left as it is
   if (page.unit != PageUnit::pixel) return {};
   const double width = 0.5 * (distance(corners[0], corners[1]) + distance(corners[3], corners[2])),
                height = 0.5 * (distance(corners[0], corners[3]) + distance(corners[1], corners[2]));

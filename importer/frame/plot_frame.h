@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Step 2: where the graphs stand on the page. In: Page. Out: one PlotFrame per graph, reading order.
-// "Frame" here is the rectangle in which curves are drawn, not the picture's edge and not the box around
-// everything.
+// Step 2: finds the plot frames of a page. In: Page. Out: one PlotFrame per graph, in reading order. "Frame"
+// is the rectangle in which curves are drawn, neither the picture's edge nor the box around everything.
 
 #include <array>
 #include <optional>
@@ -17,10 +16,9 @@ namespace detent::importer {
 
 /// A line of the grid, or a tick, at one position along an axis.
 struct GridLine {
-  double position_px =
-      0;  ///< view pixels along the axis at the frame's edge where the axis stands, sub-pixel centre
+  double position_px = 0;  ///< view pixels along the axis at the frame's edge, sub-pixel centre
   double width_px = 1;
-  bool spansFrame = false;  ///< a gridline; else a tick mark only
+  bool spansFrame = false;  ///< true for a gridline; false for a tick mark
 };
 
 /// The plot frame in its own view (view pixels).
@@ -29,61 +27,60 @@ struct PlotFrame {
   std::vector<GridLine>
       xLines;  ///< vertical gridlines and ticks, left to right (position = x at the bottom edge)
   std::vector<GridLine> yLines;  ///< horizontal ones, top to bottom (position = y at the left edge)
-  /// Drawn minus meant place of frame, gridlines and ticks: programs that round lines to whole pixels but not
-  /// curves shift them (docs/develop/decisions/0401-finding-plot-frames.md). Corners and lines here are where they
-  /// are drawn.
+  /// Drawn minus intended position of frame, gridlines and ticks. Programs that round lines to whole pixels,
+  /// but not curves, shift them (docs/develop/decisions/0401-finding-plot-frames.md). Corners and lines here
+  /// are as drawn.
   Point drawnOffset_px;
-  PaperBy paper = PaperBy::page;  ///< what its lines and numbers stand out of
+  PaperBy paper = PaperBy::page;  ///< reference for lines and labels
   Box box() const;                ///< bounding box of the corners
 };
 
-/// A graph found on a page: where, which way up. The view that later steps use is made from it.
+/// A graph found on a page with its orientation. The view of later steps is made from it.
 struct FrameCandidate {
   Box pageBox;  ///< around the frame, in page units
   Homography
-      levelToPage;  ///< of a picture askew: the page stood level, where the frame is upright, to the page
-  Box uprightBox;   ///< the frame itself on the level page; pageBox where nothing leans
-  Box regionBox;    ///< frame with tick labels, titles and legend, on the level page
+      levelToPage;  ///< of a tilted picture: map from the levelled page, where the frame is upright, to the
+                    ///< page
+  Box uprightBox;   ///< the frame on the levelled page; pageBox without tilt
+  Box regionBox;    ///< frame with tick labels, titles and legend, on the levelled page
   int quarterTurns = 0;             ///< clockwise turns that make it upright
-  std::vector<Point> givenCorners;  ///< tl, tr, br, bl in page units if the user gave the frame, else empty
-  PaperBy paper = PaperBy::page;    ///< what its lines and numbers stand out of
-  bool byNumbers = false;           ///< found without lines: edges that are not drawn speak against nothing
+  std::vector<Point> givenCorners;  ///< tl, tr, br, bl in page units if given by the user, else empty
+  PaperBy paper = PaperBy::page;    ///< reference for lines and labels
+  bool byNumbers = false;           ///< found without lines, so missing edges are no evidence against it
 };
 
-/// How a page is looked at.
+/// Options of a frame search.
 struct FrameSearch {
   PaperBy paper = PaperBy::page;
   std::optional<Homography>
-      levelToPage;  ///< how a photograph shows its sheet; empty: a lean of the page's own lines is
-                    ///< looked for
-  double magnification =
-      1;  ///< the picture is looked at so many times its size, (0, 8]; documents as they are
+      levelToPage;  ///< map of a photographed sheet; nullopt: the tilt of the page's lines is measured
+  double magnification = 1;  ///< scale of the picture, (0, 8]; documents are not scaled
 };
 
-/// All frames that could hold a force graph, reading order (top to bottom, left to right). Empty is an
-/// answer, not an error.
+/// Returns all frames that could hold a force graph, in reading order (top to bottom, left to right). May be
+/// empty.
 std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const FrameSearch& search = {},
                                                   const Progress& progress = {});
 
-/// Places between a row and a column of evenly spaced numbers, whatever lines stand there. Upright plots only; boxes end
-/// at the outermost numbers. Asked where no rectangle of lines holds a graph; paper is told by region.
-/// `search.paper` is not asked.
+/// Returns regions between a row and a column of evenly spaced labels, regardless of lines. Upright plots
+/// only; boxes end at the outermost labels. Used if no rectangle of lines holds a graph; paper is by region,
+/// `search.paper` is ignored.
 std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const FrameSearch& search = {},
                                                       const Progress& progress = {});
 
-/// The candidate as it stands on a level page so many times its size; its view is as much larger. Pictures only.
+/// The candidate on a levelled page scaled by `magnification`. Pictures only.
 FrameCandidate magnified(FrameCandidate candidate, double magnification);
 
-/// From the level sheet to the picture that a camera took of it: lines of the page run towards two vanishing points. Empty
-/// for documents, and where too few lines agree. The middle of the page stays where it is, at its size.
+/// Map from the level sheet to the camera picture, by the vanishing points of its lines. nullopt for
+/// documents, and if too few lines agree. The middle of the page keeps its place and size.
 std::optional<Homography> photographedSheet(const Page& page);
 
-/// The same from the corners of an upright frame on the sheet (tl, tr, br, bl, page units). Empty where they stand level
-/// already, and where no camera shows a frame so.
+/// The same from the corners of an upright frame on the sheet (tl, tr, br, bl, page units). nullopt if they
+/// are level already, or if no camera shows a frame so.
 std::optional<Homography> sheetOfCorners(const std::vector<Point>& corners, const Page& page);
 
-/// The frame a user gave: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided by
-/// `given`. Failure wrongUsage: other counts, corners outside the page, no area.
+/// The frame given by the user: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided
+/// by `given`. Failure wrongUsage: other counts, corners outside the page, no area.
 Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& corners, const Page& page);
 
 /// Sub-pixel frame, gridlines and ticks in the candidate's view.

@@ -11,19 +11,19 @@
 namespace detent::importer {
 namespace {
 
-constexpr double samePlace_px = 2.5;  // lines this close are one line
-constexpr int maxPositions = 60;      // per direction and group; drawings have more, plots have not
+constexpr double samePlace_px = 2.5;  // px; closer lines are one line
+constexpr int maxPositions = 60;      // per direction and group; plots have fewer, drawings more
 constexpr std::size_t maxRectanglesPerGroup = 10;
-constexpr double minScore = 4;  // two drawn edges and lines that end where it ends
+constexpr double minScore = 4;  // two drawn edges, and lines that end at the rectangle
 constexpr double mostScore =
-    1 + 4 * 1.5 + 0.08 * 16 + 3;       // corner, edges, grid, share inside; nothing overhanging
-constexpr double minEdgeCover = 0.55;  // of the edge's length
+    1 + 4 * 1.5 + 0.08 * 16 + 3;       // corner, edges, grid, share inside; nothing beyond the rectangle
+constexpr double minEdgeCover = 0.55;  // share of the edge's length
 
 struct Group {
   std::vector<StraightLine> h, v;
 };
 
-/// Union-find over lines that touch or nearly touch at right angles.
+/// Union-find over lines that touch, or nearly touch, at right angles.
 class Groups {
  public:
   explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -71,7 +71,7 @@ void addPosition(std::vector<Position>& positions, double at, double weight, dou
   positions.push_back({at, weight});
 }
 
-/// Where edges could stand: at lines of the one direction and at common ends of lines of the other.
+/// Candidate positions of edges: lines of one direction, and common ends of lines of the other.
 std::vector<double> edgePositions(const std::vector<StraightLine>& along,
                                   const std::vector<StraightLine>& across) {
   std::vector<Position> lines, ends;
@@ -85,7 +85,7 @@ std::vector<double> edgePositions(const std::vector<StraightLine>& along,
   std::sort(lines.begin(), lines.end(), heavier);
   std::sort(ends.begin(), ends.end(), heavier);
   std::vector<double> out;
-  // Long lines first; the outermost ones always, for an edge is where the grid ends.
+  // Long lines first, but always the outermost ones, because an edge is where the grid ends.
   if (lines.size() > static_cast<std::size_t>(maxPositions)) lines.resize(maxPositions);
   for (const auto& p : lines) out.push_back(p.at);
   int free = 0;
@@ -101,21 +101,21 @@ std::vector<double> edgePositions(const std::vector<StraightLine>& along,
   return out;
 }
 
-/// Where the next parallel lines stand beyond either edge; far away if none is near.
+/// Positions of the next parallel lines beyond either edge; far away if there are none.
 struct NextLines {
   double from = -1e9, to = 1e9;
 };
 
 struct EdgeFit {
-  double overhang = 0;  ///< how far members stick out, in shares of the rectangle, summed and weighted
+  double overhang = 0;  ///< weighted sum of how far lines extend beyond the rectangle, in shares of it
   double inside = 0;    ///< length inside
   double length = 0;    ///< of the members, in all
   int members = 0, endAtFrom = 0, endAtTo = 0;
-  double reachFrom = 0, reachTo = 0;  ///< share of the grid's places with ink up to the edge
+  double reachFrom = 0, reachTo = 0;  ///< share of the grid lines that reach the edge
 };
 
-/// Sticking out is cheap where the line ends soon (ticks, grids open beyond their last line), dear where it
-/// runs to the grid's next line.
+/// Cost of a line beyond the edge: small if it ends soon (ticks, open grids), large if it reaches the grid's
+/// next line.
 double overhangCost(double by, double size, bool edgeDrawn, double toNext) {
   const bool gridGoesOn = by >= toNext - 4;
   const double room = (edgeDrawn && !gridGoesOn ? 0.12 : 0.03) * size + 4;
@@ -123,7 +123,7 @@ double overhangCost(double by, double size, bool edgeDrawn, double toNext) {
   return (edgeDrawn && !gridGoesOn ? 0.12 : 1.0) * std::min(1.0, by / (0.25 * size));
 }
 
-/// How the lines of one direction sit in the rectangle: do they end at its edges, or run on?
+/// How the lines of one direction fit: whether they end at the rectangle's edges or continue.
 EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to, double acrossFrom,
                  double acrossTo, double coverFrom, double coverTo, const NextLines& next) {
   struct Place {
@@ -142,7 +142,7 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     ++fit.members;
     fit.inside += inside;
     fit.length += line.length();
-    // An axis may run on to an arrow; a gridline may not.
+    // An axis may continue to an arrow; a gridline may not.
     const bool edge = at < acrossFrom + 4 || at > acrossTo - 4;
     const double weight = edge ? 0.15 : 1.0;
     fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, from - next.from);
@@ -162,15 +162,15 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
   return fit;
 }
 
-/// A drawn edge that the grid reaches counts most; ends that agree stand for one that is not drawn (grids
-/// open at the top).
+/// Worth of an edge: a drawn edge that the grid reaches counts most; common line ends replace one that is not
+/// drawn.
 double edgeWorth(double drawn, double reach, int ends, int members) {
   const double open = members >= 3 ? 0.5 * ends / members : 0;
-  // Titles over the plot hide the ends of many lines; a third of them is enough.
+  // Titles over the plot hide the ends of many lines; a third is enough.
   return std::max(1.5 * drawn * (0.4 + 0.6 * std::min(1.0, 3 * reach)), open);
 }
 
-/// Shares of edges at candidate positions, worked out once per interval.
+/// Drawn shares of edges at candidate positions, computed once per interval.
 class CoverTable {
  public:
   CoverTable(const std::vector<StraightLine>& lines, const std::vector<double>& at,
@@ -215,7 +215,7 @@ class CoverTable {
   std::vector<float> cover_;
 };
 
-/// Lines that run through at least 60 % of the rectangle, each position once.
+/// Positions of lines that run through at least 60 % of the rectangle, without duplicates.
 std::vector<double> spanningLines(const std::vector<StraightLine>& lines, double acrossFrom, double acrossTo,
                                   double from, double to) {
   std::vector<Position> positions;
@@ -233,7 +233,7 @@ std::vector<double> spanningLines(const std::vector<StraightLine>& lines, double
   return out;
 }
 
-/// The next line parallel to edge `i` on the side `step`, if it is close enough to belong to the same grid.
+/// The next line parallel to edge `i` in direction `step`, if close enough to belong to the same grid.
 double nextLine(const CoverTable& cover, const std::vector<double>& at, std::size_t i, int step,
                 std::size_t k, std::size_t l, double size) {
   for (auto m = static_cast<std::ptrdiff_t>(i) + step; m >= 0 && m < static_cast<std::ptrdiff_t>(at.size());
@@ -246,8 +246,9 @@ double nextLine(const CoverTable& cover, const std::vector<double>& at, std::siz
   return step < 0 ? -1e9 : 1e9;
 }
 
-/// Whether more than a third of the upright lines through a plot go on to the next line below it (titles may hide some), or one
-/// goes on by far. The stems of a few numbers stand so close under their ticks that these seem drawn on to the numbers' feet.
+/// Returns true if more than a third of the vertical lines through a plot continue to the next line below it
+/// (titles may hide some), or one continues by far. Stems of a few digits stand so close under their ticks
+/// that these seem to continue to the digits' baseline.
 bool goOnBelow(const std::vector<StraightLine>& upright, const Box& plot, double next) {
   std::ptrdiff_t members = 0, on = 0;
   for (const auto& line : upright) {
@@ -269,8 +270,8 @@ struct Candidates {
       : xs(edgePositions(g.v, g.h)), ys(edgePositions(g.h, g.v)), columns(g.v, xs, ys), rows(g.h, ys, xs) {}
 };
 
-/// The rectangle between four candidate positions; nullopt if no two adjacent edges of it are drawn, or too much of its
-/// lines lies outside of it.
+/// The rectangle between four candidate positions; nullopt if no two adjacent edges are drawn, or too much of
+/// its lines lies outside.
 std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::size_t i, std::size_t j,
                                     std::size_t k, std::size_t l) {
   PlotRectangle r;
@@ -304,7 +305,7 @@ double overlapOverUnion(const Box& a, const Box& b) {
   return common.empty() ? 0 : common.area() / (a.area() + b.area() - common.area());
 }
 
-/// The best rectangles of one group, none of them a variant of a better one.
+/// The best rectangles of one group, without variants of better ones.
 std::vector<PlotRectangle> bestRectangles(const Group& g, double minWidth, double minHeight) {
   const Candidates c(g);
   std::vector<PlotRectangle> all;
@@ -312,7 +313,7 @@ std::vector<PlotRectangle> bestRectangles(const Group& g, double minWidth, doubl
     if (c.xs[j] - c.xs[i] < minWidth) return;
     if (auto r = scored(g, c, i, j, k, l); r && r->score > minScore) all.push_back(std::move(*r));
   };
-  // Two adjacent edges are drawn, so one of the upright ones is: start from those.
+  // Of two adjacent drawn edges one is vertical, so start from those.
   for (std::size_t i = 0; i < c.xs.size(); ++i)
     for (std::size_t k = 0; k < c.ys.size(); ++k)
       for (std::size_t l = k + 1; l < c.ys.size(); ++l) {

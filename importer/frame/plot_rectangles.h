@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From straight lines to rectangles in which a graph could stand: boxes, grids, open grids, two axis lines.
+// Finds rectangles of straight lines in which a graph could be: boxes, grids, open grids, two axis lines.
 
 #include <array>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace detent::importer {
 
-/// A rectangle made of lines, in pixels of the plane the lines were found in.
+/// A rectangle made of lines, in pixels of the plane.
 struct PlotRectangle {
   Box box;
   std::array<double, 4> edgeCover{};  ///< left, top, right, bottom: share of the edge that is drawn
   std::vector<double> xLines,
-      yLines;        ///< positions of lines that span it, edges included if drawn; increasing
-  double score = 0;  ///< higher is more like a plot; comparable within one page
+      yLines;        ///< increasing positions of lines that span it, including drawn edges
+  double score = 0;  ///< higher is more plot-like; comparable within one page
 };
 
 /// Best first within a group of touching lines; at least two adjacent edges are drawn.

@@ -13,12 +13,11 @@ namespace detent::importer {
 namespace {
 
 constexpr int minContrast =
-    8;  // grey levels; JPEG ripple stays below, the lightest grids of plotting programs above
-constexpr double maxSlope = 0.052;  // 3°: beyond that a sheet was not scanned but photographed
+    8;  // grey levels; JPEG ripple is below, the lightest grids of plotting programs above
+constexpr double maxSlope = 0.052;  // 3°; sheets with more tilt are photographs
 constexpr double maxResidual_px = 0.75;
 
-/// Pixels that are the crest of a horizontal ridge: darker than both sides two pixels away. Lines up to 3 px
-/// wide.
+/// Pixels on the crest of a horizontal ridge: darker than both sides two pixels away. Lines up to 3 px wide.
 cv::Mat horizontalCrests(const cv::Mat& darkness) {
   cv::Mat smooth;
   cv::blur(darkness, smooth, cv::Size(1, 3), cv::Point(-1, -1), cv::BORDER_REPLICATE);
@@ -38,7 +37,7 @@ cv::Mat horizontalCrests(const cv::Mat& darkness) {
   return crests;
 }
 
-/// A stretch of crest pixels in one row.
+/// A run of crest pixels in one row.
 struct Run {
   int y = 0, from = 0, to = 0, ink = 0;
 };
@@ -67,7 +66,7 @@ std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
   return runs;
 }
 
-/// Runs strung together end to end: a line that climbs a row now and then.
+/// Runs joined end to end: a line that changes its row now and then.
 struct Chain {
   std::vector<Run> runs;
   double ink = 0;
@@ -82,7 +81,7 @@ std::vector<Chain> chainsOf(std::vector<Run> runs, int maxGap) {
   for (const auto& run : runs) rows = std::max(rows, run.y + 1);
   std::vector<Chain> chains;
   std::vector<int> lastInRow(static_cast<std::size_t>(rows),
-                             -1);  // chain that ended in this row most recently
+                             -1);  // chain that last ended in this row
   for (const auto& run : runs) {
     int best = -1;
     for (int dy : {0, -1, 1}) {
@@ -112,7 +111,7 @@ std::vector<Chain> chainsOf(std::vector<Run> runs, int maxGap) {
   return chains;
 }
 
-/// Least squares line through runs, each weighted by its length, and how far the worst run is off it.
+/// Least squares line through runs weighted by length, and the distance of the worst run.
 StraightLine leastSquares(const std::vector<Run>& runs, double& worst) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   StraightLine line;
@@ -139,8 +138,8 @@ StraightLine leastSquares(const std::vector<Run>& runs, double& worst) {
   return line;
 }
 
-/// The straight part of a chain: letters and curves that touch its ends are let go of, as long as most of it
-/// stays. Fill 0 if it bends.
+/// The straight part of a chain, without letters and curves that touch its ends, if most of it remains. Fill
+/// 0 if it bends.
 StraightLine straightened(const Chain& chain) {
   auto runs = chain.runs;
   double ink = chain.ink, worst = 0;
@@ -157,8 +156,7 @@ StraightLine straightened(const Chain& chain) {
   return line;
 }
 
-/// Crests of lines several pixels wide are found on one of their rows: moves the line to the middle of its
-/// ink.
+/// Moves a line found on one row of its crest to the middle of its thickness.
 void centreOnInk(const cv::Mat& d, StraightLine& line) {
   constexpr int reach = 4, samples = 31;
   std::vector<double> offsets;
@@ -184,15 +182,14 @@ void centreOnInk(const cv::Mat& d, StraightLine& line) {
   line.acrossTo += middle;
 }
 
-/// Ink of a line at one place along it: the darkest of three pixels across.
+/// Darkness of a line at one position: the darkest of three pixels across.
 int inkAt(const cv::Mat& d, const StraightLine& line, int along) {
   const int y = std::clamp(static_cast<int>(std::lround(line.acrossAt(along))), 1, d.rows - 2);
   return std::max(
       {d.at<std::uint8_t>(y - 1, along), d.at<std::uint8_t>(y, along), d.at<std::uint8_t>(y + 1, along)});
 }
 
-/// Where another line runs close beside it, a line is no ridge any more, but its ink goes on: follow that
-/// from either end as long as one side stays lighter.
+/// Extends a line beyond places where another line runs close beside it, as long as one side stays lighter.
 void followInk(const cv::Mat& d, StraightLine& line) {
   std::vector<int> inks;
   for (int x = static_cast<int>(line.from); x <= static_cast<int>(line.to); x += 2)
@@ -203,8 +200,7 @@ void followInk(const cv::Mat& d, StraightLine& line) {
     if (y < 4 || y + 4 >= d.rows || 3 * inkAt(d, line, x) < 2 * usual) return false;
     return 2 * std::min(d.at<std::uint8_t>(y - 4, x), d.at<std::uint8_t>(y + 4, x)) < usual;
   };
-  const int farthest =
-      static_cast<int>(0.25 * line.length());  // what is followed longer than this is another line
+  const int farthest = static_cast<int>(0.25 * line.length());  // a longer extension is another line
   const auto follow = [&](int x, int step) {
     for (int n = 0; n < farthest && x + step >= 0 && x + step < d.cols && goesOn(x + step); ++n) x += step;
     return x;
@@ -233,7 +229,8 @@ std::vector<StraightLine> horizontalLines(const cv::Mat& darkness, double minLen
   return lines;
 }
 
-/// The same line found at two scales, or the two rims of a thick one: the better filled, longer one stays.
+/// Removes duplicates found at two scales, or as two rims of a thick line; the better filled, longer one
+/// stays.
 std::vector<StraightLine> withoutDoubles(std::vector<StraightLine> lines, double apart) {
   std::sort(lines.begin(), lines.end(), [](const StraightLine& a, const StraightLine& b) {
     return a.length() * a.fill > b.length() * b.fill;
@@ -251,7 +248,7 @@ std::vector<StraightLine> withoutDoubles(std::vector<StraightLine> lines, double
 }
 
 void append(std::vector<StraightLine>& lines, const std::vector<StraightLine>& more, double scale) {
-  const double shift = 0.5 * (scale - 1);  // pixel centres of the coarse plane, in the fine one
+  const double shift = 0.5 * (scale - 1);  // offset of the coarse plane's pixel centres in the fine plane
   for (auto line : more) {
     line.from = line.from * scale;
     line.to = line.to * scale + 2 * shift;
@@ -261,8 +258,7 @@ void append(std::vector<StraightLine>& lines, const std::vector<StraightLine>& m
   }
 }
 
-/// Curves have flat stretches, frames have one direction: lines that lean otherwise than most are no frame
-/// lines.
+/// Removes lines whose tilt differs from most lines: flat stretches of curves, not frame lines.
 void keepCommonDirection(std::vector<StraightLine>& lines) {
   if (lines.empty()) return;
   std::vector<std::pair<double, double>> slopes;

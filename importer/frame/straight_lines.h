@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Straight lines that run along the page's axes, possibly a little askew: frames, gridlines, tables,
-// drawings.
+// Straight lines along the page's axes, possibly slightly tilted: frames, gridlines, tables, drawings.
 
 #include <vector>
 
@@ -9,12 +8,12 @@
 
 namespace detent::importer {
 
-/// A line along one direction. "along" is x for horizontal lines and y for vertical ones, "across" is the
-/// other. All in pixels of the darkness plane it was found in.
+/// A line in one direction. "along" is x for horizontal and y for vertical lines, "across" is the other. In
+/// pixels of the darkness plane.
 struct StraightLine {
   double from = 0, to = 0;              ///< ends, along
   double acrossFrom = 0, acrossTo = 0;  ///< position at those ends
-  double fill = 1;                      ///< share of the length that is ink; below 1 for dashes and holes
+  double fill = 1;                      ///< share of the length that is dark; below 1 for dashes and gaps
   double length() const { return to - from; }
   double acrossAt(double along) const {
     return length() > 0 ? acrossFrom + (acrossTo - acrossFrom) * (along - from) / length() : acrossFrom;
@@ -26,8 +25,8 @@ struct LineSet {
   std::vector<StraightLine> horizontal, vertical;
 };
 
-/// Lines of at least `minLength_px`, darker than their two sides, askew by less than 3°. Fragments of one
-/// line stay apart where a gap is wider than `maxGap_px`.
+/// Finds lines of at least `minLength_px`, darker than both sides, tilted by less than 3°. Fragments stay
+/// apart where a gap is wider than `maxGap_px`.
 LineSet findStraightLines(const cv::Mat& darkness, double minLength_px, double maxGap_px);
 
 }  // namespace detent::importer
