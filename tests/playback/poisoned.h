@@ -18,7 +18,7 @@ void poison(std::initializer_list<Float*> numbers) {
   for (Float* number : numbers) *number = std::numeric_limits<Float>::signaling_NaN();
 }
 
-/// Whether what `run` does meets a poisoned number.
+/// Returns true if `run` reads a poisoned number.
 template <class Run>
 bool meetsPoison(const Run& run) {
   std::feclearexcept(FE_INVALID);

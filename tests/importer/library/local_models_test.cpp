@@ -61,7 +61,7 @@ TEST_CASE("an extremum's error covers its truth, and a bend that jumps at the to
   const auto bent = [](double x) { return 0.6 - (x < 1 ? 0.7 : 3.0) * (x - 1) * (x - 1); };
   const auto low = [](double x) { return 0.3 + 0.9 * (x - 1) * (x - 1); };
   const auto valley = [](const LocalWindow& window) { return extremumIn(window, -1); };
-  // Whether a bend jumps at the top the samples do not always say: a place without one is told too wide.
+  // Samples do not always show a jump of the curvature at the top; without one the stated error is too large.
   for (const Covered& each :
        {covered(smooth, 0.75, 1.3, {1, 0.6}, peak), covered(bent, 0.7, 1.15, {1, 0.6}, peak),
         covered(low, 0.75, 1.3, {1, 0.3}, valley)}) {
