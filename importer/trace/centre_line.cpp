@@ -13,19 +13,21 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kStep_px = 0.5;          // along the normal
-constexpr double kStiffness = 0.15;       // of one round's moves against bending; seen points have weight 1
-constexpr double kLargestMove_px = 0.75;  // per round of matching: the comparison is linear only so far
+constexpr double kStep_px = 0.5;  // along the normal
+// resistance of one round's moves to bending; visible points have weight 1
+constexpr double kStiffness = 0.15;
+// per matching round; the comparison is linear only within this distance
+constexpr double kLargestMove_px = 0.75;
 
-/// Unit normals of a lightly smoothed line, so that the pixel staircase does not turn them.
+/// Unit normals of a lightly smoothed line, so that pixel steps do not rotate them.
 Polyline calmNormalsOf(const Polyline& line, double sigma) { return normalsOf(smoothed(line, sigma), 1); }
 
-/// Ink seen across the line at one point.
+/// Coverage across the line at one point.
 struct CrossSection {
-  double own = 0;     ///< integral of the curve's own ink, px
+  double own = 0;     ///< integral of the curve's own coverage, px
   double offset = 0;  ///< its centroid
   double spread = 0;  ///< its variance, px²
-  double hidden = 0;  ///< integral of other curves' ink
+  double hidden = 0;  ///< integral of the coverage by other curves
   double hiddenOffset = 0;
   double clutter = 0;
 };
@@ -61,7 +63,7 @@ void move(Polyline& line, const Polyline& normals, const std::vector<double>& by
   }
 }
 
-/// Pulls the line onto the centroids of what is seen across it.
+/// Moves the line to the centroids of the coverage across it.
 void moveToCentroids(Polyline& line, const CurveField& field, double thickness) {
   const double reach = 0.5 * thickness + 2.5;
   const Polyline normals = calmNormalsOf(line, 2.0);
@@ -79,17 +81,17 @@ void moveToCentroids(Polyline& line, const CurveField& field, double thickness) 
   move(line, normals, stiffened(offset, weight, 2 * kStiffness));
 }
 
-/// Direction of a piece of the line, from a to b; the chord's where the piece is too short.
+/// Direction of a piece of the line, from a to b; that of the chord if the piece is too short.
 Point directionOf(const Polyline& line, std::size_t a, std::size_t b, Point chord) {
   const double length = distance(line[a], line[b]);
   if (length < 4) return chord;
   const Point d = (1 / length) * (line[b] - line[a]);
-  // Across a gap a line goes on roughly as it came; what turns far off the chord ended in a corner.
+  // The tangent is continued across gaps; one far off the chord belongs to a corner.
   return dot(d, chord) > 0.7 ? d : chord;
 }
 
-/// Where neither the curve nor anything that follows it is seen, the coarse course is arbitrary (all ways
-/// across a box cost the same): a smooth piece joins what is seen on both sides.
+/// Replaces stretches where neither the curve nor anything that follows it is visible by a smooth piece,
+/// because the coarse path is arbitrary there (all ways across a box cost the same).
 void bridgeUnseen(Polyline& line, const CurveField& field, double thickness) {
   constexpr std::size_t kShortest = 4, kTangent = 12;
   const double reach = 0.5 * thickness + 1.5;
@@ -122,7 +124,7 @@ void bridgeUnseen(Polyline& line, const CurveField& field, double thickness) {
   }
 }
 
-/// Width and blur from cross-sections that nothing hides.
+/// Width and blur from cross-sections that are not hidden.
 LineProfile measureProfile(const Polyline& line, const CurveField& field, double thickness) {
   const double reach = 0.5 * thickness + 3;
   const Polyline normals = calmNormalsOf(line, 2.0);
@@ -136,7 +138,7 @@ LineProfile measureProfile(const Polyline& line, const CurveField& field, double
   LineProfile profile;
   profile.width_px = areas.size() < 8 ? thickness : medianOf(areas);
   // A box of width w blurred by a box of width s has variance (w² + s²) / 12; sampling between pixels adds
-  // about 1/12 more on either axis, which the drawn line gets as well.
+  // about 1/12 more on either axis, which the drawn line gets too.
   const double variance =
       spreads.size() < 8 ? (profile.width_px * profile.width_px + 2) / 12 : medianOf(spreads);
   profile.blur_px =
@@ -180,7 +182,8 @@ class LineDrawing {
   std::vector<std::size_t> touched_;
 };
 
-/// One round: compares drawn with seen across every point and moves the line; gives each point's weight.
+/// One round: compares the drawn line with the picture at every point and moves the line; returns each
+/// point's weight.
 std::vector<double> matchRound(Polyline& line, const CurveField& field, const LineProfile& profile,
                                LineDrawing& drawing) {
   drawing.draw(line, profile);
@@ -213,7 +216,7 @@ std::vector<double> matchRound(Polyline& line, const CurveField& field, const Li
     offset[i] = std::clamp(agreement / information, -kLargestMove_px, kLargestMove_px);
     weight[i] = share;
     const double mismatch = std::abs(ownArea - drawnArea) * kStep_px / profile.width_px;
-    if (mismatch > 0.5) weight[i] *= 0.15;  // a marker, an arrow, a gap: not the line's own shape
+    if (mismatch > 0.5) weight[i] *= 0.15;  // a marker, an arrow or a gap, not the line's own shape
   }
   move(line, normals, stiffened(offset, weight, kStiffness));
   return weight;

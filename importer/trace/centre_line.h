@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a coarse course to the sub-pixel centre line: the line is drawn (width, blur, what hides it) along the
-// present estimate, compared with the picture, and moved across itself until both agree. Corners, ends and
-// half-hidden stretches are thereby deconvolved; hidden ones follow what covers them.
+// From a coarse path to the sub-pixel centre line. The line is drawn (width, blur, what hides it) along the
+// present estimate, compared with the picture, and moved across itself until both agree. This corrects
+// corners, ends and half-hidden stretches; hidden stretches follow what covers them.
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 
 namespace detent::importer::trace {
 
-/// How the line is drawn: a box of `width_px` blurred by a box of `blur_px`; `level` is the coverage of its
-/// middle.
+/// Drawing model of the line: a box of `width_px` blurred by a box of `blur_px`; `level` is the coverage of
+/// its middle.
 struct LineProfile {
   double width_px = 1;
   double blur_px = 1;
@@ -23,14 +23,14 @@ struct LineProfile {
 
 struct CentreLine {
   std::vector<Point> points;   ///< area pixels, in order, about one pixel apart
-  std::vector<double> weight;  ///< 0..1 per point: how much of the line was seen there
+  std::vector<double> weight;  ///< 0..1 per point: share of the line that was visible there
   LineProfile profile;
   double seenShare = 0;  ///< mean weight
 };
 
 struct CentreLineOptions {
   int centroidRounds = 2;  ///< coarse to about half a pixel
-  int matchRounds = 2;     ///< drawn against seen
+  int matchRounds = 2;     ///< rounds of comparing the drawn line with the picture
 };
 
 CentreLine centreLine(const CurveField& field, const CoarseCurve& coarse, double thickness_px,

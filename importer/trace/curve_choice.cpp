@@ -22,8 +22,7 @@ double massOf(const Plane& plane) {
   return sum;
 }
 
-/// Calls `visit(x, y)` for every pixel of the plane within `reach` of a course; pixels may come several
-/// times.
+/// Calls `visit(x, y)` for every pixel within `reach` of a path; pixels may be visited several times.
 template <class Visit>
 void forPixelsNear(const Plane& plane, const std::vector<Point>& course, double reach, Visit visit) {
   const int r = static_cast<int>(std::ceil(reach));
@@ -35,7 +34,7 @@ void forPixelsNear(const Plane& plane, const std::vector<Point>& course, double 
   }
 }
 
-/// Clears the ink within `reach` of a course and gives how much that was.
+/// Clears the coverage within `reach` of a path and returns its sum.
 double eraseAlong(Plane& plane, const std::vector<Point>& course, double reach) {
   double erased = 0;
   forPixelsNear(plane, course, reach, [&](int x, int y) {
@@ -45,7 +44,7 @@ double eraseAlong(Plane& plane, const std::vector<Point>& course, double reach) 
   return erased;
 }
 
-/// Clears what lies on letters; the mask is `pooling` times as fine as the plane.
+/// Clears coverage on letters; the mask is `pooling` times as fine as the plane.
 void clearLetters(Plane& plane, const Mask& letters, int maskWidth, int pooling) {
   for (std::size_t i = 0; i < letters.size(); ++i) {
     if (!letters[i]) continue;
@@ -55,7 +54,7 @@ void clearLetters(Plane& plane, const Mask& letters, int maskWidth, int pooling)
   }
 }
 
-/// Columns in which the plane has ink.
+/// Number of columns with coverage.
 double inkedColumns(const Plane& plane) {
   std::vector<char> inked(static_cast<std::size_t>(plane.width), 0);
   for (int y = 0; y < plane.height; ++y)
@@ -64,7 +63,7 @@ double inkedColumns(const Plane& plane) {
   return static_cast<double>(std::count(inked.begin(), inked.end(), 1));
 }
 
-/// Share of a curve's course that runs within so many of another one's widths, and some pooled pixels more.
+/// Share of a curve's path that runs within some widths of another one's and some pooled pixels more.
 double shareAlong(const PlotInks& plot, const CurveInk& curve, const CurveInk& other, double widths,
                   double more_px) {
   const Plane& area = plot.coverage.unknown;
@@ -77,12 +76,12 @@ double shareAlong(const PlotInks& plot, const CurveInk& curve, const CurveInk& o
   return inside / static_cast<double>(std::max<std::size_t>(1, curve.course.points.size()));
 }
 
-/// A level or plumb line is a marker, an axis or a leader, never a force curve.
+/// Returns true for a horizontal or vertical line: a marker line, an axis or a leader, never a force curve.
 bool isAxisParallel(const CoarseCurve& course, double thickness) {
   return course.rise_px <= 1.5 * thickness + 1 || course.span_px <= 1.5 * thickness + 1;
 }
 
-/// All of the course within a line's width of the chord between its ends.
+/// Returns true if the path stays within a line's width of the chord between its ends.
 bool isStraight(const CoarseCurve& course, double thickness) {
   const Point a = course.points.front(), b = course.points.back();
   const double length = std::max(1.0, distance(a, b));
@@ -90,13 +89,13 @@ bool isStraight(const CoarseCurve& course, double thickness) {
                      [&](Point p) { return std::abs(cross(p - a, b - a)) / length <= thickness + 2; });
 }
 
-/// In the area's pixels: where the course is farthest in.
+/// Rightmost point of the path, in the area's pixels.
 Point tipOf(const CurveInk& curve) {
   return static_cast<double>(curve.pooling) * *std::ranges::max_element(curve.course.points, {}, &Point::x);
 }
 
-/// Whether a short curve ends where a long one does, as the way back of a key that latches does; up a wall tips lie where what
-/// covers them lets them be seen. Leaders are straight.
+/// Returns true if a short curve ends where a long one does, like the release of a latching key. On a
+/// bottom-out, ends lie where a covering line leaves them visible. Leaders are straight.
 bool leadsBackFrom(const CurveInk& press, const CurveInk& other, const Box& frame) {
   constexpr double near_px = 4, alongWall = 0.08;  // of the frame's height
   const Point apart = tipOf(press) - tipOf(other);
@@ -107,7 +106,7 @@ bool leadsBackFrom(const CurveInk& press, const CurveInk& other, const Box& fram
 
 Box scaled(const Box& box, double by) { return {box.x0 * by, box.y0 * by, box.x1 * by, box.y1 * by}; }
 
-/// Line thickness on the planes the course was found on; pooling by maxima widens lines.
+/// Line thickness on the planes of the path search; pooling by maxima widens lines.
 double pooledThickness(const CurveInk& curve) {
   return curve.thickness_px / curve.pooling + (curve.pooling > 1 ? 1 : 0);
 }
@@ -120,8 +119,9 @@ CurveField pooledField(const CurveField& field, int factor) {
   return out;
 }
 
-/// Whether a line found in an ink is long, inked and curved enough to be a force curve. `explained`: share of the ink that
-/// is the line's; the ink of text and frame draws other things as well, often dashed, unless most of it is this line.
+/// Returns true if a line is long, visible and curved enough to be a force curve. `explained`: share of the
+/// colour's pixels on the line; the colour of text and frame draws other things too, often dashed, unless
+/// most of it is this line.
 bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool neutral, double explained,
              const CurveChoiceOptions& options) {
   if (!course.found() || course.span_px < options.minSpan * frame.width() ||
@@ -133,19 +133,18 @@ bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool
   return !isAxisParallel(course, thickness) && !(neutral && isStraight(course, thickness));
 }
 
-/// The best line on `search`, its second strand measured on the ink of `full`; `explained`: share of the ink's mass that
-/// these account for.
+/// The best line on `search`, with its second strand measured on `full`; `explained`: share of the colour's
+/// pixels of both.
 void followInk(CurveInk& curve, const CurveField& search, const CurveField& full, const PlotInks& plot,
                double& explained) {
   const Box frame = scaled(plot.area().frame, 1.0 / curve.pooling);
   FollowOptions options;
-  options.thickness_px = curve.thickness_px;  // pooling by maxima keeps a full ridge full
+  options.thickness_px = curve.thickness_px;  // pooling by maxima keeps full coverage on a ridge
   curve.course = followCurve(pooledField(search, curve.pooling), frame, options);
   Plane own = pooled(full.own, curve.pooling);
   const double thickness = pooledThickness(curve), mass = massOf(own);
   double accounted = eraseAlong(own, curve.course.points, thickness + 2);
-  // What is left close to the line is markers, spikes and its own edges; what is left far from it is another
-  // line.
+  // Coverage close to the line is markers, spikes and its own edges; coverage far from it is another line.
   Plane rest = own;
   clearLetters(rest, plot.scene.lettering().mask, full.own.width, curve.pooling);
   eraseAlong(rest, curve.course.points, std::max(thickness + 2, plot.options.strandsApart * frame.height()));
@@ -154,7 +153,7 @@ void followInk(CurveInk& curve, const CurveField& search, const CurveField& full
   explained = mass > 0 ? accounted / mass : 0;
 }
 
-/// The best line in an ink. Pieces are taken for one line's dashes where that line then holds most of the ink.
+/// The best line in a colour. Pieces are joined as dashes if the joined line then holds most of the colour.
 CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explained) {
   std::vector<int> others;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k)
@@ -178,8 +177,8 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
   return dashed;
 }
 
-/// Ink that lies in places no line is wide enough for: a tolerance band, the area under a curve. A marker is as wide, but
-/// no longer than that.
+/// Returns true if the coverage is wider than any line: a tolerance band, or the area under a curve. A marker
+/// is as wide, but shorter.
 bool isFilledArea(const PlotInks& plot, int index) {
   constexpr float kInked = 0.4F;  // coverage
   constexpr int kLeastWidth_px = 7;
@@ -218,14 +217,16 @@ float hueCosine(const PlotInks& plot, const CurveInk& a, const CurveInk& b) {
 
 constexpr float kSameHue = 0.95F;  // cosine between differences to the paper
 
-/// How far two inks of one hue draw one line: its shades in compressed colour, its markers, its shadow; 0 where they do not.
+/// Share of the path over which two colours of one hue draw one line: shades of compressed colour, markers, a
+/// shadow; 0 otherwise.
 double sharedAsShades(const PlotInks& plot, const CurveInk& one, const CurveInk& other) {
   if (hueCosine(plot, one, other) <= kSameHue) return 0;
   const double along = shareAlong(plot, one, other, 0.5, 1);
   return along > plot.options.haloAlong ? along : 0;
 }
 
-/// Of more than two curves those that are shades of one line become it; of two, strokes close together may share a hue.
+/// Merges shades of one line among more than two curves. Two curves are kept: strokes close together may
+/// share a hue.
 void joinShades(const PlotInks& plot, std::vector<CurveInk>& curves) {
   while (curves.size() > 2) {
     std::size_t from = 0, to = 0;
@@ -243,8 +244,8 @@ void joinShades(const PlotInks& plot, std::vector<CurveInk>& curves) {
   }
 }
 
-/// Edge pixels between two touching lines look like a third ink whose course never leaves theirs; the halo
-/// that half-resolution colour leaves around a line is as long as the line itself, but paler.
+/// Returns true for a seam: edge pixels between two touching lines, whose path never leaves these lines, or
+/// the pale halo of half-resolution colour, which is as long as its line.
 bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<CurveInk>& stronger) {
   const auto strengthOf = [&](const CurveInk& c) { return static_cast<double>(plot.ink(c.ink).strength); };
   return std::any_of(stronger.begin(), stronger.end(), [&](const CurveInk& other) {
@@ -257,7 +258,8 @@ bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<Curve
   });
 }
 
-/// Whether a direction lies between two others (within a few degrees), as edges of lines that overlap do.
+/// Returns true if a direction lies between two others (within a few degrees), like edges of overlapping
+/// lines.
 bool isMixtureOf(Color3 direction, Color3 u, Color3 v) {
   const float uv = dot(u, v), du = dot(direction, u), dv = dot(direction, v), determinant = 1 - uv * uv;
   if (determinant < 1e-4F) return true;
@@ -266,7 +268,7 @@ bool isMixtureOf(Color3 direction, Color3 u, Color3 v) {
   return norm(direction - (a * u + b * v)) < 0.12F;
 }
 
-/// Whether each of the curves ends elsewhere than all others, as no two strokes of one switch do.
+/// Returns true if each curve ends elsewhere than all others, unlike the strokes of one switch.
 bool endApart(const std::vector<CurveInk>& curves) {
   constexpr double clear = 0.1;  // of the longest one's travel
   double travel_px = 0;
@@ -277,30 +279,31 @@ bool endApart(const std::vector<CurveInk>& curves) {
   return true;
 }
 
-/// Whether a legend has a line of this ink.
+/// Returns true if the legend has a key of this colour.
 bool hasSample(const PlotInks& plot, int index) {
   return std::ranges::any_of(plot.samples, [&](const LegendSample& sample) { return sample.ink == index; });
 }
 
-/// Whether a course ends higher than it begins, as a press does.
+/// Returns true if a path ends higher than it begins, like a press.
 bool rises(const CurveInk& curve) {
   const auto [left, right] = std::ranges::minmax(curve.course.points, {}, &Point::x);
   return right.y < left.y;
 }
 
-/// A leader or a callout is much shorter than the best curve.
+/// Returns true if a curve is long compared to the best one; leaders and callouts are much shorter.
 bool isLongBeside(const CurveInk& best, const CurveInk& curve) {
   return curve.course.span_px >= 0.5 * best.course.span_px &&
          curve.course.gain_px >= 0.4 * best.course.gain_px;
 }
 
-/// Whether a line in the ink of frame and text is one more curve beside others: it rises.
+/// Returns true if a rising line in the colour of frame and text is one more curve beside others.
 bool isOneMore(const PlotInks& plot, const std::vector<CurveInk>& curves, const CurveInk& curve) {
   return isLongBeside(curves.front(), curve) && rises(curve) && !isSeam(plot, curve, curves);
 }
 
-/// Whether a line is drawn through by itself in its ink, from the place at rest where the curves begin, as far as they go: a switch beside
-/// theirs. Gridlines, bands and marks in that ink begin elsewhere or leave more of it beside the line.
+/// Returns true if a solid line in its colour runs from the rest position of the other curves as far as they
+/// do: another switch. Gridlines, bands and marks of that colour begin elsewhere or leave more beside the
+/// line.
 bool isLineFromRest(const PlotInks& plot, const std::vector<CurveInk>& curves, const CurveInk& line) {
   constexpr double near = 0.03, leastTravel = 0.9;  // of the frame, each way; of the travel of the longest
   const Box& frame = plot.area().frame;
@@ -321,7 +324,7 @@ bool isLineFromRest(const PlotInks& plot, const std::vector<CurveInk>& curves, c
          line.pooling * line.course.span_px >= leastTravel * longest_px;
 }
 
-/// Beside the ink of text a faint trace of colour is a letter's edge (sub-pixel rendering), not a curve.
+/// Discards faint colour on edges of letters (sub-pixel rendering) beside the colour of text.
 void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& curveInks,
                        CurveField& field) {
   constexpr int kReach = 2;
@@ -369,12 +372,11 @@ std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const Plot
   return samples;
 }
 
-/// Boxes that legends fill, from their samples and texts; drawn over curves they hide them.
+/// Boxes of legends from their keys and texts; drawn over curves they hide them.
 std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
   std::vector<Box> boxes;
   for (const LegendSample& sample : samples) {
-    // Entries stand one below the other about two letter heights apart; the box is drawn around them with a
-    // margin.
+    // Entries are about two letter heights apart; the box has a margin around them.
     const double margin = 0.9 * sample.text.height();
     const Box entry = sample.box.joined(sample.text);
     const Box grown = entry.grown(margin, margin);
@@ -412,7 +414,7 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
   const Mask& letters = plot.scene.lettering().mask;
   for (std::size_t i = 0; i < letters.size(); ++i)
     if (letters[i]) {
-      // Letters' edges have any colour (sub-pixel rendering); only a pixel full of the ink is believed.
+      // Edges of letters may have any colour (sub-pixel rendering), so only pixels of full coverage count.
       if (field.own.values[i] < 0.85F) field.own.values[i] = 0;
       field.otherCurves.values[i] = 0;
       field.clutter.values[i] = 1 - std::min(1.0F, field.own.values[i]);
@@ -438,7 +440,7 @@ std::optional<CurveField> dashesJoined(const CurveField& field) {
 
 CurveField besideDashesOnly(const CurveField& field) {
   constexpr float kDash = 0.3F;  // coverage
-  constexpr int kReach_px = 2;   // of a dash, over its neighbour
+  constexpr int kReach_px = 2;   // from a dash, over its neighbour
   const cv::Mat own = matOf(field.own);
   cv::Mat near;
   cv::dilate(own > kDash, near,
@@ -499,7 +501,7 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   for (CurveInk& curve : found) {
     const bool faint =
         !curves.empty() && strength(curve) < plot.options.minStrength * strength(curves.front());
-    if (faint) continue;  // shading of an uneven paper
+    if (faint) continue;  // shading of uneven paper
     const bool restOfSomething =
         !curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px;
     if (restOfSomething && (curves.size() > 1 || !leadsBackFrom(curves.front(), curve, plot.area().frame)))
@@ -509,16 +511,17 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   joinShades(plot, curves);
   const auto isLoop = [&](const CurveInk& curve) { return curve.secondStrand > plot.options.secondStrand; };
   const bool lone = curves.size() == 1 && !isLoop(curves.front());
-  // Loops are switches of their own: one more may be in the ink of the frame.
+  // Loops are separate switches; one more may have the colour of the frame.
   const bool several = curves.size() > 1 && std::ranges::all_of(curves, isLoop);
   for (int k : neutral) {
-    // More than two coloured curves are several switches' already; beside two only what starts with them is another one's.
+    // More than two coloured curves are several switches already; beside two, only a line that starts with
+    // them is another one.
     const bool expected = lone || several || curves.size() > 2 ||
                           (curves.size() > 1 && (endApart(curves) || hasSample(plot, k)));
     if (!expected && curves.size() < 2) continue;
     auto curve = curveOf(plot, k, true);
     if (!curve || !(expected || isLineFromRest(plot, curves, *curve))) continue;
-    // A lone coloured curve may have its partner in the ink of the frame.
+    // A single coloured curve may have its partner in the colour of the frame.
     if (lone
             ? isLongBeside(curves.front(), *curve) || leadsBackFrom(curves.front(), *curve, plot.area().frame)
             : isOneMore(plot, curves, *curve)) {

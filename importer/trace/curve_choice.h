@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which inks draw curves, which only letter, frame and annotate; whether one ink draws both strokes.
+// Decides which colours draw curves, and which only letters, frame and annotations; and whether one colour
+// draws both strokes.
 
 #include <optional>
 #include <vector>
@@ -10,47 +11,49 @@
 
 namespace detent::importer::trace {
 
-/// An ink that draws a curve.
+/// A colour that draws a curve.
 struct CurveInk {
   int ink = 0;           ///< index into the palette
-  bool neutral = false;  ///< the ink of text and frame
+  bool neutral = false;  ///< colour of text and frame
   CoarseCurve course;    ///< on planes pooled by `pooling`
   int pooling = 1;
   double thickness_px = 1;
-  bool dashed = false;      ///< found with its dashes joined, see dashesJoined
-  double secondStrand = 0;  ///< columns with ink far from the course, as a share of the course's own
-  std::vector<int> shades;  ///< other inks of the palette that draw the same line
+  bool dashed = false;      ///< found after joining its dashes, see dashesJoined
+  double secondStrand = 0;  ///< columns with this colour far from the path, as a share of the path's own
+  std::vector<int> shades;  ///< other colours of the palette that draw the same line
 };
 
 struct CurveChoiceOptions {
-  double minSpan = 0.12;             ///< of the frame's width, of a line that may be a curve
-  double minInkShare = 0.5;          ///< of its visible course: dashes have about this much
-  double minInkShareNeutral = 0.85;  ///< the same in the ink of text and frame
-  double ownInk = 0.6;               ///< of that ink's mass: a line with more of it has the ink for its own
-  /// Of its visible course: with more a line is solid, whatever compression makes of it; dotted ones have 0.83 at most.
+  double minSpan = 0.12;             ///< of the frame's width; shorter lines are no curves
+  double minInkShare = 0.5;          ///< of its visible path; dashes have about this share
+  double minInkShareNeutral = 0.85;  ///< the same in the colour of text and frame
+  double ownInk = 0.6;               ///< of that colour's pixels; a line with more owns the colour
+  /// Share of its visible path above which a line is solid, even after compression; dotted ones have 0.83 at
+  /// most.
   double solidInk = 0.9;
-  double minOwnColumns = 0.4;  ///< of the columns spanned; the rest may be bridged
-  double minExplained = 0.3;   ///< of the ink's mass outside text and legend
-  double minOfBest = 0.3;      ///< of the best curve's gain: less is a rest of something
-  double minStrength = 0.22;   ///< of the best curve's contrast: less is shaded paper
-  double strandsApart = 0.02;  ///< of the frame's height, between two strokes in one ink
-  /// Above this share of its columns a second line runs in the ink: dashes have about half, and strokes touch.
+  double minOwnColumns = 0.4;  ///< of the spanned columns; the rest may be bridged
+  double minExplained = 0.3;   ///< of the colour's pixels outside text and legend
+  double minOfBest = 0.3;      ///< of the best curve's gain; less is a remainder of something else
+  double minStrength = 0.22;   ///< of the best curve's contrast; less is shaded paper
+  double strandsApart = 0.02;  ///< of the frame's height, between two strokes of one colour
+  /// Share of its columns above which a second line has the same colour; dashes have about half, and strokes
+  /// touch.
   double secondStrand = 0.18;
-  double haloStrength = 0.6;  ///< of the line's contrast: a paler one along it is its halo
+  double haloStrength = 0.6;  ///< of the line's contrast; a paler line along it is its halo
   double tintStrength = 0.8;  ///< the same for a halo of the line's own hue
-  double fillWidth = 0.02;    ///< of the frame's smaller side: what is wider all along is no line
-  double fillShare = 0.5;     ///< of an ink's mass in places so wide: a band or a filled area
-  double haloAlong = 0.9;     ///< share of a halo's course that lies on its line
+  double fillWidth = 0.02;    ///< of the frame's smaller side; what is wider everywhere is no line
+  double fillShare = 0.5;     ///< of a colour's pixels in such wide places; more is a band or a filled area
+  double haloAlong = 0.9;     ///< share of a halo's path that lies on its line
 };
 
-/// A legend's sample line: a short level piece of one ink, alone, beside a text row.
+/// A legend key: a short horizontal line of one colour, isolated, beside a row of text.
 struct LegendSample {
   Box box;
   int ink = 0;  ///< index into the coverage
-  Box text;     ///< of the row beside it
+  Box text;     ///< of the text beside it
 };
 
-/// The scene's ink parted among a palette. Refers to the scene.
+/// The scene's pixels separated by the colours of a palette. Refers to the scene.
 struct PlotInks {
   PlotInks(const PlotScene& itsScene, std::vector<Ink> itsPalette);
 
@@ -65,34 +68,35 @@ struct PlotInks {
   Rgb colorOf(const Ink& its) const { return rgbOf(scene.paper() + its.difference()); }
 };
 
-/// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks
+/// Field in which colour `index` is followed. `curveInks`: colours that may cover it as curves; other colours
 /// are clutter.
 CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks);
 
-/// The field to look for a dashed line's course on; nothing where the ink is not drawn in dashes.
+/// Field for a dashed line's path; nullopt if the colour is not drawn in dashes.
 std::optional<CurveField> dashesJoined(const CurveField& field);
 
-/// The field of a dashed line in which other curves hide its dashes alone: beside a gap a neighbour hides nothing.
+/// Field of a dashed line in which other curves hide only its dashes: beside a gap a neighbour hides nothing.
 CurveField besideDashesOnly(const CurveField& field);
 
-/// Ink of text, frame and grid: its direction is theirs, or its colour is grey.
+/// Returns true for a colour of text, frame and grid: grey, or with their direction.
 bool isNeutral(const PlotInks& plot, int index);
 
-/// Palette for the final unmixing: the curves' inks, and of the others those that are not mere mixtures of
-/// two curves' inks and the paper. `curves` are renumbered.
+/// Palette for the final separation: the curves' colours, and other colours that are not mere mixtures of two
+/// curves' colours and the paper. `curves` are renumbered.
 std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves);
 
-/// Curves in differently coloured inks, best first. A neutral ink is among them only beside exactly one
-/// coloured curve, or as one more switch.
+/// Curves in different colours, best first. A neutral colour is included only beside exactly one coloured
+/// curve, or as one more switch.
 std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
 
-/// A line of an ink's own strength and one of its paler shade, both along the travel; nothing where not both are curves.
+/// A line of a colour's full strength and one of its paler shade, both along the travel; empty unless both
+/// are curves.
 std::vector<CurveInk> curvesInShades(const PlotInks& plot, int stronger, int paler);
 
-/// A curve in the ink of frame and text beside one coloured ink that draws both strokes: another switch's.
+/// A curve in the colour of frame and text beside one coloured ink that draws both strokes: another switch.
 std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop);
 
-/// The best line in each of these inks, however weak its claim; -1 and repeated ones are skipped.
+/// The best line of each of these colours, however weak; -1 and duplicates are skipped.
 std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks);
 
 }  // namespace detent::importer::trace

@@ -10,8 +10,8 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr int kReach_px = 14;    // to either side of a line's middle
-constexpr float kInked = 0.12F;  // coverage: what has less ends a line
+constexpr int kReach_px = 14;    // on either side of a line's middle
+constexpr float kInked = 0.12F;  // coverage; less ends a line
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The ink of one curve on the plot area, and how thick lines of it are. Private to importer/trace.
+// Coverage by the colour of one curve on the plot area, and the thickness of its lines. Private to
+// importer/trace.
 
 #include <algorithm>
 #include <cmath>
@@ -37,38 +38,38 @@ inline Color3 color3Of(Rgb c) {
 }
 
 struct Ink {
-  Color3 direction;      ///< unit vector, ink minus paper
-  float strength = 0;    ///< distance of the full ink from the paper, colour levels
+  Color3 direction;      ///< unit vector, colour minus paper
+  float strength = 0;    ///< distance of the full colour from the paper, colour levels
   double mass_px = 0;    ///< pixels of full coverage
-  bool isCurve = false;  ///< draws a curve: where several mixtures explain a pixel, one of curves is likelier
+  bool isCurve = false;  ///< draws a curve; if several mixtures explain a pixel, one of curves is likelier
 
   Color3 difference() const { return strength * direction; }
 };
 
-inline constexpr double kSameInkAngle = 0.985;  // cosine between two colours of one ink, seen from the paper
+inline constexpr double kSameInkAngle = 0.985;  // cosine between two differences to the paper of one colour
 
-/// The ink of a colour on paper of another.
+/// The ink of a colour on a given paper.
 Ink inkOfColor(Rgb color, Color3 paper);
 
-/// Ink across a line: coverage summed, and its centre of mass.
+/// Coverage across a line: its sum and centroid.
 struct InkAcross {
   double thickness_px = 0;
   double middle = 0;
 };
 
-/// How much of one curve's ink the area's pixels hold: all that is like it, lines and letters too.
+/// Coverage of the area's pixels by one curve's colour, including lines and letters of that colour.
 class InkOnArea {
  public:
-  /// `strength`: distance of the full ink from the paper, colour levels.
+  /// `strength`: distance of the full colour from the paper, colour levels.
   InkOnArea(Plane coverage, float strength) : coverage_(std::move(coverage)), strength_(strength) {}
 
-  /// Whether the colour stands out of the paper.
+  /// Returns true if the colour differs clearly from the paper.
   bool distinct() const { return strength_ > 40; }
   /// Coverage, 0..1; 0 outside the area and in other colours.
   float at(int x, int y) const { return coverage_.inside(x, y) ? coverage_.at(x, y) : 0.0F; }
-  /// The run of ink that holds the place or lies within two pixels of it, across a plumb or a level line.
+  /// The run of coverage at the place, or within two pixels of it, across a vertical or a horizontal line.
   InkAcross across(double x, double y, bool plumb) const;
-  /// How thick a line along these points is drawn, area px; 0 where it is not seen.
+  /// Thickness of a line along these points, area px; 0 if it is not visible.
   double thicknessAlong(const std::vector<Point>& points) const;
 
  private:
@@ -76,16 +77,16 @@ class InkOnArea {
   float strength_ = 0;
 };
 
-/// What stands on a column of the area.
+/// Coverage along a column of the area.
 class PlumbLane {
  public:
   PlumbLane(const InkOnArea& ink, const PlotArea& area, double x) : ink_(ink), area_(area), x_(x) {}
 
-  /// Thicknesses of its rows between two, those of level lines of the plot apart.
+  /// Thicknesses of the rows between two rows, without horizontal lines of the plot.
   std::vector<double> rows(double y0, double y1) const;
-  /// The row up to which every row from `foot` on has at least so much ink, gaps up to `gap_px` apart.
+  /// The row up to which every row from `foot` on has at least `least_px`, allowing gaps of `gap_px`.
   double top(double foot, double least_px, double gap_px) const;
-  /// Sub-pixel place of the lane's ink between two rows.
+  /// Sub-pixel position of the lane's coverage between two rows.
   double middle(double y0, double y1) const;
 
  private:

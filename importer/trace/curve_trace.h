@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Step 4: from ink to ordered sub-pixel polylines. No grid, no text, no arrows, no legend in them.
+// Step 4: from pixels to ordered sub-pixel polylines, without grid, text, arrows and legend.
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ namespace trace {
 class PlotScene;
 }
 
-/// Between several legend texts of one ink.
+/// Separator between several legend texts of one colour.
 inline constexpr std::string_view kLabelParting = " / ";
 
 /// One traced curve in view pixels, ordered along the line.
@@ -26,13 +26,13 @@ struct CurveTrace {
   Rgb color;
   bool fromVector = false;  ///< taken from the document's own paths: exact
   double confidence = 0;
-  /// For graphs whose two strokes share one ink, the tracer separates them itself and says which is which.
+  /// Set for graphs whose strokes share one colour, where the tracer separates them.
   std::optional<Stroke> stroke;
-  std::string label;  ///< legend text that belongs to this colour/dash, if any; several parted by " / "
-  Box labelBox_px;    ///< where it stands, view pixels, also of one that was not read; empty without it
+  std::string label;  ///< legend text of this colour or dash pattern, if any; several separated by " / "
+  Box labelBox_px;    ///< position of the label, view pixels, also if it was not read; empty without one
 };
 
-/// As people give colours: "#2a6099".
+/// Colour as "#2a6099".
 std::string nameOf(Rgb color);
 
 struct TraceHints {

@@ -17,26 +17,26 @@ namespace detent::importer::trace {
 namespace {
 
 constexpr std::size_t kFewest = 4;   // dashes of a line
-constexpr std::size_t kMost = 1500;  // pieces of ink that are no noise
-constexpr double kShortest = 1.6;    // thicknesses, of a dash
+constexpr std::size_t kMost = 1500;  // pieces; more is noise
+constexpr double kShortest = 1.6;    // thicknesses of a line, for a dash
 constexpr double kLongest = 0.12;    // of the area's diagonal
-constexpr double kGapTimes = 2;      // of the shorter dash, and two pixels
-constexpr double kStraightOn = 0.8;  // cosine between a dash and the way to the next
+constexpr double kGapTimes = 2;      // times the shorter dash, plus two pixels
+constexpr double kStraightOn = 0.8;  // cosine between a dash and the direction to the next
 constexpr double kRegularShare = 0.7, kRegularWithin = 0.5,
-                 kRegularWithin_px = 1.5;  // as of withDashesJoined
+                 kRegularWithin_px = 1.5;  // as in withDashesJoined
 
-/// A straight piece of ink: its two ends, each with the direction in which it points out of the piece.
+/// A straight piece: its two ends, each with the direction out of the piece.
 struct Dash {
   std::array<Point, 2> ends, out;
   double length_px = 0;
 };
 
-/// A piece's end: the dash and which of its two.
+/// End of a piece: the dash, and which of its ends.
 struct EndOf {
   std::size_t dash = 0, end = 0;
 };
 
-/// A piece of ink as a dash, if it is as thin and straight as one.
+/// Returns a piece as a dash if it is thin and straight.
 std::optional<Dash> dashOf(const std::vector<Point>& ink, double thickness_px, double longest_px) {
   const Scatter scatter(ink);
   const Point mean = scatter.middle(), along = scatter.along();
@@ -52,7 +52,7 @@ std::optional<Dash> dashOf(const std::vector<Point>& ink, double thickness_px, d
   return Dash{{mean + first * along, mean + last * along}, {-1 * along, along}, length_px};
 }
 
-/// How far one end is from another that goes on with it; infinite where it does not.
+/// Distance between one end and another that continues it; infinite if it does not.
 double gapOf(const Dash& a, std::size_t endOfA, const Dash& b, std::size_t endOfB, const BareAt& isBare) {
   constexpr double never = std::numeric_limits<double>::infinity();
   const Point gap = b.ends[endOfB] - a.ends[endOfA];
@@ -63,7 +63,7 @@ double gapOf(const Dash& a, std::size_t endOfA, const Dash& b, std::size_t endOf
   return isBare(a.ends[endOfA] + 0.5 * gap) ? gap_px : never;
 }
 
-/// For each end the one that goes on with it, its own where none does; both choose each other.
+/// For each end the end that continues it, or itself; both choose each other.
 std::vector<std::array<EndOf, 2>> nextOf(const std::vector<Dash>& dashes, const BareAt& isBare,
                                          std::vector<std::array<double, 2>>& gaps) {
   std::vector<std::array<EndOf, 2>> next(dashes.size());
@@ -135,7 +135,7 @@ std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& cu
     std::vector<Point> chain;
     std::vector<double> lengths;
     std::size_t members = 0;
-    // Out of both ends of the first; a closed line ends where it meets a dash that was seen.
+    // Follows both ends of the first; a closed line ends at a dash seen before.
     const auto walk = [&](std::size_t i, std::size_t e) {
       while (mutual(i, e) && !seen[next[i][e].dash]) {
         lengths.push_back(gaps[i][e]);

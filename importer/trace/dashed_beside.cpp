@@ -30,7 +30,7 @@ void clearBox(Plane& plane, const Box& box) {
   matOf(plane)(within & whole).setTo(0);
 }
 
-/// Share of the ink that lies at a course.
+/// Share of the coverage on a path.
 double shareAt(const CoarseCurve& course, const Plane& own, double within_px) {
   cv::Mat near(own.height, own.width, CV_8U, cv::Scalar(0));
   for (const Point& p : course.points)
@@ -47,8 +47,9 @@ double shareAt(const CoarseCurve& course, const Plane& own, double within_px) {
 
 std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
                                          const std::vector<int>& curveInks, const PlotInks& plot) {
-  constexpr double leastTravel = 0.5;  // of the solid line's
-  constexpr double itsInk = 0.6;       // of what is left; rims of markers lie on both sides of their line
+  constexpr double leastTravel = 0.5;  // of the solid line's travel
+  // of the remaining coverage; rims of markers lie on both sides of their line
+  constexpr double itsInk = 0.6;
   if (curve.dashed || solid.points_px.size() < 2) return {};
   DashedCourse found{fieldOf(plot, curve.ink, curveInks), {}};
   clearLine(found.field.own, solid, plot.area(), curve.thickness_px);
@@ -61,7 +62,7 @@ std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk
   const auto [left, right] = std::ranges::minmax(solid.points_px, {}, &Point::x);
   const double travel_px = plot.area().fromView(right).x - plot.area().fromView(left).x;
   if (!found.course.found() || found.course.span_px < leastTravel * travel_px) return {};
-  if (found.course.rise_px <= 2 * curve.thickness_px) return {};  // a guide along the travel
+  if (found.course.rise_px <= 2 * curve.thickness_px) return {};  // a marker line along the travel
   if (shareAt(found.course, found.field.own, curve.thickness_px + 1) < itsInk) return {};
   found.field = besideDashesOnly(found.field);
   return found;

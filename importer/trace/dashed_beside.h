@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Charts of several switches give each one colour, draw its press through and its release in dashes or dots. Private to
+// Charts of several switches with one colour each: the press solid, the release in dashes or dots. Private to
 // importer/trace.
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace detent::importer::trace {
 
-/// A course drawn in dashes, and the ink that is left to measure it on.
+/// The path of a dashed line, and the coverage for measuring it.
 struct DashedCourse {
   CurveField field;
   CoarseCurve course;
 };
 
-/// The line of dashes in the ink of a curve that is drawn through, if what that leaves over of its ink is one, over half of its travel at
-/// least. `curveInks`: those of all curves.
+/// Finds the dashed line in the colour of a solid curve, if what the curve leaves of its colour is one over
+/// at least half of its travel. `curveInks`: those of all curves.
 std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
                                          const std::vector<int>& curveInks, const PlotInks& plot);
 

@@ -14,17 +14,18 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t fewest = 8, most = 2000;  // pieces of a line, and of one ink that are no noise
-constexpr double leastGap = 0.35;               // widths; letters and a line's own pieces stand closer
+constexpr std::size_t fewest = 8, most = 2000;  // pieces of a line; pieces of one colour that are not noise
+constexpr double leastGap = 0.35;               // widths; letters and pieces of a solid line are closer
 constexpr double longestGap = 8;                // widths
-constexpr double onwards = 0.15;                // cosine between a piece's way and the next gap
-constexpr double shortestOfGaps = 0.4, longestOfGaps = 1.7;  // of the line's usual one; a bend shortens them
-constexpr double evenShare = 0.8, evenWithin = 0.35;         // of the gaps, of the usual one
-constexpr double sameWidth = 1.6;                            // times
-constexpr double leastTurnedBack = 0.3;                      // of a piece's length, from its end
+constexpr double onwards = 0.15;                // cosine between a piece's direction and the next gap
+constexpr double shortestOfGaps = 0.4, longestOfGaps = 1.7;  // of the line's usual gap; a bend shortens them
+// share of the gaps, and their deviation from the usual one
+constexpr double evenShare = 0.8, evenWithin = 0.35;
+constexpr double sameWidth = 1.6;                   // times
+constexpr double leastTurnedBack = 0.3;             // of a piece's length, from its end
 constexpr double dotLength = 1.6, dashLength = 12;  // of a dot, in roots of its area; of a dash, in widths
 
-/// A piece and the end at which it is met: 0 its first point, 1 its last.
+/// A piece and the end at which it is reached: 0 its first point, 1 its last.
 struct Met {
   std::size_t piece = 0, end = 0;
 };
@@ -47,7 +48,7 @@ class DashWalk {
     const auto& points = pieces_[met.piece].points;
     return met.end == 0 ? points.front() : points.back();
   }
-  /// Out of a piece at one of its ends; its last bit alone may be a corner of its outline. 0 of a dot.
+  /// Direction out of a piece at one end; its last bit alone may be a corner of its outline. 0 for a dot.
   Point outOf(Met met) const {
     const auto& points = pieces_[met.piece].points;
     const double least_px = leastTurnedBack * lengthOf(points);
@@ -59,7 +60,7 @@ class DashWalk {
     return {};
   }
 
-  /// What goes on from here: the nearest end ahead, those in line first. A dot's gap begins and ends at its rim.
+  /// The nearest end ahead, those in line first. A dot's gap begins and ends at its rim.
   std::optional<Met> nextOf(Met from, Point ahead, double usual_px, double& gap_px) const {
     const double width_px = pieces_[from.piece].width_px;
     std::optional<Met> best;
@@ -86,7 +87,7 @@ class DashWalk {
     return best;
   }
 
-  /// Members in the order in which they are met, out of the seed; `ahead`: the way on from there.
+  /// Members in the order of the line, from the seed in direction `ahead`.
   std::vector<Met> walk(Met from, Point ahead, std::vector<double>& gaps) {
     std::vector<Met> met;
     double gap_px = 0;
@@ -141,11 +142,10 @@ class DashWalk {
   std::vector<char> taken_;
 };
 
-/// Of a dash, however it bends: its ends are two edges of its outline alike, farther from each other than any such. Nothing where it
-/// is a dot.
+/// A bent dash: its ends are the two similar edges of its outline that are farthest apart. nullopt for a dot.
 std::optional<DashPiece> bentDash(const Polyline& ring, Point middle) {
-  constexpr double alike = 1.05, leastApart = 1.5;  // times; less apart are a dot's sides
-  constexpr std::size_t mostEdges = 200;            // they are looked at in pairs
+  constexpr double alike = 1.05, leastApart = 1.5;  // ratios; closer edges are the sides of a dot
+  constexpr std::size_t mostEdges = 200;            // edges are compared in pairs
   if (ring.size() > mostEdges) return {};
   struct Edge {
     Point middle;
@@ -188,7 +188,7 @@ std::optional<DashPiece> dashOfOutline(const std::vector<Point>& outline, double
   const double area_px = 0.5 * std::abs(twiceAreaOf(ring)), side_px = std::sqrt(area_px);
   const double width_px = std::min(high - low, area_px / length_px);
   if (!(width_px > 0) || length_px > dashLength * width_px) return {};
-  // As far across its corners.
+  // The same distance across its corners.
   if (length_px < dotLength * side_px)
     return DashPiece{{middle + 0.5 * (first + last) * along + 0.5 * (low + high) * Point{-along.y, along.x}},
                      side_px};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines of dashes and dots of which the document draws each one by itself, made the lines that they are.
-// Private to importer/trace.
+// Joins dashes and dots that a document draws one by one. Private to importer/trace.
 
 #include <cstddef>
 #include <optional>
@@ -11,24 +10,24 @@
 
 namespace detent::importer {
 
-/// A short piece of one ink: perhaps one of a line's dashes.
+/// A short piece of one colour that may be a dash.
 struct DashPiece {
-  std::vector<Point> points;  ///< along its middle; a dot is a single one
+  std::vector<Point> points;  ///< along its middle; one point for a dot
   double width_px = 1;
 };
 
-/// Dashes one behind the other, at even gaps and however steeply the line bends between them.
+/// Dashes at even gaps, however sharply the line bends.
 struct DashedLine {
   std::vector<Point> points;
   double width_px = 1;
   std::vector<std::size_t> members;  ///< of the pieces given
 };
 
-/// A dash or dot that a drawing program has turned into a filled outline, however its bends made the outline cross itself;
-/// nothing if it is longer than `largest_px` or no such shape.
+/// Returns the dash or dot of a filled outline, even if its bends made the outline cross itself; nullopt if
+/// it is longer than `largest_px` or has another shape.
 std::optional<DashPiece> dashOfOutline(const std::vector<Point>& outline, double largest_px);
 
-/// Every line of eight and more of the pieces, which are all of one ink. Nothing where they are thousands.
+/// Returns every line of eight or more of these pieces, which have one colour. Empty for thousands of pieces.
 std::vector<DashedLine> dashedLines(const std::vector<DashPiece>& pieces);
 
 }  // namespace detent::importer

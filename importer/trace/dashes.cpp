@@ -17,21 +17,21 @@ namespace detent::importer::trace {
 namespace {
 
 constexpr double kInked = 0.25;                   // coverage
-constexpr std::size_t kFewest = 8, kMost = 1500;  // pieces of a dashed line, and of one that is no noise
-constexpr double kLargestShare = 0.25;            // of the ink, in one dash
+constexpr std::size_t kFewest = 8, kMost = 1500;  // pieces of a dashed line, and of a line that is not noise
+constexpr double kLargestShare = 0.25;            // of the coverage, in one dash
 constexpr double kDustShare = 0.2;                // of the usual dash's area
-constexpr double kLongestGap = 2.5;               // in usual gaps: one dash may be missing under other ink
-// Gaps that are as long as the usual one, within 0.4 of it or a pixel and a half: of dashes 0.81 at least, of letters'
-// coloured rims 0.32 at most.
+constexpr double kLongestGap = 2.5;               // in usual gaps; one dash may be hidden
+// Share of gaps within 0.4 (or 1.5 px) of the usual one: of dashes at least 0.81, of coloured rims of letters
+// at most 0.32.
 constexpr double kRegularShare = 0.75, kRegularWithin = 0.4, kRegularWithin_px = 1.5;
 
-/// A connected piece of ink, known by the pixels that lie farthest out in eight directions.
+/// A connected piece, represented by its outermost pixels in eight directions.
 struct Piece {
   std::array<Point, 8> rim;
   double area_px = 0;
 };
 
-/// The two pixels by which two pieces come nearest to each other.
+/// The two nearest pixels of two pieces.
 struct Gap {
   Point from, to;
   double length_px = std::numeric_limits<double>::max();
@@ -55,7 +55,7 @@ std::vector<Piece> piecesOf(const Plane& own) {
   return pieces;
 }
 
-/// Whether the pieces are dashes; dust is taken from among them.
+/// Returns true if the pieces are dashes; removes dust from them.
 bool keepDashes(std::vector<Piece>& pieces) {
   if (pieces.size() < kFewest || pieces.size() > kMost) return false;
   std::vector<double> areas;

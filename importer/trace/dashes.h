@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines drawn in dashes or dots, made whole for the search of their course: where they climb, a search that earns by the
-// column pays more for the gaps than the ink between them is worth, and ends at the first steep stretch.
+// Joins dashed and dotted lines before the path search. Where such a line climbs, a search that earns by the
+// column pays more for gaps than the dashes are worth.
 
 #include <optional>
 
@@ -9,9 +9,9 @@
 
 namespace detent::importer::trace {
 
-/// The ink with the gaps between its pieces filled along the shortest tree that joins them, one pixel wide; gaps much
-/// longer than the usual one stay. Nothing where one piece holds a good part of the ink, or the gaps are of all lengths:
-/// that is no line drawn in dashes.
+/// Returns the coverage with gaps filled along the shortest tree that joins the pieces, one pixel wide; gaps
+/// much longer than the usual one stay. nullopt if one piece holds much of the coverage, or the gaps vary:
+/// not a dashed line.
 std::optional<Plane> withDashesJoined(const Plane& own);
 
 }  // namespace detent::importer::trace

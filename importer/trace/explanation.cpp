@@ -27,15 +27,15 @@ namespace {
 using namespace trace;
 
 constexpr float kInked = 0.5F;      // coverage
-constexpr double kBeside_px = 1.5;  // how far a line's edge may be off
-constexpr int kJoined_px = 2;       // pieces nearer than this hang together
+constexpr double kBeside_px = 1.5;  // allowed error of a line's edge
+constexpr int kJoined_px = 2;       // pieces closer than this are joined
 constexpr std::size_t kMostPoints = 400;
 
 /// One traced curve on the area.
 struct Drawn {
   std::vector<Point> points;
   double thickness_px = 1;  ///< a pixel at least
-  double inkAcross_px = 1;  ///< pixels of its full colour, likewise; a pixel at most
+  double inkAcross_px = 1;  ///< pixels of full colour across, at most one pixel
   Rgb color;
   bool fromVector = false;
 };
@@ -57,7 +57,7 @@ void fill(cv::Mat& mask, const Box& box, double grown_px) {
   if (seen.area() > 0) mask(seen).setTo(255);
 }
 
-/// The plot of one result, with what explains its ink.
+/// The plot of one result with everything that explains its pixels.
 class ExplainedPlot {
  public:
   ExplainedPlot(const PlotScene& scene, const std::vector<CurveTrace>& curves)
@@ -67,7 +67,7 @@ class ExplainedPlot {
       if (curve.points_px.size() < 2) continue;
       Drawn drawn{{}, 1, 1, curve.color, curve.fromVector};
       for (const Point& p : curve.points_px) drawn.points.push_back(area_.fromView(p));
-      // A document's straight stretch has two points.
+      // A straight stretch of a document has only two points.
       const double seen = scene.inkOf(curve.color).thicknessAlong(densified(drawn.points, 1));
       drawn.thickness_px = std::max(1.0, seen);
       drawn.inkAcross_px = std::min(1.0, seen);
@@ -85,14 +85,14 @@ class ExplainedPlot {
     return quantileOf(all, 0.5);
   }
 
-  /// 255 where a curve runs, as wide as it is drawn.
+  /// 255 where a curve runs, with its drawn width.
   cv::Mat curves() const {
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
     for (const Drawn& each : drawn_) draw(mask, each.points, each.thickness_px + 2 * kBeside_px);
     return mask;
   }
 
-  /// 255 where curves, words, masks and the plot's own lines account for what is drawn.
+  /// 255 where curves, words, masks and the plot's own lines explain what is drawn.
   cv::Mat explained() const {
     cv::Mat mask = curves();
     for (const Box& word : area_.words) fill(mask, word, 2);
@@ -102,12 +102,12 @@ class ExplainedPlot {
     return mask;
   }
 
-  /// Under a word, or close to one.
+  /// Returns true under or close to a word.
   bool mayBeHidden(Point p) const {
     return std::ranges::any_of(area_.words, [&](const Box& word) { return word.grown(4, 4).contains(p); });
   }
 
-  /// Neither ink near a place nor a word that may hide it.
+  /// Returns true if neither a mark nor a word that could hide one is near.
   bool isBare(Point p) const {
     constexpr int reach = 2;
     constexpr float asPaper = 40;  // colour levels
@@ -119,18 +119,19 @@ class ExplainedPlot {
     return true;
   }
 
-  /// Whether a curve, drawn through a place, is not there: as between two dashes, two pixels apart and more.
+  /// Returns true if a solid curve is missing at a place, as between two dashes at least two pixels apart.
   bool isGap(Point p, const Drawn& curve) const {
-    constexpr double reach_px = 0.6, mostOfInk = 0.4;  // the latter a share of the line's own colour levels
+    constexpr double reach_px = 0.6, mostOfInk = 0.4;  // px; share of the line's own colour levels
     if (mayBeHidden(p)) return false;
     const double ink = norm(color3Of(curve.color) - scene_.paper());
     for (const Point off : {Point{0, 0}, {reach_px, 0}, {-reach_px, 0}, {0, reach_px}, {0, -reach_px}})
       if (drawnAt(p + off) > mostOfInk * ink) return false;
-    // A line thinner than a pixel is paler where it lies between two: of dashes there is no ink across either.
+    // A line thinner than a pixel is paler between two pixels; between dashes there is nothing in either
+    // direction.
     return std::min(drawnAcross(p, {1, 0}), drawnAcross(p, {0, 1})) <= mostOfInk * ink * curve.inkAcross_px;
   }
 
-  /// 255 where ink of a colour is that is not explained, the plot's own lines apart.
+  /// 255 where a colour is not explained, without the plot's own lines.
   cv::Mat inked(Rgb color, const cv::Mat& explained) const {
     const InkOnArea& ink = scene_.inkOf(color);
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
@@ -149,7 +150,7 @@ class ExplainedPlot {
     return mask;
   }
 
-  /// How far every pixel that nothing explains stands out of paper and gridlines, whatever its colour, in shares of a curve's strength.
+  /// Contrast of unexplained pixels to paper and gridlines, of any colour, relative to a curve's strength.
   Plane standingOut(const cv::Mat& explained, const Drawn& curve) const {
     Plane out(area_.raster.width_px, area_.raster.height_px);
     const float full = std::max(1.0F, norm(color3Of(curve.color) - scene_.paper()));
@@ -169,9 +170,9 @@ class ExplainedPlot {
   }
   /// Colour levels.
   float apartFromPaper(int x, int y) const { return norm(scene_.pixel(x, y) - scene_.paperAt(x, y)); }
-  /// Likewise, summed over three pixels in a direction.
+  /// The same, summed over three pixels in a direction.
   double drawnAcross(Point p, Point step) const { return drawnAt(p - step) + drawnAt(p) + drawnAt(p + step); }
-  /// Colour levels, between pixels; infinite outside.
+  /// Colour levels, interpolated; infinite outside.
   double drawnAt(Point p) const {
     const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
     if (!isInside(x, y) || !isInside(x + 1, y + 1)) return std::numeric_limits<double>::infinity();
@@ -180,7 +181,7 @@ class ExplainedPlot {
                      std::lerp(apartFromPaper(x, y + 1), apartFromPaper(x + 1, y + 1), u), v);
   }
 
-  /// Clears a line of the plot where it is no thicker than it is elsewhere.
+  /// Clears a line of the plot where it is not thicker than usual.
   void takeLine(cv::Mat& mask, const InkOnArea& ink, double at, bool plumb) const {
     const std::vector<double> runs = runsAlong(ink, area_, at, plumb);
     const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
@@ -195,12 +196,12 @@ class ExplainedPlot {
   std::vector<Drawn> drawn_;
 };
 
-/// 0 at `bad`, 1 at `good`, straight between.
+/// Linear ramp: 0 at `bad`, 1 at `good`.
 double ramp(double value, double bad, double good) {
   return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
 }
 
-/// The end of a curve and the direction in which it runs out.
+/// End of a curve and the direction out of it.
 struct End {
   Point at, ahead;
   double thickness_px = 1;
@@ -222,12 +223,12 @@ std::vector<End> endsOf(const std::vector<Drawn>& drawn) {
   return ends;
 }
 
-/// The end at rest, from which a curve rises to the right.
+/// Returns true for the end at rest, from which a curve rises to the right.
 bool isStart(const End& end) { return end.ahead.x < 0 && end.ahead.y > 0; }
 
-/// Whether ink begins at a curve's end and leads away from it, forwards or up as a wall does.
+/// Returns true if a piece begins at a curve's end and leads away from it, forwards or up like a bottom-out.
 bool beginsAt(const std::vector<Point>& ink, const End& end) {
-  constexpr double backwards = -0.2;  // cosine to the curve's own direction
+  constexpr double backwards = -0.2;  // cosine with the curve's direction
   const auto [near, far] = std::ranges::minmax(ink, {}, [&](Point p) { return distance(p, end.at); });
   const double reach_px = 2 * end.thickness_px + 4;
   if (distance(near, end.at) > reach_px) return false;
@@ -256,7 +257,7 @@ Remainder remainderOf(const std::vector<Point>& ink, const ExplainedPlot& plot,
   return r;
 }
 
-/// A line of dashes by itself. Those along an axis are guides.
+/// An isolated dashed line. Those along an axis are marker lines.
 Remainder remainderOfDashes(const std::vector<Point>& ink, const ExplainedPlot& plot,
                             const std::vector<End>& ends) {
   constexpr double alongAxis = 0.05;  // of the longer side
@@ -269,7 +270,7 @@ Remainder remainderOfDashes(const std::vector<Point>& ink, const ExplainedPlot& 
   return r;
 }
 
-/// Marks above a curve's end, by which it goes on; plumb too, as walls are.
+/// Markers above a curve's end that continue it, also vertically.
 Remainder remainderOfMarks(const std::vector<Point>& ink, const ExplainedPlot& plot, const End& end) {
   Remainder r = remainderOf(ink, plot, {end});
   r.dashed = r.atAnEnd = true;
@@ -277,10 +278,10 @@ Remainder remainderOfMarks(const std::vector<Point>& ink, const ExplainedPlot& p
   return r;
 }
 
-/// Whether ink comes in many pieces alike: dots, which hang together across gaps as small as they are.
+/// Returns true if the pixels form many similar pieces: dots, joined across gaps of their own size.
 bool isDotted(const std::vector<Point>& ink, const cv::Mat& pieces) {
   constexpr std::size_t fewest = 8;
-  constexpr double within = 0.35, most = 0.75;  // of the usual area; of the pieces
+  constexpr double within = 0.35, most = 0.75;  // of the usual area; share of the pieces
   std::map<int, double> areas;
   for (const Point& p : ink) areas[pieces.at<int>(static_cast<int>(p.y), static_cast<int>(p.x))] += 1;
   std::vector<double> sizes;
@@ -298,7 +299,7 @@ std::vector<Rgb> colorsOf(const std::vector<Drawn>& drawn) {
   return colors;
 }
 
-/// 255 where ink of the curves' colours is left over.
+/// 255 where the curves' colours remain unexplained.
 cv::Mat leftOver(const ExplainedPlot& plot) {
   const cv::Mat explained = plot.explained();
   cv::Mat left(explained.size(), CV_8U, cv::Scalar(0));
@@ -309,7 +310,7 @@ cv::Mat leftOver(const ExplainedPlot& plot) {
 Patches patchesOf(const ExplainedPlot& plot, const cv::Mat& left) {
   constexpr int leastSide_px = 5;
   constexpr double timesALine = 1.5;  // thicknesses
-  // A drawing's own paths were followed, no rim.
+  // A drawing's own paths are no rims.
   if (std::ranges::all_of(plot.drawn(), &Drawn::fromVector)) return {};
   double curves_px = 0;
   for (const Drawn& each : plot.drawn()) curves_px += lengthOf(each.points) * each.thickness_px;
@@ -358,14 +359,15 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
   const std::vector<std::vector<Point>> marks = marksUpFrom(places, left, curves);
   for (std::size_t i = 0; i < tops.size(); ++i)
     if (!marks[i].empty()) all.push_back(remainderOfMarks(marks[i], plot, tops[i]));
-  // Dashes that hang together are seen twice: as a line of them first.
+  // Connected dashes appear twice; as a dashed line first.
   std::ranges::sort(all, std::greater<>{},
                     [](const Remainder& r) { return std::pair(r.likeness, r.dashed); });
   return all;
 }
 
-/// Whether the way between two points turns sharply out of the curve before it, or into the curve behind it. Points lie a
-/// pixel apart; the line's own rim, to either side, still runs the leap's way.
+/// Returns true if the way between two points turns sharply out of the curve before it, or into the curve
+/// behind it. Points are a pixel apart; the line's own rim on either side still has the direction of the
+/// jump.
 bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_t to, double thickness_px) {
   constexpr double mostCosine = 0.5;  // turned by 60 degrees
   const auto rim = static_cast<std::size_t>(thickness_px + 4), look = 3 * rim;
@@ -378,8 +380,8 @@ bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_
   return turned(before(rim) - before(look)) || turned(behind(look) - behind(rim));
 }
 
-/// Whether a curve is drawn without gaps over a good part of its course where no other runs and no word hides it: over more than a
-/// few of its dashes at once, as between the last of them and an end no more are.
+/// Returns true if a curve is solid over a good part of its path where no other runs and no word hides it:
+/// over more than a few dashes at once, because there are no more between the last dash and an end.
 bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std::vector<Point>& points,
                        const std::vector<Stretch>& dashed, const BareAt& isGap) {
   constexpr double leastShare = 0.1;  // of the points
@@ -408,14 +410,14 @@ bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std:
   return alone > leastShare * static_cast<double>(points.size());
 }
 
-/// Where a curve drawn through takes the way of a line of dashes.
+/// Where a solid curve runs along a dashed line.
 std::vector<Leap> overDashes(const ExplainedPlot& plot) {
   constexpr double leastShare = 0.08;  // of the diagonal
   const Box& frame = plot.area().frame;
   const double diagonal_px = std::hypot(frame.width(), frame.height());
   std::vector<Leap> leaps;
   for (const Drawn& each : plot.drawn()) {
-    if (each.fromVector) continue;  // its own pieces say what belongs together
+    if (each.fromVector) continue;  // its own pieces show what belongs together
     const std::vector<Point> points = densified(each.points, 1);
     const auto isGap = [&](Point p) { return plot.isGap(p, each); };
     std::vector<Stretch> dashed = dashedStretches(points, each.thickness_px, isGap);
@@ -451,7 +453,7 @@ std::vector<Leap> leapsOf(const ExplainedPlot& plot) {
   return leaps;
 }
 
-/// Whether ink is the sample of a legend: level, beside a curve's name, in its row.
+/// Returns true for a legend key: horizontal, beside a curve's name, in its row.
 bool isSampleOf(const CurveTrace& curve, const Remainder& left) {
   constexpr double farthest = 2.5, longest = 8;  // name heights
   const Box& name = curve.labelBox_px;
@@ -462,7 +464,7 @@ bool isSampleOf(const CurveTrace& curve, const Remainder& left) {
          gap_px <= farthest * name.height() && left.box_px.width() <= longest * name.height();
 }
 
-/// Clears what is so wide in every direction.
+/// Clears places that are wide in every direction.
 void clearAreas(Plane& plane, int least_px) {
   cv::Mat values = matOf(plane);
   cv::Mat wide;
@@ -473,9 +475,9 @@ void clearAreas(Plane& plane, int least_px) {
 }
 
 LineBeside lineBeside(const ExplainedPlot& plot) {
-  constexpr int blur_px = 2;           // of the curve's own edge
-  constexpr double mostThickness = 2;  // of the curve's: what is wider in every direction is an area
-  constexpr double columns = 260;      // to which the plot is pooled, as where curves are looked for
+  constexpr int blur_px = 2;           // blur of the curve's own edge
+  constexpr double mostThickness = 2;  // times the curve's; wider in every direction is an area
+  constexpr double columns = 260;      // width to which the plot is pooled, as in the search for curves
   const Drawn& curve = plot.drawn().front();
   cv::Mat explained = plot.explained();
   cv::dilate(explained, explained,

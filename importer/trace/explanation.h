@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What of the page a result leaves unexplained: the curves are drawn back onto the plot with the plot's lines and words,
-// and what ink remains is looked at. Pixels of the view, so that documents and pictures are judged alike.
+// What a result leaves unexplained: the curves are drawn back onto the plot with its lines and words, and the
+// remaining pixels are examined. On pixels of the view, so that documents and pictures are treated alike.
 
 #include <vector>
 
@@ -9,47 +9,47 @@
 
 namespace detent::importer {
 
-/// Connected ink in a curve's colour that no curve, line or word of the plot explains.
+/// Connected pixels in a curve's colour that no curve, line or word explains.
 struct Remainder {
   Box box_px;                 ///< view pixels
-  std::vector<Point> ink_px;  ///< its pixels, thinned to some hundred; view pixels
+  std::vector<Point> ink_px;  ///< its pixels, thinned to a few hundred; view pixels
   double length = 0;          ///< of its extent, share of the plot's diagonal
   double width = 0;           ///< of its extent along the displacement axis, share of the plot's width
   double thickness = 0;       ///< in thicknesses of the curves
-  bool straight = false;      ///< as leaders, guides and boxes are
+  bool straight = false;      ///< like leaders, marker lines and boxes
   bool atAnEnd = false;       ///< begins where a curve ends
-  bool dashed = false;        ///< a line of dashes by itself
-  /// How much it looks like a curve, 0..1: long, thin, bent, or the straight continuation of a curve's end.
+  bool dashed = false;        ///< an isolated dashed line
+  /// Likeness to a curve, 0..1: long, thin, bent, or the straight continuation of a curve's end.
   double likeness = 0;
 };
 
-/// Where a curve crosses bare paper in a direction that its ink does not have on both sides.
+/// A jump of the trace: it crosses bare paper in a direction that it does not have on both sides.
 struct Leap {
   Point from_px, to_px;  ///< view pixels
   double length = 0;     ///< share of the plot's diagonal
 };
 
-/// Ink left over as no line makes it: solid over more than a line's thickness in every direction.
+/// Remaining solid patches, wider than a line in every direction.
 struct Patches {
-  double share = 0;  ///< of their insides, in areas of the curves' ink
-  Point at_px;       ///< in one of them, view pixels
+  double share = 0;  ///< area of their insides relative to the curves' area
+  Point at_px;       ///< inside one of them, view pixels
 };
 
-/// The line that runs on what nothing explains, in whatever ink and however pale, above or below the one curve that was traced.
+/// An unexplained line, of any colour and however pale, above or below the only traced curve.
 struct LineBeside {
-  double share = 0;  ///< of the curve's travel, by columns with ink
+  double share = 0;  ///< of the curve's travel, by columns with pixels
   Point at_px;       ///< on it, view pixels
 };
 
-/// What of a plot a result does not explain, and what of the result the plot does not.
+/// What of a plot a result does not explain, and where the result has no support.
 struct Explanation {
-  std::vector<Remainder> left;  ///< the most curve-like first
-  std::vector<Leap> leaps;      ///< the longest first
-  Patches patches;              ///< in the curves' colours: what was followed may be a ground
-  LineBeside beside;            ///< of a curve that was traced alone
+  std::vector<Remainder> left;  ///< most curve-like first
+  std::vector<Leap> leaps;      ///< longest first
+  Patches patches;              ///< in the curves' colours; the traced line may be the edge of a filled area
+  LineBeside beside;            ///< for a curve that was traced alone
 };
 
-/// `curves`: all that were traced, those of other switches too.
+/// `curves`: all traced ones, including those of other switches.
 Explanation explain(const trace::PlotScene& scene, const std::vector<CurveTrace>& curves);
 
 }  // namespace detent::importer

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double leastSlenderness = 2.5;  // length over width
 
-/// The outline without the spikes that it has where it doubles back on itself: on the inner side of a bend sharper than the line is
-/// wide, offset edges overlap, and some programs go to the line's middle between them.
+/// Removes spikes of the outline. On the inner side of a bend sharper than the line's width, offset edges
+/// overlap, and some programs go to the line's middle between them.
 Polyline withoutSpikes(Polyline ring, double longest_px) {
   constexpr double turnedBack = -0.42;  // cosine of 115 degrees
   for (std::size_t i = 0, kept = 0; kept < ring.size() && ring.size() > 4;) {
@@ -24,13 +24,13 @@ Polyline withoutSpikes(Polyline ring, double longest_px) {
       continue;
     }
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
-    i = (at + ring.size() - 1) % ring.size(), kept = 0;  // its neighbour before it may be one now
+    i = (at + ring.size() - 1) % ring.size(), kept = 0;  // the previous vertex may be a spike now
   }
   return ring;
 }
 
-/// The two caps: the edges where the outline turns back. An end of a line of width w has two corners (or an
-/// arc) within about w along the ring over which the direction turns by half a turn.
+/// Finds the two caps: the edges where the outline turns back. An end of a line of width w has two corners
+/// (or an arc) within about w along the ring, over which the direction turns by half a turn.
 std::optional<std::pair<std::size_t, std::size_t>> capEdges(const Polyline& ring, double width) {
   const std::size_t n = ring.size();
   struct Cap {
@@ -43,7 +43,7 @@ std::optional<std::pair<std::size_t, std::size_t>> capEdges(const Polyline& ring
     return std::atan2(b.y - a.y, b.x - a.x);
   };
   for (std::size_t start = 0; start < n; ++start) {
-    // Edges from `start` whose lengths add up to no more than the cap's size.
+    // Edges from `start` with a total length of at most the cap's size.
     double along = 0, turned = 0;
     for (std::size_t k = 1; k < n; ++k) {
       turned += std::remainder(direction(start + k) - direction(start + k - 1), 2 * M_PI);
@@ -92,7 +92,7 @@ std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double max
   if (!(width > 0) || width > maxWidth_px || length < leastSlenderness * width) return std::nullopt;
   const auto caps = capEdges(ring, width);
   if (!caps) return std::nullopt;
-  // Edge i runs from vertex i to the next one: one side begins behind the first cap's edge and ends before
+  // Edge i runs from vertex i to the next one; one side begins behind the first cap's edge and ends before
   // the second's.
   const auto vertex = [&](std::size_t i) { return ring.begin() + static_cast<std::ptrdiff_t>(i); };
   const Polyline one(vertex(caps->first + 1), vertex(caps->second + 1));

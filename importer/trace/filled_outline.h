@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines that a drawing program has turned into filled outlines. Private to importer/trace.
+// Lines that a drawing program has converted to filled outlines. Private to importer/trace.
 
 #include <optional>
 #include <vector>
@@ -14,8 +14,8 @@ struct OutlineCentre {
   double width_px = 0;
 };
 
-/// Centre line of a long thin filled shape; nothing if the shape is no line (letters, boxes, arrow heads,
-/// areas). `maxWidth_px`: wider shapes are no lines.
+/// Centre line of a long thin filled shape; nullopt for other shapes (letters, boxes, arrow heads, areas).
+/// `maxWidth_px`: wider shapes are no lines.
 std::optional<OutlineCentre> centreOfOutline(const std::vector<Point>& outline, double maxWidth_px);
 
 }  // namespace detent::importer

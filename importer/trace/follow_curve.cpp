@@ -12,22 +12,21 @@ namespace detent::importer::trace {
 
 namespace {
 
-// The coverage that counts as no ink and as nothing but ink. A thin line's ridge shares its ink between two
-// pixels; a thick one's is full of it, so that paler things in the same hue are told apart.
+// Coverages that count as none and as full. A thin line's ridge shares its coverage between two pixels; a
+// thick one's is full, so paler marks of the same hue can be told apart.
 constexpr float kThinFrom = 0.0F, kThinFull = 0.65F;
 constexpr float kThickFrom = 0.3F, kThickFull = 0.9F;  // coverages; lines of kThick_px and more
 constexpr double kThick_px = 1.8;
 
 constexpr float kLeakWorth =
-    0.6F;  // of a covered pixel with own ink at the cover's edge, against a pixel of plain ink
+    0.6F;  // worth of a covered pixel with own colour at the cover's edge, relative to a plain pixel
 constexpr float kLeakFull = 0.2F;  // own coverage at the edge that makes such a trace certain
 constexpr float kWallColumn =
-    3;  // what a column costs on an end wall: only a wall is worth it, not a stretch of curve
+    3;  // cost of a column on a steep end; only a steep end is worth it, not a stretch of curve
 
-/// A path runs through these stages in order; the first and the last are optional. Only there does a rise or
-/// fall earn anything, and only in one direction: walls at the ends are followed to their tips, while in
-/// between every column counts once, so that a marker line or an arrow that stands on the curve is no detour
-/// worth taking.
+/// Stages of a path in order; the first and the last are optional. Only there does a rise or fall earn, and
+/// only in one direction: steep ends are followed to their tips, while in between every column counts once,
+/// so that a marker line or an arrow on the curve is no detour worth taking.
 enum Stage : int { headUp, headDown, body, tailUp, tailDown };
 constexpr int kStages = 5;
 
@@ -67,8 +66,8 @@ class CurveSearch {
   float inkAt(int x, int y) const {
     return std::clamp((field_.own.at(x, y) - inkFrom_) / (inkFull_ - inkFrom_), 0.0F, 1.0F);
   }
-  /// What the pixels of a column cost and are worth. A pixel shows ink, or where another curve covers it the traces that
-  /// a line beneath it leaves at the cover's edges; one that shows nothing has the price of bridging it.
+  /// Costs and gains of a column's pixels. A pixel shows the colour, or, under another curve, the traces of a
+  /// line beneath it at the cover's edges; other pixels have the price of bridging.
   void priceColumn(int x) {
     const auto paper = static_cast<float>(options_.paperCost),
                hidden = static_cast<float>(options_.hiddenCost),
@@ -124,7 +123,7 @@ class CurveSearch {
       runAlongColumn(x, body, false, rise_);
       runAlongColumn(x, tailUp, true, gain_);
       runAlongColumn(x, tailDown, false, gain_);
-      // A way ends where it gains.
+      // A path ends where it gains.
       for (int stage = 0; stage < kStages; ++stage)
         for (const std::size_t r : gaining_)
           if (value_[static_cast<std::size_t>(stage)][r] > bestGain_) {
@@ -136,7 +135,7 @@ class CurveSearch {
     }
   }
 
-  /// From the column before into every stage, later ones first: they come from what was before.
+  /// From the previous column into every stage, later stages first, because they use the previous values.
   void arrive(int x) {
     const std::size_t n = rows();
     const float* gain = gain_.data();
@@ -243,8 +242,7 @@ CoarseCurve followCurve(const CurveField& field, const Box& within, const Follow
 }
 
 double lineThickness(const Plane& own) {
-  // Runs of ink down the columns: flat stretches give the thickness, steep ones more, so a low quantile is
-  // taken.
+  // Runs down the columns: flat stretches give the thickness, steep ones more, so a low quantile is used.
   std::vector<float> runs;
   for (int x = 0; x < own.width; x += 2) {
     float run = 0;

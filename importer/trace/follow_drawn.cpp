@@ -14,10 +14,11 @@ using trace::Color3, trace::colorAt;
 
 constexpr double offsetStep_px = 0.5;
 constexpr double leastInkContrast = 24;  // of 442; less is paper
-constexpr double awayCost = 0.12;        // of ink at the end of the reach: the hand was near where it meant
-constexpr double bendCost = 0.06;        // of ink per half pixel from one point to the next, squared
+// of coverage at the end of the reach; the drawn line is probably close
+constexpr double awayCost = 0.12;
+constexpr double bendCost = 0.06;        // of coverage per half pixel from one point to the next, squared
 constexpr int steepest = 2;              // half pixels from one point to the next
-constexpr double centreWithin_px = 2.5;  // ink that belongs to one line
+constexpr double centreWithin_px = 2.5;  // coverage of one line
 constexpr double clearlyInk = 0.3;       // coverage
 
 double distance(Color3 a, Color3 b) { return norm(a - b); }
@@ -32,7 +33,7 @@ std::vector<Point> withoutRepeats(const std::vector<Point>& points) {
   return out;
 }
 
-// Centripetal Catmull-Rom (Yuksel, Schaefer, Keyser 2011): no loops and no overshoot where clicks are uneven.
+// Centripetal Catmull-Rom spline (Yuksel, Schaefer, Keyser 2011): no loops or overshoot with uneven points.
 Point onSpline(const std::array<Point, 4>& p, double share) {
   std::array<double, 4> t{};
   for (std::size_t i = 1; i < 4; ++i) t[i] = t[i - 1] + std::max(std::sqrt(distance(p[i - 1], p[i])), 1e-6);
@@ -66,7 +67,7 @@ Point normalAt(const std::vector<Point>& line, std::size_t i) {
   return length > 0 ? Point{-(b.y - a.y) / length, (b.x - a.x) / length} : Point{0, 1};
 }
 
-// Between the four pixels around; beyond the picture its edge goes on.
+// Bilinear; beyond the picture its edge continues.
 Color3 colorBetween(const Raster& raster, Point p) {
   const double x = std::clamp(p.x, 0.0, raster.width_px - 1.0),
                y = std::clamp(p.y, 0.0, raster.height_px - 1.0);
@@ -113,8 +114,8 @@ Color3 medianOf(std::vector<Color3> colors) {
   return {median(&Color3::r), median(&Color3::g), median(&Color3::b)};
 }
 
-/// How much of each colour is the line's ink: 1 the ink, 0 the paper. The ink is what stands out most from the
-/// paper near the line, in the middle of all rows; other inks that cross it count less the less they are like it.
+/// Coverage of each colour by the line: 1 the line, 0 the paper. The line's colour is the one that differs
+/// most from the paper near the middle of all rows; other colours count by their similarity.
 std::vector<double> inkOf(const Band& band) {
   const Color3 paper = medianOf(band.colors);
   std::vector<Color3> strongest;
@@ -139,7 +140,7 @@ std::vector<double> inkOf(const Band& band) {
   return ink;
 }
 
-/// The course of offsets with the most ink for the least bending (dynamic programming).
+/// The path of offsets with the most coverage for the least bending (dynamic programming).
 std::vector<std::size_t> bestCourse(const Band& band, const std::vector<double>& ink) {
   const std::size_t columns = band.columns;
   std::vector<double> cost(columns, 0), next(columns);
@@ -172,7 +173,7 @@ std::vector<std::size_t> bestCourse(const Band& band, const std::vector<double>&
   return course;
 }
 
-// The middle of the ink around an offset; the offset itself where there is none.
+// The middle of the line around an offset; the offset itself if there is none.
 double centred(const Band& band, const std::vector<double>& ink, std::size_t row, std::size_t column) {
   double sum = 0, moment = 0;
   const auto within = static_cast<std::size_t>(centreWithin_px / offsetStep_px);

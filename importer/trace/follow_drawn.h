@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Beside tracing: a curve that a person drew along its ink, where the tracer did not find it.
+// Follows a curve that a person drew where the tracer did not find it.
 
 #include <vector>
 
@@ -8,16 +8,15 @@
 
 namespace detent::importer {
 
-/// How a drawn line is followed. Plain value.
+/// Options for following a drawn line. Plain value.
 struct DrawnOptions {
-  double reach_px = 8;    ///< how far from the line ink is looked for; (0, 64]
-  double spacing_px = 1;  ///< of the points that come out; (0, 16]
+  double reach_px = 8;    ///< search distance from the line; (0, 64]
+  double spacing_px = 1;  ///< spacing of the resulting points; (0, 16]
 };
 
-/// Points along a smooth line through the drawn ones, each pulled to the middle of the ink near it. The pull is
-/// one course over the whole line, not point for point: where the ink has a gap or is crossed by a gridline
-/// the line goes on as it was; without any ink it stays as drawn. Fewer than two different points give nothing.
-/// View pixels; any thread.
+/// Returns points along a smooth line through the drawn ones, each pulled to the middle of the curve near it.
+/// The pull is one path for the whole line: across gaps and gridlines the line continues, and without any
+/// curve it stays as drawn. Fewer than two different points give an empty result. View pixels; any thread.
 std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& drawn_px,
                                const DrawnOptions& options = {});
 

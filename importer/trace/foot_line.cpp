@@ -12,17 +12,17 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kLeastTail = 0.05;     // of the frame's width: shorter ones are the rounding of a corner
-constexpr double kLeastBare = 0.03;     // of it, for the line to be known where no curve is
-constexpr double kLeastThicker = 1.12;  // times the line's own: a curve drawn over it would show
+constexpr double kLeastTail = 0.05;     // of the frame's width; shorter ones are rounded corners
+constexpr double kLeastBare = 0.03;     // of the frame's width without curves, to know the axis' thickness
+constexpr double kLeastThicker = 1.12;  // times the axis' own; a curve drawn over it would be visible
 constexpr double kSame =
-    0.35;  // of the step from the line's thickness to the curve's: what is less is the line
-constexpr double kThickest_px = 8;  // of a curve: what is farther from the foot line is not on it
-constexpr double kBeside = 3;       // widths of the curve within which it thickens the line
-constexpr double kColumn_px = 3;    // beside a plumb line of the plot, where the foot line is thicker
+    0.35;  // of the difference between the axis' and the curve's thickness; less is the axis
+constexpr double kThickest_px = 8;  // of a curve; points farther from the axis are not on it
+constexpr double kBeside = 3;       // curve widths within which it thickens the axis
+constexpr double kColumn_px = 3;    // beside a vertical line of the plot, where the axis is thicker
 
-/// How thick the foot line is between two places, at the columns that `take` wants and no plumb line of the plot crosses;
-/// nothing where they are fewer than `least_px`.
+/// Thickness of the x axis between two places, at columns accepted by `take` and not crossed by a vertical
+/// line of the plot; nullopt for fewer than `least_px` columns.
 template <class Take>
 std::optional<double> footThickness(const InkOnArea& ink, const PlotArea& area, double from, double to,
                                     double least_px, Take take) {
@@ -42,7 +42,7 @@ std::vector<Point> onArea(const CurveTrace& trace, const PlotArea& area) {
   return points;
 }
 
-/// Whether any of the curves comes near the foot line in a column.
+/// Marks the columns in which any curve comes near the x axis.
 std::vector<char> columnsNearFoot(const std::vector<CurveTrace>& traces, const PlotArea& area,
                                   double near_px) {
   std::vector<char> near(static_cast<std::size_t>(area.raster.width_px), 0);
@@ -58,7 +58,7 @@ std::vector<char> columnsNearFoot(const std::vector<CurveTrace>& traces, const P
   return near;
 }
 
-/// The points at a trace's left end that lie on the foot line: past the last of them, if they are a stretch worth looking at.
+/// Number of points at a trace's left end that lie on the x axis; nullopt if too short.
 std::optional<std::size_t> tailOnFoot(const std::vector<Point>& points, const PlotArea& area,
                                       double within_px) {
   const auto leaves =
@@ -68,7 +68,7 @@ std::optional<std::size_t> tailOnFoot(const std::vector<Point>& points, const Pl
   return static_cast<std::size_t>(leaves - points.begin());
 }
 
-/// How many points at a trace's left end lie on the foot line and are nothing but that line.
+/// Number of points at a trace's left end that lie on the x axis and are only the axis.
 std::size_t pointsOnFootLine(const CurveTrace& trace, const std::vector<CurveTrace>& traces,
                              const PlotArea& area, const InkOnArea& ink) {
   const std::vector<Point> points = onArea(trace, area);
@@ -89,8 +89,8 @@ std::size_t pointsOnFootLine(const CurveTrace& trace, const std::vector<CurveTra
   return *here < std::lerp(*own, thick_px, kSame) ? *tail - 1 : 0;
 }
 
-/// How many points at a trace's right end are none of its ink: on the frame's upper or right line, and what leads there over
-/// bare paper.
+/// Number of points at a trace's right end without its colour: on the frame's upper or right edge, and the
+/// way there over bare paper.
 std::size_t pointsBeyondInk(const std::vector<Point>& points, const PlotArea& area, const InkOnArea& ink) {
   constexpr double near_px = 3, bare = 0.3, leastBare = 0.02;  // coverage; of the frame's height
   const Box& frame = area.frame;

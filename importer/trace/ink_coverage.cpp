@@ -11,11 +11,11 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr float kMaxCoverage = 1.2F;      // over 1: an ink has darker pixels than its mean
+constexpr float kMaxCoverage = 1.2F;      // above 1, because a colour has darker pixels than its mean
 constexpr float kResidualFloor = 5;       // colour levels: rounding and neighbouring shades
-constexpr float kResidualShare = 0.045F;  // of the difference: an ink's shade is known only so well
+constexpr float kResidualShare = 0.045F;  // of the difference; a colour's shade is known only approximately
 
-/// What one pixel may be made of.
+/// Possible composition of a pixel.
 struct Mixture {
   int first = -1, second = -1;
   float a = 0, b = 0;
@@ -45,7 +45,7 @@ class PixelUnmixer {
     for (std::size_t k = 0; k < full_.size(); ++k)
       for (std::size_t j = 0; j < k; ++j) {
         const Mixture pair = explainByTwo(difference, behind, k, j);
-        // A second ink has to earn its place: two explain more than one whatever is there.
+        // A second colour must improve the fit much, because two always explain more than one.
         if (pair.residual < 0.5F * best.residual) best = pair;
         if (isCurve_[k] && isCurve_[j] && pair.residual < curves.residual) curves = pair;
       }
@@ -58,7 +58,7 @@ class PixelUnmixer {
     const float uu = dot(u, u), vv = dot(v, v), uv = dot(u, v);
     const float determinant = uu * vv - uv * uv;
     Mixture pair;
-    // Not less alone: where an ink is what lies behind it, both sides are 0.
+    // Not less than this: if a colour equals what lies behind it, both sides are 0.
     if (determinant <= 1e-3F * uu * vv) return pair;
     const float du = dot(difference, u), dv = dot(difference, v);
     float a = (du * vv - dv * uv) / determinant, b = (dv * uu - du * uv) / determinant;
@@ -110,7 +110,7 @@ Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks) {
       const float tolerance = kResidualFloor + 2 * scene.noise() + kResidualShare * length;
       const Mixture mixture = unmixer.explain(pixel, behind, tolerance);
       const std::size_t i = coverage.unknown.index(x, y);
-      if (mixture.residual > std::max(2.5F * tolerance, 0.2F * length)) {  // none of these inks
+      if (mixture.residual > std::max(2.5F * tolerance, 0.2F * length)) {  // none of these colours
         coverage.unknown.values[i] = std::min(1.0F, length / typical);
         continue;
       }

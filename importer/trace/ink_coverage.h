@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How much of each pixel each ink covers: the pixel is explained by the backdrop and as few inks as possible
-// (one; two where lines cross or touch).
+// Coverage of each pixel by each colour: a pixel is the background and as few colours as possible (one; two
+// where lines cross or touch).
 
 #include <vector>
 
@@ -10,11 +10,11 @@
 namespace detent::importer::trace {
 
 struct Coverage {
-  std::vector<Plane> ink;  ///< one per ink of the palette, 0..1.2
-  Plane unknown;           ///< covered by something no ink explains
+  std::vector<Plane> ink;  ///< one per colour of the palette, 0..1.2
+  Plane unknown;           ///< covered by something that no colour explains
 };
 
-/// Pixels of the largest coverage in blocks of `factor`²: enough to see where curves run.
+/// Maxima in blocks of `factor`² pixels, sufficient for the path search.
 Plane pooled(const Plane& plane, int factor);
 
 Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks);

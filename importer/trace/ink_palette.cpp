@@ -11,7 +11,7 @@ namespace detent::importer::trace {
 namespace {
 
 constexpr int kCells = 40;        // per axis of the direction cube, [-1, 1]
-constexpr float kDarkest = 1.5F;  // of an ink's strength: what letters in it may have
+constexpr float kDarkest = 1.5F;  // of a colour's strength; letters of it may have this much
 
 struct Sample {
   Color3 direction;
@@ -30,7 +30,7 @@ std::vector<Sample> inkSamples(const PlotScene& scene, const Mask& excluded) {
   const float threshold = std::max(24.0F, scene.inkThreshold());
   std::vector<Sample> samples;
   const Raster& r = area.raster;
-  // Half a pixel inside the frame, so that a frame line thicker than measured has no say.
+  // Half a pixel inside the frame, to exclude a frame line thicker than measured.
   const int x0 = std::max(0, static_cast<int>(std::ceil(area.frame.x0 + 0.5)));
   const int y0 = std::max(0, static_cast<int>(std::ceil(area.frame.y0 + 0.5)));
   const int x1 = std::min(r.width_px - 1, static_cast<int>(std::floor(area.frame.x1 - 0.5)));
@@ -40,7 +40,7 @@ std::vector<Sample> inkSamples(const PlotScene& scene, const Mask& excluded) {
       const std::size_t i =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width_px) + static_cast<std::size_t>(x);
       if (!excluded.empty() && excluded[i]) continue;
-      // Over a gridline the difference to the backdrop points elsewhere than over paper.
+      // Over a gridline the difference to the background has another direction than over paper.
       if (scene.onLine(x, y)) continue;
       const Color3 difference = scene.pixel(x, y) - scene.behind(x, y);
       const float length = norm(difference);
@@ -49,7 +49,7 @@ std::vector<Sample> inkSamples(const PlotScene& scene, const Mask& excluded) {
   return samples;
 }
 
-/// Centre of the fullest neighbourhood, refined by averaging what lies within `cosine` of it.
+/// Centre of the densest neighbourhood, refined by averaging what lies within `cosine` of it.
 Color3 densestDirection(const std::vector<Sample>& samples, const std::vector<char>& taken, float cosine) {
   std::vector<float> cells(static_cast<std::size_t>(kCells * kCells * kCells), 0);
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -71,7 +71,8 @@ Color3 densestDirection(const std::vector<Sample>& samples, const std::vector<ch
   return centre;
 }
 
-/// Whether p lies between two inks' differences, as pixels do where one line's edge runs over another line.
+/// Returns true if p lies between the differences of two colours, like pixels where one line's edge runs over
+/// another line.
 bool isBlend(const Ink& p, const Ink& a, const Ink& b) {
   const Color3 u = a.difference(), v = b.difference(), w = p.difference();
   const Color3 along = v - u;
@@ -125,8 +126,8 @@ void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene) {
   PaletteLimits one;
   one.maxInks = 1;
   for (const Ink& letter : findInks(scene, others, one)) {
-    // The rim of a grey line is no ink of black letters: what is darker than an ink can be is explained by others, and two of
-    // opposite colours make black.
+    // The rim of a grey line is no colour of black letters: other colours explain what is darker than a
+    // colour can be, and two opposite colours make black.
     const bool known = std::any_of(inks.begin(), inks.end(), [&](const Ink& ink) {
       return dot(ink.direction, letter.direction) > 0.99F && letter.strength <= kDarkest * ink.strength;
     });

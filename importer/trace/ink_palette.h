@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which inks stand in front of the backdrop. An anti-aliased, thin or pale line shows its ink only mixed with
-// what lies behind, so inks are told by the *direction* of the colour difference, which mixing does not
-// change; how far they go is the strength.
+// The colours in front of the background. An antialiased, thin or pale line shows its colour only mixed with
+// what lies behind, so colours are told apart by the *direction* of their difference, which mixing does not
+// change; its length is the strength.
 
 #include <vector>
 
@@ -12,16 +12,16 @@ namespace detent::importer::trace {
 
 struct PaletteLimits {
   int maxInks = 8;
-  double minMass_px = 12;     ///< fainter inks are dust
-  double mergeAngle_deg = 9;  ///< directions closer than this are one ink
+  double minMass_px = 12;     ///< fainter colours are dust
+  double mergeAngle_deg = 9;  ///< closer directions are one colour
 };
 
-/// Inks by mass, heaviest first; pixels set in `excluded` have no say. Blends of two heavier inks are left
-/// out.
+/// Colours by number of pixels, largest first; pixels set in `excluded` are ignored. Blends of two larger
+/// colours are left out.
 std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const PaletteLimits& limits = {});
 
-/// Adds the ink most letters have, unless it is in the palette. Without it their pixels would be taken for the nearest
-/// curve's.
+/// Adds the colour of most letters, unless it is in the palette; otherwise their pixels would count as the
+/// nearest curve's.
 void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

@@ -16,17 +16,17 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr float kMost = 0.8F;         // of the ink's strength, that a paler line reaches
-constexpr float kMaxCoverage = 1.2F;  // coverage, as unmix has it
+constexpr float kMost = 0.8F;         // of the colour's strength, for a paler line
+constexpr float kMaxCoverage = 1.2F;  // coverage, as in unmix
 
 cv::Mat square(int reach_px) {
   return cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
 }
 
-/// 255 where a line stands that reaches `level`, its soft edges with it.
+/// 255 on lines that reach `level`, with their soft edges.
 cv::Mat linesReaching(const cv::Mat& ink, float level) {
-  constexpr int between_px = 3;   // thin lines lie between pixels for a while
-  constexpr double fading = 0.6;  // what is paler than so beside an edge is the edge's blur
+  constexpr int between_px = 3;   // thin lines lie between two pixels for a while
+  constexpr double fading = 0.6;  // paler pixels beside an edge are its blur
   cv::Mat lines;
   cv::morphologyEx(ink >= level, lines, cv::MORPH_CLOSE, square(between_px));
   cv::dilate(lines, lines, square(1));
@@ -37,7 +37,7 @@ cv::Mat linesReaching(const cv::Mat& ink, float level) {
   return lines;
 }
 
-/// Leads the last point of `line` on beside `other`, whose last point is its end on this side.
+/// Extends the last point of `line` beside `other`, whose last point is its end on this side.
 void leadOn(std::vector<Point>& line, std::vector<double>& widths, const std::vector<Point>& other,
             double within_px) {
   constexpr std::size_t look = 6;   // points back, a pixel apart
@@ -59,12 +59,12 @@ void leadOn(std::vector<Point>& line, std::vector<double>& widths, const std::ve
 }  // namespace
 
 bool areShades(const Ink& a, const Ink& b) {
-  constexpr float same = 0.99999F;  // cosine: a shade is made with its ink's direction
+  constexpr float same = 0.99999F;  // cosine; a shade has its colour's direction by construction
   return dot(a.direction, b.direction) > same;
 }
 
 float ridgeLevel(const Plane& plane) {
-  constexpr double core = 0.85;  // quantile: thin lines lie between pixels here and there
+  constexpr double core = 0.85;  // quantile; thin lines lie between pixels here and there
   const cv::Mat all = matOf(plane);
   cv::Mat highest;
   cv::dilate(all, highest, square(1));
@@ -117,7 +117,7 @@ void clearPlotLines(std::vector<Plane>& coverage, const std::vector<Ink>& inks, 
 }
 
 void leadBeside(CurveTrace& paler, const CurveTrace& stronger) {
-  constexpr double edge_px = 2.5;  // of a line's blur, as it is taken for the stronger one's
+  constexpr double edge_px = 2.5;  // of a line's blur, as assumed for the stronger one
   if (paler.points_px.empty() || stronger.points_px.empty()) return;
   const double within_px =
       0.5 * (quantileOf(paler.width_px, 0.5) + quantileOf(stronger.width_px, 0.5)) + edge_px;

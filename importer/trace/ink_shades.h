@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Two lines in one direction of colour and of different strength: black and grey, blue and pale blue. An ink's direction does not
-// tell them apart, as mixing with paper keeps it; how strong a line is at its core does (docs/develop/decisions/0500-colours-of-curves.md).
+// Two lines with one direction of colour and different strengths: black and grey, blue and pale blue.
+// Directions do not separate them, because mixing with paper keeps the direction; the strength at a line's
+// core does (docs/develop/decisions/0500-colours-of-curves.md).
 
 #include <optional>
 #include <vector>
@@ -11,28 +12,28 @@
 
 namespace detent::importer::trace {
 
-/// The level of the lines in a plane, as their middles have it; 0 where there are none.
+/// Level at the middles of a plane's lines; 0 without lines.
 float ridgeLevel(const Plane& plane);
 
 /// Clears lines of nearly full strength, so that paler ones remain.
 void clearStrongLines(Plane& plane);
 
-/// The paler shade in which lines of this ink's direction are drawn away from its own, if there are as many as a curve needs.
-/// `coverage`: by the ink.
+/// The paler shade of lines with this colour's direction, away from its own lines, if there are enough for a
+/// curve. `coverage`: by the colour.
 std::optional<Ink> palerShade(const PlotScene& scene, const Ink& ink, const Plane& coverage,
                               double leastMass_px);
 
-/// Whether two inks have one direction: shades of each other.
+/// Returns true if two colours have one direction: shades of each other.
 bool areShades(const Ink& a, const Ink& b);
 
-/// Gives the coverage that inks of one direction have in common to the shade whose lines it lies on.
+/// Assigns coverage of colours with one direction to the shade whose lines it lies on.
 void partShades(std::vector<Plane>& coverage, const std::vector<Ink>& inks);
 
-/// Clears what is no curve's of the shades' ink: gridlines in dots or dashes, boxes. `boxes`: of legends.
+/// Clears what belongs to no curve of the shades: dotted or dashed gridlines, boxes. `boxes`: of legends.
 void clearPlotLines(std::vector<Plane>& coverage, const std::vector<Ink>& inks, const PlotScene& scene,
                     const std::vector<Box>& boxes);
 
-/// Leads the ends of a paler line that come to lie at a stronger one's edge, where they are not seen, on beside it to its ends.
+/// Extends the ends of a paler line along a stronger one's edge, where they are not visible, to its ends.
 void leadBeside(CurveTrace& paler, const CurveTrace& stronger);
 
 }  // namespace detent::importer::trace

@@ -14,15 +14,15 @@
 namespace detent::importer::trace {
 namespace {
 
-/// Where and how much of each trace's ink lies in a box of the view.
+/// Coverage of each trace's colour in a box of the view.
 struct InkSeen {
   double inside_px = 0;               ///< full pixels within the middle band
   double outside_px = 0;              ///< above and below it
   bool runsOut = false;               ///< touches the far end of the box
   bool runsOver = false;              ///< touches its upper or lower edge
-  int bulgeLeft = 0, bulgeRight = 0;  ///< where it lies above and below the band; without any 0 and 0
+  int bulgeLeft = 0, bulgeRight = 0;  ///< columns where it lies above and below the band; 0 and 0 without any
   int pixels = 0, left = 0, right = 0, top = 0,
-      foot = 0;  ///< how many, and where they lie; tints count whole
+      foot = 0;  ///< how many, and where they lie; tints count fully
 
   void add(int x, int y) {
     left = pixels > 0 ? std::min(left, x) : x, right = pixels > 0 ? std::max(right, x) : x;
@@ -34,13 +34,13 @@ struct InkSeen {
     bulgeRight = outside_px > 0 ? std::max(bulgeRight, x) : x;
     outside_px += full;
   }
-  /// A line with a curve's marker in its middle.
+  /// Returns true for a line with a curve's marker in its middle.
   bool isMarkedLine() const {
     constexpr double end = 0.2;  // of the line's length, on both sides of its marker
     const int length = right - left + 1;
     return !runsOver && bulgeLeft - left > end * length && right - bulgeRight > end * length;
   }
-  /// A square, bar or disc, as legends of areas, bars and boxes have it: filled, or outlined around a fill of another tint.
+  /// Returns true for a square, bar or disc, filled or outlined around another tint.
   bool isSwatch() const {
     constexpr double filled = 0.75, outlined = 0.8;  // of its box; of the box' edges
     const int width = right - left + 1, height = foot - top + 1;
@@ -51,9 +51,10 @@ struct InkSeen {
 // A strip beside a word, in letter heights.
 constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9, kHighest = 1.25;
 
-/// How far from a word, in its heights, the first thing beside it ends: its sample stands nearer than the legend's box.
+/// Distance from a word, in its heights, at which the first thing beside it ends: a legend key is closer than
+/// the legend's box.
 double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster, Color3 paper) {
-  constexpr double kApart = 0.4, beyond_px = 2.5;  // between a sample and what is none; looked beyond it
+  constexpr double kApart = 0.4, beyond_px = 2.5;  // between a key and other marks; distance looked beyond it
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
   const auto isInked = [&](int x) {
@@ -65,7 +66,7 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
     return false;
   };
   double first = -1, last = 0;
-  // The minus of "-20" is the writing's own.
+  // The minus of "-20" belongs to the text.
   const auto isASign = [&] { return first < kApart * height && last - first < 0.6 * height; };
   for (int by = 0; by < kLength * height; ++by)
     if (isInked(static_cast<int>(near) + direction * by)) {
@@ -77,8 +78,7 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
   return kLength;
 }
 
-/// Looks beside a word, in a strip as long as a legend's sample may be; `direction` -1: left of it, +1:
-/// right.
+/// Examines a strip beside a word as long as a legend key may be; `direction` -1: left of it, +1: right.
 std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
                                 const Raster& raster, Color3 paper, double heights) {
   const double height = word.height(), middle = word.middle().y;
@@ -110,13 +110,13 @@ std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vecto
   return seen;
 }
 
-/// How far to look for a sample beside a word, in its heights; the direction as in lookBeside.
+/// Search distance for a key beside a word, in its heights; direction as in lookBeside.
 using StripLength = std::function<double(const Box& word, int direction)>;
 
-/// Which trace's sample stands beside a word: level, ended, and of one ink only.
+/// The trace whose key stands beside a word: horizontal, ended, of one colour only.
 std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const PageView& view,
                                         Color3 paper, const StripLength& lengthOf) {
-  const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // as people write, sample first
+  const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // keys normally stand before their names
   for (int direction : {before, -before}) {
     const std::vector<InkSeen> seen =
         lookBeside(word, direction, inks, view.raster, paper, lengthOf(word, direction));
@@ -124,7 +124,7 @@ std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>&
     bool several = false;
     for (std::size_t k = 0; k < seen.size(); ++k) {
       if (seen[k].runsOut || seen[k].inside_px < 0.8 * word.height()) continue;
-      // Behind a name stands the next one's square.
+      // Behind a name stands the next name's square.
       const bool swatch = direction == before && seen[k].isSwatch();
       if (seen[k].outside_px > 0.3 * seen[k].inside_px && !swatch && !seen[k].isMarkedLine()) continue;
       several = several || found.has_value();
@@ -137,8 +137,8 @@ std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>&
 
 using LegendTexts = std::vector<std::vector<SeenText>>;  // per trace
 
-/// Of several texts beside an ink those that stand in line with another ink's, if any does: a fringe of a letter
-/// elsewhere on the page has an ink's colour by chance.
+/// Of several texts beside a colour, those in line with another colour's text, if any: an edge of a letter
+/// elsewhere on the page may have the colour by chance.
 std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
   if (all[of].size() < 2) return all[of];
   std::vector<SeenText> inLine;
@@ -160,7 +160,7 @@ bool isTickLabel(const SeenText& text, const AxesFound& axes) {
   return isIn(cal.x) || isIn(cal.y);
 }
 
-/// The texts beside each trace's legend sample.
+/// The texts beside each trace's legend key.
 LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
                         const PageView& view, Color3 paper, const StripLength& lengthOf) {
   LegendTexts beside(inks.size());
@@ -172,7 +172,7 @@ LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<In
   return beside;
 }
 
-/// Texts in line with one that has a sample, of which what stands behind the sample (a box) hid theirs.
+/// Adds texts in line with one that has a key, if something behind their key (a box) hid it.
 void addInLine(LegendTexts& beside, const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
                const PageView& view, Color3 paper, const StripLength& lengthOf) {
   const LegendTexts seen = beside;
@@ -188,8 +188,8 @@ void addInLine(LegendTexts& beside, const std::vector<SeenText>& texts, const st
   }
 }
 
-/// What words gave no name gets its legend's short one, or the place of one that was not read, if all such traces have theirs:
-/// where one was not read the others' names count if all stand in line, as no callouts do.
+/// Gives unnamed traces the legend's short name, or the place of one that was not read, if all such traces
+/// have one. If one was not read, the others count if all stand in line, unlike callouts.
 void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& beside) {
   const auto isNameless = [](const CurveTrace& trace) { return trace.label.empty(); };
   if (traces.size() < 2) return;
@@ -216,10 +216,11 @@ void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& besid
   }
 }
 
-/// The trace in whose ink alone a text is written.
+/// The trace in whose colour alone a text is written.
 std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink>& inks, const Raster& raster,
                                           Color3 paper) {
-  constexpr double nearlyAll = 0.8, full = 0.5;  // of a text's ink; of the ink's strength, at its darkest
+  // of a text's pixels; of the colour's strength, at its darkest
+  constexpr double nearlyAll = 0.8, full = 0.5;
   std::vector<double> its(inks.size(), 0);
   std::vector<float> darkest(inks.size(), 0);
   double all = 0;
@@ -244,7 +245,7 @@ std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink
   return found;
 }
 
-/// Level words and short names that may name curves: no titles of the axes.
+/// Horizontal words and short names that may name curves, without axis titles.
 std::vector<SeenText> namesOn(const AxesFound& axes) {
   constexpr double level_deg = 20;
   const auto isLetter = [](unsigned char c) { return c >= 0x80 || std::isalpha(c) != 0; };
@@ -258,7 +259,7 @@ std::vector<SeenText> namesOn(const AxesFound& axes) {
   return names;
 }
 
-/// Each trace's one text, or nothing where one has none or several, or two have the same.
+/// The single text of each trace; nullopt if one has none or several, or two share one.
 std::optional<std::vector<SeenText>> oneEach(const LegendTexts& all) {
   std::vector<SeenText> each;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -270,7 +271,7 @@ std::optional<std::vector<SeenText>> oneEach(const LegendTexts& all) {
   return each;
 }
 
-/// Names that stand in line as a legend's do, each written in its curve's ink.
+/// Names in line like a legend's, each in its curve's colour.
 std::optional<std::vector<SeenText>> lettersInInks(const std::vector<SeenText>& names,
                                                    const std::vector<std::optional<std::size_t>>& inkOf,
                                                    std::size_t traces) {
@@ -282,12 +283,13 @@ std::optional<std::vector<SeenText>> lettersInInks(const std::vector<SeenText>& 
     return std::ranges::any_of(
         *each, [&](const SeenText& other) { return &other != &text && other.box.inLineWith(text.box); });
   };
-  // Each of three curves and more has one text in its ink alone: no callouts of one switch's strokes.
+  // Each of three or more curves has one text in its colour alone; callouts of one switch would not.
   constexpr std::size_t several = 3;
   return each && (traces >= several || std::ranges::all_of(*each, isInLine)) ? each : std::nullopt;
 }
 
-/// Of two curves one has the word for the press written in its ink and the other that for the release, wherever they stand.
+/// Of two curves one has the word for the press in its colour and the other that for the release, wherever
+/// these stand.
 std::optional<std::vector<SeenText>> strokesInInks(const std::vector<SeenText>& names,
                                                    const std::vector<std::optional<std::size_t>>& inkOf,
                                                    std::size_t traces) {
@@ -301,7 +303,7 @@ std::optional<std::vector<SeenText>> strokesInInks(const std::vector<SeenText>& 
   return strokeOf(0) != strokeOf(1) ? each : std::nullopt;
 }
 
-/// Names that stand at their curves' right ends, in the curve's ink or in one that is no curve's.
+/// Names at the right ends of curves, in the curve's colour or in no curve's.
 std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& names,
                                                  const std::vector<std::optional<std::size_t>>& inkOf,
                                                  const std::vector<CurveTrace>& traces) {
@@ -322,8 +324,8 @@ std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& na
   return oneEach(all);
 }
 
-/// Where no trace has a sample beside a name, letters in the curves' inks are the key, or the names' places at the curves' ends:
-/// all of them have their name so, or none.
+/// Names traces without keys by letters in the curves' colours, or by names at the curves' ends; all of them
+/// or none.
 void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes, const std::vector<Ink>& inks,
                          const PageView& view, Color3 paper) {
   const auto hasNone = [](const CurveTrace& trace) {
@@ -340,10 +342,10 @@ void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
     traces[i].label = (*each)[i].utf8, traces[i].labelBox_px = (*each)[i].box;
 }
 
-/// Share of a sample's columns that have its ink, from its first to its last; 0 where none stands beside the word.
+/// Share of a key's columns with its colour, from the first to the last; 0 without a key beside the word.
 double drawnShareBeside(const Box& word, const Ink& ink, const Raster& raster, Color3 paper) {
   constexpr double least = 0.8;    // of the word's height, in ink
-  constexpr float strong = 0.35F;  // of the ink
+  constexpr float strong = 0.35F;  // of the colour
   double share = 0;
   for (const int direction : {-1, 1}) {
     const double height = word.height(), middle = word.middle().y;
@@ -369,11 +371,11 @@ double drawnShareBeside(const Box& word, const Ink& ink, const Raster& raster, C
   return share;
 }
 
-/// Share of a stroke's points away from the other one at which its ink stands.
+/// Share of a stroke's points away from the other one where its colour is present.
 double drawnShareOf(const CurveTrace& trace, const CurveTrace& other, const Ink& ink, const Raster& raster,
                     Color3 paper) {
   constexpr double apart_px = 3;
-  constexpr float strong = 0.35F;  // of the ink
+  constexpr float strong = 0.35F;  // of the colour
   int inked = 0, all = 0;
   for (const Point& p : trace.points_px) {
     if (std::ranges::any_of(other.points_px, [&](Point q) { return distance(p, q) < apart_px; })) continue;
@@ -397,7 +399,7 @@ void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, 
     if (!text.utf8.empty() && !text.box.empty() && first.label.find(text.utf8) != std::string::npos &&
         first.labelBox_px.joined(text.box) == first.labelBox_px)
       names.push_back(text);
-  // Texts come to a curve in the order in which they were read, not in which they stand.
+  // Texts are assigned in reading order, not by position.
   const auto isBoth = [&](const SeenText& one, const SeenText& other) {
     return first.label == one.utf8 + std::string(kLabelParting) + other.utf8;
   };
@@ -434,7 +436,7 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const P
       named.label += std::string(named.label.empty() ? "" : kLabelParting) + text.utf8;
     }
   }
-  // The ink of frame and numbers may end beside a word in more than its sample.
+  // The colour of frame and labels may end beside a word in more than its key.
   std::vector<SeenText> lines = axes.otherLines;
   std::ranges::copy_if(axes.texts, std::back_inserter(lines), [&](const SeenText& text) {
     return std::ranges::any_of(traces, [&](const CurveTrace& trace) {

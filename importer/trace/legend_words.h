@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which words of the page name which trace. Private to importer/trace.
+// Assigns words of the page to traces. Private to importer/trace.
 
 #include <vector>
 
@@ -11,12 +11,12 @@
 
 namespace detent::importer::trace {
 
-/// Gives each trace the words that its legend sample stands beside; several texts of one ink parted by " / ".
+/// Gives each trace the words beside its legend key; several texts of one colour separated by " / ".
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
                  const PlotScene& scene);
 
-/// Two strokes of one ink that have two words of the legend between them get one each, where the one is drawn through and the other in dashes and
-/// so are the samples.
+/// Gives two strokes of one colour one word each if two words of the legend belong to them, one stroke and
+/// one key being solid, the others dashed.
 void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, const PageView& view,
                   const PlotScene& scene);
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStep_px = 0.5;
 
-/// Unit direction in which the line leaves its last point, from the last few pixels.
+/// Unit direction of the line at its last point, from the last few pixels.
 Point directionAtEnd(const std::vector<Point>& points, double over_px) {
   const Point last = points.back();
   for (std::size_t i = points.size() - 1; i-- > 0;) {
@@ -20,7 +20,7 @@ Point directionAtEnd(const std::vector<Point>& points, double over_px) {
   return {1, 0};
 }
 
-/// How far beyond the last point (negative: before it) the ink ends, measured along the line.
+/// Distance beyond the last point (negative: before it) at which the coverage ends, along the line.
 double inkBeyondEnd(const std::vector<Point>& points, Point direction, const LineProfile& profile,
                     const CurveField& field) {
   const double reach = profile.width_px + 4;
@@ -72,16 +72,15 @@ void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) 
   const Point direction = directionAtEnd(line.points, 3 + profile.width_px);
   const double beyond = inkBeyondEnd(line.points, direction, profile, field);
   const double toEdge = distanceToEdge(line.points.back(), direction, frame);
-  if (beyond >=
-      toEdge - profile.width_px - 1) {  // drawn into the frame's edge: it goes on beyond what is shown
+  if (beyond >= toEdge - profile.width_px - 1) {  // drawn into the frame's edge: it continues beyond the plot
     if (toEdge > 0 && toEdge < 3 * profile.width_px + 6) {
       line.points.push_back(line.points.back() + toEdge * direction);
       line.weight.push_back(line.weight.back());
     }
     return;
   }
-  // A cap reaches a half width beyond the end (round, square) or not at all (butt): a quarter errs by a
-  // quarter.
+  // A cap extends half a width beyond the end (round, square) or not at all (butt); a quarter is off by at
+  // most a quarter.
   const double move = beyond - 0.25 * profile.width_px;
   if (move < 0) {
     cutBack(line.points, line.weight, -move);
@@ -91,7 +90,7 @@ void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) 
   }
 }
 
-/// Points outside the frame are cut away; where the line crosses the edge a point is set on it.
+/// Cuts points outside the frame and adds a point where the line crosses the edge.
 void clipToFrame(CentreLine& line, const Box& frame) {
   const auto inside = [&](Point p) { return frame.contains(p); };
   std::size_t first = 0, last = line.points.size();
@@ -109,7 +108,8 @@ void clipToFrame(CentreLine& line, const Box& frame) {
       points.push_back(crossing(line.points[i], line.points[i - 1]));
       weight.push_back(line.weight[i]);
     }
-    // In between only rounding leaves the frame (a wall on its edge): such points are set onto the edge.
+    // In between, only rounding leaves the frame (a steep stretch on its edge); such points are moved to the
+    // edge.
     points.push_back(
         {std::clamp(line.points[i].x, frame.x0, frame.x1), std::clamp(line.points[i].y, frame.y0, frame.y1)});
     weight.push_back(line.weight[i]);

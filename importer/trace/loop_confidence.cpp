@@ -10,15 +10,15 @@ namespace detent::importer::trace {
 
 namespace {
 
-/// Columns that both paths pass, as a share of those that either passes. Leaders and latch branches stand
-/// side by side; the strokes of one switch run over the same travel.
+/// Columns passed by both paths as a share of those passed by either. Leaders and latch branches stand side
+/// by side; strokes of one switch run over the same travel.
 double sharedTravel(const std::vector<Point>& a, const std::vector<Point>& b) {
   const double common = std::min(a.back().x, b.back().x) - std::max(a.front().x, b.front().x);
   const double either = std::max(a.back().x, b.back().x) - std::min(a.front().x, b.front().x);
   return either > 0 ? std::max(0.0, common / either) : 0;
 }
 
-/// 0 at `bad`, 1 at `good`, straight between.
+/// Linear ramp: 0 at `bad`, 1 at `good`.
 double ramp(double value, double bad, double good) {
   return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
 }
@@ -41,7 +41,7 @@ double shareOnInk(const std::vector<Point>& path, const Structure& s, float gap_
   return path.empty() ? 0 : double(on) / double(path.size());
 }
 
-/// Share of the path that runs along a straight line of the plot instead of on curve ink of its own.
+/// Share of the path along a straight line of the plot instead of on own pixels.
 double shareAlongLines(const std::vector<Point>& path, const Structure& s) {
   int along = 0;
   for (const Point& p : path) {
@@ -52,7 +52,7 @@ double shareAlongLines(const std::vector<Point>& path, const Structure& s) {
   return path.empty() ? 0 : double(along) / double(path.size());
 }
 
-/// Pixels of ink, and those of them on no stroke.
+/// Pixels, and those of them on no stroke.
 struct Share {
   double all = 0, left = 0;
   void add(bool isLeft) {
@@ -85,13 +85,13 @@ double shareExplained(const PlanePair& pair, const Structure& s, const WorkPlane
       if (extent >= longEnough) longOnes.add(left);
     }
   }
-  // Short pieces are mostly remnants of lettering. But a fine grid cuts the curves themselves up, and where no
-  // second stroke was found short pieces may be one: dashes.
+  // Short pieces are mostly remains of letters. But a fine grid cuts the curves themselves, and without a
+  // second stroke short pieces may be its dashes.
   const bool shortCounts = pair.release.empty() || longOnes.all < 0.3 * every.all;
   return (shortCounts ? every : longOnes).explained();
 }
 
-/// Sum of absolute turns along the path, radian, over steps that look through pixel noise.
+/// Sum of absolute turns along the path, radian, over steps longer than pixel noise.
 double turning(const std::vector<Point>& path) {
   constexpr std::size_t kStep = 6;
   double sum = 0;

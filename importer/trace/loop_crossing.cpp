@@ -15,12 +15,12 @@ namespace detent::importer::trace {
 
 namespace {
 
-/// Points of both lines that lie on each other, first and last of a stretch.
+/// First and last point of a stretch where both lines touch.
 struct Contact {
   std::size_t upperFrom = 0, upperTo = 0, lowerFrom = 0, lowerTo = 0;
 };
 
-/// Index of the point of `line` nearest to `p` within a reach, looked for from `from` on.
+/// Index of the point of `line` nearest to `p` within a reach, searched from `from` on.
 std::optional<std::size_t> nearestWithin(const std::vector<Point>& line, std::size_t from, Point p,
                                          double reach_px) {
   std::optional<std::size_t> nearest;
@@ -51,15 +51,15 @@ std::vector<Contact> contactsOf(const std::vector<Point>& upper, const std::vect
   return contacts;
 }
 
-/// A stretch of a line beside a contact: its direction and middle by least squares, its far end and the one at the contact.
+/// A stretch of a line beside a contact: direction and middle by least squares, and both ends.
 struct Arm {
   Point direction, middle, end, atContact;
 
-  /// How far a place lies beside the straight line of this arm.
+  /// Distance of a point from the straight line of this arm.
   double beside_px(Point p) const { return std::abs(cross(direction, p - middle)); }
 };
 
-/// Of the points [from, to).
+/// Arm of the points [from, to).
 Arm armOf(const std::vector<Point>& line, std::size_t from, std::size_t to, bool towardsEnd) {
   const Scatter scatter(std::span<const Point>(line).subspan(from, to - from));
   Point along = scatter.along();
@@ -69,7 +69,7 @@ Arm armOf(const std::vector<Point>& line, std::size_t from, std::size_t to, bool
 }
 
 constexpr std::size_t kFewest = 4;  // points of an arm
-constexpr double kStretched = 0.6;  // of its length, from one end of an arm to the other
+constexpr double kStretched = 0.6;  // of its length, between the ends of an arm
 
 std::optional<Arm> armBefore(const std::vector<Point>& line, std::size_t at, double arm_px) {
   std::size_t from = at;
@@ -85,21 +85,21 @@ std::optional<Arm> armBehind(const std::vector<Point>& line, std::size_t at, dou
   return armOf(line, at + 1, to + 1, true);
 }
 
-/// From one direction to another, positive to the left on the page (y downwards).
+/// Angle between two directions, positive to the left on the page (y downwards).
 double turn_deg(Point from, Point to) {
   return -std::atan2(cross(from, to), dot(from, to)) * 180 / std::numbers::pi;
 }
 
-/// A place where two lines come together and part again.
+/// A place where two lines come together and separate.
 struct Meeting {
-  double turn_deg = 0;     ///< by which each bends away from the other, the smaller one
-  double through_deg = 0;  ///< by which a line bends that changes sides, the larger one
-  double shift_px = 0;     ///< by which such a line stands beside itself behind the contact, the larger one
-  double contact_px = 0;   ///< length over which they are one band
+  double turn_deg = 0;     ///< angle by which each bends away from the other, the smaller one
+  double through_deg = 0;  ///< angle by which a line that exchanges sides bends, the larger one
+  double shift_px = 0;     ///< sideways offset of such a line behind the contact, the larger one
+  double contact_px = 0;   ///< length over which the lines are one band
   double apart_px = 0;     ///< between the ends of the arms before and behind, the smaller one
 };
 
-/// How far a line that changes sides has come off itself behind the contact; `arms`: before and behind.
+/// Sideways offset of a line that exchanges sides, behind the contact; `arms`: before and behind.
 double shiftOf(const Arm& before, const Arm& behind) {
   return std::min(before.beside_px(behind.atContact), behind.beside_px(before.atContact));
 }
@@ -121,8 +121,7 @@ std::optional<Meeting> meetingAt(const Contact& c, const std::vector<Point>& upp
   return m;
 }
 
-/// How far beside a meeting the lines are looked at, and how much they bend there at least: corners near by spoil long arms,
-/// noise short ones.
+/// Length of the arms at a meeting and the smallest bend: corners near by spoil long arms, noise short ones.
 struct Look {
   double arm;  // of the frame's diagonal
   double leastTurn_deg;
@@ -135,9 +134,9 @@ bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower
                 double size_px) {
   constexpr double straightThrough = 0.5;  // of the turn
   constexpr double mostShift_px = 0.5,
-                   mostShift = 1;  // and in widths; steep strokes beside each other have more
-  constexpr double leastContact = 1, leastApart = 2;     // in widths; tips that touch have less
-  constexpr double bandWidths = 1.3, bandBeyond_px = 1;  // lines nearer than this are one band
+                   mostShift = 1;                        // and in widths; adjacent steep strokes have more
+  constexpr double leastContact = 1, leastApart = 2;     // in widths; touching tips have less
+  constexpr double bandWidths = 1.3, bandBeyond_px = 1;  // closer lines are one band
   const std::vector<Contact> contacts = contactsOf(upper, lower, bandWidths * width_px + bandBeyond_px);
   return std::ranges::any_of(contacts, [&](const Contact& contact) {
     return std::ranges::any_of(kLooks, [&](const Look& look) {

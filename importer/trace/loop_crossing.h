@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether the two strokes found in one ink are the upper and the lower outline of two lines that cross, as the presses of two
-// switches do (docs/develop/decisions/0809-several-curves-in-one-colour.md). Press and release of one switch may touch; they never cross.
+// Detects whether two strokes of one colour are the upper and lower outline of two crossing lines, like the
+// presses of two switches (docs/develop/decisions/0809-several-curves-in-one-colour.md). Press and release of
+// one switch may touch; they never cross.
 
 #include <vector>
 
@@ -9,9 +10,10 @@
 
 namespace detent::importer::trace {
 
-/// Whether the upper and the lower line pass straight through each other inside: both bend away from each other where they
-/// meet, and lines that change sides there go on straight. Lines that touch and part again do not. Points in px, y downwards,
-/// about 1 px apart, left to right; `width_px`: of the lines, `size_px`: the frame's diagonal.
+/// Returns true if the upper and the lower line pass straight through each other: both bend away from each
+/// other where they meet, and lines that exchange sides there go on straight. Lines that touch and separate
+/// do not. Points in px, y downwards, about 1 px apart, left to right; `width_px`: of the lines, `size_px`:
+/// the frame's diagonal.
 bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower, double width_px,
                 double size_px);
 

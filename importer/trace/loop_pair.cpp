@@ -11,9 +11,9 @@ namespace detent::importer::trace {
 
 namespace {
 
-/// Pixels a path may use: near left-over ink, and along explained lines a little farther.
+/// Pixels that a path may use: near remaining pixels, and a little farther along explained lines.
 Plane openPixels(const Structure& s, const WorkPlane& plane) {
-  constexpr float kNear = 15, kAlongLine = 40;  // px, to the nearest ink
+  constexpr float kNear = 15, kAlongLine = 40;  // px, to the nearest curve pixel
   constexpr double kOutside = 2;                // px
   Plane open(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < open.height; ++y) {
@@ -40,7 +40,7 @@ void forDisc(const Plane& grid, Point centre, double radius, const auto& visit) 
   }
 }
 
-/// The reward that is left for the other stroke; ink of the first is worth `shared` per pixel.
+/// The reward left for the other stroke; pixels of the first are worth `shared` each.
 Plane rewardBeside(const Plane& reward, const std::vector<Point>& taken, double radius, float shared = 0) {
   Plane left = reward;
   for (const Point& p : taken) {
@@ -54,7 +54,7 @@ double strongPixels(const Plane& reward) {
       std::count_if(reward.values.begin(), reward.values.end(), [](float r) { return r > 0.5F; }));
 }
 
-/// Length of curve ink on `path` that `other` does not cover.
+/// Length of curve pixels on `path` that `other` does not cover.
 double ownInk(const std::vector<Point>& path, const Plane& left) {
   double own = 0;
   for (const Point& p : path) {
@@ -69,7 +69,7 @@ struct Stretch {
   double length = 0;
 };
 
-/// Share of curve ink or explained ink on the straight line between two points.
+/// Share of curve pixels or explained pixels on the straight line between two points.
 double inkBetween(const Plane& reward, Point a, Point b) {
   const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b))));
   int inked = 0;
@@ -82,9 +82,9 @@ double inkBetween(const Plane& reward, Point a, Point b) {
   return double(inked) / (n + 1);
 }
 
-/// The longest detour of a path: it leaves a line of ink and comes back to it close by. Leaders, guide lines
-/// and the latch branches of alternate-action switches make such detours; a curve does not, its own ink does
-/// not close below a peak.
+/// The longest detour of a path: it leaves a line and returns to it close by. Leaders, marker lines and latch
+/// branches of alternate-action switches make detours; a curve does not, because it is not closed below a
+/// peak.
 std::optional<Stretch> findDetour(const std::vector<Point>& path, const Plane& reward, double strokeWidth,
                                   const Box& frame) {
   const double widest = 0.06 * frame.width();
@@ -111,8 +111,8 @@ std::optional<Stretch> findDetour(const std::vector<Point>& path, const Plane& r
   return longest;
 }
 
-/// A detour at either end of a path is a wall gone up and down again: cut at its turning point. False if it
-/// is none.
+/// Cuts a detour at either end of a path, a steep end followed up and down, at its turning point. Returns
+/// false if it is none.
 bool cutAtTurn(std::vector<Point>& path, const Stretch& detour, double frameWidth) {
   const double nearEnd = 0.05 * frameWidth;
   const bool atBack = path.back().x - path[detour.to].x < nearEnd;
@@ -136,12 +136,12 @@ bool cutAtTurn(std::vector<Point>& path, const Stretch& detour, double frameWidt
   return path.size() < before;
 }
 
-/// The best path that makes no detour. Ink of detours found is taken out of `reward` for later searches too.
+/// The best path without a detour. Pixels of found detours are removed from `reward` for later searches too.
 std::vector<Point> directPath(LiftedSearch& search, Plane& reward, const std::vector<Point>& taken,
                               double radius, const PathLimits& limits, double strokeWidth, float shared,
                               const Box& frame) {
   constexpr int kDetours = 6;
-  constexpr float kNoCurve = -0.4F;  // reward per pixel, beneath that of paper beside ink
+  constexpr float kNoCurve = -0.4F;  // reward per pixel, below that of paper near the curve
   std::vector<Point> path;
   for (int i = 0; i <= kDetours; ++i) {
     path = densified(search.best(rewardBeside(reward, taken, radius, shared), limits).points, 1);
@@ -149,7 +149,7 @@ std::vector<Point> directPath(LiftedSearch& search, Plane& reward, const std::ve
     while (detour && cutAtTurn(path, *detour, frame.width()))
       detour = findDetour(path, reward, strokeWidth, frame);
     if (!detour || i == kDetours) break;
-    // The base of the detour is curve: only what stands off it goes.
+    // The base of the detour is curve; only what stands off it is removed.
     const Point start = path[detour->from], end = path[detour->to];
     for (std::size_t k = detour->from; k < detour->to; ++k) {
       const Point p = path[k];
@@ -161,7 +161,7 @@ std::vector<Point> directPath(LiftedSearch& search, Plane& reward, const std::ve
   return path;
 }
 
-/// Twice the signed area between a piece of each path; positive where the first lies to the left of travel.
+/// Twice the signed area between a piece of each path; positive if the first lies to the left of travel.
 double leftness(const std::vector<Point>& a, std::size_t a0, std::size_t a1, const std::vector<Point>& b,
                 std::size_t b0, std::size_t b1) {
   Polyline ring(a.begin() + static_cast<std::ptrdiff_t>(a0), a.begin() + static_cast<std::ptrdiff_t>(a1) + 1);
@@ -169,8 +169,8 @@ double leftness(const std::vector<Point>& a, std::size_t a0, std::size_t a1, con
   return twiceAreaOf(ring);
 }
 
-/// Where one stroke ends on the other, both go on together: the shorter one gets the rest of the longer one.
-/// Not so on the force axis itself: there each stroke starts at its own force.
+/// Where one stroke ends on the other, the shorter one gets the rest of the longer one. Not on the force
+/// axis, where each stroke starts at its own force.
 void shareEnd(std::vector<Point>& shorter, const std::vector<Point>& longer, double within,
               double axisColumn) {
   const Point end = shorter.back();
@@ -188,8 +188,8 @@ void shareEnd(std::vector<Point>& shorter, const std::vector<Point>& longer, dou
   if (!onAxis) shorter.insert(shorter.end(), rest, longer.end());
 }
 
-/// At the bottom-out a hole in the wall (text) may stand between the strokes' ends, so that more is bridged
-/// there than at the start, where the strokes may begin apart on purpose.
+/// At the bottom-out a hole (text) may separate the strokes' ends, so more is bridged there than at the
+/// start, where strokes may begin apart.
 void shareEnds(std::vector<Point>& a, std::vector<Point>& b, double strokeWidth, const Box& frame) {
   const double noAxis = frame.x1 + frame.width();
   const double atBottomOut = 2.5 * strokeWidth + 2, atStart = strokeWidth + 1;
@@ -203,7 +203,7 @@ void shareEnds(std::vector<Point>& a, std::vector<Point>& b, double strokeWidth,
   std::reverse(b.begin(), b.end());
 }
 
-/// Ink on the force axis up to where the release leaves it belongs to the release: the press starts at its
+/// Pixels on the force axis up to where the release leaves it belong to the release; the press starts at its
 /// own force.
 void startOnAxis(std::vector<Point>& press, std::vector<Point>& release, double axisColumn, double within) {
   const auto leaves = [&](std::vector<Point>& p) {
@@ -222,10 +222,10 @@ void startOnAxis(std::vector<Point>& press, std::vector<Point>& release, double 
   press.erase(press.begin(), above);
 }
 
-/// Lengths of the dashes that go on from `end` along `ahead`, unit length; straight lines of the plot across them hide
-/// ink and paper alike. The first dash shows the direction better than a short tail does.
+/// Lengths of dashes that continue from `end` along the unit vector `ahead`; crossing lines of the plot hide
+/// both dashes and gaps. The first dash shows the direction better than a short tail.
 std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, double strokeWidth) {
-  constexpr double kFirstSpread = 0.06, kSpread = 0.03;  // of the way, to either side
+  constexpr double kFirstSpread = 0.06, kSpread = 0.03;  // of the way, on either side
   constexpr int kLeastGap = 2;
   std::vector<double> dashes;
   std::vector<Point> dash;
@@ -245,7 +245,7 @@ std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, dou
     }
     if (hidden && !inked) continue;
     const bool ownEnd = dashes.empty() && dash.empty() && gap < kLeastGap;
-    if (inked && ownEnd && t > 2 * strokeWidth + 2) return {};  // the stroke goes on
+    if (inked && ownEnd && t > 2 * strokeWidth + 2) return {};  // the stroke continues
     if (inked) {
       if (!ownEnd) dash.push_back(*inked);
       gap = 0;
@@ -263,8 +263,9 @@ std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, dou
   return dashes;
 }
 
-/// A wall that goes on in dashes is no measured curve there. The first dash hangs on the drawn wall: as much as a dash is
-/// long goes, as far as it is straight. Lettering and leaders make no row of dashes in line with a wall. Whether there are any.
+/// Cuts the first dash of a bottom-out that continues in dashes, which is attached to the solid line: the
+/// length of a dash, as far as it is straight. Letters and leaders make no row of dashes in line with a
+/// bottom-out. Returns true if there are such dashes.
 bool cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeWidth) {
   constexpr std::size_t kLeastDashes = 2;
   constexpr double kAlike = 3;  // times the shortest
@@ -272,7 +273,7 @@ bool cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeW
   if (path.size() < 3 * tail) return false;
   const Point end = path.back(), before = path[path.size() - 1 - tail];
   const double run = distance(end, before);
-  if (!(run > 0) || before.y - end.y < 0.9 * run) return false;  // no wall
+  if (!(run > 0) || before.y - end.y < 0.9 * run) return false;  // not steep
   const Point ahead = (1 / run) * (end - before);
   std::vector<double> dashes = dashesBeyond(end, ahead, s, strokeWidth);
   if (dashes.size() < kLeastDashes) return false;
@@ -310,18 +311,21 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
   return contacts;
 }
 
-constexpr double kMuch = 0.2;  // of the frame's width: ink left over that may be a curve, or a wall
-/// Of the frame's height, below the strokes' tops: other switches' walls have 0.23 at least, leaders 0.15 at most.
+constexpr double kMuch = 0.2;  // of the frame's width: remaining pixels that may be a curve or a bottom-out
+/// Of the frame's height below the strokes' tops: bottom-outs of other switches have at least 0.23, leaders
+/// at most 0.15.
 constexpr double kWallBelow = 0.2;
-constexpr double kWallTop = 0.1;  // of it: the last of a wall, and how much lower than the strokes it may end
-constexpr double kWallRise = 1.8;  // of that, by its width, at least; leaders lean more, 1.5
-constexpr double kLeap = 0.05;     // of it: words' holes are narrower
-constexpr double kLocked = 0.15, kLeftBeside = 0.1;  // of the width: a lock from the start; ink beside both
-constexpr double kAtFoot = 0.06;                     // of the height: what lies as low, what meets
-constexpr float kOffInk_px = 1.5F;                   // from the nearest ink
-constexpr double kPiece = 0.04;  // of it: a piece of a curve between two crossings; less is lettering
+// of the frame's height: the last part of a bottom-out, and how much lower than the strokes it may end
+constexpr double kWallTop = 0.1;
+constexpr double kWallRise = 1.8;  // times its width over that part; leaders lean more, 1.5
+constexpr double kLeap = 0.05;     // of the frame's height; holes of words are narrower
+// of the width: a lock from the start; remaining pixels beside both
+constexpr double kLocked = 0.15, kLeftBeside = 0.1;
+constexpr double kAtFoot = 0.06;    // of the height: equally low, meeting
+constexpr float kOffInk_px = 1.5F;  // from the nearest curve pixel
+constexpr double kPiece = 0.04;     // of the width: a piece of a curve between two crossings; less is text
 
-/// One joint search for both strokes at one price of gaps.
+/// A joint search for both strokes at one price of gaps.
 class PairSearch {
  public:
   PairSearch(const Structure& structure, const WorkPlane& plane, const GapPrice& price, float shared)
@@ -332,12 +336,12 @@ class PairSearch {
         reward_(rewardOf(structure, plane, price)),
         search_(openPixels(structure, plane), PathOptions{}) {}
 
-  /// False if there is nothing that could be a curve.
+  /// Returns false if nothing could be a curve.
   bool run() {
     const int lastColumn = reward_.width - 1;
     const PathLimits anywhere{0, lastColumn, 0, lastColumn};
     a_ = follow({}, anywhere);
-    // Filled areas make a path that sweeps them; no force curve is that long.
+    // A filled area gives a path that sweeps it; no force curve is that long.
     const double longest = 4 * (plane_.frame.width() + plane_.frame.height());
     if (a_.size() < 2 || static_cast<double>(a_.size()) > longest) return false;
     b_ = follow(a_, anywhere);
@@ -357,16 +361,16 @@ class PairSearch {
     return true;
   }
 
-  /// Length of ink that the strokes explain together.
+  /// Length of pixels explained by both strokes.
   double explained_px() const { return ownInk(a_, reward_) + ownOfSecond(); }
 
-  /// Length of curve-like ink beside both, as if it were one line.
+  /// Length of curve-like pixels beside both, as if they were one line.
   double leftOver_px() const {
     return strongPixels(rewardBeside(reward_, both(), stroke_ + 1)) / std::max(1.0, stroke_);
   }
 
-  /// Unbroken pieces of the best way through what both leave over, crossings and dashes' gaps apart. It may cross both
-  /// strokes, but not go along with them, on their rims either.
+  /// Unbroken pieces of the best path through the remaining pixels, except crossings and gaps of dashes. It
+  /// may cross both strokes, but not follow them or their rims.
   std::vector<std::vector<Point>> furtherPieces() {
     if (leftOver_px() < kMuch * plane_.frame.width()) return {};
     const int lastColumn = reward_.width - 1;
@@ -391,8 +395,8 @@ class PairSearch {
     return pieces;
   }
 
-  /// Whether such a piece climbs to about the tops of both strokes as steeply as a wall does, from far below them: what
-  /// begins at their tops is drawn on from them.
+  /// Returns true if such a piece climbs steeply to about the tops of both strokes from far below; a piece
+  /// that begins at their tops continues them.
   bool isWall(const std::vector<Point>& piece) const {
     const std::vector<Point> strokes = both();
     const double top = std::ranges::min_element(strokes, {}, &Point::y)->y, height = plane_.frame.height();
@@ -404,7 +408,8 @@ class PairSearch {
     return from <= to && from->y - highest.y >= kWallRise * (highest.x - from->x);
   }
 
-  /// Whether a stroke leaps over paper from where the line it came on goes on, left over: it changed over to another one.
+  /// Returns true if a stroke crosses paper where the line it came on continues unexplained: it changed to
+  /// another line.
   bool changesLine() const {
     const Plane left = rewardBeside(reward_, both(), stroke_ + 1);
     const double leap_px = kLeap * plane_.frame.height(), around_px = 2 * kPiece * plane_.frame.width();
@@ -427,7 +432,8 @@ class PairSearch {
     return leaps(a_) || leaps(b_);
   }
 
-  /// The second stroke's own stretch is broken often and evenly, as no way over leaders and words is.
+  /// Returns true if the second stroke's own stretch is broken often and evenly, unlike a path over leaders
+  /// and words.
   bool secondIsDashed() const {
     const Plane own = rewardBeside(reward_, a_, stroke_ + 1);
     std::vector<int> gaps;
@@ -473,7 +479,7 @@ class PairSearch {
  private:
   double radius() const { return stroke_ / 2 + 0.5; }
 
-  /// Off all ink, that of the plot's straight lines included.
+  /// Returns true off all marks, including the plot's straight lines.
   bool onPaper(Point p) const {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
     return structure_.gapDistance.inside(x, y) && structure_.gapDistance.at(x, y) > kOffInk_px &&
@@ -495,7 +501,8 @@ class PairSearch {
     return b_.size() > 1 ? ownInk(b_, rewardBeside(reward_, a_, stroke_ + 1)) : 0;
   }
 
-  /// Whether the second stroke comes back to the first one's foot farther in and both leave nothing over: a key that locks.
+  /// Returns true if the second stroke returns to the first one near zero force, farther in, and both leave
+  /// nothing over: a key that locks.
   bool endsLocked() const {
     if (b_.size() < 2) return false;
     const double width = plane_.frame.width(), height = plane_.frame.height();
@@ -513,7 +520,7 @@ class PairSearch {
     return {};
   }
 
-  /// Both strokes must start and end about where the outermost of what was found does.
+  /// Both strokes must start and end near the outermost ends found.
   PathLimits endsFrom(const std::vector<Point>& third) const {
     const double tolerance = 0.05 * plane_.frame.width();
     double first = a_.front().x, last = a_.back().x;
@@ -561,11 +568,12 @@ std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vect
 }
 
 PlanePair findPair(const Structure& structure, const WorkPlane& plane) {
-  // Shared ink is worth more than nothing: where both strokes share one line, both follow it to its end.
+  // Shared pixels are worth more than nothing, so that both strokes follow a shared line to its end.
   PairSearch solid(structure, plane, GapPrice{}, 0.2F);
   if (!solid.run()) return {};
   PlanePair pair = solid.parted();
-  // One stroke alone, or a way left over, and much ink: the other may be dashed, so that gaps must cost less.
+  // With one stroke alone, or a path left over, and many remaining pixels the other may be dashed, so gaps
+  // must cost less.
   const double much = 0.15 * plane.frame.width();
   if ((!pair.release.empty() && pair.further_px < much) || solid.leftOver_px() < much) return pair;
   PairSearch dashed(structure, plane, GapPrice{0.1F, 0.1F}, 0.05F);

@@ -18,7 +18,7 @@ constexpr float kNever = 0.5F * kUnreached;  ///< at or below: no path leads her
 enum From : std::uint8_t { kStart, kMove, kTurnFromLower, kTurnFromHigher, kAsArrived, kRun };
 
 struct Step {
-  int dx, dy;  ///< dy in raster sense, down positive
+  int dx, dy;  ///< dy in raster coordinates, down is positive
 };
 
 /// Ordered by angle from straight down to straight up.
@@ -26,16 +26,16 @@ constexpr std::array<Step, kDirections> kSteps{
     {{0, 1},  {1, 5},  {1, 3},  {1, 2},  {2, 3},  {1, 1},  {3, 2},  {2, 1},  {3, 1},  {5, 1}, {1, 0},
      {5, -1}, {3, -1}, {2, -1}, {3, -2}, {1, -1}, {2, -3}, {1, -2}, {1, -3}, {1, -5}, {0, -1}}};
 
-/// Taken per pixel from what a path gains on its way straight down. Up a wall and down again must not pay
-/// twice for the same ink; a true steep drop is still cheaper than any way around it.
+/// Subtracted per pixel on a steep way down, so that going up and down a steep line does not earn twice. A
+/// true steep drop is still cheaper than any detour.
 constexpr float kSteepFall = 1.3F;
 
 struct Moves {
   std::array<std::array<Step, 5>, kDirections>
-      pixels{};  ///< offsets back from the step's end that it passes, end first
+      pixels{};  ///< passed pixels as offsets back from the step's end, end first
   std::array<int, kDirections> count{};
   std::array<float, kDirections> weight{};  ///< path length per pixel passed
-  std::array<float, kDirections> fall{};    ///< price per pixel of falling steeply
+  std::array<float, kDirections> fall{};    ///< price per pixel of a steep fall
   std::array<float, kDirections> turn{};    ///< angle to the next higher direction, radian
 
   Moves() {
@@ -62,7 +62,7 @@ const Moves& moves() {
   return table;
 }
 
-/// Spreads gains over the directions of one node at the price of the turns.
+/// Distributes gains over the directions of one node at the price of the turns.
 void turn(float* score, std::uint8_t* from, float price) {
   const Moves& m = moves();
   for (std::size_t d = 1; d < kDirections; ++d) {
@@ -105,7 +105,7 @@ LiftedSearch::LiftedSearch(const Plane& open, const PathOptions& options)
   layOutSteps();
 }
 
-/// Where the pixels of each step lie in a raster of this width, counted back from the step's end.
+/// Pixels of each step in a raster of this width, as offsets back from the step's end.
 void LiftedSearch::layOutSteps() {
   const Moves& m = moves();
   for (std::size_t d = 0; d < kDirections; ++d) {
@@ -144,8 +144,8 @@ void LiftedSearch::arrive(const Plane& reward, const PathLimits& limits, int nod
   std::fill_n(&left_[static_cast<std::size_t>(node) * kDirections], kDirections, kAsArrived);
 }
 
-/// Straight up or straight down within a column; nodes `from`..`to-1` lie in it, top to bottom. A run starts
-/// from an arrival, never from another run, so that a path cannot go up and down the same wall for gain.
+/// Straight up or down within a column; nodes `from`..`to-1` lie in it, top to bottom. A run starts from an
+/// arrival, never from another run, so that a path cannot go up and down the same steep line for gain.
 void LiftedSearch::runAlongColumn(const Plane& reward, int from, int to, int direction) {
   const bool up = direction == kUp;
   const auto d = static_cast<std::size_t>(direction);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The most rewarding path over a plane: never back in x, free in y, paying for every turn. Exact, by dynamic
-// programming over (pixel, direction); the direction in the state is what carries a curve straight through
-// crossings. Idea: orientation-lifted minimal paths (Bekkers et al., "A PDE approach to data-driven
-// sub-Riemannian geodesics in SE(2)", 2015); here in x-monotone form, which makes it a sweep over columns and
-// allows gains as well as costs.
+// The most rewarding path over a plane: never back in x, free in y, with a price for turns. Exact, by dynamic
+// programming over (pixel, direction); the direction carries a curve straight through crossings. Idea:
+// orientation-lifted minimal paths (Bekkers et al., "A PDE approach to data-driven sub-Riemannian geodesics
+// in SE(2)", 2015), here x-monotone, which makes it a sweep over columns and allows gains as well as costs.
 
 #include <array>
 #include <cstdint>
@@ -21,7 +20,7 @@ struct PathLimits {
 
 struct LiftedPath {
   std::vector<Point>
-      points;  ///< plane px, in order of travel (x never falls); every step of the search, 1..5 px apart
+      points;  ///< plane px, in order of travel (x never decreases); every step of the search, 1..5 px apart
   double gain = 0;
   bool found() const { return points.size() > 1; }
 };
@@ -30,7 +29,7 @@ struct PathOptions {
   double turnCost_px = 4;  ///< price of a turn by one radian, in pixels of full reward; [0, 100]
 };
 
-/// Keeps its buffers between searches over the same pixels.
+/// Reuses its buffers between searches over the same pixels.
 class LiftedSearch {
  public:
   /// `open`: pixels a path may use (value > 0).

@@ -36,10 +36,10 @@ std::vector<ThinLine> thinLines(const std::vector<StraightLine>& lines, double s
   return out;
 }
 
-/// Ink across one point of a stroke.
+/// Coverage across one point of a stroke.
 struct Profile {
   std::vector<double> ink;     ///< 0..1 in units of the curve's darkness
-  std::vector<char> known;     ///< false where a gridline hides what the curve does
+  std::vector<char> known;     ///< false where a gridline hides the curve
   double first = 0, step = 1;  ///< offset of ink[0] along the normal, px
 
   double offset(std::size_t k) const { return first + step * static_cast<double>(k); }
@@ -88,12 +88,12 @@ double lineModel(double offset, double halfWidth) {
 
 struct Fit {
   double offset = 0;    ///< of this stroke, along the normal
-  double other = 0;     ///< of the other stroke, if it was part of the model
-  double misfit = 1;    ///< mean squared difference of ink and model, 0..1
-  double evidence = 0;  ///< share of the line's own width that was seen (not hidden)
+  double other = 0;     ///< of the other stroke, if part of the model
+  double misfit = 1;    ///< mean squared difference of coverage and model, 0..1
+  double evidence = 0;  ///< share of the line's own width that was visible
 };
 
-/// Misfit of one line at u (and of a second at v) over the ink around them.
+/// Misfit of one line at u (and of a second at v) to the coverage around them.
 double misfitOf(const Profile& p, double halfWidth, double u, std::optional<double> v,
                 double* evidence = nullptr) {
   const double low = std::min(u, v.value_or(u)) - halfWidth - 1.5,
@@ -111,12 +111,12 @@ double misfitOf(const Profile& p, double halfWidth, double u, std::optional<doub
     count += 1;
   }
   if (evidence) *evidence = own > 0 ? seen / own : 0;
-  // Hidden samples count as undecided: a place wholly under a gridline must not look like a perfect fit.
+  // Hidden samples count as undecided, so that a place completely under a gridline is no perfect fit.
   const double all = std::max(1.0, (high - low) / p.step);
   return (sum + 0.04 * (all - count)) / all;
 }
 
-constexpr double kPull = 0.004;  ///< prefers the offset nearest to the path, per squared search radius
+constexpr double kPull = 0.004;  ///< preference for the offset nearest to the path, per squared search radius
 
 Fit fitSingle(const Profile& p, double halfWidth, double radius) {
   Fit best;
@@ -142,8 +142,8 @@ Fit fitSingle(const Profile& p, double halfWidth, double radius) {
   return best;
 }
 
-/// Both strokes at once; `side` +1: this one lies to the left (press), -1: to the right. They never change
-/// sides.
+/// Both strokes at once; `side` +1: this one lies to the left (press), -1: to the right. Sides are never
+/// exchanged.
 Fit fitDouble(const Profile& p, double halfWidth, double radius, double otherGuess, double side) {
   Fit best;
   double bestCost = 1e9;
@@ -169,11 +169,11 @@ Fit fitDouble(const Profile& p, double halfWidth, double radius, double otherGue
   return best;
 }
 
-/// Where the other stroke crosses this one's normal, if it runs along near by.
+/// Where the other stroke crosses this one's normal, if it runs close by.
 std::optional<double> offsetOfOther(Point p, Point normal, const std::vector<Point>& other,
                                     const std::vector<Point>& otherNormals, double reach, std::size_t& hint) {
   if (other.empty()) return std::nullopt;
-  // Both run in the same order; the nearest point moves on with the sample.
+  // Both run in the same order, so the nearest point advances with the sample.
   const std::size_t from = hint > 60 ? hint - 60 : 0, to = std::min(other.size(), hint + 120);
   double best = 1e18;
   std::size_t at = hint;
@@ -189,12 +189,12 @@ std::optional<double> offsetOfOther(Point p, Point normal, const std::vector<Poi
   const Point q = other[at], m = otherNormals[at];
   const double parallel = dot(normal, m);
   if (parallel < 0.8) return std::nullopt;
-  // The other line through q, met along this normal.
+  // The other line through q, intersected with this normal.
   return dot(q - p, m) / parallel;
 }
 
 struct Pass {
-  double radius;     ///< px searched to either side
+  double radius;     ///< px searched on either side
   double step;       ///< px
   double stiffness;  ///< of the smoothing
 };
@@ -224,8 +224,8 @@ void refineOnce(Working& self, const Working& other, double side, const Profiler
     const double good =
         std::clamp(1 - fit.misfit / 0.08, 0.0, 1.0) * std::clamp((fit.evidence - 0.15) / 0.35, 0.0, 1.0);
     trust[i] = atLimit ? 0.1 * good : good;
-    // Where nothing can be measured the path itself is the best guess, or the ends would drift off along
-    // their slope.
+    // Where nothing can be measured the path is the best guess; otherwise the ends would drift along their
+    // slope.
     constexpr double kPath = 0.02;
     offset[i] *= trust[i] / (trust[i] + kPath);
     weight[i] = trust[i] + kPath;
@@ -237,13 +237,14 @@ void refineOnce(Working& self, const Working& other, double side, const Profiler
   self.trust = trust;
 }
 
-/// Darkness on the ridge and width of a stroke, where nothing else is near.
+/// Darkness on the ridge and width of a stroke where nothing else is near.
 struct StrokeLook {
   double level = 1;
   double width_px = 1;
 };
 
-/// On the ink as it is (a profiler of level 1); `guess` where too little of the stroke stands alone.
+/// Measured on the original coverage (a profiler of level 1); `guess` if too little of the stroke stands
+/// alone.
 StrokeLook measureLook(const Working& stroke, const Profiler& plain, const StrokeLook& guess) {
   std::vector<double> inks, peaks;
   const double reach = 1.5 * guess.width_px + 2.5;
@@ -263,7 +264,7 @@ StrokeLook measureLook(const Working& stroke, const Profiler& plain, const Strok
   if (inks.size() < 10) return guess;
   StrokeLook look;
   look.level = std::clamp(quantileOf(peaks, 0.5), 0.05, 1.0);
-  // Blends of two lines are wider, never narrower: below the median lies the single line.
+  // Blends of two lines are wider, never narrower: the single line is below the median.
   look.width_px = std::clamp(quantileOf(inks, 0.4) / look.level, 0.9, 2.5 * guess.width_px + 1);
   return look;
 }
@@ -272,7 +273,7 @@ Working start(const std::vector<Point>& planePoints, const WorkPlane& plane) {
   Working w;
   Polyline area;
   for (const Point& p : planePoints) area.push_back(plane.toArea(p));
-  // Long side runs of one plane pixel are the search's steps, not the curve's.
+  // Long horizontal or vertical runs of one plane pixel are steps of the search, not of the curve.
   w.points = smoothed(resampled(area, 1.0), 1.6 * plane.scale);
   w.normals = normalsOf(w.points, static_cast<int>(std::ceil(2 * plane.scale)) + 1);
   return w;

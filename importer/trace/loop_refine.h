@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From paths on the work plane to sub-pixel lines in the view. Across each stroke a profile of the ink is
-// compared with a model: one line of the measured width, or two where the strokes run close (they may merge
-// to one band: the lines then sit at its edges, inset by half a width); what a gridline covers says nothing
-// and is left to its neighbours.
+// From paths on the work plane to sub-pixel lines in the view. Across each stroke a profile is compared with
+// a model: one line of the measured width, or two where the strokes run close (merged into one band, the
+// lines lie at its edges, inset by half a width). Profiles covered by a gridline are unknown and left to
+// their neighbours.
 
 #include <vector>
 
@@ -13,16 +13,16 @@
 namespace detent::importer::trace {
 
 struct RefinedStroke {
-  std::vector<Point> points;  ///< area pixels, in order of rising displacement, about 1 px apart
+  std::vector<Point> points;  ///< area pixels, by increasing displacement, about 1 px apart
   double width_px = 1;        ///< of its line
-  std::vector<double> trust;  ///< 0..1 per point: how well the line model fits there; 0 = interpolated
+  std::vector<double> trust;  ///< 0..1 per point: fit of the line model; 0 = interpolated
 };
 
 struct RefinedPair {
   RefinedStroke press, release;
 };
 
-/// `ink`: the area's coverage that the plane was shrunk from.
+/// `ink`: the area's coverage from which the plane was shrunk.
 RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& ink,
                        const std::vector<StraightLine>& lines, const Structure& structure);
 

@@ -13,7 +13,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-/// The plane seen along one direction, so that rows and columns share their code: `along` runs on the line.
+/// View of the plane along one direction, so that rows and columns share code: `along` runs on the line.
 class Lanes {
  public:
   Lanes(const WorkPlane& plane, bool vertical) : grid_(&plane.ink), vertical_(vertical) {
@@ -45,7 +45,7 @@ class Lanes {
 
 constexpr int kBins = 16;
 
-/// Mean ink of a lane in each of kBins stretches.
+/// Mean coverage of a lane in each of kBins stretches.
 std::vector<std::array<float, kBins>> binMeans(const Lanes& lanes) {
   std::vector<std::array<float, kBins>> means(static_cast<std::size_t>(lanes.lanes()));
   const int length = lanes.last() - lanes.first() + 1;
@@ -61,10 +61,10 @@ std::vector<std::array<float, kBins>> binMeans(const Lanes& lanes) {
   return means;
 }
 
-/// In which stretches a lane stands out from both its neighbours.
+/// Stretches in which a lane differs from both its neighbours.
 struct Evidence {
   double share = 0;             ///< of the stretches
-  bool fromEdgeToEdge = false;  ///< seen at both ends of the frame
+  bool fromEdgeToEdge = false;  ///< visible at both ends of the frame
 };
 
 Evidence evidenceFor(const std::vector<std::array<float, kBins>>& means, int lane, int distance) {
@@ -84,7 +84,7 @@ Evidence evidenceFor(const std::vector<std::array<float, kBins>>& means, int lan
   return e;
 }
 
-/// Positions that continue an even progression of lanes already found.
+/// Positions that continue an even progression of known lanes.
 std::vector<double> evenPositions(const std::vector<int>& lanes, int from, int to) {
   std::vector<double> gaps;
   for (std::size_t i = 1; i < lanes.size(); ++i) gaps.push_back(lanes[i] - lanes[i - 1]);
@@ -118,7 +118,7 @@ StraightLine measureLine(const Lanes& lanes, int lane) {
   line.vertical = lanes.vertical();
   line.position = lane;
   line.level = level;
-  // The lower median: what crosses or runs along for a while must not become part of the line.
+  // The lower median, so that crossing or parallel marks do not become part of the line.
   std::array<float, 2 * kReach + 1> profile{};
   for (std::size_t k = 0; k < profile.size(); ++k) profile[k] = quantileOf(across[k], 0.4);
   const auto sideReach = [&](int step) {
@@ -164,8 +164,8 @@ void findAlong(const WorkPlane& plane, bool vertical, const std::vector<double>&
   announced.push_back(lanes.edge0());
   announced.push_back(lanes.edge1());
   std::vector<int> found;
-  // A wall of a curve is straight too but stands in one end of the frame only; a flat curve may span it. So a
-  // line nobody announced must be seen at both ends, and a row nearly all the way. The second pass follows
+  // A steep stretch of a curve is straight too, but only at one end of the frame; a flat curve may span it.
+  // So an unexpected line must be visible at both ends, and a row nearly all the way. The second pass uses
   // the pitch of the first.
   for (int pass = 0; pass < 2; ++pass) {
     std::vector<int> now;
@@ -197,8 +197,8 @@ std::array<float, kBins> dutiesOf(const Lanes& lanes, const StraightLine& line) 
   return duty;
 }
 
-/// In which of kBins stretches the line may explain ink: where a dashed line seems solid, a wall runs along
-/// it. Beside a hole (cut for writing) a solid line is half a stretch long, which makes it no dashed one.
+/// Stretches in which the line may explain coverage. Where a dashed line seems solid, a curve runs along it.
+/// Beside a hole (for text) a solid line is half a stretch long, which does not make it dashed.
 std::array<bool, kBins> explainableBins(const WorkPlane& plane, const StraightLine& line) {
   const std::array<float, kBins> duty = dutiesOf(Lanes(plane, line.vertical), line);
   std::vector<float> drawn, besideNoHole;
@@ -232,9 +232,9 @@ void explainLine(const WorkPlane& plane, const StraightLine& line, Plane& explai
   }
 }
 
-/// How far a straight line's darkness may be off its profile: lines are not drawn equally dark all along.
+/// Allowed deviation of a straight line from its profile, because lines are not equally dark everywhere.
 Plane doubtOf(const Plane& explained) {
-  constexpr float kUneven = 0.2F;  // of an explained line's coverage, as its own unevenness
+  constexpr float kUneven = 0.2F;  // of an explained line's coverage
   Plane doubt(explained.width, explained.height);
   for (int y = 0; y < doubt.height; ++y) {
     for (int x = 0; x < doubt.width; ++x) {
@@ -262,14 +262,14 @@ Components componentsOf(Plane& ink, float above) {
   return c;
 }
 
-/// Coverage on the ridge of the widest left-over line: the curves' own darkness.
+/// Coverage on the ridge of the widest remaining line: the curves' own darkness.
 float curveLevelOf(Plane& left, const WorkPlane& plane) {
   const Components c = componentsOf(left, 0.08F);
   int widest = 0, width = 0;
   for (int i = 1; i < c.count; ++i) {
     const int w = c.stats.at<int>(i, cv::CC_STAT_WIDTH);
     const int h = c.stats.at<int>(i, cv::CC_STAT_HEIGHT), area = c.stats.at<int>(i, cv::CC_STAT_AREA);
-    const bool isPatch = area > 0.2 * w * h && std::min(w, h) > 12;  // uneven paper, not a line
+    const bool isPatch = area > 0.2 * w * h && std::min(w, h) > 12;  // uneven paper, no line
     if (w <= width || area < w || isPatch) continue;
     widest = i;
     width = w;
@@ -290,8 +290,7 @@ float curveLevelOf(Plane& left, const WorkPlane& plane) {
   return ridge.size() < 20 ? 1.0F : std::clamp(quantileOf(ridge, 0.5), 0.1F, 1.0F);
 }
 
-/// Median over ink pixels of the shorter run through them, summing coverage: the width a line of this ink
-/// has.
+/// Line width: the median over pixels of the shorter run through them, summing coverage.
 double strokeWidthOf(const Plane& ink) {
   Plane across(ink.width, ink.height, 0), down(ink.width, ink.height, 0);
   constexpr float kInk = 0.3F;  // coverage
@@ -324,12 +323,12 @@ struct Blob {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Of glyph size, and not flat like a dash or a piece of curve between two gridlines.
+/// Returns true for glyph size, unless flat like a dash or a piece of curve between two gridlines.
 bool couldBeGlyph(const Blob& b, double strokeWidth, double tallest) {
   return b.height >= 2.2 * strokeWidth && b.height >= 5 && b.height <= tallest && b.width <= 3 * b.height;
 }
 
-/// Stand side by side on one line of text.
+/// Returns true if both stand side by side on one text line.
 bool areNeighbours(const Blob& a, const Blob& b) {
   const int gap = std::max(a.x, b.x) - std::min(a.x + a.width, b.x + b.width);
   const int overlap = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
@@ -339,7 +338,7 @@ bool areNeighbours(const Blob& a, const Blob& b) {
 
 Blob turned(const Blob& b) { return {b.y, b.x, b.height, b.width}; }
 
-/// Which blobs stand in a row of at least four glyphs, upright or turned by a quarter.
+/// Marks blobs in a row of at least four glyphs, upright or rotated by a quarter turn.
 std::vector<char> glyphsInRows(const std::vector<Blob>& blobs, double strokeWidth, double tallest) {
   std::vector<char> isText(blobs.size(), 0);
   for (bool vertical : {false, true}) {
@@ -367,7 +366,7 @@ std::vector<char> glyphsInRows(const std::vector<Blob>& blobs, double strokeWidt
   return isText;
 }
 
-/// Words whose glyphs touch: flat and wide blobs that a row of pixels enters many times.
+/// Words of touching glyphs: flat and wide blobs that a row of pixels enters many times.
 std::vector<char> wordsRunTogether(const Components& c, const std::vector<Blob>& blobs, double strokeWidth,
                                    double tallest) {
   std::vector<char> isText(blobs.size(), 0);
@@ -389,7 +388,7 @@ std::vector<char> wordsRunTogether(const Components& c, const std::vector<Blob>&
   return isText;
 }
 
-/// Blobs that straight lines of the plot cut off on two sides are pieces of a curve, whatever their size.
+/// Blobs that straight lines of the plot cut on two sides are pieces of a curve, whatever their size.
 std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob>& blobs,
                                      const Plane& explained, float level) {
   std::vector<char> isPiece(blobs.size(), 0);
@@ -415,11 +414,10 @@ std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob
   return isPiece;
 }
 
-/// Guide lines drawn from an axis to the curve: exactly straight, alone, starting in the frame's left or
-/// lower edge. They stay followable (a curve may begin flat) but lose against a curve beside them.
+/// Weakens marker lines from an axis to the curve: exactly straight, isolated, starting at the frame's left
+/// or lower edge. They can still be followed (a curve may begin flat), but lose against a curve beside them.
 void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
-  constexpr float kWeak =
-      0.62F;  // of the curves' coverage: a guide stays, but a curve beside it is worth more
+  constexpr float kWeak = 0.62F;  // of the curves' coverage; a curve beside a marker line is worth more
   const int clear = static_cast<int>(std::ceil(strokeWidth / 2)) + 2;
   const auto along = [&](bool row, int lane, int start, int end, int step, int shortest) {
     const auto at = [&](int l, int i) {
@@ -457,7 +455,7 @@ void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
   for (int x = x0 + 8; x < x1 - 2; ++x) along(false, x, y1, y0, -1, static_cast<int>(0.12 * frame.height()));
 }
 
-/// A piece of ink by itself that is an arrow: a straight shaft as thin as a line, and a head at one end that spreads out from it.
+/// Returns true for an isolated arrow: a straight shaft as thin as a line, and a head that widens at one end.
 bool isArrow(const std::vector<Point>& ink, double strokeWidth, const Box& frame) {
   constexpr double shortest = 4, longest = 0.2;  // stroke widths; of the frame's width
   constexpr double headShare = 0.35;             // of its length, at most
@@ -484,7 +482,7 @@ bool isArrow(const std::vector<Point>& ink, double strokeWidth, const Box& frame
          std::max(left, right) >= headTimes * shaft;
 }
 
-/// Takes arrows out that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
+/// Removes arrows that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
 void fadeArrows(Plane& curveInk, Plane& explained, float level, double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveInk, 0.3F);
   cv::Mat lines = matOf(explained) > 0.3F * level;
@@ -502,7 +500,7 @@ void fadeArrows(Plane& curveInk, Plane& explained, float level, double strokeWid
       for (const Point& p : piece) curveInk.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 0;
 }
 
-/// Takes lettering out: ink wholly inside a box of read text, and rows of glyph-sized blobs.
+/// Removes text: marks completely inside a box of read text, and rows of glyph-sized blobs.
 void fadeLettering(Plane& curveInk, const Plane& explained, float level, const std::vector<Box>& lettering,
                    double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveInk, 0.3F);
@@ -582,7 +580,7 @@ Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLin
 }
 
 Plane rewardOf(const Structure& s, const WorkPlane& plane, const GapPrice& price) {
-  // Curves run along level gridlines (plateaus), but hardly ever up a vertical one: that way lead leaders.
+  // Curves run along horizontal gridlines (plateaus), but hardly ever up a vertical one, where leaders run.
   constexpr float kOnLevelLine = -0.5F, kOnUprightLine = -1.2F;
   Plane reward(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < reward.height; ++y) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What of the ink is not curve: straight lines across the frame (grid, frame edges, guide lines), lettering.
-// In: the work plane. Out: a reward per pixel for a curve that passes there.
+// Separates the curve from straight lines across the frame (grid, edges, marker lines) and text. In: the work
+// plane. Out: a reward per pixel for a curve.
 
 #include <vector>
 
@@ -9,12 +9,12 @@
 
 namespace detent::importer::trace {
 
-/// A line along a whole row or column of the plane, as it is drawn: solid or dashed, any darkness.
+/// A line along a whole row or column of the plane: solid or dashed, any darkness.
 struct StraightLine {
   bool vertical = false;
   int position = 0;            ///< column or row of its middle, plane px
   int reach = 0;               ///< the profile covers position-reach .. position+reach
-  std::vector<float> profile;  ///< its own coverage across, free of what crosses it
+  std::vector<float> profile;  ///< its own coverage across, without what crosses it
   float level = 0;             ///< coverage in its middle
 
   float at(int offset) const {
@@ -22,34 +22,35 @@ struct StraightLine {
   }
 };
 
-/// Lines that run across the frame. `expected` are positions known from the frame finder (plane px); they are
-/// looked for with less evidence than others. Curve walls are no such lines: they end at the knee.
+/// Lines that run across the frame. `expected`: positions known from the frame finder (plane px), accepted
+/// with less evidence. Steep stretches of curves are no such lines, because they end at a corner.
 std::vector<StraightLine> findStraightLines(const WorkPlane& plane,
                                             const std::vector<double>& expectedColumns,
                                             const std::vector<double>& expectedRows);
 
-/// The ink with its straight lines explained away.
+/// The coverage with its straight lines subtracted.
 struct Structure {
-  Plane explained;       ///< coverage the straight lines account for, where they are drawn
-  Plane upright;         ///< the part of it that vertical lines inside the frame account for
-  Plane curveInk;        ///< 0..1: what is left, in units of the curves' own darkness
-  Plane gapDistance;     ///< px to the nearest left-over ink that is no lettering
+  Plane explained;       ///< coverage explained by the straight lines where they are drawn
+  Plane upright;         ///< the part of it by vertical lines inside the frame
+  Plane curveInk;        ///< 0..1: the rest, in units of the curves' own darkness
+  Plane gapDistance;     ///< px to the nearest remaining pixel that is no text
   float curveLevel = 1;  ///< coverage of the curves' ridge
   double strokeWidth_px = 1;
 };
 
-/// `lettering`: boxes of read text, plane px; ink wholly inside is no curve.
+/// `lettering`: boxes of read text, plane px; marks completely inside are no curve.
 Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLine>& lines,
                            const std::vector<Box>& lettering);
 
-/// What a pixel of paper costs on a path: so much, and more with the distance to the nearest ink.
+/// Price of a pixel of paper on a path: a constant, plus a part that grows with the distance to the nearest
+/// mark.
 struct GapPrice {
   float perPixel = 0.6F;
   float perPixelOfDistance = 0.4F;
 };
 
-/// Gain per pixel of path length: 1 on curve ink, below 0 on explained lines and on paper, so that short gaps
-/// are cheap and leaps to other ink are not.
+/// Gain per pixel of path length: 1 on the curve, below 0 on explained lines and on paper, so that short gaps
+/// are cheap and jumps to other marks are not.
 Plane rewardOf(const Structure& structure, const WorkPlane& plane, const GapPrice& price);
 
 }  // namespace detent::importer::trace

@@ -11,10 +11,10 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kLeast_px = 4, kMostShare = 0.05;  // a mark's size; of the picture's smaller side
+constexpr double kLeast_px = 4, kMostShare = 0.05;  // a marker's size; of the picture's smaller side
 constexpr double kAlike = 0.4;                      // of the first one's size
 constexpr double kReach = 5;                        // sizes, from one to the next
-constexpr double kFlattest = 1;                     // sideways for each upwards
+constexpr double kFlattest = 1;                     // sideways for each step upwards
 constexpr std::size_t kFewest = 4;
 
 struct Mark {
@@ -23,7 +23,7 @@ struct Mark {
   int label = 0;
 };
 
-/// What touches a curve is a rim of its markers.
+/// Marks that touch a curve are rims of its markers.
 std::vector<bool> touching(const cv::Mat& labels, const cv::Mat& curves, int count) {
   std::vector<bool> touch(static_cast<std::size_t>(count));
   cv::Mat beside;
@@ -46,7 +46,7 @@ std::vector<Mark> marksOf(const cv::Mat& stats, const cv::Mat& middles, const st
   return marks;
 }
 
-/// The nearest mark above a place that is like the others; none within reach: the end.
+/// The nearest similar marker above a place; end() if none is within reach.
 auto nextAbove(const std::vector<Mark>& marks, Point from, double size_px) {
   auto best = marks.end();
   double nearest_px = kReach * size_px;
@@ -60,7 +60,7 @@ auto nextAbove(const std::vector<Mark>& marks, Point from, double size_px) {
   return best;
 }
 
-/// Labels of the marks above a curve's end, of about the size of one of them.
+/// Labels of the markers above a curve's end, of about the size of one of them.
 std::vector<int> chainFrom(Point end, const std::vector<Mark>& marks, const Mark& like) {
   std::vector<int> labels;
   Point at = end;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Marks in a row where a curve ends: a curve drawn by nothing but its marks goes on with them. Private to importer/trace.
+// Rows of markers at a curve's end: a curve drawn by its markers alone continues with them. Private to
+// importer/trace.
 
 #include <vector>
 
@@ -10,9 +11,9 @@
 
 namespace detent::importer::trace {
 
-/// For each end of a curve the pixels of four marks and more, alike in size, one above the other from there on as those on its
-/// wall are; none where there are fewer. `ink`: 255 where nothing explains it, `curves`: where one runs; ends in their pixels. What runs on flat may be the
-/// letters of the curve's name.
+/// For each end of a curve the pixels of four or more markers of similar size, one above the other; empty if
+/// there are fewer. `ink`: 255 where unexplained, `curves`: 255 where one runs; ends in their pixels. Flat
+/// rows may be letters of the curve's name.
 std::vector<std::vector<Point>> marksUpFrom(const std::vector<Point>& ends, const cv::Mat& ink,
                                             const cv::Mat& curves);
 

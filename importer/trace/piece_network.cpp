@@ -12,44 +12,44 @@
 namespace detent::importer {
 namespace {
 
-// Costs. Their unit is the price of one plot width that a stroke leaves uncovered, divided by four.
+// Costs. Unit: a quarter of the price of one uncovered plot width.
 constexpr double uncovered = 4;     // per plot width at either end
 constexpr double rightAngle = 0.4;  // of a join that turns by 90°
 constexpr double anyJoin = 0.005;   // of any join
 constexpr double sharpestTurn_deg = 130;
 constexpr double repeated =
-    3.8;  // per plot width shared with an earlier stroke: less than leaving it uncovered
+    3.8;  // per plot width shared with an earlier stroke; less than leaving it uncovered
 constexpr double levelTravel =
-    4;  // per plot width along one level line: it may be a gridline, so it gains nothing
+    4;  // per plot width along one horizontal line, which may be a gridline and so gains nothing
 constexpr double axisParallelPiece = 0.1;     // of a piece that runs along an axis
-constexpr double gridPiece = 0.8;             // of one that lies on a gridline as well
+constexpr double gridPiece = 0.8;             // of one that also lies on a gridline
 constexpr double smallPiece = 0.005;          // of a small piece
 constexpr double gapPerDiagonal = 2.5;        // per length of a gap, in the plot's diagonals
 constexpr double stopsWhereLineGoesOn = 0.3;  // of an end at which a join would have been cheap
-constexpr double widthDoubling = 0.05;        // of a join of lines one of which is twice as wide
-constexpr double surelyGoesOn = 0.24;         // cost of a join below which the line goes on
+constexpr double widthDoubling = 0.05;        // of a join of lines of which one is twice as wide
+constexpr double surelyGoesOn = 0.24;         // cost of a join below which the line continues
 
-constexpr double longestGap = 0.03;    // of the diagonal
-constexpr double longestBreak = 0.08;  // of the diagonal, between two lines
-constexpr double timesTheBreak = 2;    // each of them is as long, at least
-constexpr double nearlyTouching =
-    0.004;  // of the diagonal; too near for the direction of the gap to mean anything
+constexpr double longestGap = 0.03;         // of the diagonal
+constexpr double longestBreak = 0.08;       // of the diagonal, between two lines
+constexpr double timesTheBreak = 2;         // each line is at least this many times as long
+constexpr double nearlyTouching = 0.004;    // of the diagonal; closer ends have no direction of the gap
 constexpr double directionStretch = 0.004;  // of the diagonal
-constexpr double facing_deg = 25;           // ends on both sides of a gap look at each other
-constexpr double mostOwn = 0.15;            // asked for, of the width, not shared with earlier ones
+constexpr double facing_deg = 25;           // between the directions of ends that face each other
+constexpr double mostOwn = 0.15;            // of the width, not shared with earlier ones
 
 double angleBetween_deg(Point a, Point b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
 }
 
-/// Whether two ends look at each other across the gap between them; `ahead`, `back`: directions in which their lines run out.
+/// Returns true if the end tangents face each other across the gap; `ahead`, `back`: directions out of the
+/// lines.
 bool face(Point here, Point ahead, Point there, Point back) {
   const Point away = there - here;
   return angleBetween_deg(ahead, away) <= facing_deg && angleBetween_deg(back, -1.0 * away) <= facing_deg;
 }
 
-/// Direction in which a line runs out of its first or last point, over a short stretch: the last segment alone may be a
-/// rounding error long.
+/// Direction out of a line's first or last point over a short stretch, because the last segment may be as
+/// short as a rounding error.
 Point directionOut(const std::vector<Point>& line, bool atEnd, double stretch) {
   const std::size_t n = line.size();
   const Point end = atEnd ? line.back() : line.front();
@@ -60,7 +60,7 @@ Point directionOut(const std::vector<Point>& line, bool atEnd, double stretch) {
   return {1, 0};
 }
 
-/// Ends of pieces by place, so that thousands of letters' strokes cost nothing.
+/// Ends of pieces by place, so that thousands of letter strokes are cheap.
 class EndGrid {
  public:
   explicit EndGrid(double cell) : cell_(cell) {}
@@ -81,7 +81,7 @@ class EndGrid {
     const auto y = static_cast<std::int64_t>(std::floor(p.y / cell_)) + dy;
     return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xffffffffu);
   }
-  static constexpr std::size_t crowd = 200;  // ends in one place: letters, hatching; not a curve's
+  static constexpr std::size_t crowd = 200;  // ends in one place; more are letters or hatching
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
@@ -92,7 +92,7 @@ struct Touch {
   Point foot;
 };
 
-/// Nearest inner point of the line; nothing if it is nearer to an end than to the inside.
+/// Nearest inner point of the line; nullopt if an end is nearer.
 std::optional<Touch> touchInside(const std::vector<Point>& line, Point p, double reach) {
   if (distance(line.front(), p) <= reach || distance(line.back(), p) <= reach) return std::nullopt;
   std::optional<Touch> best;
@@ -110,7 +110,7 @@ std::optional<Touch> touchInside(const std::vector<Point>& line, Point p, double
   return best;
 }
 
-/// The line cut at its touches, which are sorted here.
+/// Cuts the line at its touches, which are sorted here.
 std::vector<std::vector<Point>> cutAt(const std::vector<Point>& line, std::vector<Touch> touches) {
   std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
     return a.segment != b.segment ? a.segment < b.segment : a.along < b.along;
@@ -149,7 +149,7 @@ double PieceNetwork::touchDistance(const LinePiece& a, const LinePiece& b) const
 
 void PieceNetwork::cutAtTouches() {
   // Only lines that could be a curve are cut, and only by ends that could belong to one: a release that runs
-  // into the press, a wall that stands on it. Grid and letters are neither.
+  // into the press, a bottom-out that stands on it. Grid and letters do not count.
   std::vector<std::vector<Touch>> touches(pieces_.size());
   std::vector<std::size_t> cutters;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
@@ -237,9 +237,9 @@ void PieceNetwork::bridgeLooseEnds(double reach, MayMeet mayMeet) {
 }
 
 void PieceNetwork::bridgeGaps() {
-  // Dashes that the document draws one by one, and lines that stop short of a text.
+  // Dashes drawn one by one, and lines that stop before a text.
   bridgeLooseEnds(longestGap, [](std::size_t, std::size_t, double) { return true; });
-  // Lines broken off: both much longer than what is missing between them.
+  // Broken lines: both parts are much longer than the gap.
   const auto isLong = [&](std::size_t piece, double gap_px) {
     return !pieces_[piece].small && !pieces_[piece].axisParallel &&
            lengthOf(pieces_[piece].points) >= timesTheBreak * gap_px;
@@ -271,18 +271,18 @@ bool PieceNetwork::visiblyGoesOn(std::size_t from, bool fromEnd, const Link& lin
   constexpr double levelSpan = 0.02;  // of the plot's width
   constexpr double touching = 0.01;   // of the diagonal
   constexpr double sameWidth =
-      0.7;  // in powers of two; a thin plumb line on a thick curve is a continuation mark
+      0.7;  // in powers of two; a thin vertical line on a thick curve is a continuation mark
   const LinePiece &here = pieces_[from], &next = pieces_[link.piece];
   if (next.onGridLine || link.gap > touching) return false;
   if (!next.axisParallel) return joinCost(from, fromEnd, link) <= surelyGoesOn;
-  const bool level = std::abs(spans_[link.piece]) > levelSpan;  // rather a gridline
+  const bool level = std::abs(spans_[link.piece]) > levelSpan;  // more likely a gridline
   if (level || std::abs(std::log2(here.width_px / next.width_px)) > sameWidth) return false;
   return joinCost(from, fromEnd, link) <= (isWallUp(link) ? rightAngle * 1.1 : surelyGoesOn);
 }
 
 bool PieceNetwork::isWallUp(const Link& link) const {
   constexpr double leastHeight = 0.1;  // of the plot's
-  constexpr int mostParts = 8;         // strokes that end on the wall have cut it
+  constexpr int mostParts = 8;         // strokes that end on the vertical line have cut it
   double rise = 0;
   Link part = link;
   for (int i = 0; i < mostParts; ++i) {
@@ -334,7 +334,7 @@ FoundStroke PieceNetwork::strokeAlong(const std::vector<Step>& steps, double cos
 }
 
 std::optional<FoundStroke> PieceNetwork::nextStroke(double leastCover) {
-  // Dijkstra over (piece, direction); the state's cost includes walking the piece.
+  // Dijkstra over (piece, direction); the state's cost includes traversing the piece.
   const std::size_t states = links_.size();
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<double> cost(states, std::numeric_limits<double>::infinity());
@@ -385,7 +385,7 @@ std::optional<FoundStroke> PieceNetwork::nextStroke(double leastCover) {
 }
 
 void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
-  // Walls at both ends: their lines gain no travel, so the search saw no reason to take them.
+  // Vertical lines at both ends gain no travel, so the search did not take them.
   const auto walked = [&](std::size_t piece) {
     return std::any_of(steps.begin(), steps.end(), [&](const Step& s) { return s.piece == piece; });
   };
@@ -396,7 +396,7 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
     double bestCost = std::numeric_limits<double>::infinity();
     for (const Link& link : linksOf(last.piece, side)) {
       const bool taken =
-          !atEnd && used_[link.piece] > 0;  // strokes may share their wall, not their beginning
+          !atEnd && used_[link.piece] > 0;  // strokes may share their bottom-out, not their beginning
       if (!visiblyGoesOn(last.piece, side, link) || pieces_[link.piece].small || taken || walked(link.piece))
         continue;
       if (const double cost = joinCost(last.piece, side, link); cost < bestCost)
@@ -447,7 +447,7 @@ std::vector<UnusedLine> PieceNetwork::unusedLines() const {
 bool PieceNetwork::isRestOf(const FoundStroke& stroke, const UnusedLine& line) const {
   constexpr double leastRest = 0.04;         // of the plot's width
   constexpr double leastFresh = 0.5;         // of its length; less is a copy
-  constexpr std::size_t measuredPoints = 8;  // a leader is drawn with two or three
+  constexpr std::size_t measuredPoints = 8;  // a leader has two or three
   if (line.fresh * plane_.diagonal() < leastFresh * lengthOf(line.points)) return false;
   const double from = plane_.across(line.points.front()), to = plane_.across(line.points.back());
   const bool after = to - std::max(from, stroke.to) >= leastRest;

@@ -13,9 +13,10 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kSkewKept_px = 1.5;  // a frame less skewed than this is cropped: resampling would cost more
+// a frame with less skew is cropped, because resampling would cost more accuracy
+constexpr double kSkewKept_px = 1.5;
 constexpr double kMaxPixels =
-    2.2e6;  // larger areas are shrunk by a whole factor: their lines are thick enough
+    2.2e6;  // px; larger areas are reduced by a whole factor, their lines are thick enough
 
 double skewOf(const PlotFrame& frame) {
   const auto& c = frame.corners;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The part of the view in which curves are drawn, upright: rows run along the displacement axis, columns
-// along the force axis. An axis-parallel frame is cropped (and, if huge, shrunk by a whole factor); any other
-// is warped. All tracing of pixels happens on it, with what earlier steps know of it: where its lines and its
-// words stand and what the user masked; `toView` brings results back to the view's pixels.
+// along the force axis. An axis-parallel frame is cropped (and reduced by a whole factor if huge); any other
+// is warped. All pixel tracing works on it, with the known positions of lines and words and the user's masks;
+// `toView` maps results back to the view.
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +37,10 @@ struct Plane {
   float sample(Point p) const { return sample(p.x, p.y); }
 };
 
-/// The same memory, which outlives what is returned and may be written through it.
+/// Shares the memory, which must outlive the result and may be written through it.
 cv::Mat matOf(const Plane& plane);
 
-/// One byte per pixel of the area; what the bits mean is said by the name that holds it.
+/// One byte per pixel of the area; the holder defines the bits.
 using Mask = std::vector<std::uint8_t>;
 
 /// Pixels of the plot area with a margin of `marginPx` around the frame.
@@ -51,15 +51,15 @@ struct PlotArea {
   Box frame;                                ///< the frame's edges in area pixels
   Homography toView, fromView;              ///< area px -> view px and back
   std::vector<double> columns_px, rows_px;  ///< the frame's edges and the gridlines known, area px
-  std::vector<Box> words;                   ///< texts read before that meet the frame, area px
-  Mask masked;                              ///< 1 where the user wants nothing looked for; empty if nowhere
+  std::vector<Box> words;                   ///< texts read earlier that overlap the frame, area px
+  Mask masked;                              ///< 1 where nothing is to be searched; empty if there is no mask
 
   std::size_t pixels() const {
     return static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px);
   }
 };
 
-/// Whether a place lies so near to one of a plot's lines.
+/// Returns true if a position is close to one of the plot's lines.
 inline bool isAtOneOf(const std::vector<double>& lines, double position, double within) {
   return std::ranges::any_of(lines, [&](double line) { return std::abs(line - position) <= within; });
 }

@@ -12,10 +12,10 @@ namespace detent::importer::trace {
 namespace {
 
 void addDots(std::vector<PixelAt>& dots, const InkOnArea& ink, const PlotArea& area, double at, bool plumb) {
-  constexpr double inked_px = 0.3, least = 0.15, most = 0.8;  // shares of a stretch that are inked
+  constexpr double inked_px = 0.3, least = 0.15, most = 0.8;  // px; covered shares of a stretch
   constexpr std::size_t stretches = 10, mostOther = 2, window = 12;
   const std::vector<double> runs = runsAlong(ink, area, at, plumb);
-  std::vector<double> before{0}, thick;  // inked pixels before each place
+  std::vector<double> before{0}, thick;  // covered pixels before each place
   for (const double run : runs) {
     before.push_back(before.back() + (run > inked_px ? 1 : 0));
     if (run > inked_px) thick.push_back(run);

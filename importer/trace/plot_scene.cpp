@@ -15,13 +15,12 @@ namespace {
 
 constexpr int kMaxSamplesPerLine = 800;
 constexpr float kLineContrast = 5;     // of a gridline against paper, colour levels
-constexpr float kAsPaper = 2;          // colour levels: what differs less is paper
+constexpr float kAsPaper = 2;          // colour levels; smaller differences are paper
 constexpr double kLineSupport = 0.3;   // of a gridline's length must have its colour
-constexpr double kKnownLine_px = 2.5;  // how far from a known line a row may be to count as that line
-constexpr float kUnevenPaper = 8;      // a tile's paper that differs by this much makes the paper uneven
+constexpr double kKnownLine_px = 2.5;  // distance within which a row counts as a known line
+constexpr float kUnevenPaper = 8;      // difference of a tile's paper that makes the paper uneven
 
-/// Most frequent colour of pixels fed in: the fullest 16-level cell, then the mean of what lies near its
-/// centre of mass.
+/// Most frequent colour of added pixels: the fullest 16-level cell, then the mean near its centre of mass.
 class ModeOfColors {
  public:
   ModeOfColors() : cells_(4096) {}
@@ -30,7 +29,7 @@ class ModeOfColors {
     cells_[cellOf(c)].add(c);
     ++total_;
   }
-  /// The fullest cell joined with its neighbours, so that a colour on a cell's border is not halved.
+  /// The fullest cell joined with its neighbours, so that a colour on a cell's border is not split.
   Color3 mode(double* share = nullptr) const {
     const auto fullest = std::ranges::max_element(cells_, {}, &Sum::count);
     const int best = static_cast<int>(fullest - cells_.begin());
@@ -48,7 +47,7 @@ class ModeOfColors {
   }
 
  private:
-  /// Of colours; in double precision, as a million of them leave no level to be told in single.
+  /// Sum of colours in double precision; single precision is too coarse for a million pixels.
   struct Sum {
     double count = 0, r = 0, g = 0, b = 0;
 
@@ -70,7 +69,7 @@ class ModeOfColors {
   double total_ = 0;
 };
 
-/// The commonest difference to the paper along one row or column.
+/// The most frequent difference to the paper along one row or column.
 class LineColor {
  public:
   explicit LineColor(float tolerance) : tolerance_(tolerance) {}
@@ -87,12 +86,12 @@ class LineColor {
       pale_ += contrast;
     samples_.push_back(difference);
   }
-  /// None where fewer than kLineSupport of the line have it: text is dark too, but of many shades. None either where it
-  /// cannot have kLineContrast, which most lines of a plot tell without a look at their shades.
+  /// nullopt if fewer than kLineSupport of the line have it, because text is dark too, but in many shades;
+  /// and if it cannot have kLineContrast, which excludes most lines early.
   Color3 commonest() const {
     const double all = static_cast<double>(samples_.size()), least = kLineSupport * all;
     const bool mostlyPaper =
-        static_cast<double>(paper_) > all - least;  // then the commonest colour has paper in it
+        static_cast<double>(paper_) > all - least;  // then the most frequent colour contains paper
     if (mostlyPaper && static_cast<double>(pale_) < static_cast<double>(kLineContrast - kAsPaper) * least)
       return {};
     std::array<std::array<int, 512>, 3> bins{};
@@ -132,8 +131,8 @@ class LineColor {
     return static_cast<float>(at) - 256;
   }
   float tolerance_;
-  std::size_t paper_ = 0;  ///< samples that are the paper's
-  float pale_ = 0;         ///< contrast of the others that may count as one colour with paper, summed
+  std::size_t paper_ = 0;  ///< samples equal to paper
+  float pale_ = 0;         ///< summed contrast of others that may count as one colour with paper
   std::vector<Color3> samples_;
 };
 
@@ -145,9 +144,9 @@ struct LineCandidate {
   bool isRow = false;
 };
 
-/// A lone row or column that differs from the paper may be a flat stretch or a wall of a curve: it is a
-/// gridline only if others of its colour run elsewhere, or if it is known as a line and nothing of another
-/// colour contradicts.
+/// Returns true for a gridline. A single row or column that differs from the paper may be a flat or steep
+/// stretch of a curve; it is a gridline only if others of its colour exist, or if it is a known line and
+/// nothing of another colour contradicts.
 bool isGridline(const LineCandidate& line, const std::vector<LineCandidate>& all) {
   int peers = 0, strangers = 0;
   for (const LineCandidate& other : all) {
@@ -200,7 +199,7 @@ const Lettering& PlotScene::lettering() const {
 const InkOnArea& PlotScene::inkOf(Rgb color) const {
   const auto known = std::ranges::find(inks_, color, &std::pair<Rgb, InkOnArea>::first);
   if (known != inks_.end()) return known->second;
-  constexpr float sameHue = 0.93F;  // cosine: other inks have a share of this one's colour
+  constexpr float sameHue = 0.93F;  // cosine; other colours have a share of this one
   const Ink ink = inkOfColor(color, paper_);
   Plane coverage(area_.raster.width_px, area_.raster.height_px);
   for (int y = 0; y < coverage.height; ++y)
@@ -307,7 +306,7 @@ void PlotScene::measureNoise() {
   for (std::size_t i = 0; i < bins.size(); ++i) {
     below += bins[i];
     if (2 * below >= n) {
-      noise_ = static_cast<float>(i);  // whole levels: a clean render stays at 0
+      noise_ = static_cast<float>(i);  // whole levels; a clean rendering stays at 0
       return;
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The plot as every way of tracing sees it, made once from view, plot frame and words: its pixels upright, the paper, the
-// lines that cross the whole frame (grid, frame), the lettering, and how much of each pixel a curve's ink covers. Lines
-// are known per row and column, so that subtracting them removes the grid without touching a curve that runs over it.
+// The plot as every tracer sees it, made once from view, plot frame and words: upright pixels, paper, lines
+// across the whole frame (grid, edges), letters, and the coverage by a curve's colour. Lines are known per
+// row and column, so that subtracting them removes the grid without touching a curve on it.
 
 #include <algorithm>
 #include <list>
@@ -15,20 +15,20 @@
 
 namespace detent::importer::trace {
 
-/// Keeps nothing of the view. What is not needed for every plot is found when it is first asked for: for one thread.
+/// Keeps nothing of the view. What not every plot needs is computed on first use, so it is for one thread.
 class PlotScene {
  public:
-  /// Empty if the frame lies outside the view or has no area. `masks_px`: where nothing is looked for, view pixels.
+  /// Empty if the frame lies outside the view or has no area. `masks_px`: ignored regions, view pixels.
   PlotScene(const Raster& view, const PlotFrame& frame, const std::vector<SeenText>& words = {},
             const std::vector<Box>& masks_px = {});
 
   bool empty() const { return area_.raster.empty(); }
   const PlotFrame& plotFrame() const { return frame_; }  ///< in view pixels
-  /// Colour stored at half resolution is settled (settled_chroma.h).
+  /// Colour stored at half resolution has been corrected (settled_chroma.h).
   const PlotArea& area() const { return area_; }
   Color3 pixel(int x, int y) const { return colorAt(area_.raster, x, y); }
 
-  /// The area's commonest colour.
+  /// The area's most frequent colour.
   Color3 paper() const { return paper_; }
   Color3 paperAt(int x, int y) const { return shading_.empty() ? paper_ : shadedPaper(x, y); }
   /// Paper, or the gridline there.
@@ -39,15 +39,15 @@ class PlotScene {
   bool onLine(int x, int y) const {
     return rows_[static_cast<std::size_t>(y)].square > 0 || columns_[static_cast<std::size_t>(x)].square > 0;
   }
-  /// Unit vector from the paper to the colour of grid and frame; zero where there are none.
+  /// Unit vector from the paper to the colour of grid and frame; zero without lines.
   Color3 lineDirection() const { return lineDirection_; }
-  /// Colour differences below this are noise (camera, JPEG); 0 for a clean render.
+  /// Colour differences below this are noise (camera, JPEG); 0 for a clean rendering.
   float noise() const { return noise_; }
-  /// Smallest colour difference that is ink, not noise.
+  /// Smallest colour difference above noise.
   float inkThreshold() const { return std::max(10.0F, 4.5F * noise_); }
 
   const Lettering& lettering() const;
-  /// How much of the pixels a curve of this colour covers.
+  /// Coverage by a curve's colour.
   const InkOnArea& inkOf(Rgb color) const;
 
  private:
@@ -61,7 +61,7 @@ class PlotScene {
   Color3 paper_;
   Color3 lineDirection_;
   float noise_ = 0;
-  /// Difference to the paper of a line along a row or column, and its square; 0 where none runs.
+  /// Difference of a line along a row or column to the paper, and its square; 0 without a line.
   struct Line {
     Color3 difference;
     float square = 0;

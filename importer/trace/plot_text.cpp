@@ -18,7 +18,7 @@ double strokeOf(const InkPiece& piece) {
   return static_cast<double>(piece.area_px) / std::max(piece.runsDown, piece.runsAcross);
 }
 
-/// Contrast that the strongest twentieth of the ink exceeds.
+/// Contrast exceeded by the strongest twentieth of the pixels.
 int strongContrast(const cv::Mat& contrast, int from) {
   std::array<int, 256> bins{};
   int n = 0;
@@ -41,8 +41,8 @@ bool hasLetterShape(const InkPiece& piece, const Box& frame) {
          width <= 0.2 * frame.width() && height >= 2.2 * strokeOf(piece);
 }
 
-/// Letters that touch: a wide low piece, busy both ways. A stretch of a curve is crossed about once per
-/// column.
+/// Returns true for touching letters: a wide low piece, busy in both directions. A stretch of a curve is
+/// crossed about once per column.
 bool hasWordShape(const InkPiece& piece, const Box& frame) {
   const double height = piece.box.height(), width = piece.box.width();
   return height >= 6 && height <= 0.14 * frame.height() && width >= 1.8 * height &&
@@ -59,14 +59,14 @@ bool standInOneRow(const Box& left, const Box& right) {
          gap <= 0.8 * tall && gap >= -0.5 * small;
 }
 
-/// Chains letters from left to right. Three in a row are text; fewer may be anything.
+/// Chains letters from left to right. Three in a row are text.
 std::vector<std::vector<std::size_t>> letterRows(const std::vector<InkPiece>& pieces,
                                                  const std::vector<std::size_t>& order) {
   std::vector<std::vector<std::size_t>> rows;
   for (std::size_t i : order) {
     std::vector<std::size_t>* home = nullptr;
     for (auto row = rows.rbegin(); row != rows.rend() && !home; ++row) {
-      // The last letters of a row, not just the very last: an 'i' dot or a comma may stand between.
+      // The last letters of a row, because an 'i' dot or a comma may stand between.
       for (std::size_t back = 0; back < std::min<std::size_t>(3, row->size()) && !home; ++back)
         if (standInOneRow(pieces[(*row)[row->size() - 1 - back]].box, pieces[i].box)) home = &*row;
     }
@@ -111,8 +111,7 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Box& box = pieces.all[i].box;
-    // Dots, accents and letters missed for their shape: small pieces inside a row's box or inside a word read
-    // before.
+    // Dots, accents and missed letters: small pieces inside a row's box or a known word.
     for (std::size_t k = firstRow; k < rows.size() && !isLetter[i]; ++k)
       isLetter[i] = mostlyInside(box, rows[k]);
     for (std::size_t k = 0; k < words.size() && !isLetter[i]; ++k) isLetter[i] = mostlyInside(box, words[k]);
@@ -137,8 +136,7 @@ Lettering findLettering(const PlotArea& area, const Mask& contrasts, float inkTh
     grown.push_back(word.grown(1.5, 1.5));
   }
   cv::Mat mask(contrast.size(), CV_8U, cv::Scalar(0));
-  // Letters of faint text show only at a low threshold; those of strong text hang together there by their
-  // edges.
+  // Faint text shows only at a low threshold, where letters of strong text are joined by their edges.
   markLetters(contrast, faint, area.frame, grown, text.rows, mask);
   if (strong > faint + 10) markLetters(contrast, strong, area.frame, grown, text.rows, mask);
   cv::dilate(mask, mask, cv::Mat::ones(5, 5, CV_8U));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Text inside the plot area: where not to look for curves.
+// Text inside the plot area, where no curves are searched.
 
 #include <vector>
 
@@ -9,12 +9,12 @@
 namespace detent::importer::trace {
 
 struct Lettering {
-  std::vector<Box> rows;  ///< of letters, and words known from elsewhere; area px
+  std::vector<Box> rows;  ///< of letters, and words known earlier; area px
   Mask mask;              ///< 1 on letters and two pixels around them
 };
 
-/// Letters are told from curves by shape: small pieces, tall against their stroke, standing in rows. Pieces inside
-/// a word already read are letters whatever their shape. `contrasts`: colour difference to what lies behind, 0..255, per pixel.
+/// Recognises letters by shape: small pieces, tall relative to their stroke, in rows. Pieces inside a known
+/// word are always letters. `contrasts`: colour difference to the background, 0..255, per pixel.
 Lettering findLettering(const PlotArea& area, const Mask& contrasts, float inkThreshold);
 
 }  // namespace detent::importer::trace

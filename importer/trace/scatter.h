@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How points lie about their middle.
+// Spread of points around their mean.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace detent::importer {
 
-/// Middle and second moments of points.
+/// Mean and second moments of points.
 class Scatter {
  public:
   /// At least one point.
@@ -23,12 +23,12 @@ class Scatter {
   }
 
   Point middle() const { return middle_; }
-  /// Unit vector of the line that lies nearest to the points; either sense.
+  /// Unit vector of the best line through the points; either sign.
   Point along() const {
     const double angle = 0.5 * std::atan2(2 * xy_, xx_ - yy_);
     return {std::cos(angle), std::sin(angle)};
   }
-  /// Root mean square of the distances from that line.
+  /// Rms distance from that line.
   double across() const {
     const double half = 0.5 * (xx_ + yy_), root = std::hypot(0.5 * (xx_ - yy_), xy_);
     return std::sqrt(std::max(0.0, half - root) / count_);

@@ -10,7 +10,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-/// A pixel's difference to the paper: brightness and colour apart, as JFIF codes them (ITU-R BT.601).
+/// A pixel's difference to the paper, brightness and colour separate, as in JFIF (ITU-R BT.601).
 struct Tone {
   double bright = 0;
   Point colour;  ///< Cb, Cr
@@ -60,8 +60,8 @@ class ChromaSettler {
                   static_cast<std::size_t>(x)];
   }
 
-  /// Second against first differences along rows and columns where there is colour, those of colour against those of
-  /// brightness; 1 where there is none.
+  /// Second against first differences along rows and columns where there is colour, colour against
+  /// brightness; 1 without colour.
   double sharpnessOfColour() const {
     double colour1 = 0, colour2 = 0, bright1 = 0, bright2 = 0;
     for (int y = 1; y + 1 < raster_.height_px; ++y)
@@ -79,7 +79,7 @@ class ChromaSettler {
     return colour1 > 0 && bright2 > 0 ? colour2 * bright1 / (colour1 * bright2) : 1;
   }
 
-  /// The pixel of the same hue near by that stands out most from the paper's brightness.
+  /// The nearby pixel of the same hue with the largest difference to the paper's brightness.
   Tone coreAround(int x, int y) const {
     Tone core = at(x, y);
     const Point hue = core.colour;

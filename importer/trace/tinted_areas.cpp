@@ -11,15 +11,15 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr int kAlike = 20;        // levels per channel: neighbours in one area, compressed as it may be
+constexpr int kAlike = 20;        // levels per channel between neighbours in one area, after compression
 constexpr float kTint = 8;        // colour levels from the paper; less is paper
-constexpr float kInkTimes = 1.5;  // an area's contrast: ink has more
-constexpr float kBeside_px = 8;   // from an area's even pixels; what lies farther off is not drawn on it
+constexpr float kInkTimes = 1.5;  // times an area's contrast; lines have more
+constexpr float kBeside_px = 8;   // from an area's even pixels; farther lines are not drawn on it
 constexpr int kSeam_px = 3;       // half the width of the seam between an area and the paper, at most
 
 cv::Mat square(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
 
-/// 255 where a pixel and its neighbours are alike.
+/// 255 where a pixel and its neighbours have the same colour.
 cv::Mat evenPixels(const cv::Mat& rgb) {
   cv::Mat high, low, even;
   cv::dilate(rgb, high, square(3));
@@ -28,7 +28,7 @@ cv::Mat evenPixels(const cv::Mat& rgb) {
   return even;
 }
 
-/// Colours, each with what lies a few levels around it.
+/// Set of colours with a tolerance of a few levels.
 class Tints {
  public:
   Tints() : known_(kCells * kCells * kCells, 0) {}
@@ -60,7 +60,7 @@ class Tints {
   std::vector<char> known_;
 };
 
-/// For each pixel the nearest one of a ground.
+/// For each pixel the nearest pixel of an area.
 class Ground {
  public:
   explicit Ground(const cv::Mat& mask) {
@@ -104,7 +104,8 @@ class TintedAreas {
   }
 
  private:
-  /// 255 in even areas that are wider than any line, longer than any marker, and that lines stand out of.
+  /// 255 in even areas that are wider than any line, longer than any marker, and have lines on or beside
+  /// them.
   cv::Mat largeAreas() {
     constexpr double leastWidth = 0.02, leastLength = 0.08;  // of the smaller side
     constexpr int leastWidth_px = 7;
@@ -129,7 +130,7 @@ class TintedAreas {
     return areas;
   }
 
-  /// Whether enough of the paper's light comes through.
+  /// Returns true if enough of the paper's light passes.
   bool isFilm(Color3 tint) const {
     constexpr float leastPassed = 0.25;  // in any channel
     const Color3 black, white{255, 255, 255};
@@ -137,7 +138,7 @@ class TintedAreas {
     return left.r >= leastPassed * from.r && left.g >= leastPassed * from.g && left.b >= leastPassed * from.b;
   }
 
-  /// Whether ink stands out of an area, over it or beside it, as much as a line along half of it has.
+  /// Returns true if lines cover at least half of an area's length, over it or beside it.
   bool hasLines(const cv::Mat& area, const cv::Rect& box, Color3 tint) const {
     constexpr double leastOfLength = 0.5;  // of the longer side of an area, px of ink per px
     constexpr int beside_px = 6;
@@ -153,7 +154,7 @@ class TintedAreas {
     return inked >= leastOfLength * std::max(box.width, box.height);
   }
 
-  /// 255 where a pixel has about a colour of the areas found, or of two of them that overlap.
+  /// 255 where a pixel has about the colour of the found areas, or of two that overlap.
   cv::Mat inTheirTints(const cv::Mat& areas) const {
     constexpr std::size_t mostOverlapping = 12;
     Tints tints;
@@ -194,7 +195,7 @@ class TintedAreas {
       }
   }
 
-  /// How far a colour lies on the way from the paper's to a tint, and how far off that way, colour levels.
+  /// Position of a colour on the way from the paper to a tint, and its distance from that way, colour levels.
   struct OnTheWay {
     float share = 0, off = 0;
   };
@@ -203,19 +204,19 @@ class TintedAreas {
     const float share = dot(its, along) / std::max(1.0F, dot(along, along));
     return {share, norm(its - share * along)};
   }
-  /// The rim of an area, its own edge line too.
+  /// Returns true for the rim of an area, including its own edge line.
   bool isRim(Color3 pixel, Color3 tint) const {
     const OnTheWay at = onTheWay(pixel, tint);
     return at.share >= -0.1F && at.share <= kInkTimes && at.off <= kTint;
   }
-  /// What stands out of an area: far beyond its tint, or of another hue and no paler.
+  /// Returns true for marks on an area: far beyond its tint, or of another hue and no paler.
   bool isInk(Color3 pixel, Color3 tint) const {
     constexpr float otherHue = 24;  // colour levels
     const float contrast = norm(pixel - paper_), its = norm(tint - paper_);
     return contrast > kInkTimes * its || (contrast > its && onTheWay(pixel, tint).off > otherHue);
   }
 
-  /// The fullest ink around a pixel that this is a paler rim of; the pixel's own colour where there is none.
+  /// The fullest colour around a pixel of which this is a paler rim; the pixel's own colour if there is none.
   static Color3 coreOfLine(const Raster& picture, int x, int y, Color3 tint) {
     constexpr int reach_px = 2;
     constexpr float sameInk = 0.9F;  // cosine between differences to the tint
@@ -230,7 +231,8 @@ class TintedAreas {
       }
     return core;
   }
-  /// A colour of an area as it would be on the paper: ink covers both alike, the plot's lines and all else show through.
+  /// Colour of an area's pixel as it would be on paper: marks cover both alike, the plot's lines and all else
+  /// show through.
   Color3 onPaper(Color3 pixel, Color3 tint, Color3 core) const {
     constexpr float alongLines = 0.97F;  // cosine
     const Color3 under = withoutFilm(core, tint) - paper_;
@@ -240,12 +242,12 @@ class TintedAreas {
     return paper_ + share * (core - paper_);
   }
 
-  /// A colour as it would be without a film of this tint over the paper.
+  /// Colour without a film of this tint over the paper.
   Color3 withoutFilm(Color3 pixel, Color3 tint) const { return onOtherGround(pixel, tint, paper_); }
-  /// A colour under such a film.
+  /// Colour under such a film.
   Color3 underFilm(Color3 pixel, Color3 tint) const { return onOtherGround(pixel, paper_, tint); }
 
-  /// A colour over one ground as it would be over another: a light ground shines through it, a dark one adds its light.
+  /// Colour over another background: a light background shines through, a dark one adds its light.
   Color3 onOtherGround(Color3 pixel, Color3 from, Color3 to) const {
     const auto channel = [this](float p, float its, float other) {
       return light_ ? p * other / std::max(1.0F, its)
@@ -261,7 +263,7 @@ class TintedAreas {
 
   Raster& raster_;
   Color3 paper_;
-  bool light_;        ///< the paper, and ink is darker
+  bool light_;        ///< light paper with darker marks
   cv::Mat rgb_;       ///< the raster's own pixels
   cv::Mat contrast_;  ///< distance from the paper, colour levels
   cv::Mat even_;

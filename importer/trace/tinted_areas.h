@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Evenly tinted areas of a plot: what programs paint under a curve, between two or as a band, mostly half transparent. Lines over
-// them are looked for as if they stood on the paper.
+// Evenly tinted areas of a plot under a curve, between two, or as a band, mostly half transparent. Lines over
+// them are then traced as if on paper.
 
 #include <functional>
 
@@ -9,9 +9,10 @@
 
 namespace detent::importer::trace {
 
-/// Takes such areas off the picture as a film is taken off paper, seams without a line included. One counts where lines with clearly
-/// more contrast run along or over it: a ground of a curve's full ink, a marker or a thick line is left alone. Whether there was any. `lineDirection`: asked for
-/// then, from the paper to the colour of grid and frame.
+/// Removes such areas like a film on paper, including seams without a line. An area counts if lines with
+/// clearly more contrast run along or over it; an area of a curve's full colour, a marker or a thick line is
+/// left alone. Returns true if there was any. `lineDirection`: called then, direction from the paper to the
+/// colour of grid and frame.
 bool liftTintedAreas(Raster& raster, Color3 paper, const std::function<Color3()>& lineDirection);
 
 }  // namespace detent::importer::trace

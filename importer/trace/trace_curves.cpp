@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step 4, reading order: plot_scene.h (what there is to see) -> trace_vector.h (paths, exact) -> here (which inks draw
-// curves) -> plot_text, ink_palette, ink_coverage, curve_choice, follow_curve, centre_line, line_ends (curves in inks of
-// their own) or trace_loop.h (both strokes in one ink).
+// Step 4, reading order: plot_scene.h (what is visible) -> trace_vector.h (paths, exact) -> here (which
+// colours draw curves) -> plot_text, ink_palette, ink_coverage, curve_choice, follow_curve, centre_line,
+// line_ends (curves in colours of their own) or trace_loop.h (both strokes in one colour).
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ namespace {
 
 using namespace trace;
 
-constexpr double kCredibleLoop = 0.5;  // below: another ink may hold the curves
+constexpr double kCredibleLoop = 0.5;  // below this another colour may hold the curves
 
 Failure noCurve(Message why) {
   return {FailureCode::noForceGraph,
@@ -41,14 +41,14 @@ Failure noCurve(Message why) {
            {RemedyKind::pickPress, "with the curve's colour"}}};
 }
 
-/// Inks the user named, as indices into the palette; -1: not named.
+/// Colours named by the user, as indices into the palette; -1: not named.
 struct GivenInks {
   int press = -1, release = -1;
 
   bool any() const { return press >= 0 || release >= 0; }
 };
 
-/// Given colours join the palette; an ink found in the same direction keeps its measured shade.
+/// Adds given colours to the palette; a found colour of the same direction keeps its measured shade.
 GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const PlotScene& scene) {
   const auto indexOf = [&](const std::optional<Rgb>& color) {
     if (!color) return -1;
@@ -66,8 +66,8 @@ GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const
   return given;
 }
 
-/// Cuts a beginning that falls along the force axis: a stroke starts at rest and rises, what falls there is the axis
-/// itself, whose ink a picture turned back smears into the curve's.
+/// Cuts a beginning that falls along the force axis: a stroke starts at rest and rises; what falls there is
+/// the axis, which rotation smears into the curve's colour.
 void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   constexpr double within_px = 4, leastShare = 0.02;  // of the frame's height
   const Point topLeft = frame.corners[0], bottomLeft = frame.corners[3];
@@ -77,7 +77,7 @@ void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   };
   std::vector<Point>& points = trace.points_px;
   if (points.size() < 2 || height <= 0) return;
-  if (points.front().x > points.back().x) return;  // drawn from the right: ends at rest
+  if (points.front().x > points.back().x) return;  // drawn from the right, ends at rest
   const auto leaves = std::find_if_not(points.begin(), points.end(), besideAxis);
   const auto lowest = std::max_element(points.begin(), leaves, [](Point a, Point b) { return a.y < b.y; });
   if (lowest == leaves || leaves == points.end()) return;
@@ -85,7 +85,7 @@ void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   dropEnd(trace, static_cast<std::size_t>(lowest - points.begin()), false);
 }
 
-/// The centre line of a curve whose course was found, in the view.
+/// The centre line of a curve with a known path, in the view.
 CurveTrace lineAlong(const CoarseCurve& course, const CurveField& field, double thickness_px, const Ink& ink,
                      const PlotInks& plot, const TraceOptions& options) {
   const PlotArea& area = plot.area();
@@ -107,7 +107,7 @@ CurveTrace lineAlong(const CoarseCurve& course, const CurveField& field, double 
   return trace;
 }
 
-/// A curve in an ink of its own, `curveInks` those of all curves.
+/// A curve in its own colour; `curveInks`: those of all curves.
 CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveInks, const PlotInks& plot,
                    const TraceOptions& options) {
   const CurveField field = fieldOf(plot, curve.ink, curveInks);
@@ -119,7 +119,8 @@ CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveInks, con
                    plot.ink(curve.ink), plot, options);
 }
 
-/// The area as coverage by one ink, for curves that share it with each other and perhaps with grid and text.
+/// Coverage of the area by one colour, for curves that share it with each other and perhaps with grid and
+/// text.
 Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
   const PlotArea& area = plot.area();
   Plane coverage(area.raster.width_px, area.raster.height_px);
@@ -132,7 +133,7 @@ Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
       if (length < floor) continue;
       float own = dot(difference, ink.direction) / ink.strength;
       if (!neutral) {
-        // Another ink that fits the pixel's colour better has it; only blends keep a share of this one.
+        // A pixel belongs to the colour that fits it best; only blends keep a share of this one.
         float bestOther = 0;
         for (const Ink& other : plot.palette) {
           if (static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle) continue;
@@ -146,8 +147,8 @@ Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
   return coverage;
 }
 
-/// The ink of everything that is not coloured: away from the paper, towards the darkest (on dark paper:
-/// lightest) of it.
+/// The ink of everything that is not coloured: from the paper to the darkest (on dark paper: lightest)
+/// colour.
 Ink darkness(const PlotInks& plot) {
   Ink dark;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
@@ -169,7 +170,7 @@ Mask either(const Mask& a, const Mask& b) {
   return both;
 }
 
-/// Strokes of curves whose colour the user gave.
+/// Sets the strokes of curves whose colour the user gave.
 void nameGivenStrokes(std::vector<CurveTrace>& traces, const std::vector<CurveInk>& curves,
                       const GivenInks& given) {
   for (std::size_t i = 0; i < traces.size(); ++i) {
@@ -178,7 +179,7 @@ void nameGivenStrokes(std::vector<CurveTrace>& traces, const std::vector<CurveIn
   }
 }
 
-/// Given inks as they are; with only one of them given the other stroke is found.
+/// Given colours as they are; if only one is given the other stroke is searched.
 std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
   if (!given.any()) return chooseCurveInks(plot);
   std::vector<CurveInk> curves = curvesOfInks(plot, {given.press, given.release});
@@ -188,13 +189,14 @@ std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
   return curves;
 }
 
-/// Curves of which two are shades of one ink, and the inks they were chosen from.
+/// Curves of which two are shades of one colour, and the colours they were chosen from.
 struct ShadedCurves {
   PlotInks plot;
   std::vector<CurveInk> curves;
 };
 
-/// Beside two shades of one colour a second switch: in the ink of frame and text, where both its strokes have a shade of it too.
+/// Beside two shades of one colour a second switch in the colour of frame and text, if both its strokes have
+/// a shade of it too.
 ShadedCurves withNeutralShades(ShadedCurves shaded, double least_px) {
   const std::optional<CurveInk> other = neutralCurveBeside(shaded.plot, shaded.curves.front());
   if (!other) return shaded;
@@ -216,8 +218,8 @@ ShadedCurves withNeutralShades(ShadedCurves shaded, double least_px) {
   return shaded;
 }
 
-/// Where one curve or none was found by the directions of colour: one that is drawn in a paler shade of another, of frame and
-/// text, or of the curve itself.
+/// If directions of colour gave one curve or none: one drawn in a paler shade of another, of frame and text,
+/// or of the curve itself.
 std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vector<CurveInk>& found) {
   const double least_px = 0.5 * plot.options.minSpan * plot.area().frame.width();
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
@@ -238,12 +240,13 @@ std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vecto
   return {};
 }
 
-/// How far from the line that it runs into a line of dashes may be seen to end, in diagonals of the frame: a dash that touches that line is
-/// taken for its edge.
+/// Distance, in diagonals of the frame, before the line it runs into at which a dashed line may seem to end:
+/// a dash that touches that line counts as its edge.
 constexpr double kDashesEndBefore = 0.03;
 
-/// Leads a line of dashes along the one that is drawn through from where it runs into it: to the end that both strokes of a switch have in
-/// common, and to the foot. False where it does not come to that end: it is no stroke of the same switch, or a part of one.
+/// Extends a dashed line along the solid one from where it runs into it, to the common end of both strokes
+/// and to zero force. Returns false if it does not reach that end: not a stroke of the same switch, or only
+/// part of one.
 bool joinAtEnds(CurveTrace& dashed, const CurveTrace& solid, double most_px) {
   std::vector<Point> its = solid.points_px;
   if (its.front().x > its.back().x) std::ranges::reverse(its);
@@ -252,7 +255,7 @@ bool joinAtEnds(CurveTrace& dashed, const CurveTrace& solid, double most_px) {
   const auto nearestTo = [&](Point end) {
     return std::ranges::min_element(its, {}, [&](Point p) { return distance(p, end); });
   };
-  constexpr double mostOfTravel = 0.15;  // under the other line: beyond it dashes were lost on the way
+  constexpr double mostOfTravel = 0.15;  // under the other line; beyond this, dashes were lost
   const double unseen_px = mostOfTravel * (its.back().x - its.front().x);
   const double width_px = dashed.width_px.front();
   const auto endsAt = nearestTo(points.back());
@@ -265,7 +268,7 @@ bool joinAtEnds(CurveTrace& dashed, const CurveTrace& solid, double most_px) {
   return true;
 }
 
-/// Press and release in one ink of which the one is drawn through and the other in dashes; empty where they are not.
+/// Press and release in one colour, one solid and one dashed; empty otherwise.
 std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveInk& curve,
                                        const std::vector<int>& curveInks, const PlotInks& plot,
                                        const TraceOptions& options) {
@@ -288,8 +291,8 @@ std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveInk& 
   return strokes;
 }
 
-/// Beside other curves an ink that draws both strokes of a switch is parted into them, both with its label. An ink
-/// beside whose curve nothing but marks lies stays one curve. Of two inks either both draw two strokes or neither.
+/// Separates a colour that draws both strokes beside other curves, both with its label. A colour with only
+/// marks beside its curve stays one curve. Of two colours either both draw two strokes or neither.
 std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
                                         const std::vector<CurveInk>& curves, const PlotInks& plot,
                                         const TraceOptions& options, const Progress& progress) {
@@ -320,7 +323,7 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
   return all;
 }
 
-/// A coloured loop and, where one is drawn, a second one in the ink of frame and text, each with its label.
+/// A coloured loop and, if drawn, a second one in the colour of frame and text, each with its label.
 std::vector<CurveTrace> withNeutralLoop(std::vector<CurveTrace> loop, const CurveInk& its,
                                         const PlotInks& plot, const AxesFound& axes, const PageView& view,
                                         const TraceOptions& options, const Progress& progress) {
@@ -350,10 +353,11 @@ double shareOn(const CurveTrace& trace, const CurveTrace& other) {
   return static_cast<double>(on) / static_cast<double>(std::max<std::size_t>(1, trace.points_px.size()));
 }
 
-/// Whether a trace begins later or ends earlier than the others, or lies on another one: its colour was lost on the way.
+/// Returns true if a trace begins later or ends earlier than the others, or lies on another one: its colour
+/// was lost.
 bool anyLost(const std::vector<CurveTrace>& traces) {
   constexpr double mostOf = 0.93,
-                   same = 0.8;  // of the travel of all traces; of a course that lies on another
+                   same = 0.8;  // of the travel of all traces; of a path that lies on another
   double from = std::numeric_limits<double>::max(), to = std::numeric_limits<double>::lowest();
   const auto extent = [](const CurveTrace& t) {
     const auto [left, right] = std::ranges::minmax(t.points_px, {}, &Point::x);
@@ -372,13 +376,14 @@ bool anyLost(const std::vector<CurveTrace>& traces) {
   });
 }
 
-/// Whether a trace stops below the others' tops, as one does whose colour was lost on its wall.
+/// Returns true if a trace stops below the others' tops, which happens when its colour is lost on the
+/// bottom-out.
 bool anyStopsLow(const std::vector<CurveTrace>& traces) {
   constexpr double lower = 0.12;  // of the height of all traces
   std::vector<double> tops;
   double bottom = 0;
   for (const CurveTrace& trace : traces) {
-    if (trace.points_px.empty()) return false;  // a colour without a way says nothing of a wall
+    if (trace.points_px.empty()) return false;  // a colour without a path says nothing about a bottom-out
     const auto [top, low] = std::ranges::minmax(trace.points_px, {}, &Point::y);
     tops.push_back(top.y);
     bottom = std::max(bottom, low.y);
@@ -387,9 +392,9 @@ bool anyStopsLow(const std::vector<CurveTrace>& traces) {
   return lowest > highest + lower * (bottom - highest);
 }
 
-/// Whether what a stroke has beyond its trace runs where no other trace does.
+/// Returns true if the part of a stroke beyond its trace runs where no other trace does.
 bool goesOnAlone(const CurveTrace& stroke, const CurveTrace& its, const std::vector<CurveTrace>& traces) {
-  constexpr double apart_px = 3, alone = 0.25;  // of what it has beyond
+  constexpr double apart_px = 3, alone = 0.25;  // px; share of the part beyond
   double beyond = 0, shared = 0;
   for (Point p : stroke.points_px) {
     if (liesOn(p, its, apart_px)) continue;
@@ -401,9 +406,9 @@ bool goesOnAlone(const CurveTrace& stroke, const CurveTrace& its, const std::vec
   return shared <= (1 - alone) * beyond;
 }
 
-/// Whether a stroke reaches the frame's top before its end: the frame is a part of the plot's.
+/// Returns true if a stroke reaches the frame's top before its end: the frame is a part of the plot's.
 bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
-  constexpr double touching_px = 2, endsWithin = 0.15;  // the last of the stroke's width
+  constexpr double touching_px = 2, endsWithin = 0.15;  // px; the last share of the stroke's width
   const Box& frame = area.frame;
   const double top = area.toView({frame.x0, frame.y0}).y;
   const auto [left, right] = std::ranges::minmax(stroke.points_px, {}, &Point::x);
@@ -412,8 +417,8 @@ bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
                              [&](Point p) { return p.x < before && p.y < top + touching_px; });
 }
 
-/// Whether a stroke runs on to the right of all that its colours told: a colour is lost on a wall, not along a level line, which
-/// is the plot's own.
+/// Returns true if a stroke continues to the right of all coloured traces: colours are lost on steep
+/// stretches, not along a horizontal line, which is the plot's own.
 bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& traces, double frame_px) {
   constexpr double most = 0.04;  // of the frame's width
   const auto rightOf = [](const CurveTrace& trace) {
@@ -425,15 +430,15 @@ bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& tra
   return rightOf(stroke) > told_px + most * frame_px;
 }
 
-/// In a small picture colours run into each other, and strokes that lie close have none of their own; in one of medium size
-/// steep thin lines lose theirs where colour is stored at half resolution. Where a stroke was lost by its colour both are
-/// followed in one ink, provided that what the colours told lies on them and that each name of a legend stays with one of
-/// them (docs/develop/decisions/0408-small-print.md).
+/// Follows both strokes as one colour if a stroke was lost by its colour. In a small picture colours blend,
+/// and close strokes have none of their own; in medium ones steep thin lines lose theirs at half-resolution
+/// colour. Accepted if the coloured traces lie on the result and each legend name stays with one stroke
+/// (docs/develop/decisions/0408-small-print.md).
 std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTrace>& traces,
                                                       const PlotInks& plot, const TraceOptions& options,
                                                       const Progress& progress) {
   constexpr double smallFrame_px = 360, mediumFrame_px = 720,
-                   agreeing = 0.9;  // widths; of a course that lies on a stroke
+                   agreeing = 0.9;  // widths; of a path that lies on a stroke
   const double width_px = plot.area().frame.width();
   if (traces.size() < 2 || width_px > mediumFrame_px) return {};
   const bool small = width_px <= smallFrame_px && anyLost(traces);
@@ -453,7 +458,7 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
     const CurveTrace& its = *std::ranges::max_element(traces, nearer);
     if (!small && !goesOnAlone(stroke, its, traces)) return {};
     stroke.color = its.color, stroke.label = its.label, stroke.labelBox_px = its.labelBox_px;
-    stroke.stroke.reset();  // which is which their places tell, as with colours
+    stroke.stroke.reset();  // their positions tell which is which, as with colours
   }
   const auto isKept = [&](const CurveTrace& trace) {
     return trace.label.empty() || std::ranges::count(strokes, trace.label, &CurveTrace::label) == 1;
@@ -481,7 +486,8 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   const bool oneInkBothStrokes =
       curves.size() == 1 && curves.front().secondStrand > plot.options.secondStrand;
   if (curves.empty() || oneInkBothStrokes) {
-    // A press alone gets its words: a legend whose samples are both of its ink names a release that was not seen.
+    // A press alone keeps its words: a legend with both keys in its colour names a release that was not
+    // found.
     const auto loopIn = [&](const Ink& ink, bool neutral) {
       auto loop =
           traceLoop(scene.area(), coverageBy(ink, neutral, plot), plot.colorOf(ink), options, progress);
@@ -494,7 +500,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
     if (given.any() || progress.isCancelled()) return loop;
     if (believed >= kCredibleLoop)
       return withNeutralLoop(std::move(loop).value(), curves.front(), plot, axes, view, options, progress);
-    // Coloured leaders and dots can look like an ink of curves; then these are in the neutral ink.
+    // Coloured leaders and dots can look like a colour of curves; then the curves have the neutral colour.
     Result<std::vector<CurveTrace>> neutral = loopIn(darkness(plot), true);
     return neutral.ok() && neutral->front().confidence > believed ? neutral : loop;
   }
@@ -518,8 +524,8 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   return parted;
 }
 
-/// Curves of a drawing whose legend shows no lines get their names as in a picture, by its filled squares and its letters. Of an
-/// ink both strokes have the same.
+/// Names curves of a drawing whose legend shows no lines as in a picture, by filled squares and letters. Both
+/// strokes of a colour get the same name.
 void labelDrawn(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
                 const PlotScene& scene) {
   if (scene.empty() || std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); }))
@@ -527,7 +533,7 @@ void labelDrawn(std::vector<CurveTrace>& traces, const AxesFound& axes, const Pa
   std::vector<CurveTrace> inks;
   for (const CurveTrace& trace : traces) {
     const bool isNew = std::ranges::find(inks, trace.color, &CurveTrace::color) == inks.end();
-    if (!isNew && !trace.stroke) return;  // the dashes of a line tell it from another of its colour
+    if (!isNew && !trace.stroke) return;  // the dash pattern distinguishes a line from another of its colour
     if (isNew) inks.push_back(trace);
   }
   labelTraces(inks, axes, view, scene);

@@ -25,8 +25,7 @@ Failure noCurveFailure() {
           {{RemedyKind::pickPress, {}}, {RemedyKind::giveFrame, "if another rectangle holds the graph"}}};
 }
 
-/// Below this what was followed is leaders, lettering or rubbish: true loops, also dotted and on scans, stay
-/// above 0.3.
+/// Below this the result is leaders or text: true loops, also dotted and on scans, stay above 0.3.
 constexpr double kNotACurve = 0.15;
 
 Failure doubtfulFailure(double confidence) {
@@ -38,7 +37,8 @@ Failure doubtfulFailure(double confidence) {
                    "curves");
 }
 
-/// A third curve over this share of the frame's width is another switch's (docs/develop/decisions/0809-several-curves-in-one-colour.md).
+/// A third curve over this share of the frame's width belongs to another switch
+/// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 constexpr double kAnotherCurve = 0.41;
 
 Failure severalLoopsFailure(Rgb color) {
@@ -55,7 +55,7 @@ std::vector<double> onPlane(std::vector<double> positions_px, double origin, dou
   return positions_px;
 }
 
-/// Boxes of read text on the plane; what is too tall for a line of text was misread and is left out.
+/// Boxes of read text on the plane; boxes too tall for a line of text were misread and are left out.
 std::vector<Box> letteringOn(const WorkPlane& plane, const std::vector<Box>& words_px) {
   const double tallest = 0.12 * std::min(plane.frame.width(), plane.frame.height());
   std::vector<Box> out;
@@ -67,7 +67,7 @@ std::vector<Box> letteringOn(const WorkPlane& plane, const std::vector<Box>& wor
   return out;
 }
 
-/// Points of a refined stroke at the asked spacing, with its width, in the order travelled.
+/// Points of a refined stroke at the requested spacing, with its width, in the order travelled.
 CurveTrace traceOf(const RefinedStroke& stroke, Stroke which, const PlotArea& area, double spacing_px) {
   CurveTrace trace;
   double since = spacing_px;
@@ -100,21 +100,22 @@ void showPlane(const Progress& progress, const Plane& grid, std::string_view lab
   progress.picture(label, raster);
 }
 
-/// Whether the ink that both strokes leave over is a curve of another switch.
+/// Returns true if the remaining pixels are a curve of another switch.
 bool showsAnother(const PlanePair& pair, const WorkPlane& plane) {
   return pair.further_px > kAnotherCurve * plane.frame.width() || pair.wallLeftOver || pair.leftItsLine;
 }
 
-/// No switch comes back from farther than it was pressed: two presses end where their own walls do.
+/// A release cannot start beyond the end of the press; two presses have separate ends.
 bool comesFromFarther(const RefinedPair& strokes, bool wallsCut) {
-  // Of the press' travel; where slanting walls are cut back to where their dashes begin, 0.05.
+  // Of the press travel; 0.05 occurs where slanting bottom-outs are cut back to their dashes.
   const double within = wallsCut ? 0.06 : 0.035;
   const auto &press = strokes.press.points, &release = strokes.release.points;
   if (press.empty() || release.empty()) return false;
   return release.back().x - press.back().x > within * (press.back().x - press.front().x);
 }
 
-/// Two lines of two switches in one ink are parted into an upper and a lower one as press and release are.
+/// Returns true if the strokes cross: two lines of two switches in one colour were separated into an upper
+/// and a lower one.
 bool strokesCross(const RefinedPair& strokes, const WorkPlane& plane) {
   const double size_px = plane.scale * std::hypot(plane.frame.width(), plane.frame.height());
   return linesCross(strokes.press.points, strokes.release.points, strokes.press.width_px, size_px);

@@ -16,7 +16,7 @@
 namespace detent::importer {
 namespace {
 
-/// Lines that look alike: one ink, one dash pattern.
+/// Lines that look alike: one colour, one dash pattern.
 struct LineStyle {
   Rgb color;
   bool dashed = false;
@@ -34,13 +34,13 @@ struct StyledStroke {
 
 constexpr std::size_t strokesOfOneInk = 2;
 
-/// Of the travel that either covers, the share that both do. Parts of one stroke lie side by side.
+/// Common share of the travel that either covers. Parts of one stroke lie side by side.
 double sharedTravel(const FoundStroke& a, const FoundStroke& b) {
   const double either = std::max(a.to, b.to) - std::min(a.from, b.from);
   return (std::min(a.to, b.to) - std::max(a.from, b.from)) / either;
 }
 
-/// Force height (pixels above the plot's floor) of a left-to-right line at a column; nothing beside it.
+/// Force height (pixels above the plot's floor) of a left-to-right line at a column; nullopt beside it.
 std::optional<double> rowAt(const std::vector<Point>& line, double x) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point a = line[i - 1], b = line[i];
@@ -49,7 +49,7 @@ std::optional<double> rowAt(const std::vector<Point>& line, double x) {
   return std::nullopt;
 }
 
-/// Positive: `a` lies above `b` on average. In pixels.
+/// Positive if `a` lies above `b` on average. In pixels.
 double meanHeightAbove(const std::vector<Point>& a, const std::vector<Point>& b, const PlotPlane& plane) {
   constexpr int samples = 400;
   double sum = 0;
@@ -64,8 +64,8 @@ double meanHeightAbove(const std::vector<Point>& a, const std::vector<Point>& b,
   return count > 0 ? sum / count : 0;
 }
 
-/// Lines that cross, or of which the lower one goes on farther, are no strokes of one switch, or not all of them: the picture
-/// tells what else there is.
+/// Returns true if the lines cross, or the lower one extends farther: not the strokes of one switch, or not
+/// all of them. The pixels decide then.
 bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& plane) {
   constexpr double farther = 0.035;  // of the upper one's travel, as in pictures
   constexpr double contact_px = 0.75;
@@ -77,8 +77,8 @@ bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& pl
   return trace::linesCross(upper, lower, press.width_px, plane.diagonal());
 }
 
-/// Whether a line that covers less of the plot than strokes do ends where the press does, as the way back of a key that latches. Leaders
-/// are straight, or drawn with two or three points.
+/// Returns true if a line that covers less of the plot than strokes do ends where the press does, like the
+/// release of a latching key. Leaders are straight, or have two or three points.
 bool leadsBackFrom(const FoundStroke& press, const FoundStroke& other, const PlotPlane& plane) {
   constexpr double together = 0.02;  // of the plot's width
   constexpr std::size_t measuredPoints = 8;
@@ -105,7 +105,7 @@ StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, co
   }
   constexpr double halfAnotherStroke = 0.25;  // of the plot's diagonal
   constexpr double leastShared = 0.3;         // of the travel that either covers
-  bool third = false;                         // perhaps the two best do not belong together
+  bool third = false;                         // perhaps the best two do not belong together
   for (const UnusedLine& unused : network.unusedLines()) {
     third = third || (!unused.straight && unused.fresh > halfAnotherStroke);
     found.inDoubt = found.inDoubt || std::ranges::any_of(lines, [&](const FoundStroke& line) {
@@ -124,7 +124,7 @@ StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, co
   return found;
 }
 
-/// Dots and dashes along a line of their own ink are its markers.
+/// Returns true if dots and dashes along a line of their own colour are its markers.
 bool areMarkersOn(const StyledStroke& line, const StyledStroke& dotted) {
   constexpr double beside_px = 1.5, nearlyAll = 0.95;  // of the points
   if (line.style.dashed || !dotted.style.dashed || line.style.color != dotted.style.color) return false;
@@ -140,7 +140,7 @@ struct LegendSample {
   LineStyle style;
 };
 
-/// Short level lines, anywhere in the view: what a legend shows beside its words.
+/// Short horizontal lines anywhere in the view: possible legend keys.
 std::vector<LegendSample> legendSamples(const PageView& view, const PlotPlane& plane) {
   const double shortest = 0.01 * plane.box.width(), longest = 0.15 * plane.box.width();
   constexpr double tickReach_px = 2;
@@ -166,11 +166,11 @@ bool isOf(const LegendSample& sample, const LineStyle& style) {
 }
 
 struct LegendWords {
-  const SeenText* text = nullptr;  ///< null if there are none
+  const SeenText* text = nullptr;  ///< null if there is none
   double gap_px = std::numeric_limits<double>::infinity();
 };
 
-/// The nearest words level with a legend's sample on one side of it.
+/// The nearest words level with a legend key on one side of it.
 LegendWords wordsBeside(const LegendSample& sample, const std::vector<SeenText>& texts, bool after) {
   LegendWords words;
   for (const SeenText& text : texts) {
@@ -183,8 +183,8 @@ LegendWords wordsBeside(const LegendSample& sample, const std::vector<SeenText>&
   return words;
 }
 
-/// Each legend sample's words: all behind their samples, as people write, or all before them, on the side where more have some. In a
-/// row a sample stands between its own words and its neighbour's.
+/// Each legend key's words: all behind their keys, as usual, or all before them, on the side where more have
+/// some. In a row a key stands between its own words and its neighbour's.
 std::vector<LegendWords> wordsBesideAll(const std::vector<LegendSample>& samples,
                                         const std::vector<SeenText>& texts) {
   std::vector<LegendWords> behind, before;
@@ -208,7 +208,7 @@ bool wanted(const LineStyle& style, const TraceHints& hints) {
   return isGiven(style.color, hints.pressColor) || isGiven(style.color, hints.releaseColor);
 }
 
-/// Whether a line was found of each colour given: of one alone nobody asked for.
+/// Returns true if a line was found for each given colour; with one colour the other is not requested.
 bool hasAllGiven(const std::vector<CurveTrace>& traces, const TraceHints& hints) {
   const auto found = [&](const std::optional<Rgb>& given) {
     return !given ||
@@ -217,7 +217,7 @@ bool hasAllGiven(const std::vector<CurveTrace>& traces, const TraceHints& hints)
   return found(hints.pressColor) && found(hints.releaseColor);
 }
 
-/// Two strokes in one ink, solid and dashed or both alike: the press lies above the release.
+/// Two strokes in one colour, solid and dashed or alike: the press lies above the release.
 void nameStrokesOfOneInk(std::vector<CurveTrace>& traces, const PlotPlane& plane) {
   for (std::size_t i = 0; i < traces.size(); ++i) {
     std::vector<std::size_t> ofInk;
@@ -250,7 +250,7 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
   for (LinePiece& piece : linePieces(view, plane, hints.masks_px)) {
     const LineStyle style{piece.color, piece.dashed};
     if (!wanted(style, hints)) continue;
-    // Drawn again over a fill that covered it a line is still one.
+    // A line drawn again over a fill that covered it is one line.
     const bool again =
         std::ranges::find(styles[style], piece.points, &LinePiece::points) != styles[style].end();
     if (!again) styles[style].push_back(std::move(piece));

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Curves that the document carries as paths: taken as they are, exact.
+// Curves from the document's own paths, exact.
 
 #include "importer/trace/curve_trace.h"
 
 namespace detent::importer {
 
-/// Empty if the curves are not among the view's paths, or only parts of them (then the raster is traced;
-/// docs/develop/decisions/0303-curves-from-vector-paths.md). Grid, frame, leaders,
-/// arrows, glyph outlines, legend samples and markers are told from curves. Where both strokes share one ink,
-/// `stroke` is set.
+/// Empty if the curves are not among the view's paths, or only in part (then pixels are traced;
+/// docs/develop/decisions/0303-curves-from-vector-paths.md). Excludes grid, frame, leaders, arrows, glyph
+/// outlines, legend keys and markers. If both strokes share one colour, `stroke` is set.
 std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
                                     const TraceHints& hints = {});
 

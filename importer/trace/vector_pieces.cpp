@@ -16,10 +16,10 @@
 namespace detent::importer {
 namespace {
 
-constexpr double overshoot = 0.04;           // of the plot's size; how far a curve may leave the frame
-constexpr double turnRound = 0.05;           // of the plot's width; shorter returns are wiggles
+constexpr double overshoot = 0.04;           // of the plot's size by which a curve may leave the frame
+constexpr double turnRound = 0.05;           // of the plot's width; shorter returns are ignored
 constexpr double letterSize = 0.025;         // of the plot's diagonal
-constexpr double outlinedLetterSize = 0.06;  // the same
+constexpr double outlinedLetterSize = 0.06;  // of the plot's diagonal
 constexpr double shortestFoldArm = 0.01;     // of the plot's diagonal
 
 /// The parts of the line outside the box.
@@ -46,7 +46,7 @@ std::vector<Polyline> cutOut(const Polyline& line, const Box& box) {
 std::vector<Polyline> cutAtTurns(const Polyline& line, double minReturn_px) {
   std::vector<Polyline> parts;
   std::size_t begin = 0, extreme = 0;
-  int heading = 0;  // -1 leftwards, 1 rightwards, 0 not known yet
+  int heading = 0;  // -1 leftwards, 1 rightwards, 0 unknown
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double gain = line[i].x - line[extreme].x;
     if (heading == 0) {
@@ -55,8 +55,7 @@ std::vector<Polyline> cutAtTurns(const Polyline& line, double minReturn_px) {
       if (std::abs(moved) >= std::abs(line[extreme].x - line[begin].x)) extreme = i;
       continue;
     }
-    // On a wall the turn is at its far end from where the line came: the last of the points that lie equally
-    // far.
+    // On a vertical stretch the turn is at its far end: the last of the equally far points.
     if (gain * heading >= 0) {
       extreme = i;
     } else if (-gain * heading > minReturn_px) {
@@ -71,8 +70,8 @@ std::vector<Polyline> cutAtTurns(const Polyline& line, double minReturn_px) {
   return parts;
 }
 
-/// Cuts where the line folds back on itself between two long straight arms: strokes that begin in one point. A line that goes
-/// on to the same side is one stroke, however steeply its force drops there.
+/// Cuts where the line folds back between two long straight arms: strokes that begin in one point. A line
+/// that continues to the same side is one stroke, however steeply its force drops there.
 std::vector<Polyline> cutAtFolds(const Polyline& line, double leastArm_px) {
   constexpr double foldCosine = -0.64;  // turns by more than 130°
   std::vector<Polyline> parts;
@@ -90,8 +89,9 @@ std::vector<Polyline> cutAtFolds(const Polyline& line, double leastArm_px) {
   return parts;
 }
 
-/// Frames, legend boxes, text backgrounds, grids drawn as one long line: nothing but long level and plumb
-/// segments. A curve of many short steps leaves its way by less than a thick line's tolerance at each of them: these slant.
+/// Returns true for frames, legend boxes, text backgrounds, and grids drawn as one long line: only long
+/// horizontal and vertical segments. Short steps of a curve deviate by less than the tolerance each, but
+/// slant.
 bool onlyLongAxisParallel(const Polyline& line, double tolerance_px, double longLength_px) {
   constexpr double slant = 0.1, mostSlanted = 0.1;  // across to along; of the line's length
   bool anyLong = false;
@@ -107,7 +107,8 @@ bool onlyLongAxisParallel(const Polyline& line, double tolerance_px, double long
   return anyLong && slanted_px <= mostSlanted * length_px;
 }
 
-/// Whether a short outline's sides, which cross at a bend, gave a line that turns back on itself or does not run from end to end of it.
+/// Returns true if the sides of a short outline, which cross at a bend, gave a line that turns back or does
+/// not run from end to end.
 bool isTangled(const Polyline& line, const Polyline& outline, double short_px) {
   constexpr double leastExtent = 0.8;  // of the outline's
   const auto extentOf = [](const Box& box) { return std::hypot(box.width(), box.height()); };
@@ -119,8 +120,8 @@ bool isTangled(const Polyline& line, const Polyline& outline, double short_px) {
   return back > 1 || extentOf(boundsOf(line)) < leastExtent * extent_px;
 }
 
-/// The upper side of an area with a border: without its level foot, over all of its width, and the plumb sides that stand on it at
-/// its right and on the plot's left edge. Nothing where a shape is no such area, or as small as a marker.
+/// The upper side of an area with a border: without its horizontal base, and the vertical sides at its right
+/// and on the plot's left edge. nullopt if a shape is no such area, or as small as a marker.
 std::optional<Polyline> upperSide(Polyline ring, const Box& plot) {
   constexpr double level_px = 0.5, nearlyAll = 0.98;  // of the width
   constexpr double least = 0.12;                      // of the plot's width
@@ -133,7 +134,7 @@ std::optional<Polyline> upperSide(Polyline ring, const Box& plot) {
     return onFoot(a) && onFoot(b) && std::abs(b.x - a.x) >= nearlyAll * box.width();
   });
   if (foot == ring.end()) return {};
-  // From behind the foot around to before it; the ring's last point is its first.
+  // From behind the base around to before it; the ring's last point is its first.
   Polyline upper(foot + 1, ring.end());
   upper.insert(upper.end(), ring.begin() + 1, foot + 1);
   if (upper.size() > 2 && upper.front().x > upper.back().x) std::reverse(upper.begin(), upper.end());
@@ -151,7 +152,7 @@ bool nearAny(const std::vector<double>& positions, double at, double tolerance) 
                      [&](double p) { return std::abs(p - at) <= tolerance; });
 }
 
-/// Turns whole polylines into pieces.
+/// Converts whole polylines to pieces.
 class PieceMaker {
  public:
   PieceMaker(const PlotPlane& plane, const std::vector<Box>& masks) : plane_(plane), masks_(masks) {
@@ -180,12 +181,12 @@ class PieceMaker {
         for (Polyline& outside : cutOut(part, mask)) rest.push_back(std::move(outside));
       parts = std::move(rest);
     }
-    // The stem of a large letter that is an outline is a long thin shape too.
+    // The stem of a large outlined letter is a long thin shape too.
     for (const Polyline& part : parts)
       addCut(part, {path.dashed, path.stroke ? letterSize : outlinedLetterSize, width_px, color});
   }
 
-  /// A filled shape that is no line by itself: a dot, or a dash too short or too bent for its outline to be one.
+  /// A filled shape that is no line by itself: a dot, or a dash too short or too bent for its outline.
   void addDash(const Polyline& ring, Rgb color) {
     auto dash = dashOfOutline(ring, outlinedLetterSize * plane_.diagonal());
     if (!dash) return;
@@ -209,8 +210,8 @@ class PieceMaker {
     return std::min(bounds.width(), bounds.height()) <= tolerance;
   }
 
-  /// A plumb piece one of whose ends lies in the plot, where a curve of its ink ends: a wall drawn by itself. Gridlines end at the
-  /// plot's edges.
+  /// Returns true for a vertical piece with an end inside the plot, where a curve of its colour ends: a
+  /// bottom-out drawn separately. Gridlines end at the plot's edges.
   bool beginsWhereAStrokeEnds(const LinePiece& piece) const {
     const Box bounds = boundsOf(piece.points);
     if (bounds.width() > bounds.height()) return false;
@@ -227,7 +228,7 @@ class PieceMaker {
     });
   }
 
-  /// How a line is drawn, and below which size (share of the plot's diagonal) it is a letter's.
+  /// Drawing of a line, and the size (share of the plot's diagonal) below which it is a letter.
   struct Drawn {
     bool dashed = false;
     double letter = letterSize, width_px = 1;
@@ -239,7 +240,7 @@ class PieceMaker {
       for (Polyline& arm : cutAtFolds(run, shortestFoldArm * plane_.diagonal())) store(arm, as);
   }
 
-  /// A curve drawn step by step, each where the one before ended, is one line.
+  /// A curve drawn step by step, each from the end of the last, is one line.
   void joinSteps() {
     constexpr std::size_t fewest = 8;
     constexpr double touching_px = 0.01;
@@ -266,7 +267,7 @@ class PieceMaker {
     }
   }
 
-  /// Dashes drawn one by one become the line that they make, as those of a pattern are.
+  /// Dashes drawn one by one become one line, like a dash pattern.
   void joinDashes() {
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       if (!pieces_[i].dashed && lengthOf(pieces_[i].points) <= outlinedLetterSize * plane_.diagonal())
@@ -312,7 +313,7 @@ class PieceMaker {
     pieces_.push_back(std::move(piece));
   }
 
-  /// A dash, perhaps, and which of the pieces it is.
+  /// A possible dash, and its piece.
   struct Dash {
     Rgb color;
     DashPiece drawn;

@@ -22,7 +22,8 @@ struct PlotPlane {
   double diagonal() const;
 };
 
-/// An unbranched line, view pixels. Its x runs one way but for wiggles of a few percent of the plot's width.
+/// An unbranched line, view pixels. Its x runs in one direction, except for deviations of a few per cent of
+/// the plot's width.
 struct LinePiece {
   std::vector<Point> points;  ///< at least two, successive ones distinct
   Rgb color;
@@ -30,11 +31,11 @@ struct LinePiece {
   bool dashed = false;
   bool axisParallel = false;  ///< one straight horizontal or vertical line
   bool onGridLine = false;    ///< axis parallel, and lying on a line of the frame or grid
-  bool small = false;         ///< letter-sized
+  bool small = false;         ///< letter size
 };
 
-/// Lines inside the plot (and a small margin, because curves may overshoot it): clipped as the document clips
-/// them, cut at masks, boxes and closed letter shapes left out, cut where x turns round.
+/// Lines inside the plot (and a small margin, because curves may overshoot): clipped as in the document, cut
+/// at masks, without boxes and closed letter shapes, cut where x turns round.
 std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
                                   const std::vector<Box>& masks_px);
 

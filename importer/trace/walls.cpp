@@ -12,30 +12,31 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kLeastOfCurve = 0.6;  // of the curve's thickness, for a row to be the wall's
-constexpr double kMostOfCurve = 1.7;   // of it: bars and shaded areas are thicker
-constexpr double kLean_px = 0.75;      // between a wall's halves: what leans more is no wall
-constexpr double kMuch_px =
-    0.4;  // more ink than the plot's own line has: a wall's, whatever the curve's thickness
-constexpr double kMuch = 0.35;  // the same, of the curve's thickness, at least
+constexpr double kLeastOfCurve = 0.6;  // of the curve's thickness, for a row of the bottom-out
+constexpr double kMostOfCurve = 1.7;   // of the curve's thickness; bars and shaded areas are thicker
+constexpr double kLean_px = 0.75;      // between the halves of a bottom-out; more lean is none
+constexpr double kMuch_px = 0.4;  // more pixels than the plot's own line has, whatever the curve's thickness
+constexpr double kMuch = 0.35;    // the same as a share of the curve's thickness, at least
 constexpr double kLittle_px =
-    0.3;  // more ink than that line has, where all rows and the curve's thickness tell
+    0.3;  // more pixels than that line has, where all rows and the curve's thickness agree
 constexpr double kThinRows =
-    0.15;  // of a lane's rows: a wall's thin ones are thicker than a line's thick ones
-constexpr double kBareBelow = 0.1;     // of the frame's height: so far without ink below a foot is no line
-constexpr double kPlumb_px = 1.5;      // within which the points of a plumb rise stand
+    0.15;  // of a lane's rows: thin rows of a bottom-out are thicker than thick ones of a line
+// of the frame's height; without pixels over this distance below the end there is no line
+constexpr double kBareBelow = 0.1;
+constexpr double kPlumb_px = 1.5;      // px within which the points of a vertical rise lie
 constexpr double kLeastHeight = 0.05;  // of the frame's height
-constexpr std::size_t kLeastRows = 6;  // that tell how thick a line is
-constexpr double kProbed_px = 14;      // rows looked at: a level line may take 7 of them
-constexpr double kHook = 4;            // widths of the line beside a wall in which a crest is the corner's
-constexpr double kHook_px = 4;         // and pixels over which a path bends at a corner
-constexpr double kTopReached_px = 3;   // a wall that ends so near to the frame's edge runs into it
+constexpr std::size_t kLeastRows = 6;  // rows needed to measure a thickness
+constexpr double kProbed_px = 14;      // rows examined; a horizontal line may take 7 of them
+// line widths beside the bottom-out within which a crest belongs to the corner
+constexpr double kHook = 4;
+constexpr double kHook_px = 4;        // and pixels over which a path bends at a corner
+constexpr double kTopReached_px = 3;  // a bottom-out that ends this close to the frame's edge reaches it
 
-/// A curve in area pixels, from left to right, with what its end tells.
+/// A curve in area pixels, from left to right, with the properties of its end.
 struct Curve {
   std::vector<Point> points;
   bool reversed = false;    ///< drawn from the right
-  double thickness_px = 0;  ///< 0: not seen
+  double thickness_px = 0;  ///< 0: not visible
   Rgb color;
 
   Point end() const { return points.back(); }
@@ -50,7 +51,7 @@ Curve curveOf(const CurveTrace& trace, const PlotArea& area) {
   return curve;
 }
 
-/// How thick a lane is between two rows; nothing where they are too few.
+/// Thickness of a lane between two rows; nullopt for too few rows.
 struct Thickness {
   double thin = 0, usual = 0, thick = 0;  ///< its thinner and thicker rows, px
 
@@ -61,7 +62,7 @@ struct Thickness {
   }
 };
 
-/// How thick the frame is drawn in a curve's ink, where it is drawn on the left and at the top as well; else 0.
+/// Thickness of the frame in a curve's colour, if it is drawn on the left and at the top too; else 0.
 double frameLine(const InkOnArea& ink, const PlotArea& area) {
   const Box& frame = area.frame;
   const auto left = Thickness::between({ink, area, frame.x0}, frame.y0 + 4, frame.y1 - 4);
@@ -71,7 +72,7 @@ double frameLine(const InkOnArea& ink, const PlotArea& area) {
   return left && !top.empty() ? std::min(left->usual, quantileOf(top, 0.5)) : 0;
 }
 
-/// How thick the plot's own lines are that stand plumb, of which the lane may be one; 0 where the lane is none of them.
+/// Thickness of the plot's own vertical lines, of which the lane may be one; 0 if it is none.
 double ownLine(const InkOnArea& ink, const PlotArea& area, double x, double within_px) {
   if (!isAtOneOf(area.columns_px, x, within_px)) return 0;
   std::vector<double> others;
@@ -83,7 +84,7 @@ double ownLine(const InkOnArea& ink, const PlotArea& area, double x, double with
   return std::abs(area.frame.x1 - x) <= within_px ? std::max(usual, frameLine(ink, area)) : usual;
 }
 
-/// The plot's own line on a lane, told from below the foot; where nothing stands there for long, there is none.
+/// The plot's own line on a lane, measured below the end; empty if nothing is there for a long distance.
 Thickness lineBelow(const PlumbLane& lane, double foot, double own_px, const Box& frame, double margin_px) {
   const double end = frame.y1 - margin_px;
   const auto below = Thickness::between(lane, foot, end);
@@ -92,8 +93,9 @@ Thickness lineBelow(const PlumbLane& lane, double foot, double own_px, const Box
   return {below->thin, std::max(below->usual, own_px), std::max(below->thick, own_px)};
 }
 
-/// Whether the ink above a curve's end is more than the plot's own line. Much more is a wall whatever the curve's thickness; a little more
-/// is one where the curve is thicker than the line and all rows tell: two thin lines drawn beside each other look like a thicker one.
+/// Returns true if there are more pixels above a curve's end than the plot's own line has. Much more is a
+/// bottom-out whatever the curve's thickness; a little more is one if the curve is thicker than the line and
+/// all rows agree, because two adjacent thin lines look like a thicker one.
 bool standsOut(const Thickness& above, const Thickness& line, double curve_px) {
   const double more_px = above.usual - line.usual;
   if (more_px >= std::max(kMuch_px, kMuch * curve_px)) return true;
@@ -104,18 +106,18 @@ struct Wall {
   double x = 0, foot = 0, top = 0;  ///< area px
 };
 
-/// Where curves end beside each other: the wall rises from the uppermost of its ink, and below the lowest of any nothing but the plot's own
-/// line may stand on the lane.
+/// For curves that end beside each other: the bottom-out rises from the uppermost, and below the lowest only
+/// the plot's own line may stand on the lane.
 struct Ends {
   double uppermost = 0, lowest = 0;  ///< area px
 };
 
-/// The wall above a curve's end.
+/// The bottom-out above a curve's end.
 std::optional<Wall> wallAt(const Curve& curve, Ends ends, const InkOnArea& ink, const PlotArea& area) {
   const double w = curve.thickness_px, height = area.frame.height(), margin = 1.5 * w + 2;
   const double least_px = std::max(kLeastHeight * height, 3 * w);
   if (ends.uppermost - area.frame.y0 < least_px) return {};
-  // The corner may have been cut short: the lane stands within a line's width of the end.
+  // The corner may have been cut short: the lane is within a line's width of the end.
   const double probe = ends.uppermost - margin, room = probe - area.frame.y0;
   const double probed = std::max(kLeastHeight * height, std::min(kProbed_px, room));
   const auto probedAt = [&](double at) {
@@ -136,7 +138,7 @@ std::optional<Wall> wallAt(const Curve& curve, Ends ends, const InkOnArea& ink, 
   const double top =
       lane.top(probe, std::max(0.5 * (seen.usual + line.usual), 0.8 * kLeastOfCurve * w), 2 * w + 3);
   if (ends.uppermost - top < least_px) return {};
-  // What is thicker beside the corner only is the corner.
+  // If only the corner is thicker, it is the corner.
   if (!isWall(Thickness::between(lane, top, probe).value_or(seen))) return {};
   const double half = 0.5 * (top + probe);
   if (std::abs(lane.middle(top, half) - lane.middle(half, probe)) > kLean_px) return {};
@@ -144,7 +146,7 @@ std::optional<Wall> wallAt(const Curve& curve, Ends ends, const InkOnArea& ink, 
   return Wall{lane.middle(top, probe), curve.end().y, atFrame};
 }
 
-/// Where the plumb rise begins that ends a curve; the end's own row where none does.
+/// Row where the vertical rise at the end of a curve begins; the end's own row without one.
 double footOfRise(const Curve& curve) {
   const Point end = curve.end();
   double foot = end.y;
@@ -153,12 +155,13 @@ double footOfRise(const Curve& curve) {
   return foot;
 }
 
-/// Whether two curves' right ends stand on one lane.
+/// Returns true if the right ends of two curves are on one lane.
 bool endTogether(const Curve& a, const Curve& b) {
   return std::abs(a.end().x - b.end().x) <= 2 * a.thickness_px + 4;
 }
 
-/// The wall that ends another curve of the same ink, where this one ends beside it: the strokes of one button part there.
+/// The bottom-out of another curve of the same colour, if this one ends beside it: the strokes of one button
+/// separate there.
 std::optional<Wall> sharedWall(const Curve& curve, const std::vector<Curve>& curves, const InkOnArea& ink,
                                const PlotArea& area) {
   const double least_px = std::max(kLeastHeight * area.frame.height(), 3 * curve.thickness_px);
@@ -173,8 +176,9 @@ std::optional<Wall> sharedWall(const Curve& curve, const std::vector<Curve>& cur
   return {};
 }
 
-/// How many points of the curve's end lead down from a crest beside the wall. Where strokes meet on a wall, the upper one may have been
-/// followed down the ink of the lower one's end; a crest as near to the wall as a few widths of the line is no peak of the button.
+/// Number of points at the curve's end that lead down from a crest beside the bottom-out. Where strokes meet
+/// on it, the upper one may have been followed down the lower one's end; a crest within a few widths of it is
+/// no peak of the button.
 std::size_t pointsOfHook(const Curve& curve, double x) {
   const double near_px = kHook * curve.thickness_px + kHook_px;
   const auto& points = curve.points;
@@ -184,7 +188,7 @@ std::size_t pointsOfHook(const Curve& curve, double x) {
   return static_cast<std::size_t>(points.end() - crest) - 1;
 }
 
-/// The strokes of one ink are as thick as the thinnest: what runs along another one looks thicker.
+/// Strokes of one colour are as thick as the thinnest; overlapping lines look thicker.
 void measureThickness(std::vector<Curve>& curves, const PlotScene& scene) {
   std::vector<double> seen_px;
   for (const Curve& curve : curves) seen_px.push_back(scene.inkOf(curve.color).thicknessAlong(curve.points));
@@ -194,7 +198,7 @@ void measureThickness(std::vector<Curve>& curves, const PlotScene& scene) {
         curve.thickness_px = curve.thickness_px > 0 ? std::min(curve.thickness_px, seen_px[k]) : seen_px[k];
 }
 
-/// Appends the wall to the trace, at its right end.
+/// Appends the bottom-out to the trace, at its right end.
 void lengthen(CurveTrace& trace, const Wall& wall, bool reversed, const PlotArea& area) {
   std::vector<Point> rise;
   const int steps = trace.fromVector ? 1 : std::max(1, static_cast<int>(wall.foot - wall.top));

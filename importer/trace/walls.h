@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The bottom-out wall of a stroke that was lost because it stands on a line of the plot: on a gridline, on the frame's
-// edge, or drawn as a path of its own. Private to importer/trace.
+// Bottom-outs that were lost because they stand on a line of the plot: on a gridline, on the frame's edge, or
+// drawn as a separate path. Private to importer/trace.
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 
 namespace detent::importer::trace {
 
-/// Lengthens every curve that ends at the foot of a wall by that wall. A gridline is as thick above the curve's end as
-/// below it; from the foot of a wall upwards the lane holds about as much of the curve's ink as the curve does.
+/// Extends every curve that ends at a bottom-out by it. A gridline is as thick above the curve's end as below
+/// it; a bottom-out holds about as many of the curve's pixels as the curve does.
 void addLostWalls(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

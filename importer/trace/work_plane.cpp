@@ -8,7 +8,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-/// Mean of factor x factor blocks starting at (left, top); blocks that leave the plane see paper there.
+/// Mean of factor x factor blocks starting at (left, top); outside the plane is paper.
 Plane shrunkBlocks(const Plane& ink, int left, int top, int width, int height, int factor) {
   Plane out(width, height);
   const float share = 1.0F / static_cast<float>(factor * factor);

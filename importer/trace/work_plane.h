@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The small plane on which both strokes of a loop are searched for: one ink's coverage of the plot area, shrunk
-// by a whole factor, so that a frame is at most some hundred pixels wide.
+// The reduced plane on which both strokes of a loop are searched: one colour's coverage of the plot area,
+// reduced by a whole factor to a width of some hundred pixels.
 
 #include "importer/trace/plot_area.h"
 
@@ -21,7 +21,7 @@ struct WorkPlaneOptions {
   int maxWidth_px = 520;  ///< of the frame on the plane; [64, 4096]
 };
 
-/// `ink`: one ink's coverage of the area.
+/// `ink`: one colour's coverage of the area.
 WorkPlane makeWorkPlane(const Plane& ink, const PlotArea& area, const WorkPlaneOptions& options = {});
 
 }  // namespace detent::importer::trace
