@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Mouse and keys on the graph, in plot coordinates, for whoever holds the tools.
+// Mouse and key events on the graph in plot coordinates, for the owner of the tools.
 
 #include <QKeyEvent>
 #include <QPoint>
@@ -12,14 +12,14 @@ namespace detent::editor {
 
 struct PointerInput {
   QPointF at_px;
-  CurvePoint at;                            ///< the same place on the axes
-  Qt::MouseButton button = Qt::NoButton;    ///< that changed; none for moves
-  Qt::MouseButtons buttons = Qt::NoButton;  ///< that are down now
+  CurvePoint at;                            ///< the position in axis values
+  Qt::MouseButton button = Qt::NoButton;    ///< the changed button; none for moves
+  Qt::MouseButtons buttons = Qt::NoButton;  ///< currently pressed buttons
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
 };
 
-/// Receives what happens on a GraphCanvas. Each answers whether it was handled; the canvas then does nothing
-/// of its own with it. GUI thread.
+/// Receives events of a GraphCanvas. Each returns true if it was handled; the canvas then ignores it. GUI
+/// thread.
 class CanvasEvents {
  public:
   virtual ~CanvasEvents() = default;
@@ -28,7 +28,7 @@ class CanvasEvents {
   virtual bool pointerReleased(const PointerInput& input) = 0;
   virtual bool doubleClicked(const PointerInput& input) = 0;
   virtual bool keyPressed(int key, Qt::KeyboardModifiers modifiers) = 0;
-  /// Would `keyPressed` take this key now? Then no shortcut of the window gets it.
+  /// Returns true if `keyPressed` would handle this key now. Then no window shortcut gets it.
   virtual bool wantsKey(int key, Qt::KeyboardModifiers modifiers) const = 0;
   virtual void pointerLeft() = 0;
   virtual void contextMenu(const PointerInput& input, QPoint global_px) = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What tools show over the graph while they work; no part of the button.
+// What tools show over the graph while they work; not part of the button.
 
 #include <optional>
 #include <QPointF>
@@ -11,7 +11,7 @@
 
 namespace detent::editor {
 
-/// What a dragged point clings to at the moment.
+/// Target to which a dragged point currently snaps.
 enum class SnapKind { grid, tracedPoint, otherStroke };
 
 struct SnapHit {
@@ -20,10 +20,10 @@ struct SnapHit {
   friend bool operator==(const SnapHit&, const SnapHit&) = default;
 };
 
-/// A move that a rule forbids: the graph keeps its last valid shape, and this is shown beside it.
+/// A move forbidden by a rule: the graph keeps its last valid shape, and this is shown beside it.
 struct RefusedMove {
   CurvePoint wanted;
-  QString why;  ///< the Failure's sentence
+  QString why;  ///< sentence of the Failure
   friend bool operator==(const RefusedMove&, const RefusedMove&) = default;
 };
 
@@ -31,18 +31,18 @@ struct RefusedMove {
 struct Proposal {
   CurvePoint at;
   Stroke stroke = Stroke::press;
-  std::optional<CurvePoint> to;  ///< of a jump being drawn: where it comes back
+  std::optional<CurvePoint> to;  ///< where the jump being drawn returns to the curve
   friend bool operator==(const Proposal&, const Proposal&) = default;
 };
 
-/// Plain value; the canvas draws what is set.
+/// Plain value; the canvas draws the fields that are set.
 struct CanvasFeedback {
   std::optional<MarkId> hovered;
   std::optional<SnapHit> snap;
   std::optional<RefusedMove> refused;
   std::optional<Proposal> proposal;
-  std::optional<QRectF> band_px;      ///< rectangle being drawn to select what lies in it
-  std::optional<CurvePoint> dragged;  ///< where the dragged thing stands; the magnifier looks at it
+  std::optional<QRectF> band_px;      ///< selection rectangle being drawn
+  std::optional<CurvePoint> dragged;  ///< position of the dragged item, shown by the magnifier
   friend bool operator==(const CanvasFeedback&, const CanvasFeedback&) = default;
 };
 

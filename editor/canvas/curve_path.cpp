@@ -7,7 +7,7 @@
 namespace detent::editor {
 namespace {
 
-// One piece in Bézier form: displacement is linear in its parameter, so only forces bend.
+// One piece in Bézier form: displacement is linear in its parameter, so only forces curve.
 struct Piece {
   double x0, x1;
   double f0, f1, f2, f3;
@@ -23,7 +23,8 @@ struct Piece {
     const double s = 1 - t;
     return s * s * s * f0 + 3 * s * s * t * f1 + 3 * s * t * t * f2 + t * t * t * f3;
   }
-  // A cubic's distance from n equal chords is at most 3/4 of its largest second difference over n squared.
+  // Number of chords: the distance of a cubic from n equal chords is at most 3/4 of its largest second
+  // difference over n squared.
   int chords(double pxPerN, double share, double tolerance_px) const {
     const double bend = std::max(std::abs(f0 - 2 * f1 + f2), std::abs(f1 - 2 * f2 + f3)) * pxPerN;
     const double n = share * std::sqrt(0.75 * bend / tolerance_px);
@@ -31,13 +32,13 @@ struct Piece {
   }
 };
 
-// Appends the points of a curve between two displacements (its first one included), in plot coordinates.
+// Appends the points of a curve between two displacements (including the first), in plot coordinates.
 template <class Sink>
 void flatten(const StrokeCurve& curve, double from_mm, double to_mm, double pxPerN, double tolerance_px,
              const Sink& put) {
   const std::vector<Knot>& knots = curve.knots();
   const auto before = [](double x, const Knot& k) { return x < k.displacement_mm; };
-  // The last knot at or before `from`, but before a wall that stands exactly there.
+  // The last knot at or before `from`, but before a vertical piece exactly there.
   auto first = std::upper_bound(knots.begin(), knots.end(), from_mm, before);
   while (first != knots.begin() && (first - 1)->displacement_mm >= from_mm) --first;
   std::size_t i = first == knots.begin() ? 0 : static_cast<std::size_t>(first - knots.begin()) - 1;
@@ -46,7 +47,7 @@ void flatten(const StrokeCurve& curve, double from_mm, double to_mm, double pxPe
     const Knot &a = knots[i], &b = knots[i + 1];
     if (a.displacement_mm > to_mm) break;
     if (b.displacement_mm < from_mm) continue;
-    if (a.displacement_mm == b.displacement_mm) {  // a wall
+    if (a.displacement_mm == b.displacement_mm) {  // a vertical piece
       if (!started) put(a.displacement_mm, a.force_N);
       put(b.displacement_mm, b.force_N);
       started = true;
@@ -70,7 +71,7 @@ void flatten(const StrokeCurve& curve, double from_mm, double to_mm, double pxPe
   }
 }
 
-// Liang and Barsky: the part of a line inside a box; false if there is none.
+// Liang and Barsky: clips a line to a box; returns false if nothing remains.
 bool clipLine(QPointF& a, QPointF& b, const QRectF& box) {
   const double dx = b.x() - a.x(), dy = b.y() - a.y();
   double t0 = 0, t1 = 1;
@@ -95,9 +96,9 @@ bool clipLine(QPointF& a, QPointF& b, const QRectF& box) {
   return true;
 }
 
-// Leaves out points that lie on the way anyway: from an anchor, a point is passed over as long as one
-// direction misses none of those passed by more than the tolerance. Of a thousand knots on a smooth curve few
-// dozen remain.
+// Leaves out points between which a straight line stays within the tolerance: from an anchor, a point is
+// skipped as long as one direction misses no skipped point by more than the tolerance. Of a thousand knots on
+// a smooth curve a few dozen remain.
 class Simplifier {
  public:
   explicit Simplifier(double tolerance_px) : tolerance_px_(tolerance_px) {}
@@ -137,7 +138,7 @@ class Simplifier {
     lastLength_ = 0;
   }
   bool inside(QPointF way) const { return !low_ || (cross(*low_, way) >= 0 && cross(way, *high_) >= 0); }
-  // The directions that miss this point by no more than the tolerance, of those allowed so far.
+  // Restricts the allowed directions to those that miss this point by at most the tolerance.
   void narrow(QPointF way, double length) {
     const QPointF aside = tolerance_px_ / length * QPointF(-way.y(), way.x());
     const QPointF low = way - aside, high = way + aside;
@@ -150,7 +151,7 @@ class Simplifier {
   double lastLength_ = 0;
 };
 
-// Joins clipped lines into polylines as they come.
+// Joins clipped lines to polylines.
 class PolylineClipper {
  public:
   explicit PolylineClipper(const QRectF& box) : box_(box) {}
@@ -161,7 +162,7 @@ class PolylineClipper {
       last_ = point;
       return;
     }
-    // Less than a third of a pixel shows nothing.
+    // Distances below a third of a pixel are invisible.
     if (std::abs(point.x() - last_->x()) < 0.3 && std::abs(point.y() - last_->y()) < 0.3) {
       skipped_ = point;
       return;
@@ -202,7 +203,7 @@ QRectF withMargin(const QRectF& clip_px) {
 std::vector<QPolygonF> curvePolylines(const StrokeCurve& curve, const PlotMapping& map, double tolerance_px) {
   const QRectF box = withMargin(map.clip_px);
   PolylineClipper clipper(box);
-  // Half of the tolerance for the curve's chords, half for leaving points out.
+  // Half of the tolerance is for the curve's chords, half for leaving out points.
   Simplifier simplifier(0.5 * tolerance_px);
   const auto put = [&](QPointF point) { clipper.add(point); };
   flatten(curve, map.toPlot(box.topLeft()).x(), map.toPlot(box.topRight()).x(), map.pxPerY,

@@ -8,7 +8,7 @@
 namespace detent::editor {
 namespace {
 
-// Draws curves that count displacement to the right onto a plot where it counts upwards.
+// Draws curves with displacement to the right onto a plot with displacement upwards.
 class Turned {
  public:
   explicit Turned(const PlotMapping& map) : map_(map) {
@@ -52,7 +52,7 @@ DisplacementForceView::DisplacementForceView(ButtonDocument& document, ViewSetti
   setAccessibleName(tr("Displacement over force"));
   setToolTip(tr("What a finger feels that controls force: jumps are vertical lines."));
   const auto follow = [this, &document] {
-    // A view that rescales under a moving hand is hard to read, and dear.
+    // A view that rescales during a drag is hard to read and slow.
     if (fitted() && isVisible() && !document.history().dragging()) fit();
     update();
   };

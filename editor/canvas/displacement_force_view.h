@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The same graph the other way round: displacement over force, jumps as vertical lines (Kim & Lee 2013,
-// Figure 2b). What a finger that controls force feels.
+// The graph with exchanged axes: displacement over force, jumps as vertical lines (Kim & Lee 2013, Figure
+// 2b). This is what a finger that controls force feels.
 
 #include "editor/canvas/graph_canvas.h"
 
 namespace detent::editor {
 
-/// Shows what a GraphCanvas shows; nothing is edited here. GUI thread.
+/// Shows the same as a GraphCanvas, without editing. GUI thread.
 class DisplacementForceView : public UnitPlot {
   Q_OBJECT
 

@@ -91,7 +91,7 @@ void GraphCanvas::colorsChanged() { takeSettings(); }
 void GraphCanvas::takeSettings() {
   underlay_->setDarkPaper(isDark(palette()));
   underlay_->setOpacity(settings().underlayOpacity());
-  // The page has a grid of its own.
+  // The page has its own grid.
   const bool pageShown = hasUnderlay() && settings().underlayOpacity() > 0;
   for (QCPAxis* axis : {xAxis, yAxis}) axis->grid()->setSubGridVisible(!pageShown);
   const bool pointsWanted = settings().residualsShown() || settings().snap().toTracedPoints;
@@ -190,7 +190,7 @@ QImage GraphCanvas::renderImage(QSize size_px, double devicePixelRatio) const {
   return image;
 }
 
-// Pictures for others go without what only a hand needs.
+// Exported pictures omit handles and feedback.
 GraphScene GraphCanvas::scene() const {
   static const CanvasFeedback nothing;
   GraphScene scene{state(),
@@ -255,7 +255,7 @@ void GraphCanvas::drawContent(QPainter& painter, const PlotMapping& map) const {
   if (feedback_.refused) paintRefusalReason(painter, map, scene());
 }
 
-// In the corner that is farthest from the dragged point, so that it never hides it.
+// In the corner farthest from the dragged point, so that the magnifier never hides it.
 void GraphCanvas::drawMagnifier(QPainter& painter, const PlotMapping& map) const {
   const QPointF at_px = map.toPixel(feedback_.dragged->displacement_mm, feedback_.dragged->force_N);
   const double size = std::min({lens_px, 0.45 * map.clip_px.width(), 0.6 * map.clip_px.height()});
@@ -287,7 +287,7 @@ PointerInput GraphCanvas::inputOf(const QMouseEvent* event) const {
   return {event->position(), {at.x(), at.y()}, event->button(), event->buttons(), event->modifiers()};
 }
 
-// Tab walks through the points before it leaves the widget, and keys the tools want are no shortcuts.
+// Tab visits the points before it leaves the widget; keys that tools use are not shortcuts.
 bool GraphCanvas::event(QEvent* event) {
   if (events_ && event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The force graph of a document's active state, over the page it came from.
+// The force graph of a document's active state, over its datasheet page.
 
 #include <memory>
 #include <optional>
@@ -17,18 +17,18 @@ namespace detent::editor {
 class PageUnderlay;
 class TracedPoints;
 
-/// Draws the document; hands mouse and keys to whoever holds the tools. GUI thread.
+/// Draws the document; passes mouse and keys to the owner of the tools. GUI thread.
 class GraphCanvas : public UnitPlot {
   Q_OBJECT
 
  public:
   GraphCanvas(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
 
-  /// Not owned; null: the canvas can be looked at, zoomed and panned only.
+  /// Not owned; null: the canvas can only be viewed, zoomed and panned.
   void setEvents(CanvasEvents* events) { events_ = events; }
 
   const ButtonState& state() const;
-  /// Of the active state; derived once per change.
+  /// Of the active state; computed once per change.
   const GraphValues& values() const;
   /// In mm and N, in the order travelled; empty without an origin.
   const std::vector<CurvePoint>& tracedPoints(Stroke stroke) const;
@@ -36,25 +36,25 @@ class GraphCanvas : public UnitPlot {
 
   const CanvasFeedback& feedback() const { return feedback_; }
   void setFeedback(const CanvasFeedback& feedback);
-  /// The mark that was selected last; it keeps its identity through edits of others (mark_identity.h).
+  /// The mark selected last; it keeps its identity through edits of other marks (mark_identity.h).
   std::optional<MarkId> selected() const;
-  /// All selected marks, that one last; none twice.
+  /// All selected marks, the last selected at the end; no duplicates.
   const std::vector<MarkId>& selection() const { return selection_; }
-  /// This mark alone, or none.
+  /// Selects only this mark, or none.
   void setSelected(const std::optional<MarkId>& selected);
   void setSelection(std::vector<MarkId> marks);
   bool isSelected(MarkId mark) const;
   void showFinger(std::optional<FingerPosition> finger);
-  /// What the active state would be, drawn dashed over what it is; none: nothing. Never in a picture for others.
+  /// Possible new active state, drawn dashed; nullopt: none. Never in exported pictures.
   void showPreview(std::optional<ButtonState> preview);
-  /// How the units scatter whose mean the button was when this was given, state by state: a band behind the curves.
+  /// Spread of the units whose mean the button was when this was set, per state: a band behind the curves.
   void showSpread(std::vector<StateSpread> states);
   void setMagnifierShown(bool shown);
-  /// Knots and handles; without them the picture is that of a datasheet.
+  /// Shows knots and handles; without them the picture looks like a datasheet.
   void setHandlesShown(bool shown);
 
-  /// Draws what is shown as vectors into any device (SVG, printer); `size` in its units. Neither this nor the next
-  /// touches the canvas: a second one, which no window shows, draws.
+  /// Draws the graph as vectors into any device (SVG, printer); `size` in its units. This and the next
+  /// function use a second, hidden canvas.
   void renderTo(QPaintDevice& device, QSize size, const QPalette& palette) const;
   QImage renderImage(QSize size_px, double devicePixelRatio) const;
 
@@ -96,13 +96,14 @@ class GraphCanvas : public UnitPlot {
   mutable std::optional<GraphValues> values_;
   CanvasFeedback feedback_;
   std::vector<MarkId> selection_;
-  // What the selection was made on: through a drag it is followed from there, not from frame to frame.
+  // State on which the selection was made; during a drag the selection is followed from there, not from frame
+  // to frame.
   std::optional<MarkedState> selectedOn_;
   std::vector<MarkId> selectionThere_;
   std::size_t selectedState_ = 0;
   std::optional<FingerPosition> finger_;
   std::optional<ButtonState> preview_;
-  std::vector<StateSpread> spread_;  // empty: none
+  std::vector<StateSpread> spread_;  // empty: no band
   bool magnifierShown_ = true, handlesShown_ = true;
 };
 

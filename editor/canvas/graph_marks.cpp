@@ -23,7 +23,7 @@ void addStrokeMarks(const StrokeCurve& curve, const StrokeValues& values, Stroke
   for (std::size_t i = 0; i < curve.knots().size(); ++i)
     own.push_back(
         {{MarkKind::knot, stroke, i}, {curve.knots()[i].displacement_mm, curve.knots()[i].force_N}});
-  // Stable: at one place the tactile point comes before the knot under it.
+  // Stable, so that a tactile point comes before the knot at its place.
   std::stable_sort(own.begin(), own.end(), [&](const Mark& a, const Mark& b) {
     return stroke == Stroke::press ? a.at.displacement_mm < b.at.displacement_mm
                                    : a.at.displacement_mm > b.at.displacement_mm;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What on a force graph a hand can take, and by what name it is remembered.
+// Selectable marks on a force graph and their identities.
 
 #include <cstddef>
 #include <optional>
@@ -17,15 +17,15 @@ enum class MarkKind {
   tactilePoint,
   turn,  ///< a valley or hump that is not a tactile point
   knot,
-  slopeBefore,  ///< handle of the slope of the piece that ends at a knot
-  slopeAfter,   ///< handle of the slope of the piece that starts there
+  slopeBefore,  ///< slope handle of the piece that ends at a knot
+  slopeAfter,   ///< slope handle of the piece that starts there
   section,
   operatingPoint,
   resetPoint
 };
 
-/// Names one mark of the active state. Indices as the model lists them: tactilePoints(), sectionsOf() and
-/// knots(); turns as StrokeValues::turns. Operating point: press, index 0; reset point: release, index 0.
+/// Identifies a mark of the active state. Indices as in the model: tactilePoints(), sectionsOf() and knots();
+/// turns as in StrokeValues::turns. Operating point: press, index 0; reset point: release, index 0.
 struct MarkId {
   MarkKind kind = MarkKind::knot;
   Stroke stroke = Stroke::press;
@@ -33,22 +33,22 @@ struct MarkId {
   friend bool operator==(const MarkId&, const MarkId&) = default;
 };
 
-/// A mark where it stands.
+/// A mark and its position.
 struct Mark {
   MarkId id;
   CurvePoint at;  ///< of a section: its middle, on the curve
 };
 
-/// All points of a state in the order in which Tab goes through them: press by displacement, release in the
-/// order travelled, operating and reset point. Sections and slope handles are not among them.
+/// All points of a state in Tab order: press by displacement, release in the order travelled, operating and
+/// reset point. Sections and slope handles are not included.
 std::vector<Mark> pointMarks(const ButtonState& state, const GraphValues& values);
 
-/// Where a mark stands now; nullopt if the state has no such mark (any more). Slope handles have their knot's
-/// place.
+/// Current position of a mark; nullopt if the state has no such mark. Slope handles have their knot's
+/// position.
 std::optional<CurvePoint> placeOf(MarkId id, const ButtonState& state, const GraphValues& values);
 
-/// The two slope handles of a knot on the screen, `length_px` from it; only on sides that have a curve piece
-/// with a slope.
+/// The two slope handles of a knot on the screen, `length_px` from it; only on sides with a piece that has a
+/// slope.
 struct SlopeHandles {
   std::optional<QPointF> before_px, after_px;
 };
@@ -57,7 +57,7 @@ SlopeHandles slopeHandlesOf(const StrokeCurve& curve, std::size_t knot, const Pl
 
 /// "Tactile point 1 of the press": for status bar, tool tips and screen readers.
 QString nameOf(MarkId id);
-/// The name with where it stands: "Tactile point 1 of the press, 1.30 mm, 55.0 cN".
+/// Name and position: "Tactile point 1 of the press, 1.30 mm, 55.0 cN".
 QString describe(const Mark& mark, const DisplayUnits& units);
 /// "1.305 mm, 55.02 cN"
 QString placeText(CurvePoint at, const DisplayUnits& units);

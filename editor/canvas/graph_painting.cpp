@@ -16,7 +16,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("GraphPainting", text); }
 
-// More knots than this are drawn small: circles would hide the curve and cost time.
+// With more knots they are drawn small, because circles would hide the curve and cost time.
 constexpr std::size_t fewKnots = 120;
 constexpr double longestResidual_px = 60;
 
@@ -41,7 +41,7 @@ const QColor& shadeOf(SectionKind kind, const GraphColors& colors) {
   return colors.slopeSection;
 }
 
-// The area under the press curve, one shade for each section.
+// Shades the area under the press curve by section.
 void shadePress(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const double base_px = std::clamp(map.toPixel(0, 0).y(), map.clip_px.top(), map.clip_px.bottom());
   for (const Section& section : scene.values.press.sections) {
@@ -55,14 +55,15 @@ void shadePress(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
-// Between the curve and the horizontal through the jump's tactile point: the paper's measure of its strength.
+// Shades the area between the curve and the horizontal through the jump's tactile point: the paper's measure
+// of its strength.
 void shadeJumpAreas(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   for (const Section& section : scene.values.of(stroke).sections) {
     if (section.kind != SectionKind::jump) continue;
     QPolygonF area = curveOutline(scene.state.graph.curve(stroke), section.from_mm, section.to_mm, map);
     if (area.size() < 2) continue;
     const double level_px = map.toPixel(section.from_mm, section.fromForce_N).y();
-    for (QPointF& p : area)  // a wall at the jump's end rises beyond the level
+    for (QPointF& p : area)  // a vertical piece at the jump's end rises above the level
       p.setY(stroke == Stroke::press ? std::max(p.y(), level_px) : std::min(p.y(), level_px));
     area.push_back({area.back().x(), level_px});
     area.push_back({area.front().x(), level_px});
@@ -74,7 +75,7 @@ void shadeJumpAreas(QPainter& painter, const PlotMapping& map, const GraphScene&
   }
 }
 
-// Where the travel ends: a line with hatching behind it, as in mechanical drawings.
+// Draws the end of the travel as a line with hatching behind it, as in mechanical drawings.
 void paintWall(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const double at_px = map.toPixel(scene.state.graph.travel_mm(), 0).x();
   const QRectF& clip = map.clip_px;
@@ -111,7 +112,7 @@ void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
-// Thin, in the strokes' colours: one graph of the family is worked on, the others are what it is held against.
+// Thin, in the strokes' colours: one graph of the family is edited, the others are for comparison.
 void paintOtherSpeeds(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   painter.setBrush(Qt::NoBrush);
   for (const SpeedGraph& other : scene.state.otherSpeeds)
@@ -122,7 +123,7 @@ void paintOtherSpeeds(QPainter& painter, const PlotMapping& map, const GraphScen
     }
 }
 
-// Each where its press lies farthest from the one worked on.
+// Each label where its press is farthest from the edited one.
 void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   constexpr int looks = 64;
   constexpr double beforeWall = 0.9;  // of the travel
@@ -140,7 +141,7 @@ void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScen
   }
 }
 
-// Behind the curves, as wide as the units scatter to each side.
+// Behind the curves, as wide as the units scatter on each side.
 void paintSpread(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const auto band = [&](const ToleranceBand& points, const QColor& ink) {
     QPolygonF outline;
@@ -167,7 +168,7 @@ void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& s
   drawPolylines(painter, curvePolylines(graph.press(), map));
 }
 
-// In the colour of what is selected, since it is neither stroke yet.
+// In the selection colour, because it is neither stroke yet.
 void paintPreview(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   painter.setBrush(Qt::NoBrush);
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
@@ -189,7 +190,7 @@ QPointF nearestOnLine(QPointF p, QPointF a, QPointF b) {
   return a + std::clamp(QPointF::dotProduct(p - a, along) / length, 0.0, 1.0) * along;
 }
 
-// Nearest place of a line whose points go from left to right.
+// Nearest place on a line whose points run from left to right.
 std::optional<QPointF> nearestOn(const QPolygonF& line, QPointF p) {
   if (line.size() < 2) return {};
   const auto leftOf = [](QPointF a, double x) { return a.x() < x; };
@@ -230,7 +231,7 @@ void paintResiduals(QPainter& painter, const PlotMapping& map, const StrokeCurve
     if (!nearest) continue;
     const QPointF off = p - *nearest;
     const double length = std::hypot(off.x(), off.y());
-    // Far from the points nothing needs enlarging.
+    // Far from the points nothing is enlarged.
     const double times = length > 0 ? std::clamp(longestResidual_px / length, 1.0, residualMagnification) : 0;
     ends << *nearest << *nearest + times * off;
   }
@@ -299,10 +300,11 @@ void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const
 }
 
 constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
-constexpr double tagAway_px = 20;                           // of a tactile point's force, from the point
+// distance of a tactile point's force label from the point
+constexpr double tagAway_px = 20;
 
-/// Texts beside marks. None covers a mark or another text: what comes later goes to the next free place, and where there
-/// is none near stays where it belongs.
+/// Labels beside marks. No label covers a mark or another label: a later one goes to the next free place, or
+/// keeps its own place if none is near.
 class Tags {
  public:
   Tags(QPainter& painter, const PlotMapping& map, const GraphScene& scene)
@@ -326,7 +328,7 @@ class Tags {
   }
 
  private:
-  /// Nearest first, from where it stands.
+  /// Places around a mark, nearest first.
   static std::vector<QPointF> placesAround(QSizeF size) {
     std::vector<QPointF> places;
     for (const double lines : {0, 1, -1, 2, -2, 3, -3})
@@ -358,7 +360,7 @@ void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphSc
   }
 }
 
-// Without those that are dragged: their place is written beside them anyway.
+// Without dragged points, whose position is shown beside them.
 void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scene, Stroke stroke,
                       std::span<const TactilePoint> seen) {
   const auto& dragged = scene.feedback.dragged;
@@ -415,9 +417,9 @@ std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphSce
 }
 
 constexpr QSizeF legendGap_px{14, 8};  // to the plot's edges
-constexpr double legendText_px = 35;   // from its left end
+constexpr double legendText_px = 35;   // from the key's left end
 
-/// What stands in the legend; nothing where there is one stroke alone.
+/// Entries of the legend; empty for a single stroke.
 std::vector<QString> legendOf(const GraphScene& scene) {
   std::vector<QString> names;
   if (scene.state.graph.release() || scene.spread) names.push_back(tr("press"));
@@ -426,7 +428,7 @@ std::vector<QString> legendOf(const GraphScene& scene) {
   return names;
 }
 
-/// How many of some places along the strokes lie in it.
+/// Number of sampled places on the strokes inside the box.
 int inkIn(const QRectF& box, const PlotMapping& map, const GraphScene& scene) {
   constexpr int places = 80;
   int inside = 0;
@@ -441,7 +443,7 @@ int inkIn(const QRectF& box, const PlotMapping& map, const GraphScene& scene) {
   return inside;
 }
 
-/// In the corner that has least of the strokes.
+/// The box in the corner with the fewest places on the strokes.
 QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                  const std::vector<QString>& names) {
   const QFontMetricsF metrics(painter.font());
@@ -464,7 +466,7 @@ QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphSce
   return best;
 }
 
-// First the forces, which belong beside their points; a contact's name may stand anywhere on its line.
+// Forces first, because they belong beside their points; a contact's name may stand anywhere on its line.
 void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                const std::vector<Contact>& contacts) {
   Tags tags(painter, map, scene);
@@ -623,7 +625,7 @@ void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   painter.drawEllipse(at, 7, 7);
 }
 
-// The rectangle that selects what lies in it.
+// The selection rectangle.
 void paintBand(QPainter& painter, const GraphScene& scene) {
   painter.setPen(QPen(scene.colors.selection, 1, Qt::DashLine));
   painter.setBrush(withAlpha(scene.colors.selection, 0.08));
@@ -643,7 +645,7 @@ void paintFeedback(QPainter& painter, const PlotMapping& map, const GraphScene& 
   if (scene.feedback.refused) paintRefusal(painter, map, scene);
 }
 
-// Where a remark or pin stands on its curve, on the screen; nothing where this state has no such stroke.
+// Screen position of a note or pin on its curve; nullopt if this state has no such stroke.
 template <class At>
 std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const GraphScene& scene) {
   const bool there = at.stroke == Stroke::press || scene.state.graph.release();
@@ -653,10 +655,10 @@ std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const Graph
   return map.toPixel(x, curve.force_N(x));
 }
 
-// A number on a flag at the curve; its words stand in the panel and beside the flag, as far as they are short.
+// A numbered flag at the curve; short texts are also shown beside the flag.
 void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  constexpr double flag_px = 46, half_px = 8;  // above a tactile point's force
-  constexpr double beside_px = 26;             // half the flag and the margins of the words' plate
+  constexpr double flag_px = 46, half_px = 8;  // above the force label of a tactile point
+  constexpr double beside_px = 26;             // half the flag and the margins of the text box
   constexpr int longest = 32, outside = 1000;
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);
@@ -666,7 +668,7 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
     const double left_px = at->x() - map.clip_px.left(), right_px = map.clip_px.right() - at->x();
     const QString words = metrics.elidedText(text, Qt::ElideRight, std::max(left_px, right_px) - beside_px);
     const double wide = metrics.horizontalAdvance(words) / 2 + half_px + 8;
-    // Above and to the right, unless that leaves the plot or lies over more of the strokes.
+    // Above and to the right, unless that leaves the plot or covers more of the strokes.
     QPointF flag, middle;
     int least = std::numeric_limits<int>::max();
     for (const double up : {-1.0, 1.0})
@@ -701,7 +703,7 @@ void paintPins(QPainter& painter, const PlotMapping& map, const GraphScene& scen
   }
 }
 
-// Names the line styles once; nothing to name where there is one stroke.
+// Names the line styles; nothing for a single stroke.
 void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const std::vector<QString> names = legendOf(scene);
   if (names.empty()) return;
@@ -744,7 +746,7 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
   painter.setPen(Qt::NoPen);
-  // Their edges are upright, level, or under a curve.
+  // Their edges are vertical, horizontal, or under a curve.
   painter.setRenderHint(QPainter::Antialiasing, false);
   shadePress(painter, map, scene);
   shadeJumpAreas(painter, map, scene, Stroke::press);

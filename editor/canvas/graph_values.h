@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a view needs to know of a force graph, derived once per change.
+// Derived values of a force graph for the views, computed once per change.
 
 #include <optional>
 #include <vector>
@@ -14,8 +14,7 @@ namespace detent::editor {
 struct StrokeValues {
   std::vector<TactilePoint> tactile;
   std::vector<Section> sections;
-  std::vector<CurvePoint>
-      turns;  ///< local extrema that are no tactile points: valleys, humps; by displacement
+  std::vector<CurvePoint> turns;  ///< local extrema that are no tactile points, by displacement
   BottomOut bottomOut;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which mark is still the same after an edit: marks are named by their place in a list, and lists change.
+// Finds marks again after an edit: marks are identified by list positions, and edits change lists.
 
 #include <optional>
 #include <vector>
@@ -15,9 +15,9 @@ struct MarkedState {
   GraphValues values;
 };
 
-/// The same mark after an edit; nullopt where the edit took it away. What stands before and after the changed
-/// part of a list keeps its identity; inside it, what stands at the same place does, or, where as many are
-/// left as there were, what has the same number. Any thread.
+/// The same mark after an edit; nullopt if the edit removed it. List parts before and after the change keep
+/// their identity; inside it, marks at the same place, or with the same index if the number is unchanged. Any
+/// thread.
 std::optional<MarkId> sameMark(MarkId mark, const MarkedState& before, const MarkedState& after);
 
 }  // namespace detent::editor

@@ -56,7 +56,7 @@ void PageUnderlay::clear() {
 
 void PageUnderlay::setOpacity(double opacity) { opacity_ = std::clamp(opacity, 0.0, 1.0); }
 
-// QCustomPlot shifts antialiased drawing by half a pixel; PlotMapping has that already.
+// QCustomPlot shifts antialiased drawing by half a pixel, which PlotMapping includes already.
 void PageUnderlay::applyDefaultAntialiasingHint(QCPPainter* painter) const {
   applyAntialiasingHint(painter, false, QCP::aeOther);
 }
@@ -69,7 +69,7 @@ void PageUnderlay::paint(QPainter& painter, const PlotMapping& map) const {
   if (pyramid_.empty() || opacity_ <= 0) return;
   const QTransform pixelToScreen = pixelToAxes_ * map.transform();
 
-  // Half-size copies as far as the device's own pixels allow.
+  // Half-size copies as far as the device's pixels allow.
   const QPointF origin = pixelToScreen.map(QPointF(0, 0));
   const QPointF across = pixelToScreen.map(QPointF(pyramid_[0].width(), 0));
   const double screenPerPixel = painter.device()->devicePixelRatioF() *

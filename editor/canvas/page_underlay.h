@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The datasheet page under the curves, registered to the axes.
+// The datasheet page under the curves, aligned to the axes.
 
 #include <QImage>
 #include <QTransform>
@@ -10,8 +10,8 @@
 
 namespace detent::editor {
 
-/// Draws a picture whose pixels have a place in plot coordinates. Keeps half-size copies, so that drawing
-/// costs what the screen shows, not what the page has. GUI thread.
+/// Draws a picture whose pixels have positions in plot coordinates. Keeps half-size copies, so that drawing
+/// costs depend on the screen, not on the page. GUI thread.
 class PageUnderlay : public QCPLayerable {
  public:
   explicit PageUnderlay(UnitPlot& plot);  ///< owned by the plot
@@ -22,14 +22,14 @@ class PageUnderlay : public QCPLayerable {
   void clear();
   bool empty() const { return page_.isNull(); }
 
-  /// Dark and light exchanged, hues kept: paper for a dark window.
+  /// Exchanges dark and light and keeps hues, for a dark window.
   void setDarkPaper(bool dark);
 
   /// 0..1
   void setOpacity(double opacity);
   double opacity() const { return opacity_; }
 
-  /// Draws the part that the map shows, clipped to it; the magnifier looks through a map of its own.
+  /// Draws the part shown by the map, clipped to it; the magnifier has its own map.
   void paint(QPainter& painter, const PlotMapping& map) const;
 
  protected:
@@ -41,8 +41,8 @@ class PageUnderlay : public QCPLayerable {
   UnitPlot& plot_;
   void build();
 
-  QImage page_;                  ///< as it is
-  std::vector<QImage> pyramid_;  ///< [0] the page as it is shown, each next one half as wide
+  QImage page_;                  ///< original
+  std::vector<QImage> pyramid_;  ///< [0] the shown page, each next one half as wide
   bool darkPaper_ = false;
   QTransform pixelToAxes_;
   double opacity_ = 0.5;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What all plots that QCustomPlot draws alone look like: the theme's colours, the legend in one line above the axes.
+// Common look of all plots drawn by QCustomPlot alone: theme colours, legend in one line above the axes.
 
 #include <qcustomplot.h>
 
@@ -10,9 +10,10 @@ namespace detent::editor {
 
 /// One axis with its grid and labels.
 void dressAxis(QCPAxis& axis, const GraphColors& colors);
-/// Axes, grid, labels, legend and ground in the colours of the plot's palette; gives them. GUI thread.
+/// Sets axes, grid, labels, legend and background to the colours of the plot's palette and returns them. GUI
+/// thread.
 GraphColors dressPlot(QCustomPlot& plot);
-/// Once, before there are curves.
+/// Call once, before there are curves.
 void putLegendAbove(QCustomPlot& plot);
 
 }  // namespace detent::editor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Between the values of a plot (mm, N) and the pixels it is drawn with.
+// Map between plot values (mm, N) and pixels.
 
 #include <QPointF>
 #include <QRectF>
@@ -12,7 +12,7 @@ namespace detent::editor {
 /// Plain value.
 struct PlotMapping {
   QRectF clip_px;     ///< where curves may be drawn
-  QPointF origin_px;  ///< where (originX, originY) lies
+  QPointF origin_px;  ///< position of (originX, originY)
   double originX = 0, originY = 0;
   double pxPerX = 1, pxPerY = 1;  ///< > 0; y counts upwards
 
@@ -27,7 +27,7 @@ struct PlotMapping {
   QRectF shown() const;
   /// Plot coordinates to pixels.
   QTransform transform() const;
-  /// The surroundings of `at` (plot coordinates), `times` as large, drawn into `lens_px` with `at` in its
+  /// The surroundings of `at` (plot coordinates) enlarged `times`, drawn into `lens_px` with `at` in the
   /// middle.
   PlotMapping magnified(QPointF at, const QRectF& lens_px, double times) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The points that the importer traced, as dots on the ground of a force graph.
+// The traced points of an import, as dots in the background of a force graph.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace detent::editor {
 
-/// They rest while curves are dragged, so they are drawn with page and grid. GUI thread.
+/// Drawn with page and grid, because they do not move during a drag. GUI thread.
 class TracedPoints : public QCPLayerable {
  public:
   explicit TracedPoints(UnitPlot& plot);  ///< owned by the plot

@@ -49,7 +49,7 @@ UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidg
       yQuantity_(y),
       xTicker_(new UnitTicker),
       yTicker_(new UnitTicker) {
-  // One buffer for everything that rests.
+  // One buffer for all static content.
   layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical);
   new Content(*this);  // QCustomPlot owns it
   setInteractions(QCP::Interactions());
@@ -148,7 +148,7 @@ void UnitPlot::changeEvent(QEvent* event) {
   colorsChanged();
 }
 
-// QCustomPlot draws a value's gridline through the centre of the pixel that its rounded-down place names.
+// QCustomPlot draws the gridline of a value through the centre of the pixel of its rounded-down position.
 PlotMapping UnitPlot::mapping() const {
   const QRect rect = const_cast<UnitPlot*>(this)->axisRect()->rect();  // QCustomPlot has no const access
   const QCPRange x = xAxis->range(), y = yAxis->range();
@@ -210,7 +210,7 @@ void UnitPlot::drawAsPicture(QCPPainter& painter, QSize size) {
   exporting_ = false;
 }
 
-// QCustomPlot would fill and blend its buffers with every frame; an opaque copy is laid down at once.
+// QCustomPlot would fill and blend its buffers with every frame; copying an opaque picture is faster.
 void UnitPlot::refreshGround() {
   const double ratio = devicePixelRatioF();
   ground_ = QPixmap((QSizeF(size()) * ratio).toSize());
@@ -223,7 +223,7 @@ void UnitPlot::refreshGround() {
 
 void UnitPlot::paintEvent(QPaintEvent* event) {
   const double ratio = devicePixelRatioF();
-  if (ratio != bufferDevicePixelRatio()) {  // moved to another screen: QCustomPlot draws anew
+  if (ratio != bufferDevicePixelRatio()) {  // moved to another screen: QCustomPlot must redraw
     setBufferDevicePixelRatio(ratio);
     replot(QCustomPlot::rpQueuedRefresh);
   }
@@ -241,7 +241,7 @@ void UnitPlot::resizeEvent(QResizeEvent* event) {
   emit viewChanged();
 }
 
-// Labels keep their distance from each other.
+// Keeps a distance between labels.
 void UnitPlot::spaceLabels(QSize size) {
   xTicker_->setTickCount(std::clamp(size.width() / 90, 2, 12));
   yTicker_->setTickCount(std::clamp(size.height() / 60, 2, 10));
@@ -253,7 +253,7 @@ void UnitPlot::wheelEvent(QWheelEvent* event) {
   if (event->modifiers() & Qt::ShiftModifier && !pixels.isNull()) {
     panBy(pixels);
   } else {
-    // One notch of 120 units: a quarter closer. Alt zooms displacement alone, Ctrl force alone.
+    // One notch of 120 units: a quarter closer. Alt zooms displacement only, Ctrl force only.
     const double steps = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
     const double factor = std::pow(1.25, steps);
     const bool onlyX = event->modifiers() & Qt::AltModifier, onlyY = event->modifiers() & Qt::ControlModifier;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What all plots of the editor share: axes in the user's units, theme, zoom, pan, and two grounds.
-// QCustomPlot draws what rests (page, grid, axes) into its buffer; what moves is painted over it with every
-// frame (docs/develop/decisions/1000-canvas-layers.md).
+// Base of all plots of the editor: axes in the user's units, theme, zoom, pan. QCustomPlot draws static
+// content (page, grid, axes) into its buffer; moving content is painted over it with every frame
+// (docs/develop/decisions/1000-canvas-layers.md).
 
 #include <qcustomplot.h>
 
@@ -12,7 +12,7 @@
 
 namespace detent::editor {
 
-/// What an axis counts; plot coordinates are mm, N or N·s/mm whatever the user's units.
+/// Quantity of an axis; plot coordinates are mm, N or N·s/mm whatever the user's units.
 enum class PlotQuantity { displacement, force, damping };
 
 /// GUI thread.
@@ -26,15 +26,15 @@ class UnitPlot : public QCustomPlot {
   const GraphColors& colors() const { return colors_; }
   ViewSettings& settings() const { return settings_; }
 
-  /// Shows this part of the plane (plot coordinates, normalised); sizes are kept above what doubles resolve.
+  /// Shows this part of the plane (plot coordinates, normalised); sizes stay above the resolution of doubles.
   void showRange(const QRectF& range);
   QRectF shownRange() const;
-  /// Keeps the value under `at_px` where it is. factor > 1: closer.
+  /// Zooms and keeps the value under `at_px` in place. factor > 1: closer.
   void zoomAt(QPointF at_px, double factorX, double factorY);
-  /// This part of the plot becomes the whole view.
+  /// Makes this part of the plot the whole view.
   void zoomTo(const QRectF& part_px);
   void panBy(QPointF by_px);
-  /// Shows all of what the plot has; whoever zooms or pans by hand ends it.
+  /// Shows everything, until the user zooms or pans.
   void fit();
   bool fitted() const { return fitted_; }
 
@@ -43,13 +43,12 @@ class UnitPlot : public QCustomPlot {
   void viewChanged();
 
  protected:
-  /// What moves: curves, points, feedback. Painted over the ground with every frame; must not change
-  /// anything.
+  /// Moving content: curves, points, feedback. Painted with every frame; must not change anything.
   virtual void drawContent(QPainter& painter, const PlotMapping& map) const = 0;
-  /// What `fit` shows, plot coordinates, without margins.
+  /// Range shown by `fit`, plot coordinates, without margins.
   virtual QRectF contentRange() const = 0;
 
-  /// The theme changed: `colors()` are other ones.
+  /// The theme changed, so `colors()` returns other colours.
   virtual void colorsChanged() {}
 
   void paintEvent(QPaintEvent* event) override;
@@ -62,13 +61,13 @@ class UnitPlot : public QCustomPlot {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
-  /// Lays axes and content out in `size` and draws them; only for plots that no window shows, since the layout
-  /// stays that of the picture.
+  /// Lays out axes and content in `size` and draws them; only for hidden plots, because the layout stays that
+  /// of the picture.
   void drawAsPicture(QCPPainter& painter, QSize size);
-  /// A picture for others is being drawn, not the screen.
+  /// Returns true while an exported picture is drawn.
   bool exporting() const { return exporting_; }
 
-  /// Pans with this button held; true if the event belongs to a running pan.
+  /// Pans with this button held; returns true if the event belongs to a pan.
   bool panWith(QMouseEvent* event, Qt::MouseButton button);
 
  private:
@@ -87,7 +86,7 @@ class UnitPlot : public QCustomPlot {
   std::optional<QPointF> panFrom_px_;
   bool fitted_ = true;
   bool exporting_ = false;
-  QPixmap ground_;  ///< what rests, opaque
+  QPixmap ground_;  ///< static content, opaque
   bool groundStale_ = true;
 };
 

@@ -16,7 +16,7 @@ void UnitTicker::generate(const QCPRange& range, const QLocale& locale, QChar fo
     for (double& tick : *subTicks) tick *= size_;
 }
 
-// Rounding must not print 1.0000000000000002, nor -0.
+// Rounding must not print 1.0000000000000002 or -0.
 QString UnitTicker::getTickLabel(double tick, const QLocale&, QChar, int precision) {
   if (std::abs(tick) < 1e-12) tick = 0;
   return numberText(tick, precision);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Ticks at round numbers of the user's unit on an axis that counts in mm or N.
+// Ticks at round numbers of the user's unit on an axis in mm or N.
 
 #include <qcustomplot.h>
 

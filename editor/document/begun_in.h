@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A press of a self-locking button begins in one of its states.
+// First state of a press of a self-locking button.
 
 #include <cstddef>
 
@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// The button with that state first, as programs begin; a state it does not have: as it is. Any thread.
+/// The button with that state first; unchanged if it has no such state. Any thread.
 Button begunIn(const Button& button, std::size_t state);
 
 }  // namespace detent::editor

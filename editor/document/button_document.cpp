@@ -48,10 +48,11 @@ ButtonDocument::ButtonDocument(Button button, QObject* parent)
   connect(&history_.stack(), &QUndoStack::cleanChanged, this, &ButtonDocument::titleChanged);
 }
 
-// An undo stack that goes says that it is clean now; nobody may ask half a document for its title then.
+// A destroyed undo stack signals that it is clean; nothing may then ask a partly destroyed document for its
+// title.
 ButtonDocument::~ButtonDocument() { history_.stack().disconnect(this); }
 
-// Undo can take the second state away while it is the active one.
+// Undo can remove the active second state.
 std::size_t ButtonDocument::activeState() const {
   return std::min(activeState_, button().states().size() - 1);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One open button: its history, its file, the page it came from, and which of its states is worked on.
+// One open button: its history, file, page, and active state.
 
 #include <array>
 #include <memory>
@@ -18,17 +18,17 @@
 
 namespace detent::editor {
 
-/// A datasheet page as it lies behind the curves. Plain value.
+/// A datasheet page behind the curves. Plain value.
 struct PlacedPage {
   QImage picture;
   QTransform pixelToAxes;  ///< from pixel centres (0,0 top left) to mm and N; may be projective
-  bool readable = true;    ///< reading it again may give traced points; false once that has failed
+  bool readable = true;    ///< reading it again may give traced points; false after that failed
 };
 
-/// Of a projective map written row by row for column vectors, as the importer and button files have it.
+/// Transform of a projective map written row by row for column vectors, as in importer and button files.
 QTransform transformOf(const std::array<double, 9>& rows);
 
-/// What a tab shows. Views draw its values and listen to its signals; only tools and operations call
+/// Content of a tab. Views draw its values and connect to its signals; only tools and operations call
 /// `history()`. GUI thread.
 class ButtonDocument : public QObject {
   Q_OBJECT
@@ -39,10 +39,10 @@ class ButtonDocument : public QObject {
 
   EditHistory& history() { return history_; }
   const EditHistory& history() const { return history_; }
-  /// What is shown now, running drag included.
+  /// The shown button, including a running drag.
   const Button& button() const { return history_.button(); }
 
-  /// The state that canvas, tools and panels work on; always one the button has.
+  /// The state that canvas, tools and panels work on; always valid.
   std::size_t activeState() const;
   void setActiveState(std::size_t state);
   const ForceGraph& graph() const { return button().states()[activeState()].graph; }
@@ -50,44 +50,44 @@ class ButtonDocument : public QObject {
   /// Absolute; empty for a button that was never saved.
   const QString& path() const { return path_; }
   void setPath(const QString& path);
-  /// Hash of what the file held when it was last read or written here; empty where there was none. Whoever
-  /// writes compares it with the disk first (files/document_files.h).
+  /// Hash of the file when it was last read or written here; empty if there was none. Writers compare it with
+  /// the disk first (files/document_files.h).
   const QByteArray& knownContent() const { return knownContent_; }
   void setKnownContent(const QByteArray& hash) { knownContent_ = hash; }
   /// File name without suffixes, else the button's name, else "Untitled".
   QString title() const;
 
-  /// Page, traced points and confidence of the import this button came from; null without one, and for
-  /// buttons opened from a file until their sheet was read again. Shared and never changed.
+  /// Page, traced points and confidence of the import; null without one, and for buttons opened from a file
+  /// until their sheet was read again. Shared and immutable.
   const std::shared_ptr<const importer::ImportReport>& origin() const { return origin_; }
   void setOrigin(std::shared_ptr<const importer::ImportReport> origin);
-  /// The page alone, of a button opened from a file whose sheet was found; nothing was traced on it yet.
+  /// The page of a button opened from a file whose sheet was found, without traced points.
   const std::optional<PlacedPage>& sheet() const { return sheet_; }
   void setSheet(std::optional<PlacedPage> sheet);
-  /// What lies behind the curves, of the import or of the sheet; nothing where there is neither.
+  /// The page behind the curves, of the import or the sheet; nullopt without either.
   std::optional<PlacedPage> page() const;
-  /// The page as the file keeps it, or will when it is saved; empty unless a person chose that.
+  /// The page stored in the file, now or at the next save; nullopt unless the user chose that.
   const std::optional<PageCutout>& cutout() const { return cutout_; }
   void setCutout(std::optional<PageCutout> cutout);
-  /// Remarks, named versions and links, as the file keeps them.
+  /// Remarks, named versions and links of the file.
   const Annotations& annotations() const { return annotations_; }
-  /// As they were read; no step.
+  /// Sets annotations as read; no undo step.
   void setAnnotations(Annotations annotations);
-  /// One step that can be undone; nothing where they are the same. Not during a drag.
+  /// Makes one undo step, unless nothing changes. Not during a drag.
   void annotate(Annotations next, const QString& label);
-  /// There is no origin, but reading the sheet again would give one.
+  /// Returns true if there is no origin, but reading the sheet again would give one.
   bool originOnDemand() const { return sheet_ && sheet_->readable && !origin_; }
-  /// Whoever needs traced points or printed values says so; they come as `originChanged`, if they can be had.
+  /// Requests traced points or printed values; they arrive with `originChanged`, if available.
   void wantOrigin();
 
  signals:
-  /// The button (or its preview) is another value now.
+  /// The button or its preview changed.
   void changed();
   void activeStateChanged();
   void originChanged();  ///< origin or sheet
   void cutoutChanged();
   void annotationsChanged();
-  void originWanted();  ///< by wantOrigin, where it is on demand
+  void originWanted();  ///< by wantOrigin, if it must be read
   /// Path, name or unsaved mark.
   void titleChanged();
 

@@ -6,7 +6,7 @@
 
 namespace detent::editor {
 
-/// A field of a CSV line (RFC 4180), in quotes whatever it holds.
+/// A field of a CSV line (RFC 4180), always quoted.
 inline QString csvField(QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; }
 
 }  // namespace detent::editor

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a widget or an action is known by: its object name, its tool tip and its accessible name.
+// Names of a widget or action: object name, tool tip and accessible name.
 
 #include <QString>
 
 namespace detent::editor {
 
-/// The widget or action itself, named; tool tip and accessible name where they are given. An action has no accessible
-/// name: its text is read out.
+/// Returns the widget or action with its name, and tool tip and accessible name if given. An action has no
+/// accessible name: its text is read out.
 template <class Widget>
 Widget* described(Widget* widget, const QString& name, const QString& tip = {},
                   const QString& accessible = {}) {

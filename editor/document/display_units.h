@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The units a person reads and types; inside the editor everything stays mm and N.
+// Units for reading and typing; internally everything is mm and N.
 
 #include <QString>
 
@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// Chosen units of the axes, tables and status bar. Plain value.
+/// Chosen units of axes, tables and status bar. Plain value.
 struct DisplayUnits {
   LengthUnit length = LengthUnit::millimetre;
   ForceUnit force = ForceUnit::centinewton;

@@ -30,7 +30,7 @@ class EditHistory::Step : public QUndoCommand {
   int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
 
   bool mergeWith(const QUndoCommand* other) override {
-    const auto* step = static_cast<const Step*>(other);  // same id: the only command class
+    const auto* step = static_cast<const Step*>(other);  // same id, so it is this class
     if (step->mergeKey_ != mergeKey_) return false;
     after_ = step->after_;
     setObsolete(after_ == before_);
@@ -86,7 +86,7 @@ void EditHistory::finishDrag() {
   dragLabel_.reset();
   preview_.reset();
   if (dragged && !(*dragged == committed_)) {
-    stack_.push(new Step(*this, committed_, *dragged, label, {}));  // the rule has seen it as a preview
+    stack_.push(new Step(*this, committed_, *dragged, label, {}));  // the rule was applied to the preview
   } else if (dragged) {
     emit changed();
   }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Undo by value (docs/develop/architecture.md): a button is a few hundred bytes, so a step keeps the button before
-// and after. Three rules: a drag is one step, an unfinished one restores, a step that changes nothing is
-// dropped.
+// Undo by value (docs/develop/architecture.md): a button is a few hundred bytes, so a step keeps the button
+// before and after. A drag is one step, a cancelled drag restores, a step without change is dropped.
 
 #include <functional>
 #include <optional>
@@ -14,30 +13,30 @@
 
 namespace detent::editor {
 
-/// The button being edited, and every button it has been. GUI thread.
+/// The edited button and its history. GUI thread.
 class EditHistory : public QObject {
   Q_OBJECT
 
  public:
   explicit EditHistory(Button button, QObject* parent = nullptr);
 
-  /// What is shown: the preview of a running drag, else the committed button.
+  /// The shown button: the preview of a running drag, else the committed one.
   const Button& button() const { return preview_ ? *preview_ : committed_; }
   const Button& committed() const { return committed_; }
 
-  /// What an edit becomes before it is shown or kept, or why it cannot be (model/links.h). From the committed button.
+  /// Changes an edit before it is shown or stored, or refuses it (model/links.h). From the committed button.
   using Rule = std::function<Result<Button>(const Button& before, const Button& next)>;
   void setRule(Rule rule) { rule_ = std::move(rule); }
-  /// What apply and preview would make of it.
+  /// Result of the rule, as used by apply and preview.
   Result<Button> ruled(const Button& next) const;
 
-  /// One finished step. Steps with the same non-empty `mergeKey` directly after each other become one (arrow
-  /// keys).
+  /// One finished step. Consecutive steps with the same non-empty `mergeKey` become one (arrow keys).
   void apply(const Button& next, const QString& label, const QString& mergeKey = {});
-  /// One step to a button that no hand has made: read again, recovered, an earlier version. Under no rule.
+  /// One step to a button that was not edited by hand: read again, recovered, an earlier version. No rule
+  /// applies.
   void replace(const Button& next, const QString& label);
 
-  /// A drag: any number of previews, then finish (one step) or cancel (as before). Previews are no steps.
+  /// A drag: any number of previews, then finish (one step) or cancel (restores). Previews are no steps.
   void beginDrag(const QString& label);
   void preview(const Button& next);
   void finishDrag();
@@ -51,9 +50,9 @@ class EditHistory : public QObject {
   bool modified() const { return !stack_.isClean(); }
 
  signals:
-  /// What `button()` gives has changed.
+  /// The result of `button()` changed.
   void changed();
-  /// The rule let nothing of a step or preview through; all is as it was.
+  /// The rule refused a step or preview; nothing changed.
   void refused(const detent::Failure& why);
 
  private:

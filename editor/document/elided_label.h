@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A line of text that gives way.
+// A label that elides its text.
 
 #include <QLabel>
 #include <QPainter>
@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// One line of plain text, shortened where it has no room; the tool tip has all of it. GUI thread.
+/// One line of plain text, elided without space; the tool tip has the whole text. GUI thread.
 class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(Qt::TextElideMode side) : side_(side) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where a finger stands on the force graph.
+// Position of a finger on the force graph.
 
 #include "model/stroke_curve.h"
 

@@ -21,13 +21,13 @@ GraphColors graphColors(bool dark) {
     return {"#1b1e22",
             "#353a41",
             "#8d949d",
-            "#dfe3e8",  // grounds
+            "#dfe3e8",  // backgrounds
             "#56b4e9",
             "#e69f00",  // strokes
             "#f0e442",
             "#2ac99a",
             "#e58bb9",
-            "#b0b6be",  // points, wall
+            "#b0b6be",  // points, end of travel
             withAlpha("#56b4e9", 26),
             withAlpha("#f0a35e", 48),
             withAlpha("#b0b6be", 44),
@@ -56,7 +56,7 @@ GraphColors graphColors(bool dark) {
 
 QColor seriesColor(std::size_t index, bool dark) {
   const GraphColors colors = graphColors(dark);
-  // Not the release's: it means that stroke in every picture.
+  // Without the release colour, which means that stroke in every picture.
   const std::array<QColor, seriesColors> series{colors.press,        colors.operatingPoint, colors.resetPoint,
                                                 colors.tactilePoint, colors.text,           colors.wall};
   return series[index % series.size()];

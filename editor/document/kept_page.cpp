@@ -9,10 +9,10 @@
 namespace detent::editor {
 namespace {
 
-constexpr int largestSide_px = 2000, leastSide_px = 320;  // below that a curve's course is not seen any more
+constexpr int largestSide_px = 2000, leastSide_px = 320;  // below that a curve is not recognisable
 constexpr double nextSmaller = 0.75;                      // about half the bytes
 
-/// Of at most that side; pixels keep their place on the axes.
+/// Reduced to at most that side; pixels keep their position on the axes.
 PlacedPage within(const PlacedPage& page, int side_px) {
   if (std::max(page.picture.width(), page.picture.height()) <= side_px) return page;
   const QImage smaller = page.picture.scaled(side_px, side_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
@@ -31,7 +31,7 @@ std::string pngOf(const QImage& picture) {
   return png.toStdString();
 }
 
-// Qt writes row vectors, the file column vectors.
+// Qt uses row vectors, the file column vectors.
 std::array<double, 9> numbersOf(const QTransform& t) {
   return {t.m11(), t.m21(), t.m31(), t.m12(), t.m22(), t.m32(), t.m13(), t.m23(), t.m33()};
 }

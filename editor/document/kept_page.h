@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The page behind a button's curves as the button's file keeps it (docs/develop/decisions/1064-page-behind-a-button.md).
+// The page behind a button's curves as stored in the button's file
+// (docs/develop/decisions/1064-page-behind-a-button.md).
 
 #include <optional>
 
@@ -9,10 +10,10 @@
 
 namespace detent::editor {
 
-/// A PNG of the page, smaller than it is shown where the whole would be above largestCutout_bytes; nothing where
-/// even a small one would be. 50 to 300 ms. Any thread.
+/// PNG of the page, reduced if the whole would exceed largestCutout_bytes; nullopt if even a small one would.
+/// 50 to 300 ms. Any thread.
 std::optional<PageCutout> cutoutOf(const PlacedPage& page);
-/// Nothing for a picture that cannot be read. Any thread.
+/// nullopt for a picture that cannot be read. Any thread.
 std::optional<PlacedPage> placedFrom(const PageCutout& cutout);
 
 }  // namespace detent::editor

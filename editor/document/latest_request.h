@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Work off the GUI thread of which only the latest counts.
+// Work off the GUI thread of which only the latest request counts.
 
 #include <atomic>
 #include <condition_variable>
@@ -14,15 +14,15 @@
 
 namespace detent::editor {
 
-/// One worker thread, begun with the first request. One request waits while one is worked on; a later one takes its place. What
-/// `work` uses must outlive this: declare it last. Not copied.
+/// One worker thread, started by the first request. One request waits while one is running; a later one
+/// replaces it. Whatever `work` uses must outlive this: declare it last. Not copyable.
 template <class Request>
 class LatestRequest {
  public:
   explicit LatestRequest(std::function<void(const Request&)> work) : work_(std::move(work)) {}
   LatestRequest(const LatestRequest&) = delete;
   LatestRequest& operator=(const LatestRequest&) = delete;
-  /// Waits for what is being worked on; what waits is dropped.
+  /// Waits for the running request; drops the waiting one.
   ~LatestRequest() {
     {
       const std::lock_guard lock(mutex_);
@@ -63,18 +63,18 @@ class LatestRequest {
   std::thread worker_;
 };
 
-/// LatestRequest for an object of the GUI thread, which is told what comes of its requests. Declare it last. GUI thread, except where
-/// said.
+/// LatestRequest for an object of the GUI thread that receives the answers. Declare it last. GUI thread,
+/// except where stated.
 template <class Request>
 class LatestAnswer {
  public:
-  /// A request that is worked on. Worker thread.
+  /// A running request. Worker thread.
   class Asked {
    public:
     const Request& request;
     const std::uint64_t revision;  ///< counted from 1
 
-    /// Something newer was asked for, or nobody waits any more: give it up.
+    /// Returns true if a newer request exists, or nobody waits any more.
     bool overtaken() const { return answers_.latest_ != revision; }
     /// Calls `told` in the GUI thread, unless the request is overtaken by then.
     template <class Told>
@@ -83,8 +83,8 @@ class LatestAnswer {
         if (answers.latest_ == asked) told();
       });
     }
-    /// The same of a request that may be overtaken. Events for an object that is gone are dropped by Qt; the destructor waits for
-    /// this thread.
+    /// The same for a request that may be overtaken. Qt drops events for a destroyed object; the destructor
+    /// waits for this thread.
     template <class Told>
     void tellAnyway(Told told) const {
       QMetaObject::invokeMethod(answers_.owner_, std::move(told), Qt::QueuedConnection);
@@ -97,23 +97,23 @@ class LatestAnswer {
     LatestAnswer& answers_;
   };
 
-  /// `owner` is what is told, and holds this. `work` runs on the worker thread.
+  /// `owner` receives the answers and holds this. `work` runs on the worker thread.
   LatestAnswer(QObject* owner, std::function<void(const Asked&)> work)
       : owner_(owner),
         work_(std::move(work)),
         requests_([this](const Waiting& next) { work_(Asked(*this, next.request, next.revision)); }) {}
-  /// Gives up what runs, and waits for it.
+  /// Cancels the running request and waits for it.
   ~LatestAnswer() { cancel(); }
   LatestAnswer(const LatestAnswer&) = delete;
   LatestAnswer& operator=(const LatestAnswer&) = delete;
 
-  /// Gives the revision of the request.
+  /// Returns the revision of the request.
   std::uint64_t ask(Request request) {
     const std::uint64_t revision = ++latest_;
     requests_.put({std::move(request), revision});
     return revision;
   }
-  /// Nothing is told of what was asked so far.
+  /// Suppresses the answers of all requests so far.
   void cancel() { ++latest_; }
   std::uint64_t latest() const { return latest_; }
 
@@ -126,7 +126,7 @@ class LatestAnswer {
   QObject* owner_;
   std::function<void(const Asked&)> work_;
   std::atomic<std::uint64_t> latest_{0};
-  LatestRequest<Waiting> requests_;  // last: its thread uses the others
+  LatestRequest<Waiting> requests_;  // last, because its thread uses the others
 };
 
 }  // namespace detent::editor

@@ -9,9 +9,9 @@
 namespace detent::editor {
 namespace {
 
-constexpr int digits = 6;  // as a quantity field shows
+constexpr int digits = 6;  // as in a quantity field
 
-// What a failure can be about (model/result.h), marked for translation: rooms name it where nothing marks it.
+// Subjects of failures (model/result.h), marked for translation here because the rooms do not mark them.
 [[maybe_unused]] constexpr const char* partNames[] = {
     QT_TRANSLATE_NOOP("detent", "stroke curve"),
     QT_TRANSLATE_NOOP("detent", "force graph"),
@@ -59,7 +59,7 @@ constexpr int digits = 6;  // as a quantity field shows
     QT_TRANSLATE_NOOP("detent", "speed limit in mm/s"),
 };
 
-// Words of the command line that stand in sentences (feedbackModes, levelQuantities, listenings of playback).
+// Words of the command line that occur in sentences (feedbackModes, levelQuantities, listenings of playback).
 [[maybe_unused]] constexpr const char* choiceNames[] = {
     QT_TRANSLATE_NOOP("detent", "full"),       QT_TRANSLATE_NOOP("detent", "click-only"),
     QT_TRANSLATE_NOOP("detent", "slope-only"), QT_TRANSLATE_NOOP("detent", "peak-force"),

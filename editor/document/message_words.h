@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Messages and failures in words for the person at the editor: translated, in their number style, in the units shown.
+// Wording of messages and failures in the editor: translated, in the user's number style and the shown units.
 
 #include <QString>
 
@@ -11,16 +11,16 @@ namespace detent::editor {
 
 inline constexpr DisplayUnits modelUnits{LengthUnit::millimetre, ForceUnit::newton};
 
-/// A pattern's translation is looked up under the context "detent".
+/// Translations of patterns have the context "detent".
 QString inWords(const Message& message, const DisplayUnits& units = modelUnits);
 
 /// With a capital letter and a full stop; empty stays empty.
 QString asSentence(QString text);
 
-/// At most `longest` characters (>= 1), the last of a longer one an ellipsis.
+/// At most `longest` characters (>= 1); a longer text ends in an ellipsis.
 QString shortened(const QString& text, int longest);
 
-/// "SUBJECT, PLACE: PROBLEM. REMEDIES.": those remedies that are words, not options of a program.
+/// "SUBJECT, PLACE: PROBLEM. REMEDIES.", with the remedies that are words, not program options.
 QString sentenceOf(const Failure& failure, const DisplayUnits& units = modelUnits);
 
 }  // namespace detent::editor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a row is called stays in sight.
+// Table views whose row names stay visible.
 
 #include <algorithm>
 #include <QHeaderView>
@@ -10,7 +10,7 @@
 
 namespace detent::editor {
 
-/// A head that shortens what it has no room for: Qt's cuts it off. GUI thread.
+/// A header that elides its text; Qt's header cuts it off. GUI thread.
 class ShorteningHeader : public QHeaderView {
  public:
   ShorteningHeader(Qt::Orientation orientation, Qt::TextElideMode side, QTableView* table)
@@ -31,16 +31,16 @@ class ShorteningHeader : public QHeaderView {
   Qt::TextElideMode side_;
 };
 
-/// What a table needs, in pixels.
+/// Space needed by a table, in pixels.
 struct NamedTable {
   int nameColumn = 0;
-  int names_px = 0;    ///< the widest name
-  int numbers_px = 0;  ///< the other columns together
-  int beside_px = 0;   ///< of the other columns, what should be seen beside a name at once
+  int names_px = 0;    ///< width of the widest name
+  int numbers_px = 0;  ///< width of the other columns together
+  int beside_px = 0;   ///< width of the other columns that should be visible beside a name
 };
 
-/// The names of the rows stand in their column where all of the table has room; else in the vertical header, which the model has to
-/// fill too (best a ShorteningHeader) and which stays where it is while the numbers scroll. GUI thread.
+/// Shows the row names in their column if the whole table has space; else in the vertical header, which the
+/// model must fill too (best a ShorteningHeader) and which stays while the numbers scroll. GUI thread.
 inline void keepNamesInSight(QTableView& table, const NamedTable& needed) {
   constexpr int leastName_px = 90;
   QHeaderView& names = *table.verticalHeader();

@@ -11,7 +11,7 @@ namespace {
 constexpr double largestFixed = 1e9, smallestFixed = 1e-5;  // beyond: powers of ten
 constexpr int mostDecimals = 17;
 
-// C digits, and the decimal sign a person of this locale types.
+// C digits with the decimal sign of this locale.
 QString localized(QString text) {
   const QString sign = QLocale().decimalPoint();
   if (sign == QLatin1String(",")) text.replace(QLatin1Char('.'), QLatin1Char(','));

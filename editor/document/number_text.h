@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Numbers as text, everywhere in the editor: in fields, tables, sentences and on axes. What is written here is what
-// readQuantity (editor/quantity/quantity.h) reads as the same number, in every locale.
+// Numbers as text, everywhere in the editor. readQuantity (editor/quantity/quantity.h) reads them back as the
+// same number, in every locale.
 
 #include <QString>
 
 namespace detent::editor {
 
-/// At most `significant` digits, in the decimal sign of the locale, without group separators and trailing
-/// zeros; powers of ten only beyond 1e9 and below 1e-5. Digits before the decimal sign are all shown.
+/// At most `significant` digits, with the locale's decimal sign, without group separators and trailing zeros;
+/// powers of ten only beyond 1e9 and below 1e-5. All digits before the decimal sign are shown.
 QString numberText(double value, int significant = 5);
 /// Exactly `decimals` digits after the decimal sign; never "-0".
 QString fixedText(double value, int decimals);

@@ -12,7 +12,7 @@ struct StateName {
 
 }  // namespace
 
-// A file names its states in English where Detent named them.
+// Files store Detent's own state names in English.
 QString nameOfState(const Button& button, std::size_t state) {
   const std::string& name = button.states()[state].name;
   if (name.empty()) return StateName::tr("State %1").arg(state + 1);

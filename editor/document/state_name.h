@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a state of a button is called beside the others.
+// Name of a button state among others.
 
 #include <QString>
 
@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// Its own name, in the person's language where Detent gave it, or the number it has. `state` < the button's states.
+/// Its own name, translated if Detent gave it, or its number. `state` < number of states.
 QString nameOfState(const Button& button, std::size_t state);
 
 }  // namespace detent::editor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How things are shown and snapped, shared by all windows' parts; no part of any button.
+// Settings of display and snapping, shared by all parts of a window; not part of any button.
 
 #include <QObject>
 
@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// What a dragged point clings to. Distances are screen pixels, so they mean the same at every zoom.
+/// Snap targets of a dragged point. Distances are screen pixels, so they mean the same at every zoom.
 struct SnapSettings {
   bool toGrid = false;
   bool toTracedPoints = false;
@@ -21,7 +21,7 @@ struct SnapSettings {
 
 enum class Appearance { system, light, dark };
 
-/// Settings of the view; one object per program, kept between runs by the window. GUI thread.
+/// Settings of the view; one object per program, stored between runs by the window. GUI thread.
 class ViewSettings : public QObject {
   Q_OBJECT
 

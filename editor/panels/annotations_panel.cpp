@@ -22,9 +22,9 @@
 namespace detent::editor {
 namespace {
 
-constexpr double firstOffset_N = 0.05;  // where there is no release yet
+constexpr double firstOffset_N = 0.05;  // used without a release
 constexpr int offsetSamples = 64;
-constexpr int margin_px = 3;  // in German every pixel counts on a small screen
+constexpr int margin_px = 3;  // small, because German texts need the space on small screens
 constexpr QuantityRange offsets_N{0, ForceGraph::maxForce_N};
 constexpr int listRows = 3;
 
@@ -40,7 +40,7 @@ QTreeWidget* listOf(const char* name, const QString& accessible, const QStringLi
   return list;
 }
 
-/// How far the release lies below the press in the mean.
+/// Mean distance of the release below the press.
 double offsetOf_N(const ForceGraph& graph) {
   if (!graph.release()) return firstOffset_N;
   const double from = std::max(graph.press().start_mm(), graph.release()->start_mm()),
@@ -53,7 +53,7 @@ double offsetOf_N(const ForceGraph& graph) {
   return std::max(0.0, sum / offsetSamples);
 }
 
-/// With two digits, so that a person finds a number of theirs there.
+/// Rounded to two digits, so that the user recognises typed numbers.
 double rounded(double value) {
   if (!(value > 0)) return 0;
   const double step = std::pow(10, std::floor(std::log10(value)) - 1);
@@ -110,7 +110,7 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
   follow();
 }
 
-// An empty field has nothing to take back: the button's last step is meant.
+// An empty field has nothing to undo, so Undo applies to the button.
 bool AnnotationsPanel::eventFilter(QObject* watched, QEvent* event) {
   const auto* field = qobject_cast<QLineEdit*>(watched);
   if (!field || event->type() != QEvent::ShortcutOverride) return QWidget::eventFilter(watched, event);
@@ -186,7 +186,7 @@ QWidget* AnnotationsPanel::linksBox() {
   column->addWidget(oneEnd_);
   auto* row = new QHBoxLayout;
   column->addWidget(releaseFollows_);
-  constexpr int indent_px = 24;  // of what belongs to a check box
+  constexpr int indent_px = 24;  // of items below a check box
   row->addSpacing(indent_px);
   row->addWidget(offset_);
   row->addStretch();
@@ -223,7 +223,7 @@ int AnnotationsPanel::chosen(const QTreeWidget& list) {
   return items.isEmpty() ? -1 : list.indexOfTopLevelItem(items.front());
 }
 
-// The links and what they ask of the button at once: one step. What cannot be had leaves both as they are.
+// Changes links and applies them at once, in one step. If impossible, both stay unchanged.
 void AnnotationsPanel::link(const EditLinks& links, const QString& label) {
   EditHistory& history = document_.history();
   if (history.dragging()) return follow();
@@ -249,7 +249,7 @@ void AnnotationsPanel::addNote() {
   if (text.isEmpty() || document_.history().dragging()) return;
   Annotations next = document_.annotations();
   next.notes.push_back({document_.activeState(), selected->stroke, at->displacement_mm, text.toStdString()});
-  noteText_->setText({});  // with no step of its own to take back
+  noteText_->setText({});  // without an undo step of its own
   document_.annotate(std::move(next), tr("Note: %1").arg(text));
 }
 
@@ -285,7 +285,7 @@ void AnnotationsPanel::openVersion() {
     emit versionOpened(*then);
 }
 
-// A note's text or a version's name was typed into its list.
+// A note's text or a version's name was edited in its list.
 void AnnotationsPanel::renamed(QTreeWidgetItem* item) {
   if (filling_) return;
   Annotations next = document_.annotations();
@@ -296,7 +296,7 @@ void AnnotationsPanel::renamed(QTreeWidgetItem* item) {
   const bool taken = !note && std::any_of(next.versions.begin(), next.versions.end(), same);
   if (text.empty() || taken || document_.history().dragging()) return follow();
   (note ? next.notes[at].text : next.versions[at].name) = text;
-  // The list is filled anew then: not before its own field has closed.
+  // The list is refilled only after its editor has closed.
   QTimer::singleShot(0, this, [this, next, note] {
     if (!document_.history().dragging())
       document_.annotate(next, note ? tr("Change a note") : tr("Rename a version"));
@@ -341,7 +341,7 @@ void AnnotationsPanel::fillVersions() {
   for (QPushButton* button : {goBack_, openVersion_, removeVersion_}) button->setEnabled(false);
 }
 
-// Until a person says another one: what the strokes shown are apart now.
+// Offers the current distance of the strokes until the user types another one.
 void AnnotationsPanel::offerOffset() {
   if (offsetTyped_ || document_.annotations().links.releaseBelowPress_N) return;
   const QScopedValueRollback filling(filling_, true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What is kept beside a button: remarks at its curves, forms of it under names, and what its edits keep together.
+// Panel for data stored beside a button: notes, named versions, and links.
 
 #include <QCheckBox>
 #include <QLabel>
@@ -17,17 +17,17 @@ namespace detent::editor {
 
 class GraphCanvas;
 
-/// Every change is a step that can be undone. GUI thread.
+/// Every change is an undo step. GUI thread.
 class AnnotationsPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// All must outlive it; a new note stands at what is selected on the canvas.
+  /// All must outlive it; a new note is placed at the selection on the canvas.
   AnnotationsPanel(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas);
 
  signals:
   void said(const QString& text);
-  /// A version is to be looked at beside the button, as one of its own.
+  /// A version is opened as a button of its own.
   void versionOpened(const detent::Button& version);
 
  protected:

@@ -16,7 +16,7 @@ struct Checks {
 
 constexpr int digits = 4;
 
-/// Values of one warning, worded.
+/// Wording of the values of one warning.
 class Words {
  public:
   Words(const Warning& warning, const DisplayUnits& units) : warning_(warning), units_(units) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What is odd about a button, in words, in the shown units.
+// Wording of warnings about a button, in the shown units.
 
 #include <QString>
 

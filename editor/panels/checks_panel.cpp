@@ -60,7 +60,8 @@ ChecksPanel::ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   follow();
 }
 
-// What the page says in words is known only where it was read; behind another panel's tab nobody asks, and to Qt this is visible there.
+// Printed values are known only after reading the page. A panel behind another tab does not request it,
+// although Qt calls it visible.
 void ChecksPanel::wantPage() {
   if (isVisible() && !visibleRegion().isEmpty()) document_.wantOrigin();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What is odd about the button, live, and the way to where it is.
+// Live list of warnings about the button, each leading to its place.
 
 #include <QLabel>
 #include <QListWidget>
@@ -14,7 +14,7 @@
 
 namespace detent::editor {
 
-/// The model's warnings and the page's printed values beside those of the graph. GUI thread.
+/// The model's warnings, and the page's printed values beside those of the graph. GUI thread.
 class ChecksPanel : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ChecksPanel : public QWidget {
   QStringList texts() const;
 
  signals:
-  /// A check was chosen: where it is, as far as it has a place.
+  /// A check was chosen; its place as far as known.
   void placeChosen(detent::WarningPlace place);
 
  protected:

@@ -11,7 +11,7 @@
 namespace detent::editor {
 namespace {
 
-// A switch on which every figure can be told from every other.
+// A switch on which all figures differ.
 const ButtonState& drawnSwitch() {
   static const ButtonState state = [] {
     const auto press = StrokeCurve::throughPoints({{0, 0.14}, {1, 0.62}, {1.7, 0.3}, {2.7, 0.5}, {3, 1}});
@@ -104,12 +104,12 @@ class Drawing {
     painter_.setBrush(mark_);
     painter_.drawEllipse(place, 2.2 * line_, 2.2 * line_);
   }
-  // A height: up from the travel axis.
+  // A force: up from the travel axis.
   void height(double mm, double N) {
     arrow(at(mm, 0), at(mm, N));
     dot(at(mm, N));
   }
-  // A way: below the travel axis, with thin lines up to the curve.
+  // A travel: below the travel axis, with thin lines up to the curve.
   void way(double from_mm, double to_mm, double from_N = 0, double to_N = 0) {
     const double below = 4 * line_;
     const QPointF down(0, below);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a key figure measures, as a small drawing.
+// Small drawings that show what a key figure measures.
 
 #include <QPainter>
 #include <QPixmap>
@@ -11,13 +11,13 @@
 
 namespace detent::editor {
 
-/// Both strokes of a tactile switch, and on them, in `mark`, what the figure measures: a height as an arrow up from the
-/// travel axis, a way as an arrow below it, a spring rate as a chord, a work as an area. Lines are as fine as the box is
-/// small, down to one unit.
+/// Both strokes of a tactile switch and, in `mark`, the figure: a force as an arrow up from the travel axis,
+/// a travel as an arrow below it, a spring rate as a chord, a work as an area. Lines scale with the box, down
+/// to one unit.
 void paintKeyFigure(QPainter& painter, const QRectF& box, KeyFigure figure, const GraphColors& colors,
                     const QColor& mark);
 
-/// The same on nothing, sharp at a scale.
+/// The same on a transparent background, sharp at a scale.
 QPixmap keyFigurePicture(QSize size, double devicePixelRatio, KeyFigure figure, const GraphColors& colors);
 
 }  // namespace detent::editor

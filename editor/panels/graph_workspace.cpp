@@ -75,7 +75,7 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   makeToolActions();
   makeEditActions();
   makeViewActions();
-  // Single keys, and those that every list and text field has for itself, work while the focus is in the
+  // Single keys, and keys that lists and text fields use themselves, work while the focus is in the
   // workspace; all others anywhere in the window.
   for (const auto* actions : {&toolActions_, &editActions_, &viewActions_})
     for (QAction* action : *actions) {
@@ -103,7 +103,7 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   followSettings();
 }
 
-// The document lives on: what was begun here and not finished is cancelled.
+// The document lives on, so an unfinished edit is cancelled.
 GraphWorkspace::~GraphWorkspace() {
   document_.disconnect(this);
   operations_->closeDialog();
@@ -112,7 +112,7 @@ GraphWorkspace::~GraphWorkspace() {
   damping_->cancelDrag();
 }
 
-// State and underlay; hidden where there is neither a choice of states nor a page.
+// State and underlay; hidden without several states and a page.
 QWidget* GraphWorkspace::makeBar() {
   bar_ = new QWidget;
   auto* row = new QHBoxLayout(bar_);
@@ -412,7 +412,7 @@ void GraphWorkspace::followSettings() {
   underlayLabel_->setVisible(page);
   underlay_->setVisible(page);
   bar_->setVisible(page || barHasChoices());
-  // Those that are read on demand can be asked for: switching them on has them read.
+  // Points that are read on request can be switched on, which reads them.
   const bool traced = !canvas_->tracedPoints(Stroke::press).empty() || document_.originOnDemand();
   residualsShown_->setEnabled(traced);
   snapTraced_->setEnabled(traced);

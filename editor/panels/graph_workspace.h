@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The middle of a tab: the force graph with its tools, the displacement-force view, damping where a button
-// has it, and the bar that says which state is shown.
+// Centre of a tab: the force graph with its tools, the displacement-force view, damping if the button has it,
+// and the bar with the shown state.
 
 #include <functional>
 #include <memory>
@@ -40,31 +40,31 @@ class GraphWorkspace : public QWidget {
 
   /// Checkable, exclusive: select, add knot, add jump, pan.
   QList<QAction*> toolActions() const { return toolActions_; }
-  /// Delete, corner or smooth, and the operations, with shortcuts and tool tips. Separators among them.
+  /// Delete, corner or smooth, and the operations, with shortcuts and tool tips. Includes separators.
   QList<QAction*> editActions() const { return editActions_; }
-  /// Fit, zoom, second view, damping, residuals, magnifier, handles, snapping. Separators among them.
+  /// Fit, zoom, second view, damping, residuals, magnifier, handles, snapping. Includes separators.
   QList<QAction*> viewActions() const { return viewActions_; }
 
-  /// What is selected, as text on the clipboard (knot_text.h); where nothing is, asks for the whole button.
+  /// Copies the selection as text (knot_text.h); without one, requests the whole button.
   void copySelected();
-  /// One step; says why not where the graph cannot take it.
+  /// One step; reports why if the graph cannot take it.
   void paste(const GraphStretch& stretch);
 
-  /// Where a finger of the feel panel is; nullopt: nowhere.
+  /// Shows the finger of the feel panel; nullopt: hidden.
   void showFinger(std::optional<FingerPosition> finger);
 
-  /// The force graph as it is shown, without handles, for copy and export.
+  /// The force graph as shown, without handles, for copy and export.
   QImage renderImage(QSize size_px, double devicePixelRatio) const;
 
   GraphCanvas& canvas() { return *canvas_; }
   ToolBox& tools() { return *tools_; }
 
  signals:
-  /// mm and N; nullopt where the pointer left.
+  /// mm and N; nullopt when the pointer left.
   void cursorMoved(std::optional<detent::CurvePoint> at);
-  /// Refusals and hints for the status bar; empty: nothing to say any more.
+  /// Refusals and hints for the status bar; empty clears it.
   void statusMessage(const QString& text);
-  /// Copy was asked for with nothing selected.
+  /// Copy was requested without a selection.
   void buttonCopyAsked();
 
  private:
@@ -102,7 +102,7 @@ class GraphWorkspace : public QWidget {
   QLabel* underlayLabel_ = nullptr;
   QSlider* underlay_ = nullptr;
   QList<QAction*> toolActions_, editActions_, viewActions_;
-  QList<QAction*> severalActions_;  ///< need more than one selected point
+  QList<QAction*> severalActions_;  ///< require several selected points
   QAction *cutAction_ = nullptr, *deleteAction_ = nullptr, *cornerAction_ = nullptr, *dampingShown_ = nullptr,
           *residualsShown_ = nullptr, *snapGrid_ = nullptr, *snapTraced_ = nullptr, *snapOther_ = nullptr;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The steps of the grid that dragged points snap to.
+// Grid steps for snapping.
 
 #include <QDialog>
 
@@ -9,7 +9,7 @@
 
 namespace detent::editor {
 
-/// What is typed holds at once, in the units shown. GUI thread.
+/// Typed values apply at once, in the shown units. GUI thread.
 class GridDialog : public QDialog {
   Q_OBJECT
 

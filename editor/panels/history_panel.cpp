@@ -15,7 +15,7 @@ HistoryPanel::HistoryPanel(ButtonDocument& document, QWidget* parent)
   view_->setEmptyLabel(document.path().isEmpty() ? tr("New") : tr("Opened"));
   view_->setAlternatingRowColors(true);
   view_->setUniformItemSizes(true);
-  view_->setTabKeyNavigation(false);  // Tab leaves it, arrows go through it
+  view_->setTabKeyNavigation(false);  // Tab leaves the list, arrows move in it
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(view_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The steps of a document as a list; a click goes there.
+// The steps of a document as a list; a click goes to a step.
 
 #include <QWidget>
 

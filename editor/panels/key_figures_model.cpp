@@ -15,7 +15,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int dragPause_ms = 80;
-constexpr int editedDigits = 12;  // what is typed comes back as typed
+constexpr int editedDigits = 12;  // typed values are shown unchanged
 constexpr int shownDigits = 4;
 constexpr QSize pictureSize(34, 22);
 
@@ -319,7 +319,7 @@ bool KeyFiguresModel::setData(const QModelIndex& index, const QVariant& value, i
     if (anyWanted()) lookAhead();
     return true;
   }
-  if (role != Qt::EditRole || document_.history().dragging()) return false;  // another hand holds the button
+  if (role != Qt::EditRole || document_.history().dragging()) return false;  // another edit holds the button
   if (const QString why = refusalOf(index, value.toString()); !why.isEmpty()) {
     emit refused(index, why);
     return false;
@@ -348,7 +348,8 @@ void KeyFiguresModel::solveNext() {
 }
 
 void KeyFiguresModel::takeTyped(const TargetOutcome& outcome) {
-  // Every change asks anew (follow), so the answer is to the button as it is; another hand may hold it.
+  // Every change starts a new request (follow), so the answer fits the current button; another edit may hold
+  // it.
   if (document_.history().dragging())
     return QTimer::singleShot(dragPause_ms, this, &KeyFiguresModel::solveNext);
   const KeyFigure which = typed_.front().figure;

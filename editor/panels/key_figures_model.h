@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The key figures of a document's active state as a table that can be typed into.
+// The key figures of a document's active state as an editable table.
 
 #include <array>
 #include <deque>
@@ -18,16 +18,17 @@
 
 namespace detent::editor {
 
-/// One row per figure, in the order of model/key_figures.h; its vertical header names them too. What is typed under `now` is one undo step at once: the
-/// smallest change of the curve that gives it and leaves the kept figures as they are. What is typed under `wanted` is
-/// gathered; `preview` is the state that has all of it, until it is taken or given up. Both are solved beside the window:
-/// what is typed is done when its solve has ended, in the order typed, on the button as it is then. GUI thread.
+/// One row per figure, in the order of model/key_figures.h, named in the vertical header too. A value typed
+/// under `now` is one undo step: the smallest change of the curve that gives it and keeps the kept figures.
+/// Values typed under `wanted` are collected; `preview` is the state that has all of them, until it is
+/// applied or dropped. Both are solved in a worker: typed values are applied when their solve ends, in the
+/// order typed, to the button at that time. GUI thread.
 class KeyFiguresModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { figure, now, wanted, keep, columns };
-  /// What one solve may bend and measure: some 2 s, and two and a half times what the samples need.
+  /// Limit of bent and measured curves of one solve: about 2 s, two and a half times what the samples need.
   static constexpr std::size_t mostKnots = 2'000'000;
 
   KeyFiguresModel(ButtonDocument& document, ViewSettings& settings, QObject* parent = nullptr);
@@ -40,32 +41,32 @@ class KeyFiguresModel : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
   static KeyFigure figureOf(const QModelIndex& index) { return static_cast<KeyFigure>(index.row()); }
-  /// Why a text cannot stand in a cell; empty where it can be read. Asks nothing of the curve.
+  /// Reason why a text cannot be read; empty if it can. Does not involve the curve.
   QString refusalOf(const QModelIndex& index, const QString& text) const;
 
-  /// What is odd about a text that can be read; empty: nothing.
+  /// Doubt about a readable text; empty: none.
   QString doubtOf(const QModelIndex& index, const QString& text) const;
 
   bool anyWanted() const;
-  /// The active state as it would be; empty where nothing is wanted, or where it cannot be had.
+  /// The active state with all requested figures; nullopt without requests, or if impossible.
   const std::optional<ButtonState>& preview() const { return preview_; }
-  /// A solve is under way, or waits until nobody holds the button.
+  /// Returns true while a solve runs, or waits until nobody holds the button.
   bool solving() const { return looking_ || !typed_.empty(); }
-  /// Why not; empty where there is a preview, or nothing is wanted.
+  /// Reason without a preview; empty with a preview or without requests.
   const QString& conflict() const { return conflict_; }
-  /// The preview becomes one undo step, and nothing is wanted any more.
+  /// Makes the preview one undo step and clears the requests.
   void take();
   void giveUp();
 
  signals:
-  /// Something typed under `now` cannot be had; `why` says it to the person.
+  /// A value typed under `now` is impossible; `why` is the reason for the user.
   void refused(const QModelIndex& index, const QString& why);
   void accepted();
   void previewChanged();
   void solvingChanged();
 
  private:
-  /// One figure that is to be had at once.
+  /// A typed figure to be applied.
   struct Typed {
     KeyFigure figure;
     double value;
@@ -105,11 +106,11 @@ class KeyFiguresModel : public QAbstractTableModel {
   Solving typedSolve_, aheadSolve_;
 };
 
-/// What the number means; work, which is shown in mJ, is a plain number.
+/// Quantity of the figure; work, shown in mJ, is a plain number.
 Quantity quantityOf(KeyFigure figure);
-/// "Peak force", in the person's language.
+/// "Peak force", translated.
 QString termOf(KeyFigure figure);
-/// What it is: the sentence of docs/reference/glossary.md.
+/// Definition of the figure, from docs/reference/glossary.md.
 QString definitionOf(KeyFigure figure);
 
 }  // namespace detent::editor

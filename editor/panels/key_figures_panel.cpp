@@ -21,10 +21,10 @@ namespace detent::editor {
 namespace {
 
 constexpr QSize pictureSize(132, 84);
-constexpr int widestNumber = 9;  // characters that a column of numbers has room for
+constexpr int widestNumber = 9;  // characters of a column of numbers
 constexpr int roomBesideText_px = 12;
 constexpr int leastWithMeaning_px = 340;
-constexpr int patience_ms = 200;  // a solve that is over by then is not spoken of
+constexpr int patience_ms = 200;  // a shorter solve is not announced
 
 }  // namespace
 
@@ -53,7 +53,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   table_->horizontalHeader()->setHighlightSections(false);
   table_->setWordWrap(false);
   table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);  // Tab leaves the table; arrows go through it
+  table_->setTabKeyNavigation(false);  // Tab leaves the table, arrows move in it
   table_->setAlternatingRowColors(true);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
@@ -68,7 +68,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   patience_.setInterval(patience_ms);
   setFocusProxy(table_);
 
-  about_->setMinimumHeight(1);  // it asks no window to be higher before it is hidden
+  about_->setMinimumHeight(1);  // lets the window stay low before it is hidden
   auto* aboutLayout = new QHBoxLayout(about_);
   aboutLayout->setContentsMargins(6, 6, 6, 6);
   aboutLayout->addWidget(picture_);
@@ -106,7 +106,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   showMeaning();
 }
 
-// Numbers have the room they need, names what the panel has left.
+// Numbers get the width they need, names the rest.
 void KeyFiguresPanel::layOut() {
   const int number_px = widestNumber * fontMetrics().horizontalAdvance(QLatin1Char('0')) + roomBesideText_px;
   int others = 0;
@@ -126,7 +126,7 @@ void KeyFiguresPanel::layOut() {
   keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others, beside_px});
 }
 
-// Where the screen is small, the figures come first: what explains them gives way.
+// On a small screen the explanation is hidden first.
 void KeyFiguresPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   about_->setVisible(height() >= leastWithMeaning_px);
@@ -148,7 +148,7 @@ void KeyFiguresPanel::showMeaning() {
   meaning_->setText(QStringLiteral("<b>%1</b><br>%2").arg(termOf(figure), definitionOf(figure)));
 }
 
-// A button that greys out lets go of the keyboard, and Qt gives it to whatever comes next.
+// A disabled button loses the keyboard focus, and Qt gives it to the next widget.
 void KeyFiguresPanel::showPreview() {
   if ((take_->hasFocus() && !model_->preview()) || (giveUp_->hasFocus() && !model_->anyWanted()))
     table_->setFocus();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The key figures: typed, kept, and wanted together.
+// The key figures panel: typed, kept and requested figures.
 
 #include <QTimer>
 #include <QWidget>
@@ -16,7 +16,8 @@ namespace detent::editor {
 
 class KeyFiguresModel;
 
-/// A table, below it what the chosen figure measures, and whether what is wanted can be had. GUI thread.
+/// A table, below it a drawing of the chosen figure, and whether the requested figures are possible. GUI
+/// thread.
 class KeyFiguresPanel : public QWidget {
   Q_OBJECT
 

@@ -125,7 +125,7 @@ void OperationDialog::setValue(std::size_t field, double value) {
   fieldChanged();
 }
 
-// The first field whose text cannot be read.
+// Refusal of the first field whose text cannot be read.
 QString OperationDialog::fieldRefusal() const {
   for (std::size_t i = 0; i < editors_.size(); ++i) {
     const auto* field = qobject_cast<const QuantityField*>(editors_[i]);

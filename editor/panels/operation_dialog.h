@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A small dialog for one operation on the button: numbers in, live preview, one undo step.
+// A small dialog for one operation on the button: fields, live preview, one undo step.
 
 #include <functional>
 #include <QDialog>
@@ -17,7 +17,7 @@ class QTimer;
 
 namespace detent::editor {
 
-/// What a field asks for. Values are always mm, N, N·s/mm.
+/// Quantity of a field. Values are always mm, N, N·s/mm.
 enum class FieldKind { length, force, damping, factor, ratio, count, choice };
 
 struct OperationField {
@@ -28,7 +28,7 @@ struct OperationField {
   QStringList choices;  ///< of FieldKind::choice; the value is an index into them
 };
 
-/// One operation as the dialog offers it. `edit` gets the button before and the fields' values.
+/// One operation of the dialog. `edit` gets the button before and the fields' values.
 struct Operation {
   QString title, explanation;
   std::vector<OperationField> fields;
@@ -36,7 +36,7 @@ struct Operation {
   bool slow = false;  ///< the preview waits until typing pauses
 };
 
-/// Window-modal. While it is open the document shows the preview; OK makes one step, cancel restores exactly.
+/// Window-modal. The document shows the preview while it is open; OK makes one step, Cancel restores exactly.
 /// A refusal is shown in the dialog; the last valid preview stays, and OK waits. GUI thread.
 class OperationDialog : public QDialog {
   Q_OBJECT

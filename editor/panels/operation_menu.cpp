@@ -93,7 +93,7 @@ OperationTarget OperationMenu::target() const {
 }
 
 void OperationMenu::updateActions() {
-  // While something moves the menu cannot be opened: no need to look at every frame.
+  // The menu cannot be opened during a drag, so frames are not checked.
   if (document_.history().dragging()) return;
   const OperationTarget now = target();
   for (const auto& [action, offered] : offers_) action->setEnabled(offered(now));
@@ -112,7 +112,7 @@ void OperationMenu::open(Operation (*make)(const OperationTarget&)) {
   placeBeside(*dialog_);
 }
 
-// What it previews stays in sight: beside the graph, or as far to its right as the screen allows.
+// Keeps the previewed graph visible: beside it, or as far to its right as the screen allows.
 void OperationMenu::placeBeside(QWidget& dialog) const {
   const QRect screen = dialog.screen()->availableGeometry();
   QPoint at = window_.mapToGlobal(QPoint(window_.width() + gapBeside_px, 0));

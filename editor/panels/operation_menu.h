@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The operations as actions: each opens its dialog on what is selected.
+// The operations as actions; each opens its dialog on the selection.
 
 #include <QAction>
 #include <QList>
@@ -22,9 +22,9 @@ class OperationMenu : public QObject {
   OperationMenu(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas, ToolBox& tools,
                 QWidget& window);
 
-  /// Separators among them. Object names: "operationAddJump", ...
+  /// Includes separators. Object names: "operationAddJump", ...
   const QList<QAction*>& actions() const { return actions_; }
-  /// Enables what the button allows now.
+  /// Enables the actions that the button allows.
   void updateActions();
   /// Cancels and deletes an open dialog at once.
   void closeDialog() { delete dialog_; }

@@ -13,7 +13,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int mostPieces = 200;  // more than a hand shapes
+constexpr int mostPieces = 200;  // limit for shaping by hand
 
 QString tr(const char* text) { return QCoreApplication::translate("Operations", text); }
 
@@ -34,7 +34,7 @@ Result<Button> editOne(const Button& start, std::size_t state, Stroke stroke, co
 
 double highestForce(const OperationTarget& target) { return std::max(target.values.highest_N, 1e-3); }
 
-// Where the selected mark stands, else a place that usually works.
+// Position of the selected mark, else a place that usually works.
 double selectedPlace(const OperationTarget& target, double otherwise_mm) {
   if (!target.selected) return otherwise_mm;
   const auto at = placeOf(*target.selected, target.button.states()[target.state], target.values);
@@ -66,7 +66,7 @@ TactileChoice tactileChoice(const OperationTarget& target, bool pressOnly) {
 }
 
 TactileChoice::Entry entryOf(const std::vector<TactileChoice::Entry>& entries, double value) {
-  if (entries.empty()) return {Stroke::press, 0};  // the edit then says that there is none
+  if (entries.empty()) return {Stroke::press, 0};  // the edit then reports that there is none
   return entries[std::min(entries.size() - 1, static_cast<std::size_t>(std::max(0.0, value)))];
 }
 
@@ -76,7 +76,7 @@ Result<Button> withGraph(const Button& start, std::size_t state, const Result<Bu
                    [&](const ForceGraph&) -> Result<ForceGraph> { return from->states()[0].graph; });
 }
 
-// A fitted start may lie before the rest position by less than the points are sure of; buttons start at 0.
+// A fitted start may lie before the rest position by less than its error; buttons start at 0.
 Result<StrokeCurve> fromRest(const StrokeCurve& fitted, double sigma_mm) {
   const Knot& first = fitted.knots().front();
   if (first.displacement_mm >= 0 || first.displacement_mm < -3 * sigma_mm) return fitted;
@@ -283,7 +283,7 @@ Operation refitOperation(const OperationTarget& target) {
                          200,
                          tr("More follow the points closer, fewer are easier to shape"),
                          {}});
-  // Noise as the importer takes it: a third of a pixel, or a thousandth of the span for force logs.
+  // Noise as in the importer: a third of a pixel, or a thousandth of the span for force logs.
   importer::PointNoise noise{1e-3 * target.graph().travel_mm(), 1e-3 * highestForce(target)};
   if (origin.evidence) {
     const auto& calibration = origin.evidence->axes.calibration.value;
@@ -357,7 +357,7 @@ Operation dampingOperation(const OperationTarget& target) {
   op.edit = [index = target.state, travel](const Button& before, const Values& v) {
     std::vector<DampingPoint> points;
     if (v[0] > 0.5) {
-      // What lies between stays as it was shaped.
+      // Points between keep their shape.
       points = before.states()[index].damping;
       if (points.size() < 2) points = {{0, v[1]}, {travel, v[2]}};
       points.front().damping_Ns_per_mm = v[1];
@@ -370,7 +370,7 @@ Operation dampingOperation(const OperationTarget& target) {
 
 namespace {
 
-/// A template with its travel multiplied, and the highest force of its first state brought to `highest_N`.
+/// A template with scaled travel, and its first state's highest force set to `highest_N`.
 Result<Button> stretched(const Button& plain, double travelFactor, double highest_N) {
   auto longer = scaleTravel(plain, travelFactor);
   if (!longer) return longer;
@@ -393,7 +393,7 @@ Operation twoLevelOperation(const OperationTarget& target) {
     if (!plain) return plain;
     auto scaled = stretched(*plain, v[0] / plain->states()[0].graph.travel_mm(), v[1]);
     if (!scaled) return scaled;
-    // Contact and damping of the old curves mean nothing on the new ones.
+    // Contacts and damping of the old curves do not apply to the new ones.
     auto bare = setOperatingPoint(start, state, {});
     if (bare) bare = setResetPoint(*bare, state, {});
     if (bare) bare = setDamping(*bare, state, {});

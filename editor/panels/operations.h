@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The operations a graph can undergo, each as fields and a pure edit (operation_dialog.h shows them).
+// Operations on a graph, each as fields and a pure edit (operation_dialog.h shows them).
 
 #include <optional>
 
@@ -9,14 +9,14 @@
 
 namespace detent::editor {
 
-/// What an operation starts from.
+/// Start values of an operation.
 struct OperationTarget {
   const Button& button;
   std::size_t state;
   const GraphValues& values;       ///< of that state
   std::optional<MarkId> selected;  ///< its stroke and tactile point are offered first
   const importer::ImportReport* origin = nullptr;
-  bool originOnDemand = false;  ///< there is none, but it can be had
+  bool originOnDemand = false;  ///< the origin can be read on request
 
   const ForceGraph& graph() const { return button.states()[state].graph; }
 };

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int scrubStep_px = 4;
 const QString widest = QStringLiteral("000.0000 cN/mm");
-constexpr double away_px = 18;  // of the point, so that it is seen
+constexpr double away_px = 18;  // from the point, so that it stays visible
 constexpr QuantityRange anyLength_mm{-ForceGraph::maxTravel_mm, ForceGraph::maxTravel_mm},
     anyForce{-ForceGraph::maxForce_N, ForceGraph::maxForce_N};
 
@@ -61,7 +61,7 @@ PointField::PointField(ButtonDocument& document, ViewSettings& settings, GraphCa
   grid->addWidget(trouble_, grid->rowCount(), 0, 1, 2);
   hide();
   connect(&document_.history(), &EditHistory::changed, this, [this] {
-    if (isOpen() && !document_.history().dragging()) close();  // undone, or taken away
+    if (isOpen() && !document_.history().dragging()) close();  // undone, or removed
   });
   connect(&settings_, &ViewSettings::changed, this, [this] {
     for (Row* row : {&displacement_, &force_, &slopeBefore_, &slopeAfter_})
@@ -81,7 +81,7 @@ PointField::Row PointField::makeRow(const char* name, const QString& text, Quant
   Row row;
   row.field = described(new QuantityField(quantity, settings_.units()), name);
   row.field->setRange(quantity == Quantity::length ? anyLength_mm : anyForce);
-  row.field->setButtonSymbols(QAbstractSpinBox::NoButtons);  // its name is dragged, its arrows are keys
+  row.field->setButtonSymbols(QAbstractSpinBox::NoButtons);  // its name can be dragged, its arrows are keys
   row.field->setFixedWidth(fontMetrics().horizontalAdvance(widest) + row.field->sizeHint().height());
   row.label = new ScrubLabel(text, *row.field);
   row.field->setAccessibleName(QString(text).remove('&'));
@@ -119,7 +119,7 @@ void PointField::fill(const Mark& mark) {
   slopeAfter_.label->setText(before ? tr("Slope a&fter") : tr("&Slope"));
 }
 
-// Beside the point, or above or below it: where there is room, it is seen. Else in the corner farthest from it.
+// Beside the point, or above or below it, where it is visible; else in the corner farthest from it.
 void PointField::place(CurvePoint at) {
   layout()->activate();
   resize(sizeHint());
@@ -170,7 +170,7 @@ bool PointField::open(FirstValue first) {
   return true;
 }
 
-// From the button as it was: the place first, the slopes at the knot that stands there then.
+// From the original button: first the position, then the slopes at the knot there.
 Result<Button> PointField::edited() const {
   const std::size_t state = document_.activeState();
   Result<Button> next = document_.history().committed();
@@ -201,7 +201,7 @@ void PointField::preview() {
   adjustSize();
 }
 
-// A number that no button has is asked about once.
+// Questions an unusual number once.
 bool PointField::odd() {
   for (const Row* row : {&displacement_, &force_}) {
     if (!row->changed) continue;
@@ -236,7 +236,7 @@ void PointField::close() {
 bool PointField::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
-    event->accept();  // no letter typed here is a tool
+    event->accept();  // letters typed here select no tool
     return true;
   }
   if (event->type() != QEvent::KeyPress || !isOpen()) return QFrame::eventFilter(object, event);
@@ -254,7 +254,7 @@ bool PointField::eventFilter(QObject* object, QEvent* event) {
       adjustSize();
       return true;
     }
-  if (!edited() || odd()) return true;  // said below the fields
+  if (!edited() || odd()) return true;  // reported below the fields
   finish();
   canvas_.setFocus();
   return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The numbers of a selected point, typed beside it.
+// Numeric fields beside a selected point.
 
 #include <optional>
 #include <QFrame>
@@ -14,7 +14,7 @@
 
 namespace detent::editor {
 
-/// The name of a field that changes it while it is dragged to and fro. GUI thread.
+/// Name of a field; dragging it changes the value. GUI thread.
 class ScrubLabel : public QLabel {
   Q_OBJECT
 
@@ -27,11 +27,11 @@ class ScrubLabel : public QLabel {
 
  private:
   QuantityField& field_;
-  int taken_px_ = 0;  ///< up to where the pointer's way has become steps
+  int taken_px_ = 0;  ///< pointer distance already converted to steps
 };
 
-/// Displacement, force and slope of the selected point over the canvas. What is typed or scrubbed shows at once; Enter, and
-/// a click elsewhere, make one step of it, Escape leaves all as it was. Holds the button while it is open. GUI thread.
+/// Displacement, force and slope of the selected point over the canvas. Typed or dragged values show at once;
+/// Enter, or a click elsewhere, makes one step, Escape restores. Holds the button while open. GUI thread.
 class PointField : public QFrame {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class PointField : public QFrame {
   PointField(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas);
   ~PointField() override;
 
-  /// For the selected mark; false where it has no numbers of its own, or another hand holds the button.
+  /// Opens for the selected mark; returns false if it has no numbers, or another edit holds the button.
   bool open(FirstValue first);
   bool isOpen() const { return mark_.has_value(); }
 
@@ -72,9 +72,9 @@ class PointField : public QFrame {
   GraphCanvas& canvas_;
   Row displacement_, force_, slopeBefore_, slopeAfter_;
   QLabel* trouble_;
-  std::optional<Mark> mark_;    ///< whose numbers they are, where it stood when this was opened
-  std::optional<MarkId> knot_;  ///< its knot, if one stands there
-  QString askedAbout_;          ///< an odd number that was asked about
+  std::optional<Mark> mark_;    ///< the edited mark and its position when this was opened
+  std::optional<MarkId> knot_;  ///< its knot, if there is one
+  QString askedAbout_;          ///< unusual number that was questioned
 };
 
 }  // namespace detent::editor

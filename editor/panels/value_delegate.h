@@ -9,15 +9,15 @@ class QLineEdit;
 
 namespace detent::editor {
 
-/// Keeps a cell open, marked, with the reason beside it, as long as what is typed there is refused; what is odd is asked
-/// about once, and taken when Enter is pressed on it again. Its parent is the table. GUI thread.
+/// Keeps a cell open and marked, with the reason beside it, while its text is refused; an unusual value is
+/// questioned once and accepted on the second Enter. Its parent is the table. GUI thread.
 class ValueDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
-  /// Why a text cannot stand in a cell; empty: it can.
+  /// Reason why a text is refused; empty if accepted.
   using Refusal = std::function<QString(const QModelIndex&, const QString&)>;
-  /// What is odd about a text that can stand in a cell; empty: nothing.
+  /// Doubt about an accepted text; empty: none.
   using Doubt = std::function<QString(const QModelIndex&, const QString&)>;
   ValueDelegate(Refusal refusal, Doubt doubt, QObject* parent);
 
@@ -25,7 +25,7 @@ class ValueDelegate : public QStyledItemDelegate {
                         const QModelIndex& index) const override;
 
  signals:
-  /// Enter or Tab was pressed on a refused text, or for the first time on an odd one.
+  /// Enter or Tab was pressed on a refused text, or for the first time on an unusual one.
   void refused(const QModelIndex& index, const QString& why);
 
  protected:
@@ -37,8 +37,8 @@ class ValueDelegate : public QStyledItemDelegate {
 
   Refusal refusal_;
   Doubt doubt_;
-  QPersistentModelIndex askedAt_;  ///< where the last question was asked
-  QString askedAbout_;             ///< about which text; empty: none
+  QPersistentModelIndex askedAt_;  ///< place of the last question
+  QString askedAbout_;             ///< its text; empty: none
 };
 
 }  // namespace detent::editor

@@ -11,11 +11,11 @@ namespace detent::editor {
 namespace {
 
 constexpr int dragPause_ms = 80;
-constexpr int editedDigits = 12;  // what is typed comes back as typed
+constexpr int editedDigits = 12;  // typed values are shown unchanged
 
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
 
-// The headings say the stroke.
+// The headings name the stroke.
 QString shortName(MarkId mark) {
   const QString number = QString::number(mark.index + 1);
   switch (mark.kind) {
@@ -90,7 +90,7 @@ std::vector<ValuesModel::Row> ValuesModel::rowsNow() const {
   return rows;
 }
 
-// A running drag belongs to the canvas; numbers that change faster than one reads can wait.
+// Waits during a drag, which belongs to the canvas; such numbers change faster than one can read.
 void ValuesModel::followSoon() {
   if (!document_.history().dragging()) return follow();
   if (!pause_.isActive()) pause_.start();
@@ -259,7 +259,7 @@ QString ValuesModel::doubt(const QModelIndex& index, const QString& text) const 
 bool ValuesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const auto mark = markOf(index);
   if (role != Qt::EditRole || !mark || !editable(*mark, index.column())) return false;
-  if (document_.history().dragging()) return false;  // another hand holds the button
+  if (document_.history().dragging()) return false;  // another edit holds the button
   const Typed next = typed(index, value.toString());
   if (!next.button) {
     emit refused(index, next.refusal);

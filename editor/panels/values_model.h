@@ -14,9 +14,9 @@
 
 namespace detent::editor {
 
-/// Rows: tactile points, turns, sections (with the place of their end and their mean slope), knots, operating
-/// and reset point; headings between them. Values in the user's units; what is typed becomes one undo step,
-/// or is refused with a sentence and changes nothing. GUI thread.
+/// Rows: tactile points, turns, sections (end position and mean slope), knots, operating and reset point;
+/// with headings. Values in the user's units; a typed value becomes one undo step, or is refused with a
+/// sentence and changes nothing. GUI thread.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -32,22 +32,21 @@ class ValuesModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
-  /// What a text typed into a cell would make of the button, or why it cannot be; both empty where the cell
-  /// is not editable.
+  /// The button after an edit of a cell, or the reason of a refusal; both empty if the cell is not editable.
   struct Typed {
     std::optional<Button> button;
     QString refusal;
   };
   Typed typed(const QModelIndex& index, const QString& text) const;
-  /// What is odd about a text that can stand in a cell; empty: nothing.
+  /// Doubt about an accepted text; empty: none.
   QString doubt(const QModelIndex& index, const QString& text) const;
 
-  /// The mark a row speaks about; nullopt for headings.
+  /// The mark of a row; nullopt for headings.
   std::optional<MarkId> markOf(const QModelIndex& index) const;
   std::optional<int> rowOf(MarkId mark) const;
 
  signals:
-  /// Something typed was refused; `why` says it to the person.
+  /// A typed value was refused; `why` is the reason for the user.
   void refused(const QModelIndex& index, const QString& why);
   void accepted();
 

@@ -16,8 +16,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr int measuredRows = 200;      // of a long table: the first ones tell how wide its columns are
-constexpr int leastNumber = 6;         // characters that a column of numbers has room for
+constexpr int measuredRows = 200;      // of a long table; the first rows determine the column widths
+constexpr int leastNumber = 6;         // characters of a column of numbers
 constexpr int roomBesideText_px = 12;  // of a cell
 
 }  // namespace
@@ -43,7 +43,7 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->horizontalHeader()->setHighlightSections(false);
   table_->setWordWrap(false);
   table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);  // Tab leaves the table; arrows go through it
+  table_->setTabKeyNavigation(false);  // Tab leaves the table, arrows move in it
   table_->setAlternatingRowColors(true);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
@@ -81,7 +81,7 @@ void ValuesPanel::layOut() {
   giveRoomToNames();
 }
 
-// Headings have the whole width: they do not count.
+// Headings span the whole width and do not count.
 int ValuesPanel::widthOf(int column) const {
   const QFontMetrics metrics = table_->fontMetrics();
   int text_px = column == ValuesModel::name ? 0 : leastNumber * metrics.horizontalAdvance(QLatin1Char('0'));
@@ -91,7 +91,7 @@ int ValuesPanel::widthOf(int column) const {
   return std::max(text_px + roomBesideText_px, table_->horizontalHeader()->sectionSizeHint(column));
 }
 
-// What the panel has left goes to the names; where it is too narrow the numbers scroll.
+// The remaining width goes to the names; in a narrow panel the numbers scroll.
 void ValuesPanel::giveRoomToNames() {
   int others = 0;
   for (int column = ValuesModel::displacement; column < ValuesModel::columns; ++column)
@@ -121,7 +121,7 @@ void ValuesPanel::showRefusal(const QModelIndex& index, const QString& why) {
 void ValuesPanel::showMark(std::optional<MarkId> mark) {
   if (!mark) return;
   const auto row = model_->rowOf(*mark);
-  // A row that is worked on keeps its cell.
+  // An edited row keeps its cell.
   if (!row || *row == table_->currentIndex().row()) return;
   const QSignalBlocker quiet(this);
   table_->setCurrentIndex(model_->index(*row, ValuesModel::displacement));

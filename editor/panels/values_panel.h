@@ -15,8 +15,7 @@ namespace detent::editor {
 
 class ValuesModel;
 
-/// What cannot be is said under the table, in the cell's own words, and the old value stands again. GUI
-/// thread.
+/// A refusal is shown under the table, and the old value is restored. GUI thread.
 class ValuesPanel : public QWidget {
   Q_OBJECT
 
@@ -24,7 +23,7 @@ class ValuesPanel : public QWidget {
   ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
   ValuesModel& model() { return *model_; }
 
-  /// Brings a mark's row into view.
+  /// Scrolls to a mark's row.
   void showMark(std::optional<detent::editor::MarkId> mark);
 
  signals:
@@ -36,7 +35,7 @@ class ValuesPanel : public QWidget {
 
  private:
   void showRefusal(const QModelIndex& index, const QString& why);
-  void layOut();  ///< headings over the whole width, columns as wide as what stands in them
+  void layOut();  ///< headings over the whole width, columns as wide as their contents
   int widthOf(int column) const;
   void giveRoomToNames();
 

@@ -11,7 +11,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double reach_px = 24;  // adding aims at a curve, not at a point: a wide reach
+constexpr double reach_px = 24;  // a wide reach, because a curve is the target, not a point
 // A jump by a click: an eighth of the travel wide, a fifth of its tactile force deep.
 constexpr double usualWidthOfTravel = 0.125, usualDropOfForce = 0.2;
 
@@ -70,7 +70,7 @@ bool AddKnotTool::pressed(const PointerInput& input) {
     return to == from ? Result<Button>(base) : moveMark(base, state, {id, from}, to);
   };
   context_.drag.begin(std::move(task), input.at);
-  // Snapping waits for the first move: a click does not change the shape.
+  // Snapping waits for the first move, because a click does not change the shape.
   context_.drag.moveTo(input.at, Qt::ControlModifier);
   context_.canvas.setSelected(id);
   return true;
@@ -186,7 +186,7 @@ bool ZoomTool::moved(const PointerInput& input) {
 
 bool ZoomTool::released(const PointerInput& input) {
   if (input.button != Qt::LeftButton || !from_px_) return false;
-  constexpr double least_px = 6;  // less is a click with an unsteady hand
+  constexpr double least_px = 6;  // a smaller rectangle counts as a click
   const QRectF part_px = QRectF(*from_px_, input.at_px).normalized();
   leave();
   if (part_px.width() >= least_px && part_px.height() >= least_px) {

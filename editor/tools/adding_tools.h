@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tools that add something where the mouse is pressed, and shape it while it is held; and those that move the view.
+// Tools that add something at a mouse press and shape it during the drag; and tools that change the view.
 
 #include "editor/tools/tool.h"
 
 namespace detent::editor {
 
-/// A click on a stroke adds a knot there without changing the shape; dragged on, the new knot moves along.
+/// A click on a stroke adds a knot without changing the shape; a drag moves the new knot.
 class AddKnotTool : public Tool {
  public:
   using Tool::Tool;
@@ -19,7 +19,7 @@ class AddKnotTool : public Tool {
 };
 
 /// A press on a stroke sets the tactile point, the drag pulls the valley (release: the hump) out of the
-/// curve; a click alone adds a jump of usual size.
+/// curve; a click adds a jump of usual size.
 class AddJumpTool : public Tool {
  public:
   using Tool::Tool;
@@ -46,7 +46,7 @@ class PanTool : public Tool {
   std::optional<QPointF> last_px_;
 };
 
-/// A rectangle becomes the whole view; a click comes nearer, with Shift it goes back.
+/// A rectangle becomes the whole view; a click zooms in, with Shift out.
 class ZoomTool : public Tool {
  public:
   using Tool::Tool;

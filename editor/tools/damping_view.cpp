@@ -50,7 +50,7 @@ void DampingView::drawContent(QPainter& painter, const PlotMapping& map) const {
   painter.setClipRect(map.clip_px);
   QPolygonF line;
   for (const DampingPoint& p : points()) line.push_back(map.toPixel(p.displacement_mm, p.damping_Ns_per_mm));
-  if (!line.empty()) {  // outside its points damping keeps the nearest one's value
+  if (!line.empty()) {  // beyond its points damping is constant
     QPolygonF whole = line;
     whole.prepend({map.clip_px.left() - 1, line.front().y()});
     whole.append({map.clip_px.right() + 1, line.back().y()});
@@ -143,7 +143,7 @@ void DampingView::mousePressEvent(QMouseEvent* event) {
 void DampingView::mouseMoveEvent(QMouseEvent* event) {
   UnitPlot::mouseMoveEvent(event);
   if (!grab_px_ || !selected_) return;
-  if (!(event->buttons() & Qt::LeftButton)) return endDrag();  // the release was lost to another window
+  if (!(event->buttons() & Qt::LeftButton)) return endDrag();  // the mouse release went to another window
   if (!dragging_ && document_.history().dragging()) return;
   if (!dragging_) document_.history().beginDrag(tr("Move damping point %1").arg(*selected_ + 1));
   dragging_ = true;

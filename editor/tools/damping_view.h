@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Damping b(x) of a button that has it (Shrestha, "Basic model": F = -kx - bv), and the hand that shapes it.
+// Damping b(x) of a button (Shrestha, "Basic model": F = -kx - bv), with its editing.
 
 #include <optional>
 
@@ -9,8 +9,8 @@
 
 namespace detent::editor {
 
-/// Points are dragged, added by a double click on the line, removed by Delete, walked through by Tab and
-/// nudged by the arrow keys (0.01 mm, 0.001 N·s/mm). GUI thread.
+/// Points are dragged, added by a double click on the line, removed by Delete, visited by Tab and moved by
+/// the arrow keys (0.01 mm, 0.001 N·s/mm). GUI thread.
 class DampingView : public UnitPlot {
   Q_OBJECT
 
@@ -46,7 +46,7 @@ class DampingView : public UnitPlot {
 
   ButtonDocument& document_;
   std::optional<std::size_t> selected_;
-  std::optional<QPointF> grab_px_;  ///< pointer minus point while one is held
+  std::optional<QPointF> grab_px_;  ///< pointer minus point during a drag
   bool dragging_ = false;
   QString refused_;
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int limitSteps = 14;  // halvings: a 16,000th of the way, less than a pixel
 constexpr double clearance_px =
-    4;  // before the limit: a flank that is not a step, a point that is not a corner
+    4;  // px before the limit, so that a flank does not become a step, nor a point a corner
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void GraphDrag::moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers) {
     if (refused_) say_({});
   } else if (task_->snaps) {
     stopAtLimit(to, next.failure(), feedback);
-  } else {  // a handle's limit is a wall, a section's has no one place: the last shape stays
+  } else {  // a handle's limit is vertical, and a section's is not unique, so the last shape stays
     feedback.refused = RefusedMove{to, sentenceOf(next.failure(), canvas_.settings().units())};
     say_(feedback.refused->why);
   }
@@ -85,7 +85,7 @@ Result<Button> GraphDrag::edited(CurvePoint to) const {
   return next ? history.ruled(*next) : next;
 }
 
-// The farthest allowed place on the way from one to another, itself allowed or `from`; a little before what is refused.
+// The farthest allowed place from one point to another, itself allowed or `from`; a little before the limit.
 CurvePoint GraphDrag::farthest(CurvePoint from, CurvePoint to) const {
   const auto at = [&](double share) {
     return CurvePoint{from.displacement_mm + share * (to.displacement_mm - from.displacement_mm),
@@ -99,15 +99,15 @@ CurvePoint GraphDrag::farthest(CurvePoint from, CurvePoint to) const {
   }
   const bool contact = task_->mark && (task_->mark->kind == MarkKind::operatingPoint ||
                                        task_->mark->kind == MarkKind::resetPoint);
-  if (contact) return at(allowed);  // it deforms nothing
+  if (contact) return at(allowed);  // a contact deforms nothing
   const PlotMapping map = canvas_.mapping();
   const double way_px = std::hypot((to.displacement_mm - from.displacement_mm) * map.pxPerX,
                                    (to.force_N - from.force_N) * map.pxPerY);
   return at(std::max(0.0, allowed - clearance_px / std::max(way_px, clearance_px)));
 }
 
-// From where the drag began straight to the pointer, then along each axis: where it stops depends on the
-// pointer alone, not on the way it took.
+// Straight from the start of the drag to the pointer, then along each axis, so that the result depends on the
+// pointer alone.
 void GraphDrag::stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedback& feedback) {
   CurvePoint limit = farthest(task_->from, wanted);
   limit = farthest(limit, {wanted.displacement_mm, limit.force_N});

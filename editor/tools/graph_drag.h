@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One drag over a document: previews while it moves, one step at its end, exactly as before if cancelled.
+// One drag over a document: previews while it moves, one step at its end, restored exactly if cancelled.
 
 #include <functional>
 #include <optional>
@@ -11,28 +11,29 @@
 
 namespace detent::editor {
 
-/// What is dragged and how it changes the button.
+/// The dragged item and its effect on the button.
 struct DragTask {
   using Edit = std::function<Result<Button>(const Button& start, CurvePoint to)>;
 
   QString label;    ///< of the undo step
-  CurvePoint from;  ///< where the dragged thing stands
+  CurvePoint from;  ///< start position of the dragged item
   Stroke stroke = Stroke::press;
-  std::optional<MarkId> mark;  ///< whose place is shown while it moves; none: the wanted place
+  std::optional<MarkId> mark;  ///< mark whose position is shown; nullopt: the pointer's
   bool snaps = true;
-  /// From the button before the drag. Where it fails, a point stops at the limit, other things keep their last shape.
+  /// From the button before the drag. If it fails, a point stops at the limit, other items keep their last
+  /// shape.
   Edit edit;
 };
 
-/// GUI thread. `say` gets the sentence of a refusal, and an empty one when it is over.
+/// GUI thread. `say` receives the sentence of a refusal, and an empty one when it ends.
 class GraphDrag {
  public:
   GraphDrag(ButtonDocument& document, GraphCanvas& canvas, std::function<void(const QString&)> say);
 
   bool running() const { return task_.has_value(); }
-  /// `pointer` keeps its distance from the dragged thing.
+  /// The pointer keeps its distance from the dragged item.
   void begin(DragTask task, CurvePoint pointer);
-  /// Snaps if the settings and the task want it; Ctrl lets go.
+  /// Snaps if the settings and the task allow it; Ctrl disables snapping.
   void moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers = {});
   void finish();
   void cancel();
@@ -40,7 +41,7 @@ class GraphDrag {
  private:
   void clear();
   void preview(const Button& next, CurvePoint to, CanvasFeedback& feedback);
-  /// What the drag makes of the button it began with.
+  /// Result of the drag on the original button.
   Result<Button> edited(CurvePoint to) const;
   CurvePoint farthest(CurvePoint from, CurvePoint to) const;
   void stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedback& feedback);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What lies under the pointer.
+// Marks under the pointer.
 
 #include <optional>
 #include <vector>
@@ -12,11 +12,11 @@ namespace detent::editor {
 inline constexpr double markReach_px = 9;
 inline constexpr double curveReach_px = 7;
 
-/// Marks within reach, the one a click takes first: slope handles of the selected knot, then tactile points,
-/// operating and reset point, turns, knots; among equals the nearest.
+/// Marks within reach, in the order of a click: slope handles of the selected knot, tactile points, operating
+/// and reset point, turns, knots; then by distance.
 std::vector<Mark> marksAt(const GraphCanvas& canvas, QPointF at_px, double within_px = markReach_px);
 
-/// A place on a stroke near the pointer (press first where both are equally near).
+/// A place on a stroke near the pointer (the press if both are equally near).
 struct CurveHit {
   Stroke stroke = Stroke::press;
   CurvePoint at;
@@ -24,7 +24,7 @@ struct CurveHit {
 };
 std::optional<CurveHit> curveAt(const GraphCanvas& canvas, QPointF at_px, double within_px = curveReach_px);
 
-/// The section of a stroke that holds a displacement.
+/// The section of a stroke that contains a displacement.
 std::optional<std::size_t> sectionAt(const StrokeValues& values, double displacement_mm);
 
 }  // namespace detent::editor

@@ -14,7 +14,7 @@ QString tr(const char* text, const char* note = nullptr, int n = -1) {
   return QCoreApplication::translate("detent::editor::Keyboard", text, note, n);
 }
 
-// Nobody presses Tab a thousand times to leave a graph.
+// With more points, Tab skips plain knots.
 constexpr std::size_t mostWalked = 150;
 
 bool isArrow(int key) {
@@ -62,7 +62,7 @@ bool Keyboard::walk(int by) {
     if (marks[static_cast<std::size_t>(i)].id == context_.canvas.selected()) next = i + by;
   if (next < 0 || next >= count) {
     context_.canvas.setSelected({});
-    return false;  // focus goes on
+    return false;  // the focus moves on
   }
   const Mark& mark = marks[static_cast<std::size_t>(next)];
   context_.canvas.setSelected(mark.id);

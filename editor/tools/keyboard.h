@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Working on the graph without a mouse.
+// Editing the graph by keyboard.
 
 #include "editor/tools/selection_edits.h"
 #include "editor/tools/tool.h"
 
 namespace detent::editor {
 
-/// One press of an arrow key; Shift: ten times, Alt: a tenth.
+/// One arrow key press; Shift: ten times, Alt: a tenth.
 inline constexpr double nudge_mm = 0.01, nudge_N = 0.001, nudgeSlope_N_per_mm = 0.001;
 
-/// Tab and Shift+Tab go through the points (of very many, not through plain knots) and leave the canvas after
-/// the last, arrow keys nudge the selected mark (one undo step as long as it is the same one), Delete removes
-/// it, Insert adds a knot halfway to the next one, C makes a corner smooth and back, S goes through a knot's
-/// slope handles, P pins it or takes the pin out, Enter and F2 ask for its values, Escape lets go.
+/// Tab and Shift+Tab visit the points (of very many, without plain knots) and leave the canvas after the
+/// last; arrow keys move the selected mark (one undo step per mark), Delete removes it, Insert adds a knot
+/// halfway to the next one, C toggles a corner, S visits a knot's slope handles, P toggles its pin, Enter and
+/// F2 open its values, Escape deselects.
 class Keyboard {
  public:
   explicit Keyboard(ToolContext& context) : context_(context) {}
   bool pressed(int key, Qt::KeyboardModifiers modifiers);
   bool wants(int key, Qt::KeyboardModifiers modifiers) const;
 
-  /// Also behind the menu's actions. They say why not, where something stands in the way.
+  /// Also used by the menu's actions. Reports the reason if it is impossible.
   void removeSelected();
   void toggleSelectedCorner();
   void togglePin();

@@ -10,7 +10,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr qsizetype mostLines = 100'000;  // as many knots as a curve may have
+constexpr qsizetype mostLines = 100'000;  // limit of knots of a curve
 constexpr int exactDigits = 17;
 
 QString header() {

@@ -16,7 +16,7 @@ Result<Button> editCurve(const Button& button, std::size_t state, Stroke stroke,
   return editGraph(button, state, [&](const ForceGraph& graph) { return editStroke(graph, stroke, edit); });
 }
 
-// The slope that a handle dragged to a place means; none where that lies straight above or on the other side.
+// The slope of a handle dragged to a place; a Failure if that is straight above or on the other side.
 Result<double> slopeTowards(const Knot& knot, MarkKind side, CurvePoint to) {
   const double away_mm = to.displacement_mm - knot.displacement_mm;
   if (side == MarkKind::slopeBefore ? away_mm < 0 : away_mm > 0) return (to.force_N - knot.force_N) / away_mm;
@@ -45,7 +45,8 @@ Result<StrokeCurve> moveOnStroke(const StrokeCurve& curve, const Mark& mark, Cur
                          to.force_N - mark.at.force_N);
     case MarkKind::slopeBefore:
     case MarkKind::slopeAfter: {
-      if (id.index >= curve.knots().size()) return moveKnot(curve, id.index, to);  // says which is missing
+      // reports which index is missing
+      if (id.index >= curve.knots().size()) return moveKnot(curve, id.index, to);
       auto slope = slopeTowards(curve.knots()[id.index], id.kind, to);
       if (!slope) return slope.failure();
       return withSlope(curve, id, *slope, sides);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a mark and what a hand does with it to the next button: the pure functions behind tools, keys and
-// tables.
+// Pure functions from a mark and an edit to the next button, used by tools, keys and tables.
 
 #include <QString>
 
@@ -10,36 +9,36 @@
 
 namespace detent::editor {
 
-/// Which sides of a knot a slope handle turns.
+/// Sides of a knot that a slope handle changes.
 enum class SlopeSides {
   asItIs,  ///< both of a smooth knot, one of a corner
-  one      ///< the handle's own: a smooth knot becomes a corner
+  one      ///< the handle's own; a smooth knot becomes a corner
 };
 
-/// Moves a mark from where it stands to another place. Knots, tactile points and turns go there; a section
-/// moves by the difference; operating and reset points take the displacement; a slope handle's knot gets the
-/// slope towards `to` (which must lie on the handle's side). Failures are those of model/edits.h.
+/// Moves a mark to another place. Knots, tactile points and turns go there; a section moves by the
+/// difference; operating and reset points take the displacement; a slope handle's knot gets the slope towards
+/// `to`, which must lie on the handle's side. Failures: as in model/edits.h.
 Result<Button> moveMark(const Button& button, std::size_t state, const Mark& mark, CurvePoint to,
                         SlopeSides sides = SlopeSides::asItIs);
 
-/// Sets the slope on one side of a knot (both, if it is smooth).
+/// Sets the slope on one side of a knot (both if it is smooth).
 Result<Button> setMarkSlope(const Button& button, std::size_t state, MarkId handle, double slope_N_per_mm,
                             SlopeSides sides = SlopeSides::asItIs);
 
-/// Moves the end of a section: the tactile point or turn that stands there, else the knot there, which is
-/// added where none is.
+/// Moves the end of a section: the tactile point or turn there, else the knot there, which is added if
+/// needed.
 Result<Button> moveSectionEnd(const Button& button, std::size_t state, Stroke stroke, const Section& section,
                               CurvePoint to);
 
-/// Takes away what a mark stands for: a knot, a jump with its tactile point, an operating or reset point.
+/// Removes what a mark stands for: a knot, a jump with its tactile point, an operating or reset point.
 Result<Button> removeMark(const Button& button, std::size_t state, MarkId mark);
 
-/// Corner to smooth, smooth to corner.
+/// Toggles a knot between corner and smooth.
 Result<Button> toggleCorner(const Button& button, std::size_t state, MarkId knot);
 Result<Button> addKnot(const Button& button, std::size_t state, Stroke stroke, double displacement_mm);
 Result<Button> addJumpAt(const Button& button, std::size_t state, Stroke stroke, NewJump jump);
 
-/// The knot at a place of a stroke, if one stands there.
+/// Index of the knot at a place of a stroke; nullopt without one.
 std::optional<std::size_t> knotAt(const StrokeCurve& curve, double displacement_mm);
 
 /// Labels of undo steps: "Move tactile point 1 of the press".

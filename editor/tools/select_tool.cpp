@@ -13,18 +13,18 @@
 namespace detent::editor {
 namespace {
 
-// Less than this is a click with an unsteady hand.
+// A shorter movement counts as a click.
 constexpr double dragThreshold_px = 3;
 
 QString tr(const char* text, const char* note = nullptr, int n = -1) {
   return QCoreApplication::translate("detent::editor::SelectTool", text, note, n);
 }
 
-// What a press at a place takes: a mark, else the section under it.
+// The mark at a place, else the section under it.
 std::optional<Mark> takenAt(const GraphCanvas& canvas, const PointerInput& input) {
   const std::vector<Mark> marks = marksAt(canvas, input.at_px);
   if (!marks.empty()) {
-    // What is selected stays in hand where several lie over each other.
+    // A selected mark stays selected if several overlap.
     for (const Mark& mark : marks)
       if (canvas.isSelected(mark.id)) return mark;
     return marks.front();
@@ -87,14 +87,14 @@ bool SelectTool::pressed(const PointerInput& input) {
   if (adding_) {
     toggleHeld();
   } else {
-    // One of several stays one of several: the drag that follows moves them all.
+    // One of several selected marks stays selected, so that the drag moves all.
     if (!wasSelected_) context_.canvas.setSelected(held_->id);
     context_.say(describe(*held_, context_.settings.units()));
   }
   return true;
 }
 
-// Of what is selected already, Shift takes away; of the rest it adds.
+// Shift removes selected marks and adds others.
 void SelectTool::toggleHeld() {
   GraphCanvas& canvas = context_.canvas;
   const auto points = [&](MarkId mark) { return pointsOf(mark, canvas.state(), canvas.values()); };
@@ -138,7 +138,7 @@ void SelectTool::bandTo(const PointerInput& input) {
   context_.say(tr("%n points selected", nullptr, static_cast<int>(now.size())));
 }
 
-// All selected points go the way of the one in hand.
+// Moves all selected points with the dragged one.
 void SelectTool::beginGroupDrag() {
   const Mark mark = *held_;
   const std::vector<MarkId> marks = context_.canvas.selection();
@@ -202,7 +202,7 @@ void SelectTool::takeBeneath(const PointerInput& input) {
   }
 }
 
-// What was said when it was pressed named the place before.
+// Updates the status, which named the position before the drag.
 void SelectTool::sayWhereItStands() {
   const GraphCanvas& canvas = context_.canvas;
   if (canvas.selection().size() != 1) return;

@@ -9,10 +9,9 @@
 
 namespace detent::editor {
 
-/// Selects and moves points, slope handles and whole sections; a drag on empty ground selects the points in
-/// its rectangle. Shift adds to the selection and takes away from it; of several selected points a drag moves
-/// all. A click on what is selected takes what lies beneath it; a double click adds a knot, or turns a knot
-/// into a corner and back.
+/// Selects and moves points, slope handles and sections; a drag on empty ground selects the points in its
+/// rectangle. Shift toggles the selection; a drag moves all selected points. A click on a selected mark takes
+/// the one beneath; a double click adds a knot, or toggles a corner.
 class SelectTool : public Tool {
  public:
   using Tool::Tool;
@@ -37,8 +36,8 @@ class SelectTool : public Tool {
   Holding holding_ = Holding::nothing;
   std::optional<Mark> held_;
   bool wasSelected_ = false;
-  bool adding_ = false;                 ///< Shift was down when the button went down
-  std::vector<MarkId> selectedBefore_;  ///< what a rectangle adds to, as named on
+  bool adding_ = false;                 ///< Shift was down at the mouse press
+  std::vector<MarkId> selectedBefore_;  ///< marks before the rectangle, as of its start
   std::optional<MarkedState> pressedOn_;
   QPointF pressed_px_;
   CurvePoint pressedAt_;

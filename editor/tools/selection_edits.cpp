@@ -32,7 +32,7 @@ Result<StrokeCurve> editThese(const StrokeCurve& curve, const std::vector<std::s
   return edit(curve, knots);
 }
 
-// Both strokes together: half of an edit could be against the rules of a graph.
+// Both strokes together, because half of an edit could break a rule of the graph.
 Result<Button> editKnots(const Button& button, std::size_t state, const std::vector<MarkId>& marks,
                          const KnotsEdit& edit) {
   return editGraph(button, state, [&](const ForceGraph& graph) -> Result<ForceGraph> {
@@ -120,7 +120,7 @@ std::vector<MarkId> allPoints(const ButtonState& state) {
 
 Result<Button> moveSelection(const Button& button, std::size_t state, const std::vector<MarkId>& marks,
                              double by_mm, double by_N) {
-  // Contacts would leave a travel that grows only afterwards, or lie outside one that has shrunk.
+  // Contacts might leave a travel that grows only afterwards, or lie outside one that shrank.
   auto bare = editContacts(button, state, marks, [](double) { return std::optional<double>(); });
   if (!bare) return bare;
   auto moved =

@@ -10,7 +10,7 @@ QPointF pixelOf(const PlotMapping& map, CurvePoint at) { return map.toPixel(at.d
 
 double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
-// Keeps the nearest of all candidates within reach.
+// Keeps the nearest candidate within reach.
 class Nearest {
  public:
   Nearest(QPointF wanted_px, double within_px) : wanted_px_(wanted_px), reach_px_(within_px) {}
@@ -28,7 +28,7 @@ class Nearest {
   std::optional<SnapHit> hit_;
 };
 
-// The curve in steps of half a pixel around the pointer: near enough for a hand.
+// Samples the curve in steps of half a pixel around the pointer.
 void offerCurve(const StrokeCurve& curve, const PlotMapping& map, QPointF wanted_px, double within_px,
                 Nearest& nearest) {
   const auto offerAt = [&](double x, double force) {

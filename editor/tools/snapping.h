@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a dragged point clings to.
+// Snapping of a dragged point.
 
 #include <optional>
 #include <span>
@@ -12,14 +12,14 @@
 
 namespace detent::editor {
 
-/// What there is to cling to. References must outlive the call.
+/// Snap targets. References must outlive the call.
 struct SnapSources {
   std::span<const CurvePoint> traced;        ///< of the dragged point's stroke
-  const StrokeCurve* otherStroke = nullptr;  ///< null: there is none
+  const StrokeCurve* otherStroke = nullptr;  ///< null: none
 };
 
-/// The nearest traced point or place on the other stroke within the settings' reach; else the nearest grid
-/// lines, each axis for itself (a point may cling to one of them); nullopt where nothing is near enough.
+/// The nearest traced point, or place on the other stroke, within the settings' reach; else the nearest grid
+/// lines, each axis separately; nullopt if nothing is near enough.
 std::optional<SnapHit> snapOf(CurvePoint wanted, const PlotMapping& map, const SnapSettings& settings,
                               const SnapSources& sources);
 

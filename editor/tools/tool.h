@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A mouse tool: a state the canvas is in. All it may touch stands in its ToolContext.
+// A mouse tool: a mode of the canvas. Everything it may touch is in its ToolContext.
 
 #include <functional>
 #include <QString>
@@ -10,23 +10,24 @@
 
 namespace detent::editor {
 
-/// Which value of a point is typed first.
+/// The value of a point that is typed first.
 enum class FirstValue { displacement, force };
 
-/// What tools work on; the seam where tests take hold of them.
+/// Environment of tools, also used by tests.
 struct ToolContext {
   ButtonDocument& document;
   ViewSettings& settings;
   GraphCanvas& canvas;
   GraphDrag& drag;
   std::function<void(const QString&)> say;    ///< refusals and hints, for the status bar
-  std::function<void(FirstValue)> askValues;  ///< of the selected point, beside it
+  std::function<void(FirstValue)> askValues;  ///< opens the values of the selected point
 
-  /// A drag or an operation's dialog holds the button; nothing else may change it.
+  /// Returns true while a drag or an operation's dialog holds the button; nothing else may change it then.
   bool busy() const { return document.history().dragging(); }
 };
 
-/// Events answer whether they were handled. A tool has no drag running when it is left. GUI thread.
+/// Event functions return true if the event was handled. A tool has no running drag when it is deselected.
+/// GUI thread.
 class Tool {
  public:
   explicit Tool(ToolContext& context) : context_(context) {}
@@ -40,10 +41,10 @@ class Tool {
   virtual bool moved(const PointerInput&) { return false; }
   virtual bool released(const PointerInput&) { return false; }
   virtual bool doubleClicked(const PointerInput&) { return false; }
-  /// The drag this tool had begun was taken away (Escape, undo).
+  /// The drag of this tool was cancelled (Escape, undo).
   virtual void dragCancelled() {}
   virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
-  /// One sentence: what the mouse does now.
+  /// One sentence about what the mouse does now.
   virtual QString hint() const = 0;
 
  protected:

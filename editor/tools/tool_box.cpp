@@ -23,7 +23,7 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
              std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_),
              std::make_unique<ZoomTool>(context_)} {
   canvas_.setEvents(this);
-  // What the drag started from is no longer there.
+  // The start of the drag no longer exists.
   connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::cancelDrag);
   connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::cancelDrag);
   connect(&document.history(), &EditHistory::refused, this,
@@ -51,7 +51,7 @@ void ToolBox::cancelDrag() {
 
 bool ToolBox::pointerPressed(const PointerInput& input) {
   if (input.button == Qt::RightButton && !drag_.running()) {
-    // The menu speaks about what lies under the pointer.
+    // The menu refers to the mark under the pointer.
     const auto marks = marksAt(canvas_, input.at_px);
     if (!marks.empty()) canvas_.setSelected(marks.front().id);
     return true;
@@ -60,7 +60,7 @@ bool ToolBox::pointerPressed(const PointerInput& input) {
   return currentTool().pressed(input);
 }
 
-// A release can be lost to a dialog that opened meanwhile: a move without the button says so.
+// The mouse release may have gone to a dialog; a move without the button shows this.
 bool ToolBox::pointerMoved(const PointerInput& input) {
   if (leftDown_ && !(input.buttons & Qt::LeftButton)) {
     PointerInput lost = input;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which tool has the mouse. Hands the canvas' events to it and keeps the rules that hold for all tools.
+// Owns the tools, passes canvas events to the active one and keeps the rules common to all tools.
 
 #include <array>
 #include <memory>
@@ -14,7 +14,7 @@ namespace detent::editor {
 enum class ToolKind { select, addKnot, addJump, pan, zoom };
 inline constexpr std::size_t toolCount = 5;
 
-/// Escape cancels a drag, undo and a change of state end it; a tool is left without one. GUI thread.
+/// Escape cancels a drag; undo and a change of state end it; a tool is left without one. GUI thread.
 class ToolBox : public QObject, public CanvasEvents {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class ToolBox : public QObject, public CanvasEvents {
  signals:
   void toolChanged(detent::editor::ToolKind kind);
   void said(const QString& text);
-  /// The values of the selected point are to be typed beside it.
+  /// Requests editing of the selected point's values.
   void valuesAsked(detent::editor::FirstValue first);
   void contextMenuRequested(QPoint global_px);
 
