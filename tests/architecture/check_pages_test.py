@@ -20,6 +20,8 @@ CASES = (
     ("| a | b |\n|---|---|\n| 1 | 2 |\n| 1 |\n", ["page.md:6: the row has 1 cells, its header 2"]),
     ("| a | b |\n|---|---|\n| 1 \\| 2 | 3 |\n", []),
     (LONG[:110] + "\n", []),
+    ("    " + LONG + "\n", []),
+    ("<!-- table: begin -->\n" + LONG + "\n<!-- table: end -->\n", []),
     (LONG + "\n", ["page.md:3: the line has 111 columns; at most 110 are allowed"]),
 )
 
