@@ -37,7 +37,7 @@ test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
   git python3 python3-numpy python3-scipy python3-jsonschema mypy time
   python3-pandas python3-matplotlib python3-tqdm  # samples/notebooks
-  snakemake slurm-wlm munge        # samples/cluster
+  snakemake slurm-wlm munge parallel  # samples/cluster
   jackd2 puredata-core
   chromium chromium-driver         # a shared page is opened in it
   umockdev libumockdev-dev         # a Falcon that is none

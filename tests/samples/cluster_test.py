@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """samples/cluster as a user runs it, on this machine and on a Slurm of one node that it sets up: cluster_test.py --root FOLDER --bin FOLDER
 
-Slurm needs root, slurmctld, slurmd and munged; Snakemake has to be Debian's. What is absent is SKIPPED.
+Slurm needs root, slurmctld, slurmd and munged; Snakemake has to be Debian's; GNU parallel runs the recipe of docs/scale.md. What is absent
+is SKIPPED.
 """
 
 import argparse
 import csv
 import json
 import os
+import re
 import shutil
 import signal
 import socket
@@ -22,6 +24,22 @@ from pathlib import Path
 ROOT = BIN = None
 SNAKEMAKE = "/usr/bin/snakemake"
 LONGEST_WAIT_s = 120
+STATUS = Path(__file__).resolve().parents[2] / "samples/cluster/profiles/slurm/status.sh"
+# Slurm's job states (squeue's manual) by what Snakemake is to be told; held ones wait for a person.
+RUNNING = " PENDING CONFIGURING RUNNING COMPLETING SUSPENDED STOPPED RESIZING REQUEUED REQUEUE_FED SIGNALING STAGE_OUT"
+HELD = " RESV_DEL_HOLD REQUEUE_HOLD SPECIAL_EXIT REVOKED"
+FAILED = " BOOT_FAIL CANCELLED DEADLINE FAILED NODE_FAIL OUT_OF_MEMORY PREEMPTED TIMEOUT"
+ODD_NAMES = ["log {3f2504e0}.csv", "#it's $HOME 100%.csv", "[1]*, -ü.csv", "log-1.csv"]
+# Stands in for detent-import: waits until a file is there, and tells of each batch that begins and of two that share a folder.
+WATCHED = """#!/bin/bash
+case " $* " in *" --batch "*) ;; *) exec {program} "$@" ;; esac
+[[ "$*" =~ batches/([0-9]+).list ]]
+exec 8>>{folder}/at-work-${{BASH_REMATCH[1]}}
+flock -n 8 || echo "${{BASH_REMATCH[1]}}" >> {folder}/twice
+echo "${{BASH_REMATCH[1]}}" >> {folder}/begun
+until [ -e {folder}/go ]; do sleep 0.1; done
+{program} "$@"
+"""
 
 
 def missing(*programs):
@@ -46,10 +64,10 @@ def graphs(report):
     for graph in kept:
         graph.pop("seconds", None)
         graph.pop("outputs", None)
-    return kept
+    return sorted(kept, key=lambda graph: (graph["input"], graph.get("graph", 0)))  # a page that is read again stands at the end
 
 
-def children_of(process, name):
+def children_of(process, name, word=b"--batch"):
     """Ids of the batches of a name below one, however deep."""
     parents = {}
     for stat in Path("/proc").glob("[0-9]*/stat"):
@@ -66,7 +84,7 @@ def children_of(process, name):
 
     def batch(pid):  # and not one that is asked for its version
         try:
-            return b"--batch" in Path(f"/proc/{pid}/cmdline").read_bytes()
+            return word in Path(f"/proc/{pid}/cmdline").read_bytes()
         except OSError:
             return False
 
@@ -89,15 +107,16 @@ class Cluster(unittest.TestCase):
         self.folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
         (self.folder / "pages").mkdir()
-        for number in range(4):
-            shutil.copy(ROOT / "samples/plots/force-meter-log.csv", self.folder / f"pages/log-{number}.csv")
+        self.program = BIN / "detent-import"
+        for name in ODD_NAMES:
+            shutil.copy(ROOT / "samples/plots/force-meter-log.csv", self.folder / "pages" / name)
         for number in range(2):
             shutil.copy(ROOT / "samples/plots/brown-one-ink.png", self.folder / f"pages/plot {number}.png")
         (self.folder / "pages/broken.png").write_text("not a picture")
 
     def command(self, *more):
         return [SNAKEMAKE, "-s", ROOT / "samples/cluster/Snakefile", "--profile", ROOT / f"samples/cluster/profiles/{self.PROFILE}", *more,
-                "--config", "pages=pages/*", "out=out", "batch=3", f"program={BIN / 'detent-import'}", "options=--quality draft"]
+                "--config", "pages=pages/*", "out=out", "batch=3", f"program={self.program}", "options=--quality draft"]
 
     def environment(self):
         return {**os.environ, "PATH": "/usr/bin:/usr/sbin:/bin:/sbin", "HOME": str(self.folder)}
@@ -112,6 +131,21 @@ class Cluster(unittest.TestCase):
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         return process
+
+    def watch(self):
+        """From here on batches begin only once go() is called."""
+        self.program = self.folder / "watched"
+        self.program.write_text(WATCHED.format(program=BIN / "detent-import", folder=self.folder))
+        self.program.chmod(0o755)
+
+    def go(self):
+        (self.folder / "go").touch()
+
+    def begun(self):
+        try:
+            return sorted((self.folder / "begun").read_text().split())
+        except FileNotFoundError:
+            return []
 
     def assert_as_serial(self):
         pages = sorted(str(path.relative_to(self.folder)) for path in (self.folder / "pages").iterdir())
@@ -141,19 +175,48 @@ class OneMachine(Cluster):
             rows = list(csv.DictReader(table))
         self.assertEqual([row["status"] for row in rows].count("ok"), 6)
         self.assertIn("Nothing to be done", self.snakemake())
-        time.sleep(1.1)  # times of files count whole seconds on some disks
-        (self.folder / "pages/log-1.csv").write_bytes((self.folder / "pages/log-1.csv").read_bytes() + b"\n")
+        page = self.folder / "pages/log-1.csv"
+        half_as_far = [re.sub(r"^((?:[^,]*,){2})([-\d.]+)", lambda row: row[1] + str(float(row[2]) / 2), line) for line in page.read_text().splitlines()]
+        page.write_text("\n".join(half_as_far) + "\n")
+        os.utime(page, (1e9, 1e9))  # older than the results, as cp -p, rsync -a and unzip leave it
         self.assertNotIn("batches/00000.jsonl.list", self.snakemake())
         self.assert_as_serial()
-
-    def test_a_killed_snakemake_goes_on(self):
-        process = self.begin()
-        until(lambda: (self.folder / "out/batches").is_dir() and self.handled() >= 1, "a page done")
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        self.snakemake("--unlock")
+        travels = [graph["travel_mm"] for graph in graphs(self.folder / "out/all.jsonl") if graph["input"] == "pages/log-1.csv"]
+        self.assertAlmostEqual(travels[0], 2.0, delta=0.01)
+        page.rename(self.folder / "pages/zuletzt.csv")
         self.snakemake()
         self.assert_as_serial()
+        shutil.rmtree(self.folder / ".snakemake")  # what Snakemake knows of former runs
+        page = self.folder / "pages/zuletzt.csv"
+        shutil.copy(ROOT / "samples/plots/force-meter-log.csv", page)
+        os.utime(page, (1e9, 1e9))
+        self.snakemake()
+        self.assert_as_serial()
+
+    def test_names_that_no_list_can_hold_are_refused(self):
+        for odd, more in (("page\nbreak.csv", []), (None, ["out=o{u}t"])):
+            if odd:
+                shutil.copy(ROOT / "samples/plots/force-meter-log.csv", self.folder / "pages" / odd)
+            ran = subprocess.run([*self.command(), *more], cwd=self.folder, env=self.environment(), capture_output=True, text=True, check=False)
+            self.assertNotEqual(ran.returncode, 0)
+            self.assertRegex(ran.stderr + ran.stdout, "Rename it" if odd else "without them")
+            if odd:
+                (self.folder / "pages" / odd).unlink()
+
+    def test_a_killed_snakemake_goes_on_without_two_at_one_batch(self):
+        self.watch()
+        process = self.begin()
+        until(self.begun, "a batch begun")
+        process.send_signal(signal.SIGKILL)  # its batches live on
+        process.wait()
+        before = len(self.begun())
+        self.snakemake("--unlock")
+        again = self.begin()
+        until(lambda: (self.folder / "out/batches/00000.jsonl").exists() or children_of(again.pid, "flock", b"") or len(self.begun()) > before, "the batches asked for again")
+        self.go()
+        self.assertEqual(again.wait(LONGEST_WAIT_s), 0)
+        self.assert_as_serial()
+        self.assertFalse((self.folder / "twice").exists())
 
     def test_a_killed_importer_is_repeated(self):
         process = self.begin()
@@ -213,8 +276,8 @@ class OneNode(Cluster):
         self.addCleanup(shutil.rmtree, self.slurm, ignore_errors=True)
         self.begin_munge()
         self.write_configuration()
-        for daemon, more in (("slurmctld", []), ("slurmd", ["-N", self.host])):
-            self.daemon([shutil.which(daemon, path="/usr/sbin"), "-D", "-f", self.slurm / "slurm.conf", *more])
+        self.controller = self.slurm_daemon("slurmctld")
+        self.slurm_daemon("slurmd", "-N", self.host)
         until(lambda: "idle" in self.told("sinfo", "--noheader", "--format=%T"), "the node idle")
 
     def environment(self):
@@ -228,6 +291,9 @@ class OneNode(Cluster):
         self.addCleanup(process.wait)
         self.addCleanup(process.terminate)
         return process
+
+    def slurm_daemon(self, name, *more):
+        return self.daemon([shutil.which(name, path="/usr/sbin"), "-D", "-f", self.slurm / "slurm.conf", *more])
 
     def begin_munge(self):
         key = self.slurm / "munge.key"
@@ -271,18 +337,113 @@ MpiDefault=none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 ReturnToService=2
+MessageTimeout=2
 SchedulerParameters=sched_interval=1,batch_sched_delay=0,sched_min_interval=0
 NodeName={self.host} NodeAddr=127.0.0.1 CPUs={os.cpu_count()} RealMemory={memory_MB * 9 // 10} State=UNKNOWN
 PartitionName=all Nodes={self.host} Default=YES MaxTime=INFINITE State=UP
 """)
 
+    def running_jobs(self):
+        return self.told("squeue", "--noheader", "--states=RUNNING", "--format=%A").split()
+
+    def status(self, job, **environment):
+        ran = subprocess.run(["sh", STATUS, job], cwd=self.folder, env={**self.environment(), **environment}, capture_output=True, text=True, check=True)
+        return ran.stdout.strip(), ran.stderr
+
     def test_a_job_that_is_killed_is_repeated(self):
         process = self.begin()
-        until(lambda: "RUNNING" in self.told("squeue", "--noheader", "--format=%T"), "a job running")
-        job = self.told("squeue", "--noheader", "--states=RUNNING", "--format=%A").split()[0]
-        self.told("scancel", "--signal=KILL", "--full", job)
+        until(self.running_jobs, "a job running")
+        self.told("scancel", "--signal=KILL", "--full", self.running_jobs()[0])
         self.assertEqual(process.wait(3 * LONGEST_WAIT_s), 0)
         self.assert_as_serial()
+
+    def test_a_controller_that_is_away_fails_no_job_and_repeats_no_batch(self):
+        self.watch()
+        asked = self.slurm / "asked"
+        shim = self.slurm / "bin/scontrol"
+        shim.parent.mkdir()
+        shim.write_text(f'#!/bin/sh\n/usr/bin/scontrol "$@"\ncode=$?\necho "$code $*" >> {asked}\nexit $code\n')
+        shim.chmod(0o755)
+        with_shim = {**self.environment(), "PATH": f"{shim.parent}:{self.environment()['PATH']}"}
+        process = subprocess.Popen([*self.command("--restart-times", "0"), ], cwd=self.folder, env=with_shim, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        until(lambda: len(self.begun()) >= min(2, os.cpu_count()), "the batches at work")
+        job = self.running_jobs()[0]
+        self.assertEqual(self.status(job)[0], "running")
+        self.controller.terminate()
+        self.controller.wait()
+        until(lambda: "1 --oneliner show job" in asked.read_text(), "Snakemake's question without an answer")
+        self.assertEqual(self.status(job)[0], "running")
+        self.controller = self.slurm_daemon("slurmctld")
+        until(lambda: self.running_jobs(), "the controller back")
+        self.go()
+        self.assertEqual(process.wait(LONGEST_WAIT_s), 0)
+        self.assert_as_serial()
+        self.assertEqual(self.begun(), ["00000", "00001", "00002"])
+        self.assertEqual(self.status("4000000")[0], "failed")  # never was
+
+    def test_a_held_job_is_named_once(self):
+        (self.folder / ".snakemake").mkdir()
+        job = self.told("sbatch", "--parsable", "--hold", "--output=/dev/null", "--wrap=true").strip()
+        state, said = self.status(job)
+        self.assertEqual(state, "running")
+        self.assertIn(f"scontrol release {job}", said)
+        self.assertEqual(self.status(job), ("running", ""))
+        self.told("scontrol", "release", job)
+        until(lambda: self.status(job)[0] == "success", "the job done")
+
+    def test_every_state_has_its_answer(self):
+        shim = self.slurm / "bin/scontrol"
+        shim.parent.mkdir()
+        shim.write_text('#!/bin/sh\necho "JobId=7 JobState=$STATE Reason=None"\n')
+        shim.chmod(0o755)
+        path = f"{shim.parent}:{self.environment()['PATH']}"
+        answers = {state: self.status("7", PATH=path, STATE=state) for state in (RUNNING + HELD + FAILED).split()}
+        self.assertEqual({state for state, (answer, _) in answers.items() if answer == "running"}, set((RUNNING + HELD).split()))
+        self.assertEqual({state for state, (answer, _) in answers.items() if answer == "failed"}, set(FAILED.split()))
+        self.assertEqual({state for state, (_, said) in answers.items() if said}, set(HELD.split()))
+        self.assertEqual(self.status("7", PATH=path, STATE="COMPLETED")[0], "success")
+        valid = subprocess.run(["squeue", "--states=none-of-them"], env=self.environment(), capture_output=True, text=True, check=False).stderr
+        listed = {word.upper() for word in re.findall(r"[a-z_]+", valid.lower().partition("include:")[2])}
+        self.assertIn("RUNNING", listed)
+        self.assertEqual(listed - set((RUNNING + HELD + FAILED + " COMPLETED").split()), set())
+
+
+@unittest.skipIf(missing("parallel"), "no GNU parallel")
+class GnuParallel(unittest.TestCase):
+    """The recipe of docs/scale.md for lists of pages."""
+
+    def run_recipe(self, pages):
+        scale = next(path for path in (ROOT / "docs").rglob("scale.md")).read_text()
+        recipe = re.search(r"^```sh\n(parallel .*?)^```$", scale, re.S | re.M)[1]
+        environment = {**os.environ, "PATH": f"{BIN}:/usr/bin:/bin", "HOME": str(self.folder)}
+        ran = subprocess.run(["bash", "-euo", "pipefail", "-c", recipe], cwd=self.folder, env=environment, capture_output=True, text=True, check=False)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual([graph["input"] for graph in graphs(self.folder / "all.jsonl")], sorted(pages))
+
+    def write_list(self, name, *pages):
+        (self.folder / f"lists/{name}.txt").write_text("".join(f"{page}\n" for page in pages))
+
+    def test_lists_that_are_added_changed_renamed_and_repeated(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        (self.folder / "lists").mkdir()
+        for page in "one", "two", "three", "four":
+            shutil.copy(ROOT / "samples/plots/force-meter-log.csv", self.folder / f"{page} {{}}.csv")
+        self.write_list("a", "one {}.csv")
+        self.write_list("c", "three {}.csv")
+        self.run_recipe(["one {}.csv", "three {}.csv"])
+        self.write_list("b", "two {}.csv")  # between old ones
+        self.run_recipe(["one {}.csv", "two {}.csv", "three {}.csv"])
+        self.write_list("a", "one {}.csv", "four {}.csv")  # a page more
+        (self.folder / "lists/c.txt").rename(self.folder / "lists/d d.txt")
+        self.run_recipe(["one {}.csv", "four {}.csv", "two {}.csv", "three {}.csv"])
+        page = self.folder / "two {}.csv"
+        page.write_text("no table")  # another page under the old name, older than the results
+        os.utime(page, (1e9, 1e9))
+        self.run_recipe(["one {}.csv", "four {}.csv", "two {}.csv", "three {}.csv"])
+        self.assertEqual([graph["status"] for graph in graphs(self.folder / "all.jsonl")].count("ok"), 3)
 
 
 if __name__ == "__main__":
