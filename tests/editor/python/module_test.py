@@ -405,6 +405,60 @@ class Importing(unittest.TestCase):
         self.assertRegex(ran.stderr, r"ImportError: detent: the module is of version 9\.9\.9, its library \(.*\) of \d")
 
 
+class OtherLibraries(unittest.TestCase):
+    """Failures beside libraries that bring C++ of their own, whichever was imported first: in a child process, because a fault ends it."""
+
+    FAILURES = """
+import sys
+root, empty = sys.argv[1:]
+button, plot = root + "/samples/buttons/B.button.json", root + "/samples/plots/black-red-curves.png"
+calls = [
+    lambda: detent.read(plot, y_unit="furlong"),                                       # wrong usage
+    lambda: detent.load(button).edited(detent.edits.scale_force(0)),
+    lambda: detent.render(detent.load(button), feel="loud"),
+    lambda: detent.confusion(detent.load(button)),
+    lambda: detent.between(detent.load(button), detent.load(button), 2),
+    lambda: detent.load("/absent.button.json"),                                        # unreadable
+    lambda: detent.read("/absent.png"),
+    lambda: detent.find_like(detent.load(button), "/absent.db"),
+    lambda: detent.read(empty),                                                        # no force graph
+    lambda: detent.read(plot, sure=1.0),                                               # not certain
+]
+for call in calls:
+    try:
+        call()
+    except detent.Failure as failure:
+        print(type(failure).__name__, failure.code, bool(str(failure)), flush=True)
+print([getattr(result, "code", 0) for _, result in detent.import_many(["/absent.png", empty], jobs=2)], flush=True)
+try:
+    detent.load(button).figures(9)
+except IndexError:
+    print("IndexError", flush=True)
+"""
+    EXPECTED = ["WrongUsage 2 True"] * 5 + ["UnreadableInput 3 True"] * 3 + ["NoForceGraph 4 True", "NotCertain 5 True", "[3, 4]", "IndexError"]
+
+    def test_every_failure_is_an_exception_with_each_library_first_and_last(self):
+        with tempfile.TemporaryDirectory() as folder:
+            empty = Path(folder, "grey.png")
+            empty.write_bytes(grey_png(300, 200))
+            for library in ("scipy.stats", "pandas", "matplotlib.pyplot"):
+                if not importlib.util.find_spec(library.split(".")[0]):
+                    print("SKIPPED", library, "is not installed")
+                    continue
+                for imports in (f"{library}, detent", f"detent, {library}"):
+                    with self.subTest(imports):
+                        ran = subprocess.run([sys.executable, "-c", f"import {imports}\n{self.FAILURES}", ROOT, empty], capture_output=True, text=True, check=False,
+                                             env={**os.environ, "PYTHONPATH": str(BUILD / "python"), "MPLBACKEND": "agg"})
+                        self.assertEqual((ran.returncode, ran.stdout.splitlines()), (0, self.EXPECTED), ran.stderr)
+
+    def test_the_module_brings_no_second_unwinder(self):
+        """libunwind and the compiler's unwinder define the same functions."""
+        core = next((BUILD / "python/detent").glob("_core*.so"))
+        loaded = subprocess.run(["ldd", core], capture_output=True, text=True, check=True).stdout
+        self.assertIn("libgcc_s", loaded)
+        self.assertNotIn("libunwind", loaded)
+
+
 def cells_of(notebook):
     """The code of a notebook, a cell after the other."""
     cells = json.loads(notebook.read_text())["cells"]
