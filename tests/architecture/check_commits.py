@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 
-ADOPTED = "67860a97"
+ADOPTED = "447c536b"
 MOST_CHARACTERS = 72
 # Verbs whose imperative ends like another form.
 IMPERATIVES = {"access", "address", "bypass", "compress", "cross", "discuss", "embed", "express", "feed", "focus", "need", "pass",
