@@ -27,7 +27,7 @@ class EditHistory : public QObject {
   /// Changes an edit before it is shown or stored, or refuses it (model/links.h). From the committed button.
   using Rule = std::function<Result<Button>(const Button& before, const Button& next)>;
   void setRule(Rule rule) { rule_ = std::move(rule); }
-  /// Result of the rule, as used by apply and preview.
+  /// Returns `next` with the rule applied to it, as apply and preview do.
   Result<Button> ruled(const Button& next) const;
 
   /// One finished step. Consecutive steps with the same non-empty `mergeKey` become one (arrow keys).

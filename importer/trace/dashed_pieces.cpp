@@ -60,7 +60,7 @@ class DashWalk {
     return {};
   }
 
-  /// The nearest end ahead, those in line first. A dot's gap begins and ends at its rim.
+  /// Returns the nearest dash end ahead; ends in line are preferred. The gap of a dot begins at its rim.
   std::optional<Met> nextOf(Met from, Point ahead, double usual_px, double& gap_px) const {
     const double width_px = pieces_[from.piece].width_px;
     std::optional<Met> best;

@@ -170,7 +170,7 @@ class ExplainedPlot {
   }
   /// Colour levels.
   float apartFromPaper(int x, int y) const { return norm(scene_.pixel(x, y) - scene_.paperAt(x, y)); }
-  /// The same, summed over three pixels in a direction.
+  /// Colour levels, summed over three pixels: p and its neighbours at -step and +step.
   double drawnAcross(Point p, Point step) const { return drawnAt(p - step) + drawnAt(p) + drawnAt(p + step); }
   /// Colour levels, interpolated; infinite outside.
   double drawnAt(Point p) const {
