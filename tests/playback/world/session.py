@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""detent-play as a program, at a plant behind a pseudo terminal, with a fault at a stated moment."""
+
+import gc
+import math
+import os
+import random
+import select
+import signal
+import subprocess
+import tempfile
+import time
+import tty
+from collections import deque
+from dataclasses import dataclass, field
+
+from plant import Finger, Handle, Link, Plant
+
+PLANT_STEP_S = 0.0002
+
+
+@dataclass
+class View:
+    """State of the plant that the board can read."""
+
+    now_s: float = 0.0
+    position_mm: float = 0.0
+    speed_mm_per_s: float = 0.0
+
+
+@dataclass
+class Scene:
+    arguments: list = field(default_factory=lambda: ["force", "--stiffness=1.0", "--travel", "10", "--max-N", "5", "--json"])
+    port_option: str = "serial:"
+    seconds: float | None = 2.7  # given as --seconds
+    handle: Handle = field(default_factory=Handle)
+    finger: Finger = field(default_factory=Finger)
+    before: Link = field(default_factory=Link)
+    after: Link = field(default_factory=Link)  # the fault
+    fault_s: float = 1.6  # after the first force, like the next two
+    healed_s: float = 1e9
+    stall_s: float = 0.0  # at the fault the program stands still for this time
+    second: bool = False  # at the fault the same command runs a second time
+    wait_s: float = 9.0
+    seed: int = 1
+
+
+class Outcome:
+    def __init__(self):
+        self.exit_code, self.said, self.json = -1, "", ""
+        self.second_exit_code, self.second_said = -1, ""
+        self.moments = []  # (s after the first force, N at the motor, mm)
+        self.unknown, self.kept_before, self.kept_after = [], {}, {}
+
+    def largest_N(self, from_s=0.0, to_s=1e9):
+        return max((abs(n) for t, n, _ in self.moments if from_s <= t <= to_s), default=0.0)
+
+    def until_none_s(self, from_s):
+        """From `from_s` until the motor's force stays below 0.1 N; infinite if it does not until the end."""
+        if not self.moments:
+            return 0.0
+        end_s = self.moments[-1][0]
+        last_s = max((t for t, n, _ in self.moments if t >= from_s and abs(n) >= 0.1), default=from_s)
+        return math.inf if last_s > end_s - 0.1 else last_s - from_s
+
+    def outside_mm(self, travel_mm, from_s):
+        """Largest distance outside 0..travel with more than 0.1 N on the motor."""
+        return max((max(-x, x - travel_mm) for t, n, x in self.moments if t >= from_s and abs(n) > 0.1), default=0.0)
+
+    def off_law_N(self, from_s, to_s):
+        """Mean distance of the force from 1 N/mm times the position."""
+        window = [abs(n - x) for t, n, x in self.moments if from_s <= t <= to_s]
+        return sum(window) / len(window) if window else math.inf
+
+
+class Program:
+    def __init__(self, arguments):
+        self.out, self.err = tempfile.TemporaryFile(), tempfile.TemporaryFile()
+        self.process = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=self.out, stderr=self.err)
+
+    def ended(self):
+        return self.process.poll() is not None
+
+    def finish(self):
+        if not self.ended():
+            self.process.send_signal(signal.SIGCONT)
+            self.process.terminate()
+            try:
+                self.process.wait(1)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.wait()
+        texts = []
+        for file in (self.out, self.err):
+            file.seek(0)
+            texts.append(file.read().decode(errors="replace"))
+            file.close()
+        return self.process.returncode, *texts
+
+
+def play(program, scene, board):
+    """Runs `program` until it ends, in real time, and returns the Outcome."""
+    try:  # as punctual as a board, where the system allows it
+        os.sched_setscheduler(0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(40))
+    except PermissionError:
+        pass
+    gc.disable()
+    chance = random.Random(scene.seed)
+    master, slave = os.openpty()
+    tty.setraw(slave)
+    os.set_blocking(master, False)
+    arguments = [program, *scene.arguments, "--device", scene.port_option + os.ttyname(slave)]
+    if scene.seconds is not None:
+        arguments += ["--seconds", str(scene.seconds)]
+    outcome, plant, view = Outcome(), Plant(scene.handle), View()
+    outcome.kept_before = board.kept()
+    answers, received, moments = deque(), b"", outcome.moments
+    began_s, plant_s, wakes_s, ended_s = None, 0.0, math.inf, math.inf
+    fault_done, second = False, None
+    start_s = time.monotonic()
+    first = Program(arguments)
+    while True:
+        now_s = time.monotonic() - start_s
+        if now_s > scene.wait_s or now_s > ended_s + 0.1:
+            break
+        since_s = -1.0 if began_s is None else now_s - began_s
+        faulty = scene.fault_s <= since_s < scene.healed_s
+        link = scene.after if faulty else scene.before
+        while plant_s < now_s:
+            plant_s += PLANT_STEP_S
+            view.now_s, view.position_mm = plant_s, plant.counts * scene.handle.step_mm
+            view.speed_mm_per_s = 0.0 if link.encoder_dead else link.encoder_sign * plant.speed_mm_per_s
+            plant_since_s = -1.0 if began_s is None else plant_s - began_s
+            plant.step(PLANT_STEP_S, board.force_N(view), link, scene.finger.end_mm(plant_since_s), scene.finger)
+            if began_s is not None:
+                moments.append((plant_since_s, plant.motor_N, plant.position_mm))
+        if faulty and not fault_done:
+            fault_done = True
+            if scene.stall_s > 0:
+                first.process.send_signal(signal.SIGSTOP)
+                wakes_s = now_s + scene.stall_s
+            if scene.second:
+                second = Program(arguments)
+        if now_s >= wakes_s:
+            first.process.send_signal(signal.SIGCONT)
+            wakes_s = math.inf
+        try:
+            received += os.read(master, 4096)
+        except BlockingIOError:
+            pass
+        while b"\n" in received:
+            line, received = received.split(b"\n", 1)
+            answer = board.take(line.decode(errors="replace"), view)
+            if board.began and began_s is None:
+                began_s = plant_s
+            if not answer or link.mute or chance.random() < link.lost:
+                continue
+            due_s = now_s + link.delay_s + link.jitter_s * chance.random()
+            answers.append((max(due_s, answers[-1][0]) if answers else due_s, answer.encode()))
+        while answers and answers[0][0] <= now_s:
+            os.write(master, answers.popleft()[1])
+        if ended_s == math.inf and first.ended() and (second is None or second.ended()):
+            ended_s = now_s
+        until_s = min(now_s + 0.0004, answers[0][0] if answers else math.inf)
+        select.select([master], [], [], max(0.0, until_s - (time.monotonic() - start_s)))
+    outcome.exit_code, outcome.json, outcome.said = first.finish()
+    if second is not None:
+        outcome.second_exit_code, _, outcome.second_said = second.finish()
+    os.close(master)
+    os.close(slave)
+    outcome.kept_after, outcome.unknown = board.kept(), board.unknown
+    return outcome
