@@ -463,7 +463,6 @@ void loop() {
   if ((int32_t)(now_us - lastLine_us) > silence_ms * 1000) {
     ownLaw = false;
     if (force_uN != 0 || gain_ppm != 0) noForce();
-    lastLine_us = now_us - silence_ms * 1000 - 1;  // stays so when the clock wraps
   }
   if (!ownLaw || stopped || (int32_t)(now_us - nextLaw_us) < 0) return;
   int32_t step_us = (int32_t)(now_us - lastLaw_us);
