@@ -6,7 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <regex>
+#include <initializer_list>
+#include <optional>
 #include <string_view>
 
 #include "model/sections.h"
@@ -87,18 +88,66 @@ std::optional<NamedQuantity> quantityNamedIn(const std::string& row) {
   return {};
 }
 
-double numberFrom(std::string text) {
-  std::replace(text.begin(), text.end(), ',', '.');
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool isAsciiSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Reads a row from left to right; each step that does not find what it looks for stays where it is.
+struct RowReader {
+  std::string_view row;
+  std::size_t at = 0;
+
+  bool done() const { return at >= row.size(); }
+  void skipSpaces() {
+    while (!done() && isAsciiSpace(row[at])) ++at;
+  }
+  /// ASCII letters from here on, at most `most`.
+  std::string_view letters(std::size_t most = std::string_view::npos) {
+    const std::size_t from = at;
+    while (!done() && isAsciiLetter(row[at]) && at - from < most) ++at;
+    return row.substr(from, at - from);
+  }
+  /// "4", "4.0", "4,0".
+  std::optional<double> number() {
+    const std::size_t from = at;
+    while (!done() && isDigit(row[at])) ++at;
+    if (at == from) return {};
+    if (at + 1 < row.size() && (row[at] == '.' || row[at] == ',') && isDigit(row[at + 1]))
+      for (++at; !done() && isDigit(row[at]);) ++at;
+    std::string text(row.substr(from, at - from));
+    std::replace(text.begin(), text.end(), ',', '.');
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+  }
+  bool oneOf(std::initializer_list<std::string_view> signs) {
+    for (const std::string_view sign : signs)
+      if (row.substr(at).starts_with(sign)) {
+        at += sign.size();
+        return true;
+      }
+    return false;
+  }
+  bool plusMinus() { return oneOf({"±", "+/-", "+-"}); }
+  bool dash() { return oneOf({"-", "–", "−"}); }
+  /// Moves to where the next run of digits begins; false at the end of the row.
+  bool toNextDigits() {
+    while (!done() && (!isDigit(row[at]) || (at > 0 && isDigit(row[at - 1])))) ++at;
+    return !done();
+  }
+};
 
 /// The unit of a quantity's kind that the row prints, as a factor to mm or N.
-std::optional<double> factorIn(const std::string& row, SpecQuantity quantity) {
-  static const std::regex unitWord(R"((^|[^A-Za-z])(mm|cN|mN|gf|g|N|ozf?|in|inch)(?![A-Za-z]))");
-  for (std::sregex_iterator it(row.begin(), row.end(), unitWord), end; it != end; ++it) {
-    const std::string symbol = (*it)[2];
+std::optional<double> factorIn(std::string_view row, SpecQuantity quantity) {
+  constexpr std::array<std::string_view, 10> unitWords{"mm", "cN", "mN",  "gf", "g",
+                                                       "N",  "oz", "ozf", "in", "inch"};
+  for (RowReader reader{row}; !reader.done();) {
+    const std::string symbol(reader.letters());
+    if (symbol.empty()) {
+      ++reader.at;
+      continue;
+    }
+    if (std::ranges::find(unitWords, symbol) == unitWords.end()) continue;
     if (measuredInNewton(quantity)) {
       if (const auto unit = forceUnitFrom(symbol)) return newtonsPer(*unit);
     } else if (const auto unit = lengthUnitFrom(symbol)) {
@@ -108,30 +157,51 @@ std::optional<double> factorIn(const std::string& row, SpecQuantity quantity) {
   return {};
 }
 
+using TwoNumbers = std::pair<double, double>;
+
+/// The first two numbers of the row whose separator `between` accepts.
+template <typename Between>
+std::optional<TwoNumbers> numbersJoinedBy(std::string_view row, Between between) {
+  for (RowReader start{row}; start.toNextDigits(); ++start.at) {
+    RowReader reader = start;
+    const auto first = reader.number();
+    if (!between(reader)) continue;
+    reader.skipSpaces();
+    if (const auto second = reader.number()) return TwoNumbers{*first, *second};
+  }
+  return {};
+}
+
 /// "55 ± 25", "4.0 -0.4", "30 cN min.", "3.5": nominal and bounds, in the printed unit.
-std::optional<PrintedSpec> valuesIn(const std::string& row) {
-  static const std::string number = R"((\d+(?:[.,]\d+)?))";
-  static const std::regex plusMinus(number + R"(\s*[A-Za-z]{0,3}\s*(?:±|\+/-|\+-)\s*)" + number);
-  static const std::regex minusOnly(number + R"(\s*(?:-|–|−)\s*)" + number);
-  static const std::regex single(number);
+std::optional<PrintedSpec> valuesIn(std::string_view row) {
   PrintedSpec spec;
-  std::smatch found;
-  if (std::regex_search(row, found, plusMinus)) {
-    spec.nominal = numberFrom(found[1]);
-    spec.smallest = spec.nominal - numberFrom(found[2]);
-    spec.largest = spec.nominal + numberFrom(found[2]);
+  const auto plusMinus = [](RowReader& reader) {
+    reader.skipSpaces();
+    reader.letters(3);  // a unit
+    reader.skipSpaces();
+    return reader.plusMinus();
+  };
+  if (const auto found = numbersJoinedBy(row, plusMinus)) {
+    spec.nominal = found->first;
+    spec.smallest = spec.nominal - found->second;
+    spec.largest = spec.nominal + found->second;
     return spec;
   }
-  if (std::regex_search(row, found, minusOnly)) {  // "4.0 -0.4" is 3.6 to 4.0, "3.5-4.1" a range
-    const double first = numberFrom(found[1]), second = numberFrom(found[2]);
+  const auto minusOnly = [](RowReader& reader) {
+    reader.skipSpaces();
+    return reader.dash();
+  };
+  if (const auto found = numbersJoinedBy(row, minusOnly)) {  // "4.0 -0.4" is 3.6 to 4.0, "3.5-4.1" a range
+    const auto [first, second] = *found;
     spec.nominal = first;
     spec.smallest = second < first ? first - second : first;
     spec.largest = std::max(first, second);
     return spec;
   }
-  if (!std::regex_search(row, found, single)) return {};
-  spec.nominal = numberFrom(found[1]);
-  const std::string text = squeezed(row).text;
+  RowReader reader{row};
+  if (!reader.toNextDigits()) return {};
+  spec.nominal = *reader.number();
+  const std::string text = squeezed(std::string(row)).text;
   if (text.find("min") != std::string::npos) spec.smallest = spec.nominal;
   if (text.find("max") != std::string::npos) spec.largest = spec.nominal;
   return spec;
@@ -144,15 +214,23 @@ std::vector<PrintedSpec> variantsIn(const std::string& row, SpecQuantity quantit
   if (!first) return {};
   const std::string text = squeezed(row).text;
   if (text.find("min") != std::string::npos || text.find("max") != std::string::npos) return {*first};
-  static const std::regex value(
-      R"((\d+(?:[.,]\d+)?)\s*([A-Za-z]*)(\s*(?:±|\+/-|\+-|-|–|−)\s*\d+(?:[.,]\d+)?)?\s*([A-Za-z]*))");
   std::vector<PrintedSpec> variants;
-  for (std::sregex_iterator it(row.begin(), row.end(), value), end; it != end; ++it) {
-    for (const std::size_t word : {std::size_t{2}, std::size_t{4}}) {
-      const std::string unit = (*it)[word];
-      if (!unit.empty() && factorIn(" " + unit, quantity) != rowFactor) return {*first};
+  for (RowReader reader{row}; reader.toNextDigits();) {
+    const std::size_t from = reader.at;
+    reader.number();
+    reader.skipSpaces();
+    const std::string_view unit = reader.letters();
+    RowReader tolerance = reader;
+    tolerance.skipSpaces();
+    if (tolerance.plusMinus() || tolerance.dash()) {
+      tolerance.skipSpaces();
+      if (tolerance.number()) reader = tolerance;
     }
-    const auto spec = valuesIn(it->str());
+    reader.skipSpaces();
+    const std::string_view unitAfter = reader.letters();
+    for (const std::string_view word : {unit, unitAfter})
+      if (!word.empty() && factorIn(word, quantity) != rowFactor) return {*first};
+    const auto spec = valuesIn(std::string_view(row).substr(from, reader.at - from));
     if (!spec || spec->nominal <= 0) return {*first};
     variants.push_back(*spec);
   }
