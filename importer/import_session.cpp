@@ -71,7 +71,7 @@ LocateKey locateKeyOf(const ImportRequest& request, double magnification = 1) {
 }
 
 /// Masks are given on the page; tracing works in the view.
-TraceHints inView(TraceHints hints, const PageView& view) {
+TraceHints hintsInView(TraceHints hints, const PageView& view) {
   const Homography toView = view.viewToPage.inverse();
   for (Box& mask : hints.masks_px) mask = toView.boxOf(mask);
   return hints;
@@ -555,7 +555,7 @@ struct ImportSession::Impl {
     if (kept != traced.end()) return &kept->traces;
     const LocatedGraph& graph = choice.located();
     StepClock time(seconds, ImportStep::trace);
-    const TraceHints onView = inView(hints, graph.view);
+    const TraceHints onView = hintsInView(hints, graph.view);
     for (Traced& each : traced) each.scene.reset();
     trace::PlotScene scene = sceneOf(graph, onView);
     auto found = traceCurves(graph.view, scene, graph.axes, onView, options, progress);
@@ -576,7 +576,7 @@ struct ImportSession::Impl {
     if (!kept->explanation) {
       StepClock time(seconds, ImportStep::strokes);
       const LocatedGraph& graph = choice.located();
-      if (!kept->scene) kept->scene = sceneOf(graph, inView(kept->hints, graph.view));
+      if (!kept->scene) kept->scene = sceneOf(graph, hintsInView(kept->hints, graph.view));
       kept->explanation = explain(*kept->scene, kept->traces);
       kept->scene.reset();
     }
@@ -813,7 +813,7 @@ std::optional<ImportSession::Impl::Wider> ImportSession::Impl::readWider(
   auto widened = widenedToItsCurves(graph, curves);
   if (!widened) return {};
   StepClock time(seconds, ImportStep::trace);
-  const TraceHints onView = inView(request.hints.trace, graph.view);
+  const TraceHints onView = hintsInView(request.hints.trace, graph.view);
   const trace::PlotScene scene = sceneOf(*widened, onView);
   auto followed = traceCurves(widened->view, scene, widened->axes, onView, options, progress);
   if (!followed || progress.isCancelled()) return {};

@@ -47,7 +47,7 @@ std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& pag
 }
 
 /// The same frame in another upright view of its page.
-PlotFrame inView(const PlotFrame& frame, const Homography& toView) {
+PlotFrame frameInView(const PlotFrame& frame, const Homography& toView) {
   PlotFrame moved = frame;
   const Box box = frame.box();
   for (Point& corner : moved.corners) corner = toView(corner);
@@ -89,7 +89,7 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
   const auto wide = viewOf(document, page, region.common(whole), candidate, options.view, progress);
   if (!wide) return;
   const Homography toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
-  readMissingUnits(graph.axes, *wide, inView(graph.frame.value, toWide), toWide);
+  readMissingUnits(graph.axes, *wide, frameInView(graph.frame.value, toWide), toWide);
 }
 
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,

@@ -81,7 +81,7 @@ ImportReport withProvenance(ImportReport report) {
 }
 
 /// A reading that another certain one contradicts.
-ImportReport contradicted(ImportReport report, const ImportReport& other, double sure) {
+ImportReport reportContradicted(ImportReport report, const ImportReport& other, double sure) {
   Doubt doubt = readingsDiffer(report, other);
   const bool surer = report.confidence >= other.confidence + surerBy;
   if (!surer) report.confidence = std::min(report.confidence, contradictedConfidence);
@@ -152,7 +152,7 @@ ImportAttempt settled(PageReading first, PageReading second, const std::function
   const auto& other = second.attempt.report;
   if (isCertain(first.attempt)) {
     if (isCertain(second.attempt) && !sameButton(*report, *other))
-      first.attempt.report = contradicted(std::move(*first.attempt.report), *other, sure);
+      first.attempt.report = reportContradicted(std::move(*first.attempt.report), *other, sure);
     return taken(std::move(first), std::move(looks));
   }
   const bool alike = agreesOnPhoto(report, second.attempt);

@@ -8,14 +8,14 @@
 namespace detent {
 namespace {
 
-Failure refusal(Message place, Message problem, Remedies remedies) {
+Failure knotRefusal(Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedies)};
 }
 
 std::optional<Failure> noSuchKnot(const StrokeCurve& curve, std::size_t index) {
   if (index < curve.knots().size()) return {};
-  return refusal("", Message("has no knot %1, only %2", index + 1, curve.knots().size()),
-                 Message("Choose one of its knots"));
+  return knotRefusal("", Message("has no knot %1, only %2", index + 1, curve.knots().size()),
+                     Message("Choose one of its knots"));
 }
 
 using KnotEdit = std::function<void(Knot&)>;
@@ -72,10 +72,10 @@ Result<StrokeCurve> moveKnot(const StrokeCurve& curve, std::size_t index, CurveP
   const bool passesAfter = index + 1 < knots.size() && to.displacement_mm > knots[index + 1].displacement_mm;
   if (passesBefore || passesAfter) {
     const Knot& neighbour = knots[passesBefore ? index - 1 : index + 1];
-    return refusal(Message("knot %1", index + 1),
-                   Message("cannot move to %1, past its neighbour at %2", millimetres(to.displacement_mm),
-                           millimetres(neighbour.displacement_mm)),
-                   Message("Keep it between its neighbours, or remove the neighbour first"));
+    return knotRefusal(Message("knot %1", index + 1),
+                       Message("cannot move to %1, past its neighbour at %2", millimetres(to.displacement_mm),
+                               millimetres(neighbour.displacement_mm)),
+                       Message("Keep it between its neighbours, or remove the neighbour first"));
   }
   return editKnot(curve, index, [&](Knot& k) {
     k.displacement_mm = to.displacement_mm;
@@ -120,17 +120,18 @@ bool isCorner(const StrokeCurve& curve, std::size_t index) {
 
 Result<StrokeCurve> insertKnot(const StrokeCurve& curve, double displacement_mm) {
   if (!(displacement_mm > curve.start_mm() && displacement_mm < curve.end_mm()))
-    return refusal("",
-                   Message("has no place for a knot at %1, outside %2 to %3", millimetres(displacement_mm),
-                           millimetres(curve.start_mm()), millimetres(curve.end_mm())),
-                   Message("Choose a displacement inside the curve"));
+    return knotRefusal(
+        "",
+        Message("has no place for a knot at %1, outside %2 to %3", millimetres(displacement_mm),
+                millimetres(curve.start_mm()), millimetres(curve.end_mm())),
+        Message("Choose a displacement inside the curve"));
   std::vector<Knot> knots = curve.knots();
   auto after = knots.begin();
   while (after->displacement_mm < displacement_mm) ++after;
   if (after->displacement_mm == displacement_mm)
-    return refusal(Message("knot %1", after - knots.begin() + 1),
-                   Message("stands already at %1", millimetres(displacement_mm)),
-                   Message("Move that knot instead"));
+    return knotRefusal(Message("knot %1", after - knots.begin() + 1),
+                       Message("stands already at %1", millimetres(displacement_mm)),
+                       Message("Move that knot instead"));
   const double slope = curve.slope_N_per_mm(displacement_mm);
   knots.insert(after, {displacement_mm, curve.force_N(displacement_mm), slope, slope});
   return StrokeCurve::fromKnots(std::move(knots));
@@ -139,8 +140,8 @@ Result<StrokeCurve> insertKnot(const StrokeCurve& curve, double displacement_mm)
 Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index) {
   if (auto problem = noSuchKnot(curve, index)) return *problem;
   if (curve.knots().size() == 2)
-    return refusal(Message("knot %1", index + 1), Message("cannot be removed: a curve needs 2 knots"),
-                   Message("Move it instead"));
+    return knotRefusal(Message("knot %1", index + 1), Message("cannot be removed: a curve needs 2 knots"),
+                       Message("Move it instead"));
   std::vector<Knot> knots = curve.knots();
   knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(index));
   return StrokeCurve::fromKnots(std::move(knots));
@@ -155,10 +156,11 @@ Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotP
   }
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (!(knots[i].displacement_mm < knots[i - 1].displacement_mm)) continue;
-    return refusal(Message("knot %1", i + 1),
-                   Message("would stand at %1, before knot %2 at %3", millimetres(knots[i].displacement_mm),
-                           i, millimetres(knots[i - 1].displacement_mm)),
-                   Message("Keep the knots in their order, or select fewer"));
+    return knotRefusal(
+        Message("knot %1", i + 1),
+        Message("would stand at %1, before knot %2 at %3", millimetres(knots[i].displacement_mm), i,
+                millimetres(knots[i - 1].displacement_mm)),
+        Message("Keep the knots in their order, or select fewer"));
   }
   return StrokeCurve::fromKnots(std::move(knots));
 }
@@ -173,7 +175,7 @@ Result<StrokeCurve> removeKnots(const StrokeCurve& curve, const std::vector<std:
   for (std::size_t i = 0; i < goes.size(); ++i)
     if (!goes[i]) left.push_back(curve.knots()[i]);
   if (left.size() < 2)
-    return refusal(
+    return knotRefusal(
         "", Message("%1 knots cannot be removed: a curve needs 2 knots", curve.knots().size() - left.size()),
         Message("Leave two of them"));
   return StrokeCurve::fromKnots(std::move(left));
@@ -181,8 +183,8 @@ Result<StrokeCurve> removeKnots(const StrokeCurve& curve, const std::vector<std:
 
 Result<std::vector<Knot>> stretchOf(const StrokeCurve& curve, double from_mm, double to_mm) {
   if (!(from_mm < to_mm && from_mm >= curve.start_mm() && to_mm <= curve.end_mm()))
-    return refusal("", Message("has no stretch from %1 to %2", millimetres(from_mm), millimetres(to_mm)),
-                   Message("Choose two places on the curve, the first one before the second"));
+    return knotRefusal("", Message("has no stretch from %1 to %2", millimetres(from_mm), millimetres(to_mm)),
+                       Message("Choose two places on the curve, the first one before the second"));
   StrokeCurve cut = curve;
   for (const double end_mm : {from_mm, to_mm}) {
     const auto& knots = cut.knots();
@@ -199,7 +201,7 @@ Result<std::vector<Knot>> stretchOf(const StrokeCurve& curve, double from_mm, do
 }
 
 Result<StrokeCurve> putStretch(const StrokeCurve& curve, const std::vector<Knot>& stretch) {
-  if (stretch.empty()) return refusal("", Message("gets no knots"), Message("Give one knot or more"));
+  if (stretch.empty()) return knotRefusal("", Message("gets no knots"), Message("Give one knot or more"));
   const double from_mm = stretch.front().displacement_mm, to_mm = stretch.back().displacement_mm;
   std::vector<Knot> knots;
   for (const Knot& k : curve.knots())

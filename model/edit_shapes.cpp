@@ -9,7 +9,7 @@
 namespace detent {
 namespace {
 
-Failure refusal(Message place, Message problem, Remedies remedies) {
+Failure shapeRefusal(Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedies)};
 }
 
@@ -102,7 +102,7 @@ std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Messag
                        (to.displacement_mm < after.displacement_mm ||
                         (upWall && after.displacement_mm == apex.displacement_mm));
   if (!between)
-    return refusal(
+    return shapeRefusal(
         place,
         Message("cannot move to %1, outside its flanks from %2 to %3", millimetres(to.displacement_mm),
                 millimetres(before.displacement_mm), millimetres(after.displacement_mm)),
@@ -112,7 +112,7 @@ std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Messag
       top ? std::max(before.force_N, after.force_N) : std::min(before.force_N, after.force_N);
   const bool stays = std::isfinite(to.force_N) && (top ? to.force_N > bound : to.force_N < bound);
   if (stays) return {};
-  return refusal(
+  return shapeRefusal(
       place, Message("would be no extremum at %1: its flanks end at %2", newtons(to.force_N), newtons(bound)),
       top ? Message("Keep its force above that") : Message("Keep its force below that"));
 }
@@ -153,8 +153,8 @@ Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, Curv
 }
 
 Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
-  return refusal("", Message("has no tactile point %1, it has %2", index + 1, count),
-                 Message("Choose one of its tactile points"));
+  return shapeRefusal("", Message("has no tactile point %1, it has %2", index + 1, count),
+                      Message("Choose one of its tactile points"));
 }
 
 // ---- sections
@@ -183,10 +183,10 @@ struct Drag {
 
 std::optional<Failure> dragProblem(const Drag& drag, const Message& place) {
   const auto fault = [&](double limit_mm) {
-    return refusal(place,
-                   Message("cannot move by %1, past the end of the section beside it at %2",
-                           millimetres(drag.by_mm), millimetres(limit_mm)),
-                   Message("Move it less"));
+    return shapeRefusal(place,
+                        Message("cannot move by %1, past the end of the section beside it at %2",
+                                millimetres(drag.by_mm), millimetres(limit_mm)),
+                        Message("Move it less"));
   };
   if (drag.left_mm < drag.from_mm && !(drag.from_mm + drag.by_mm > drag.left_mm)) return fault(drag.left_mm);
   if (drag.right_mm > drag.to_mm && !(drag.to_mm + drag.by_mm < drag.right_mm)) return fault(drag.right_mm);
@@ -242,22 +242,23 @@ Result<StrokeCurve> straightBetween(const StrokeCurve& original, double from_mm,
 std::optional<Failure> newJumpProblem(const StrokeCurve& curve, Stroke stroke, const NewJump& jump) {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
   if (!positive(jump.width_mm) || !positive(jump.drop_N))
-    return refusal(Message("new jump"),
-                   Message("has width %1 and drop %2", millimetres(jump.width_mm), newtons(jump.drop_N)),
-                   Message("Give both as numbers above 0"));
+    return shapeRefusal(Message("new jump"),
+                        Message("has width %1 and drop %2", millimetres(jump.width_mm), newtons(jump.drop_N)),
+                        Message("Give both as numbers above 0"));
   const double end_mm = jump.at_mm + (stroke == Stroke::press ? jump.width_mm : -jump.width_mm);
   const auto inside = [&](double x) { return x > curve.start_mm() && x < curve.end_mm(); };
   if (!inside(jump.at_mm) || !inside(end_mm))
-    return refusal(Message("new jump"),
-                   Message("from %1 to %2 leaves the curve, %3 to %4", millimetres(jump.at_mm),
-                           millimetres(end_mm), millimetres(curve.start_mm()), millimetres(curve.end_mm())),
-                   Message("Make it narrower or move it inward"));
+    return shapeRefusal(
+        Message("new jump"),
+        Message("from %1 to %2 leaves the curve, %3 to %4", millimetres(jump.at_mm), millimetres(end_mm),
+                millimetres(curve.start_mm()), millimetres(curve.end_mm())),
+        Message("Make it narrower or move it inward"));
   const double towards =
       stroke == Stroke::press ? curve.slopeBefore_N_per_mm(jump.at_mm) : curve.slope_N_per_mm(jump.at_mm);
   if (towards > 0) return {};
-  return refusal(Message("new jump"),
-                 Message("starts at %1, where the force does not rise", millimetres(jump.at_mm)),
-                 Message("Start it on a rising slope, so that its start is a tactile point"));
+  return shapeRefusal(Message("new jump"),
+                      Message("starts at %1, where the force does not rise", millimetres(jump.at_mm)),
+                      Message("Start it on a rising slope, so that its start is a tactile point"));
 }
 
 // Steepest slope at the end of a monotone piece that should end with `slope`.
@@ -284,7 +285,8 @@ Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoi
   for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
   const Message place("turn at %1", millimetres(turn.displacement_mm));
   if (std::find(turns.begin(), turns.end(), turn) == turns.end())
-    return refusal(place, Message("is not an extremum of the curve"), Message("Choose a valley or a hump"));
+    return shapeRefusal(place, Message("is not an extremum of the curve"),
+                        Message("Choose a valley or a hump"));
   const double foot_mm = bottomOutOf(curve, settings).displacement_mm;
   return moveApex(curve, hillAt(curve, turn, foot_mm), to, place);
 }
@@ -295,7 +297,8 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
   if (tactileIndex >= points.size()) return noSuchTactilePoint(tactileIndex, points.size());
   const Message place("tactile point %1", tactileIndex + 1);
   if (!std::isfinite(ratio) || ratio <= 0)
-    return refusal(place, Message("cannot have a snap ratio of %1", ratio), Message("Give a ratio above 0"));
+    return shapeRefusal(place, Message("cannot have a snap ratio of %1", ratio),
+                        Message("Give a ratio above 0"));
   const TactilePoint& tactile = points[tactileIndex];
   const double stop_mm =
       tactileIndex + 1 < points.size() ? points[tactileIndex + 1].displacement_mm : press.end_mm();
@@ -305,8 +308,8 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
         (!valley || p.force_N < valley->force_N))
       valley = p;
   if (!valley)
-    return refusal(place, Message("has no valley after it"),
-                   Message("Add one, or move the end of the stroke above it"));
+    return shapeRefusal(place, Message("has no valley after it"),
+                        Message("Add one, or move the end of the stroke above it"));
   const double foot_mm = bottomOutOf(press, settings).displacement_mm;
   const Hill hill = hillAt(press, *valley, foot_mm);
   return moveApex(press, hill, {valley->displacement_mm, tactile.force_N * (1 - ratio)},
@@ -317,11 +320,12 @@ Result<StrokeCurve> moveSection(const StrokeCurve& curve, Stroke stroke, std::si
                                 double by_N, const SectionSettings& settings) {
   std::vector<Section> sections = sectionsOf(curve, stroke, settings);
   if (index >= sections.size())
-    return refusal("", Message("has no section %1, it has %2", index + 1, sections.size()),
-                   Message("Choose one of its sections"));
+    return shapeRefusal("", Message("has no section %1, it has %2", index + 1, sections.size()),
+                        Message("Choose one of its sections"));
   if (!std::isfinite(by_mm) || !std::isfinite(by_N))
-    return refusal(Message("section %1", index + 1), Message("cannot move by a number that is not finite"),
-                   Message("Give finite distances"));
+    return shapeRefusal(Message("section %1", index + 1),
+                        Message("cannot move by a number that is not finite"),
+                        Message("Give finite distances"));
   const Section moved = sections[index];
   const auto [from_mm, to_mm] = std::minmax(moved.from_mm, moved.to_mm);
   double left_mm = from_mm, right_mm = to_mm;
@@ -344,10 +348,10 @@ Result<StrokeCurve> addJump(const StrokeCurve& curve, Stroke stroke, NewJump jum
   const double tactile_N = curve.force_N(jump.at_mm), end_N = curve.force_N(end_mm);
   const CurvePoint valley{jump.at_mm + 0.5 * sign * jump.width_mm, tactile_N - sign * jump.drop_N};
   if (sign * (end_N - valley.force_N) <= 0)
-    return refusal(Message("new jump"),
-                   Message("would not come back: the curve has %1 at its end, its valley %2", newtons(end_N),
-                           newtons(valley.force_N)),
-                   Message("Make the drop larger or the jump narrower"));
+    return shapeRefusal(Message("new jump"),
+                        Message("would not come back: the curve has %1 at its end, its valley %2",
+                                newtons(end_N), newtons(valley.force_N)),
+                        Message("Make the drop larger or the jump narrower"));
   std::vector<Knot> knots =
       replacedBetween(prepared, from_mm, to_mm, {{valley.displacement_mm, valley.force_N, 0, 0}});
   for (std::size_t i = 1; i + 1 < knots.size(); ++i) {

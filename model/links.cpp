@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-9;  // mm, N: smaller changes are rounding
 
-Failure refusal(Message place, Message problem, Remedies remedies) {
+Failure linkRefusal(Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "links", std::move(place), std::move(problem), std::move(remedies)};
 }
 
@@ -32,8 +32,8 @@ Result<std::optional<double>> newEnd_mm(const Button& before, const Button& afte
       const double now_mm = is.graph.curve(stroke).end_mm();
       if (std::abs(now_mm - was.graph.curve(stroke).end_mm()) <= rounding) continue;
       if (end_mm && std::abs(*end_mm - now_mm) > rounding)
-        return refusal(nameOf(stroke), Message("would end at another place than the other strokes"),
-                       Message("Move one end alone, or loosen the link"));
+        return linkRefusal(nameOf(stroke), Message("would end at another place than the other strokes"),
+                           Message("Move one end alone, or loosen the link"));
       end_mm = now_mm;
     }
   return end_mm;
@@ -84,8 +84,8 @@ Result<Button> withReleaseBelow(const Button& before, Button after, double offse
     if (!graph.release()) continue;
     const ForceGraph* was = i < before.states().size() ? &before.states()[i].graph : nullptr;
     if (was && was->press() == graph.press() && was->release() && !(was->release() == graph.release()))
-      return refusal(nameOf(Stroke::release), Message("follows its press"),
-                     Message("Edit the press, or loosen the link"));
+      return linkRefusal(nameOf(Stroke::release), Message("follows its press"),
+                         Message("Edit the press, or loosen the link"));
     auto next =
         editGraph(after, i, [&](const ForceGraph& one) { return mirrorPressToRelease(one, offset_N); });
     if (!next) return next;
@@ -105,9 +105,9 @@ std::optional<Failure> movedPin(const Button& before, const Button& after, const
   for (const PinnedPoint& pin : links.pinned) {
     const auto was = forceAt(before, pin), is = forceAt(after, pin);
     if (!was || (is && std::abs(*is - *was) <= rounding)) continue;
-    return refusal(nameOf(pin.stroke),
-                   Message("would leave its pinned point at %1", millimetres(pin.displacement_mm)),
-                   Message("Take the pin out, or move something else"));
+    return linkRefusal(nameOf(pin.stroke),
+                       Message("would leave its pinned point at %1", millimetres(pin.displacement_mm)),
+                       Message("Take the pin out, or move something else"));
   }
   return {};
 }

@@ -94,7 +94,7 @@ Roots quadraticRootsInside(double a, double b, double c) {
 }
 
 // Derivative roots that separate rising from falling by more than rounding.
-Roots turnsOf(const Piece& piece) {
+Roots pieceTurns(const Piece& piece) {
   Roots candidates = quadraticRootsInside(3 * piece.cubic(), 2 * piece.quadratic(), piece.tangentStart);
   const double noise = 4 * epsilon * piece.magnitude();
   // Drop the root with the smallest step until every step is significant and directions alternate.
@@ -360,7 +360,7 @@ std::pair<double, double> StrokeCurve::forceRange_N() const {
   for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
     if (isVertical(knots_, i)) continue;
     const Piece piece = pieceOf(knots_, i);
-    const Roots turns = turnsOf(piece);
+    const Roots turns = pieceTurns(piece);
     for (int t = 0; t < turns.count; ++t) include(piece.force(turns.at[static_cast<std::size_t>(t)]));
   }
   return {low, high};
@@ -377,7 +377,7 @@ std::vector<MonotoneStretch> StrokeCurve::monotoneStretches() const {
     }
     const Piece piece = pieceOf(knots_, i);
     double cut_mm = from_mm, cutForce = fromForce;
-    const Roots turns = turnsOf(piece);
+    const Roots turns = pieceTurns(piece);
     for (int t = 0; t < turns.count; ++t) {
       const double u = turns.at[static_cast<std::size_t>(t)];
       const double turn_mm = piece.displacement(u), turnForce = piece.force(u);

@@ -18,14 +18,14 @@ constexpr double meetingShare = 0.02;
 constexpr std::size_t handyKnots = 200;
 constexpr double lowConfidenceBar = 0.5;
 
-std::string numberText(double value) {
+std::string shortNumber(double value) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%.4g", value);
   return buffer;
 }
 
-std::string mm(double value) { return numberText(value) + " mm"; }
-std::string newton(double value) { return numberText(value) + " N"; }
+std::string mm(double value) { return shortNumber(value) + " mm"; }
+std::string newton(double value) { return shortNumber(value) + " N"; }
 
 // Displacements for comparing two curves: all knots and turns of both, and points between.
 std::vector<double> sampleDisplacements(const StrokeCurve& a, const StrokeCurve& b) {
@@ -100,7 +100,7 @@ void checkSpeeds(Findings& out, const ButtonState& state, const SectionSettings&
     }
   const auto [low_N, high_N] = state.graph.press().forceRange_N();
   if (worst.above_N <= crossingShare * (high_N - low_N)) return;
-  const auto speed = [&](std::size_t i) { return numberText(speeds[i]) + " mm/s"; };
+  const auto speed = [&](std::size_t i) { return shortNumber(speeds[i]) + " mm/s"; };
   out.add(Rule::speedsGiveEnergy, "release curve at " + speed(released) + ", " + mm(worst.at_mm),
           {{}, Stroke::release, worst.at_mm, speeds[released]}, worst.above_N, "N",
           "lies " + newton(worst.above_N) + " above the press curve at " + speed(pressed), speeds[pressed]);
@@ -237,7 +237,7 @@ std::vector<Warning> validate(const Button& button, const SectionSettings& setti
   if (button.provenance() && button.provenance()->confidence < lowConfidenceBar)
     out.add(Rule::lowConfidence, "import of " + button.provenance()->sourceFile, {},
             button.provenance()->confidence, "",
-            "has a confidence of " + numberText(button.provenance()->confidence) + " only");
+            "has a confidence of " + shortNumber(button.provenance()->confidence) + " only");
   return std::move(out.warnings);
 }
 

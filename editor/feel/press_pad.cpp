@@ -18,7 +18,7 @@ namespace {
 constexpr double flash_ms = 250;
 constexpr int frame_ms = 16;
 constexpr double side_px = 62;        // width of the scales beside the cap
-constexpr double top_px = 30;         // the lamps
+constexpr double lampTop_px = 30;     // the lamps
 constexpr double bottom_px = 46;      // the read-out
 constexpr double dragOfPad = 0.55;    // this share of the pad's height drags through the whole travel
 constexpr double travelOfCap = 0.32;  // of the area's height; the cap takes the rest and ends on the floor
@@ -236,15 +236,15 @@ double PressPad::depthShare(double displacement_mm) const {
 }
 
 QRectF PressPad::capArea() const {
-  const QRectF all = QRectF(rect()).adjusted(side_px, top_px, -side_px, -bottom_px);
+  const QRectF all = QRectF(rect()).adjusted(side_px, lampTop_px, -side_px, -bottom_px);
   const double width = std::min(all.width() - 12, 1.5 * all.height());
   return {all.center().x() - width / 2, all.top() + 6, width, all.height() - 12};
 }
 QRectF PressPad::scaleArea() const {
-  return {10, top_px + 8, side_px - 14, height() - top_px - bottom_px - 16};
+  return {10, lampTop_px + 8, side_px - 14, height() - lampTop_px - bottom_px - 16};
 }
 QRectF PressPad::forceArea() const {
-  return {width() - side_px + 4, top_px + 8, side_px - 14, height() - top_px - bottom_px - 16};
+  return {width() - side_px + 4, lampTop_px + 8, side_px - 14, height() - lampTop_px - bottom_px - 16};
 }
 
 void PressPad::paintEvent(QPaintEvent*) {

@@ -7,6 +7,7 @@
 
 #include "editor/files/file_watch.h"
 #include "editor/files/input_kind.h"
+#include "editor/files/native_path.h"
 #include "model/file/button_file.h"
 #include "model/file/curve_csv.h"
 #include "model/file/text_file.h"
@@ -15,12 +16,10 @@ namespace detent::editor {
 namespace {
 
 // Paths are bytes to the model, UTF-8 by this program's locale.
-std::string bytesOf(const QString& path) { return QFile::encodeName(path).toStdString(); }
-
 Result<Button> buttonFromCsv(const QString& path) {
-  auto text = readTextFile(bytesOf(path));
+  auto text = readTextFile(nativePath(path));
   if (!text) return text.failure();
-  auto graph = graphFromCsv(*text, bytesOf(path));
+  auto graph = graphFromCsv(*text, nativePath(path));
   if (!graph) return graph.failure();
   return Button::fromStates(QFileInfo(path).completeBaseName().toStdString(),
                             {ButtonState{"", *std::move(graph), {}, {}, {}}});
@@ -40,7 +39,7 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
     return std::make_unique<ButtonDocument>(*std::move(button));
   }
   const QByteArray hash = contentHash(path);
-  auto file = readWholeButtonFile(bytesOf(path));
+  auto file = readWholeButtonFile(nativePath(path));
   if (!file) return file.failure();
   auto document = std::make_unique<ButtonDocument>(std::move(file->button));
   document->setCutout(std::move(file->cutout));
@@ -61,7 +60,7 @@ Result<Done> saveDocument(ButtonDocument& document, const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   const std::string text =
       jsonFrom(document.history().committed(), document.cutout(), document.annotations());
-  if (auto written = writeTextFileAtomically(bytesOf(absolute), text); !written) return written.failure();
+  if (auto written = writeTextFileAtomically(nativePath(absolute), text); !written) return written.failure();
   // Of what was written, not of what is read back: between the two somebody else may write.
   document.setKnownContent(contentHash(QByteArray::fromStdString(text)));
   document.setPath(absolute);
@@ -78,7 +77,7 @@ DiskState diskStateOf(const ButtonDocument& document) {
 Result<Done> reloadDocument(ButtonDocument& document) {
   // Before the file is read: what another program writes in between is then a change again.
   const QByteArray hash = contentHash(document.path());
-  auto file = readWholeButtonFile(bytesOf(document.path()));
+  auto file = readWholeButtonFile(nativePath(document.path()));
   if (!file) return file.failure();
   document.setKnownContent(hash);
   document.setCutout(std::move(file->cutout));

@@ -10,6 +10,7 @@
 #include <QSvgGenerator>
 
 #include "editor/document/begun_in.h"
+#include "editor/files/native_path.h"
 #include "model/check.h"
 #include "model/file/curve_csv.h"
 #include "model/file/data_package.h"
@@ -19,8 +20,6 @@
 
 namespace detent::editor {
 namespace {
-
-std::string bytesOf(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
 /// As `detent-play export --press` names it; the standard press is the one whose way down takes 120 ms.
 std::string pressName(double wayDown_s) {
@@ -36,13 +35,13 @@ QString csvText(const Button& button, std::size_t state) {
 }
 
 Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path) {
-  return writeTextFileAtomically(bytesOf(path), csvText(button, state).toStdString());
+  return writeTextFileAtomically(nativePath(path), csvText(button, state).toStdString());
 }
 
 Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path) {
   QString text = csvText(button, state);
   text.replace(QLatin1Char(','), QLatin1Char(';')).replace(QLatin1Char('.'), QLatin1Char(','));
-  return writeTextFileAtomically(bytesOf(path), text.toStdString());
+  return writeTextFileAtomically(nativePath(path), text.toStdString());
 }
 
 Result<Done> exportPng(const QImage& picture, const QString& path) {
@@ -51,7 +50,7 @@ Result<Done> exportPng(const QImage& picture, const QString& path) {
   if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
     return Failure{FailureCode::internalFault, path.toStdString(), "",
                    Message("is no picture that a PNG can hold"), Message("Export it smaller")};
-  return writeTextFileAtomically(bytesOf(path), png.toStdString());
+  return writeTextFileAtomically(nativePath(path), png.toStdString());
 }
 
 Result<Done> exportDrawing(QSize size, const QString& path,
@@ -77,7 +76,7 @@ Result<Done> exportDrawing(QSize size, const QString& path,
     page.setResolution(72);  // a unit of the drawing is a point
     draw(page, size);
   }
-  return writeTextFileAtomically(bytesOf(path), bytes.toStdString());
+  return writeTextFileAtomically(nativePath(path), bytes.toStdString());
 }
 
 Result<Done> exportWav(const Button& button, std::size_t state, const QString& path) {
@@ -88,7 +87,7 @@ Result<Done> exportWav(const Button& button, std::size_t state, const QString& p
   const auto felt = playback::asPressed(begun, *prepared, press, {}, playback::usualSettings());
   if (!felt) return felt.failure();
   const auto written =
-      playback::renderPressToFile(felt->prepared.program, press, {}, std::filesystem::path(bytesOf(path)));
+      playback::renderPressToFile(felt->prepared.program, press, {}, std::filesystem::path(nativePath(path)));
   if (!written) return written.failure();
   return Done{};
 }
@@ -96,11 +95,11 @@ Result<Done> exportWav(const Button& button, std::size_t state, const QString& p
 Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path) {
   const auto page = playback::sharePage(buttons);
   if (!page) return page.failure();
-  return writeTextFileAtomically(bytesOf(path), *page);
+  return writeTextFileAtomically(nativePath(path), *page);
 }
 
 Result<Done> exportDataPackage(const Button& button, const QString& folder) {
-  const std::filesystem::path path(bytesOf(folder));
+  const std::filesystem::path path(nativePath(folder));
   std::error_code error;
   const bool made = std::filesystem::create_directory(path, error);
   if (error)
@@ -120,7 +119,7 @@ Result<Done> exportTracedProject(const Button& button, std::size_t state, const 
   style.lengthUnit = units.length;
   const bool plain = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
   return writeTextFileAtomically(
-      bytesOf(path), (plain ? tracedProjectFrom : tracedArchiveFrom)(button.states()[state], style));
+      nativePath(path), (plain ? tracedProjectFrom : tracedArchiveFrom)(button.states()[state], style));
 }
 
 Result<playback::Exported> deviceExport(const Button& button, const DeviceExport& wanted) {
@@ -139,7 +138,7 @@ Result<playback::Exported> deviceExport(const Button& button, const DeviceExport
 Result<Done> exportForDevice(const Button& button, const DeviceExport& wanted, const QString& path) {
   const auto exported = deviceExport(button, wanted);
   if (!exported) return exported.failure();
-  const auto written = playback::writeExported(*exported, bytesOf(path));
+  const auto written = playback::writeExported(*exported, nativePath(path));
   if (!written) return written.failure();
   return Done{};
 }

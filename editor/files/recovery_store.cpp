@@ -7,6 +7,7 @@
 
 #include "editor/document/message_words.h"
 #include "editor/files/input_kind.h"
+#include "editor/files/native_path.h"
 #include "model/file/text_file.h"
 
 namespace detent::editor {
@@ -21,8 +22,6 @@ std::unique_ptr<QLockFile> lockOf(const QString& sessionFolder) {
   lock->setStaleLockTime(0);  // stale only when its process is gone, however long an editor stays open
   return lock;
 }
-
-std::string bytesOf(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
 }  // namespace
 
@@ -90,7 +89,7 @@ void RecoveryStore::write(ButtonDocument& document) {
                               QDateTime::currentDateTimeUtc(), document.knownContent(), document.cutout(),
                               document.annotations()};
   writer_.start([this, record, file = entry->file] {
-    const auto written = writeTextFileAtomically(bytesOf(file), recoveryText(record));
+    const auto written = writeTextFileAtomically(nativePath(file), recoveryText(record));
     const QString sentence = written ? QString() : sentenceOf(written.failure());
     QMetaObject::invokeMethod(
         this, [this, sentence] { report(sentence); }, Qt::QueuedConnection);
@@ -138,7 +137,7 @@ QList<LeftBehind> RecoveryStore::leftBehind(QStringList* unreadable) {
     const QStringList files = QDir(session).entryList({"*" + ending}, QDir::Files);
     for (const QString& fileName : files) {
       const QString file = QDir(session).filePath(fileName);
-      const auto text = readTextFile(bytesOf(file));
+      const auto text = readTextFile(nativePath(file));
       auto record = text ? recoveryFromText(*text, file) : Result<RecoveryRecord>(text.failure());
       if (record)
         all.append({file, *std::move(record)});
@@ -168,7 +167,7 @@ QString RecoveryStore::keepPicture(const QImage& picture) {
 
 void RecoveryStore::keepImport(const QByteArray& text) {
   if (!openSession()) return;
-  writer_.start([file = bytesOf(QDir(session_).filePath(importFile)), text] {
+  writer_.start([file = nativePath(QDir(session_).filePath(importFile)), text] {
     (void)writeTextFileAtomically(file, text.toStdString());  // said once by write()
   });
 }

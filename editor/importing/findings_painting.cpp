@@ -138,7 +138,7 @@ void paintStroke(QPainter& painter, const FindingsPicture& picture, const DrawnS
   haloed(painter, fit, pen);
 }
 
-QString nameOf(const DrawnMark& mark) {
+QString markLabel(const DrawnMark& mark) {
   switch (mark.kind) {
     case DrawnMark::Kind::tactile:
       return {};
@@ -179,9 +179,9 @@ void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMar
   painter.drawEllipse(at, 6, 6);
   const DisplayUnits& u = picture.units;
   const QString text =
-      nameOf(mark) + tr("%1 %2, %3 %4")
-                         .arg(numberText(u.lengthFrom(mark.value.displacement_mm), 3), u.lengthSymbol(),
-                              numberText(u.forceFrom(mark.value.force_N), 3), u.forceSymbol());
+      markLabel(mark) + tr("%1 %2, %3 %4")
+                            .arg(numberText(u.lengthFrom(mark.value.displacement_mm), 3), u.lengthSymbol(),
+                                 numberText(u.forceFrom(mark.value.force_N), 3), u.forceSymbol());
   const QSizeF size = QFontMetricsF(painter.font()).size(0, text);
   paintPlate(painter, freePlace(at, size, mark.stroke == Stroke::press, shownPart(painter), taken), text,
              color);

@@ -12,7 +12,7 @@ namespace {
 // Of a jump that is added: shares of the travel and of the force there.
 constexpr double newJumpWidth = 0.05, newJumpDrop = 0.1;
 
-using Kind = MarkCorrection::Kind;
+using CorrectionKind = MarkCorrection::Kind;
 
 // From the page to mm and N of one import.
 class PageUnits {
@@ -73,8 +73,8 @@ Result<StrokeCurve> withTactileAdded(const StrokeCurve& curve, Stroke stroke, co
 Result<Button> withMarkIn(const Button& button, const MarkCorrection& mark, const PageUnits& units) {
   const auto to = mark.to ? std::optional(units.at(*mark.to)) : std::nullopt;
   const auto to_mm = to ? std::optional(to->displacement_mm) : std::nullopt;
-  if (mark.kind == Kind::operating) return setOperatingPoint(button, 0, to_mm);
-  if (mark.kind == Kind::reset) return setResetPoint(button, 0, to_mm);
+  if (mark.kind == CorrectionKind::operating) return setOperatingPoint(button, 0, to_mm);
+  if (mark.kind == CorrectionKind::reset) return setResetPoint(button, 0, to_mm);
   if (!mark.from && !to) return button;
   return editStrokeOf(button, mark.stroke, [&](const StrokeCurve& curve) {
     return mark.from ? withTactileMoved(curve, mark.stroke, units, units.at(*mark.from), to)
@@ -82,13 +82,13 @@ Result<Button> withMarkIn(const Button& button, const MarkCorrection& mark, cons
   });
 }
 
-const char* nameOf(Kind kind) {
+const char* kindName(CorrectionKind kind) {
   switch (kind) {
-    case Kind::operating:
+    case CorrectionKind::operating:
       return "operating point";
-    case Kind::reset:
+    case CorrectionKind::reset:
       return "reset point";
-    case Kind::tactile:
+    case CorrectionKind::tactile:
       break;
   }
   return "tactile point";
@@ -98,9 +98,9 @@ Result<Button> withGiven(const Button& button, const std::vector<MarkCorrection>
   auto provenance = button.provenance();
   if (!provenance) return button;
   for (const MarkCorrection& mark : marks)
-    if (std::find(provenance->given.begin(), provenance->given.end(), nameOf(mark.kind)) ==
+    if (std::find(provenance->given.begin(), provenance->given.end(), kindName(mark.kind)) ==
         provenance->given.end())
-      provenance->given.emplace_back(nameOf(mark.kind));
+      provenance->given.emplace_back(kindName(mark.kind));
   return Button::fromStates(button.name(), button.states(), std::move(provenance));
 }
 
@@ -118,11 +118,11 @@ std::vector<importer::FittedTactilePoint> tactileOf(const StrokeCurve& curve, St
 }
 
 void placeCallout(importer::ImportReport& report, const MarkCorrection& mark, const PageUnits& units) {
-  const auto kind = mark.kind == Kind::operating ? importer::CalloutKind::operatingPoint
-                                                 : importer::CalloutKind::resetPoint;
+  const auto kind = mark.kind == CorrectionKind::operating ? importer::CalloutKind::operatingPoint
+                                                           : importer::CalloutKind::resetPoint;
   std::erase_if(report.callouts, [&](const importer::Callout& callout) { return callout.kind == kind; });
   if (!mark.to) return;
-  const Stroke stroke = mark.kind == Kind::operating ? Stroke::press : Stroke::release;
+  const Stroke stroke = mark.kind == CorrectionKind::operating ? Stroke::press : Stroke::release;
   const CurvePoint at = units.at(*mark.to);
   const double force_N = report.button.states()[0].graph.curve(stroke).force_N(at.displacement_mm);
   report.callouts.push_back({kind, {at.displacement_mm, force_N}, {}, 1, {}});
@@ -138,7 +138,7 @@ void takeButton(importer::ImportReport& report, Button button, const importer::G
         tactileOf(*graph.release(), Stroke::release, report.release->fit.tactilePoints);
   const PageUnits units(evidence);
   for (const MarkCorrection& mark : marks)
-    if (mark.kind != Kind::tactile) placeCallout(report, mark, units);
+    if (mark.kind != CorrectionKind::tactile) placeCallout(report, mark, units);
   for (importer::Callout& callout : report.callouts)
     callout.at_px = evidence.axes.calibration.value.toView({callout.at.displacement_mm, callout.at.force_N});
   std::vector<importer::PrintedSpec> specs;
@@ -175,7 +175,7 @@ MarkedImport withMarks(const ImportedGraph& imported, const std::vector<MarkCorr
 }
 
 std::vector<MarkCorrection> withMark(std::vector<MarkCorrection> given, MarkCorrection next) {
-  if (next.kind != Kind::tactile) {
+  if (next.kind != CorrectionKind::tactile) {
     std::erase_if(given, [&](const MarkCorrection& mark) { return mark.kind == next.kind; });
     given.push_back(next);
     return given;
@@ -183,7 +183,7 @@ std::vector<MarkCorrection> withMark(std::vector<MarkCorrection> given, MarkCorr
   // One that was put somewhere by hand goes on from there.
   for (std::size_t i = 0; i < given.size(); ++i) {
     MarkCorrection& mark = given[i];
-    if (mark.kind != Kind::tactile || mark.stroke != next.stroke || !mark.to || !next.from ||
+    if (mark.kind != CorrectionKind::tactile || mark.stroke != next.stroke || !mark.to || !next.from ||
         !isSamePlace(*mark.to, *next.from))
       continue;
     mark.to = next.to;

@@ -24,7 +24,7 @@ namespace {
 constexpr int updateDelay_ms = 50;
 constexpr int rowMargin_px = 8, swatch_px = 12;
 constexpr int leastPlot_px = 160;
-constexpr double wide = 1.3;  // width over height from which the figures stand beside the plot
+constexpr double sideBySideAspect = 1.3;  // width over height from which the figures stand beside the plot
 constexpr int leastTableRows = 5;
 constexpr int longestHead = 16;  // characters of a column's head
 
@@ -171,7 +171,7 @@ QToolButton* ComparePanel::pressSwitch() {
 
 void ComparePanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const auto way = width() > wide * height() ? Qt::Horizontal : Qt::Vertical;
+  const auto way = width() > sideBySideAspect * height() ? Qt::Horizontal : Qt::Vertical;
   if (way == split_->orientation()) return;
   split_->setOrientation(way);
   const int half = (way == Qt::Horizontal ? width() : height()) / 2;

@@ -15,9 +15,9 @@
 namespace detent::editor {
 namespace {
 
-constexpr QSize first_px{720, 560}, leastPlot_px{240, 120};
+constexpr QSize first_px{720, 560}, leastMorphPlot_px{240, 120};
 constexpr int plotShare = 3, restShare = 2;
-constexpr double wide = 1.5;  // width over height from which the plot stands beside the rest
+constexpr double morphSideBySideAspect = 1.5;  // width over height from which the plot stands beside the rest
 
 QLabel* wordsOf(const char* name) {
   auto* label = described(new QLabel, QString::fromLatin1(name));
@@ -43,7 +43,7 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
   percent_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
   plot_ = described(new ComparePlot, QStringLiteral("morphPlot"), {},
                     tr("The three force graphs over each other"));
-  plot_->setMinimumSize(leastPlot_px);
+  plot_->setMinimumSize(leastMorphPlot_px);
   forecastFrom_ = wordsOf("morphForecastFrom");
   forecastTo_ = wordsOf("morphForecastTo");
   auto* way = new QHBoxLayout;
@@ -82,7 +82,7 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
 // In a low window the graphs have its whole height.
 void MorphDialog::resizeEvent(QResizeEvent* event) {
   QDialog::resizeEvent(event);
-  const bool beside = width() > wide * height();
+  const bool beside = width() > morphSideBySideAspect * height();
   sides_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   sides_->setStretch(1, beside ? restShare : 0);
 }

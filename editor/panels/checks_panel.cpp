@@ -10,7 +10,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int dragPause_ms = 120;
+constexpr int checksDragPause_ms = 120;
 
 std::vector<importer::PrintedSpec> specsOf(const ButtonDocument& document) {
   std::vector<importer::PrintedSpec> specs;
@@ -43,7 +43,7 @@ ChecksPanel::ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   layout->addWidget(list_, 1);
   setFocusProxy(list_);
   pause_.setSingleShot(true);
-  pause_.setInterval(dragPause_ms);
+  pause_.setInterval(checksDragPause_ms);
   connect(&pause_, &QTimer::timeout, this, &ChecksPanel::follow);
   connect(&document_, &ButtonDocument::changed, this, [this] {
     if (!document_.history().dragging()) return follow();

@@ -14,10 +14,10 @@
 namespace detent::editor {
 namespace {
 
-constexpr int dragPause_ms = 80;
-constexpr int editedDigits = 12;  // typed values are shown unchanged
+constexpr int figuresDragPause_ms = 80;
+constexpr int editedFigureDigits = 12;  // typed values are shown unchanged
 constexpr int shownDigits = 4;
-constexpr QSize pictureSize(34, 22);
+constexpr QSize cellPictureSize(34, 22);
 
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 
@@ -110,7 +110,7 @@ KeyFiguresModel::KeyFiguresModel(ButtonDocument& document, ViewSettings& setting
         asked.tell([this, outcome = solved(asked)] { takeAhead(outcome); });
       }) {
   pause_.setSingleShot(true);
-  pause_.setInterval(dragPause_ms);
+  pause_.setInterval(figuresDragPause_ms);
   connect(&pause_, &QTimer::timeout, this, &KeyFiguresModel::follow);
   connect(&document_, &ButtonDocument::changed, this, [this] {
     if (!document_.history().dragging()) return follow();
@@ -208,7 +208,7 @@ int KeyFiguresModel::columnCount(const QModelIndex& parent) const { return paren
 
 QString KeyFiguresModel::shown(double value, KeyFigure which, bool exact) const {
   const Quantity quantity = quantityOf(which);
-  const int digits = exact ? editedDigits : shownDigits;
+  const int digits = exact ? editedFigureDigits : shownDigits;
   if (quantity == Quantity::share) return quantityWithUnit(value, quantity, settings_.units(), digits);
   if (quantity == Quantity::number) return numberText(value, digits);
   if (exact) return quantityText(value, quantity, settings_.units(), digits);
@@ -228,7 +228,7 @@ QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
         return termOf(which);
       }
       if (role == Qt::DecorationRole)
-        return keyFigurePicture(pictureSize, 2, which, graphColors(isDark(QPalette())));
+        return keyFigurePicture(cellPictureSize, 2, which, graphColors(isDark(QPalette())));
       return {};
     case now:
     case wanted: {
@@ -351,7 +351,7 @@ void KeyFiguresModel::takeTyped(const TargetOutcome& outcome) {
   // Every change starts a new request (follow), so the answer fits the current button; another edit may hold
   // it.
   if (document_.history().dragging())
-    return QTimer::singleShot(dragPause_ms, this, &KeyFiguresModel::solveNext);
+    return QTimer::singleShot(figuresDragPause_ms, this, &KeyFiguresModel::solveNext);
   const KeyFigure which = typed_.front().figure;
   typed_.pop_front();
   if (outcome.button) {

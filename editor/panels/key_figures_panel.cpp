@@ -20,9 +20,9 @@
 namespace detent::editor {
 namespace {
 
-constexpr QSize pictureSize(132, 84);
+constexpr QSize panelPictureSize(132, 84);
 constexpr int widestNumber = 9;  // characters of a column of numbers
-constexpr int roomBesideText_px = 12;
+constexpr int figureTextMargin_px = 12;
 constexpr int leastWithMeaning_px = 340;
 constexpr int patience_ms = 200;  // a shorter solve is not announced
 
@@ -108,7 +108,8 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
 
 // Numbers get the width they need, names the rest.
 void KeyFiguresPanel::layOut() {
-  const int number_px = widestNumber * fontMetrics().horizontalAdvance(QLatin1Char('0')) + roomBesideText_px;
+  const int number_px =
+      widestNumber * fontMetrics().horizontalAdvance(QLatin1Char('0')) + figureTextMargin_px;
   int others = 0;
   for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted, KeyFiguresModel::keep}) {
     const int header_px = table_->horizontalHeader()->sectionSizeHint(column);
@@ -120,7 +121,7 @@ void KeyFiguresPanel::layOut() {
   for (int row = 0; row < model_->rowCount(); ++row)
     name_px = std::max(name_px, fontMetrics().horizontalAdvance(
                                     model_->index(row, KeyFiguresModel::figure).data().toString()));
-  name_px += table_->iconSize().width() + 2 * roomBesideText_px;
+  name_px += table_->iconSize().width() + 2 * figureTextMargin_px;
   const int beside_px =
       table_->columnWidth(KeyFiguresModel::wanted) + table_->columnWidth(KeyFiguresModel::keep);
   keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others, beside_px});
@@ -143,7 +144,7 @@ void KeyFiguresPanel::showMeaning() {
   if (!current.isValid()) return;
   const KeyFigure figure = KeyFiguresModel::figureOf(current);
   const GraphColors colors = graphColors(isDark(palette()));
-  picture_->setPixmap(keyFigurePicture(pictureSize, devicePixelRatioF(), figure, colors));
+  picture_->setPixmap(keyFigurePicture(panelPictureSize, devicePixelRatioF(), figure, colors));
   picture_->setAccessibleName(termOf(figure));
   meaning_->setText(QStringLiteral("<b>%1</b><br>%2").arg(termOf(figure), definitionOf(figure)));
 }

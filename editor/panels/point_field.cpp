@@ -25,7 +25,9 @@ constexpr double away_px = 18;  // from the point, so that it stays visible
 constexpr QuantityRange anyLength_mm{-ForceGraph::maxTravel_mm, ForceGraph::maxTravel_mm},
     anyForce{-ForceGraph::maxForce_N, ForceGraph::maxForce_N};
 
-bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
+bool isContactPoint(MarkKind kind) {
+  return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint;
+}
 
 }  // namespace
 
@@ -107,10 +109,10 @@ void PointField::show(Row& row, std::optional<double> value) {
 
 void PointField::fill(const Mark& mark) {
   const StrokeCurve& curve = canvas_.state().graph.curve(mark.id.stroke);
-  const auto index = isContact(mark.id.kind) ? std::nullopt : knotAt(curve, mark.at.displacement_mm);
+  const auto index = isContactPoint(mark.id.kind) ? std::nullopt : knotAt(curve, mark.at.displacement_mm);
   knot_ = index ? std::optional(MarkId{MarkKind::knot, mark.id.stroke, *index}) : std::nullopt;
   show(displacement_, mark.at.displacement_mm);
-  show(force_, isContact(mark.id.kind) ? std::nullopt : std::optional(mark.at.force_N));
+  show(force_, isContactPoint(mark.id.kind) ? std::nullopt : std::optional(mark.at.force_N));
   const bool corner = index && isCorner(curve, *index);
   const Knot* knot = index ? &curve.knots()[*index] : nullptr;
   const bool before = corner && *index > 0, after = knot && *index + 1 < curve.knots().size();

@@ -10,8 +10,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr int dragPause_ms = 80;
-constexpr int editedDigits = 12;  // typed values are shown unchanged
+constexpr int valuesDragPause_ms = 80;
+constexpr int editedValueDigits = 12;  // typed values are shown unchanged
 
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
 
@@ -53,7 +53,7 @@ ValuesModel::ValuesModel(ButtonDocument& document, ViewSettings& settings, QObje
       values_(valuesOf(document.graph())) {
   rows_ = rowsNow();
   pause_.setSingleShot(true);
-  pause_.setInterval(dragPause_ms);
+  pause_.setInterval(valuesDragPause_ms);
   connect(&pause_, &QTimer::timeout, this, &ValuesModel::follow);
   connect(&document_, &ButtonDocument::changed, this, &ValuesModel::followSoon);
   connect(&document_, &ButtonDocument::activeStateChanged, this, &ValuesModel::follow);
@@ -197,7 +197,7 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
     return readText(*value, quantityOf(index.column()), settings_.units(),
                     readingErrorOf(document_.button()));
   if (role == Qt::EditRole)
-    return quantityText(*value, quantityOf(index.column()), settings_.units(), editedDigits);
+    return quantityText(*value, quantityOf(index.column()), settings_.units(), editedValueDigits);
   return {};
 }
 

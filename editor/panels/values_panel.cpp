@@ -18,7 +18,7 @@ namespace {
 
 constexpr int measuredRows = 200;      // of a long table; the first rows determine the column widths
 constexpr int leastNumber = 6;         // characters of a column of numbers
-constexpr int roomBesideText_px = 12;  // of a cell
+constexpr int cellTextMargin_px = 12;  // of a cell
 
 }  // namespace
 
@@ -88,7 +88,7 @@ int ValuesPanel::widthOf(int column) const {
   for (int row = 0; row < std::min(model_->rowCount(), measuredRows); ++row)
     if (const QModelIndex cell = model_->index(row, column); model_->markOf(cell))
       text_px = std::max(text_px, metrics.horizontalAdvance(cell.data().toString()));
-  return std::max(text_px + roomBesideText_px, table_->horizontalHeader()->sectionSizeHint(column));
+  return std::max(text_px + cellTextMargin_px, table_->horizontalHeader()->sectionSizeHint(column));
 }
 
 // The remaining width goes to the names; in a narrow panel the numbers scroll.

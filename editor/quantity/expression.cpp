@@ -32,7 +32,6 @@ std::optional<Unit> unitFrom(const QString& word) {
 bool isDecimalSign(QChar c) { return c == QLatin1Char('.') || c == QLatin1Char(',') || c == QChar(0x066B); }
 bool isGroupSign(QChar c) { return c == QLatin1Char('\'') || c == QChar(0x2019) || c == QChar(0x066C); }
 bool isUnitSign(QChar c) { return c.isLetter() || c == QLatin1Char('"') || c == QChar(0x00B5); }
-bool isMinus(QChar c) { return c == QLatin1Char('-') || c == QChar(0x2212); }
 bool isTimes(QChar c) {
   return c == QLatin1Char('*') || c == QChar(0x00D7) || c == QChar(0x00B7) || c == QChar(0x22C5);
 }
@@ -60,7 +59,7 @@ class Reader {
     while (!trouble_) {
       skipSpaces();
       const bool plus = next([](QChar c) { return c == QLatin1Char('+'); });
-      if (!plus && !next(isMinus)) return left;
+      if (!plus && !next(isMinusSign)) return left;
       Amount right = product(depth);
       if (trouble_) return left;
       bringTogether(left, right);
@@ -88,7 +87,7 @@ class Reader {
 
   Amount factor(int depth) {
     skipSpaces();
-    const bool negative = next(isMinus);
+    const bool negative = next(isMinusSign);
     if (!negative) next([](QChar c) { return c == QLatin1Char('+'); });
     Amount value = primary(depth);
     if (negative) value.amount = -value.amount;
@@ -153,8 +152,8 @@ class Reader {
     if (at_ >= text_.size() || text_[at_].toLower() != QLatin1Char('e')) return;
     qsizetype end = at_ + 1;
     QString power = QStringLiteral("e");
-    if (end < text_.size() && (isMinus(text_[end]) || text_[end] == QLatin1Char('+')))
-      power += isMinus(text_[end++]) ? QLatin1Char('-') : QLatin1Char('+');
+    if (end < text_.size() && (isMinusSign(text_[end]) || text_[end] == QLatin1Char('+')))
+      power += isMinusSign(text_[end++]) ? QLatin1Char('-') : QLatin1Char('+');
     const qsizetype firstDigit = end;
     while (end < text_.size() && text_[end].isDigit())
       power += QChar(QLatin1Char(static_cast<char>('0' + text_[end++].digitValue())));

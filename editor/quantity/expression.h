@@ -20,6 +20,9 @@ enum class QuantityTrouble {
   notFinite,
 };
 
+/// Returns true for the hyphen and for the minus sign U+2212.
+inline bool isMinusSign(QChar c) { return c == QLatin1Char('-') || c == QChar(0x2212); }
+
 /// Powers of N, mm and s in a unit.
 struct Dimension {
   int force = 0, length = 0, time = 0;

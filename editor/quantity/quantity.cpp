@@ -29,8 +29,6 @@ Dimension dimensionOf(Quantity quantity) {
 
 QuantityReading refused(QuantityTrouble trouble, const QString& culprit) { return {{}, 0, trouble, culprit}; }
 
-bool isMinus(QChar c) { return c == QLatin1Char('-') || c == QChar(0x2212); }
-
 // The change of what stands there that a text asks for.
 struct Change {
   enum class Kind { none, plus, minus } kind = Kind::none;
@@ -38,7 +36,7 @@ struct Change {
 };
 
 Change changeIn(const QString& text) {
-  const bool plus = text.startsWith(QLatin1Char('+')), minus = !text.isEmpty() && isMinus(text[0]);
+  const bool plus = text.startsWith(QLatin1Char('+')), minus = !text.isEmpty() && isMinusSign(text[0]);
   const bool explicitly = (plus || minus) && text.size() > 1 && text[1] == QLatin1Char('=');
   if (explicitly) return {plus ? Change::Kind::plus : Change::Kind::minus, text.mid(2)};
   if (plus) return {Change::Kind::plus, text.mid(1)};
@@ -50,7 +48,7 @@ Change changeIn(const QString& text) {
 QuantityReading readPercent(const QString& text, Quantity quantity, std::optional<double> now) {
   const Change change = changeIn(text);
   const bool less = change.kind == Change::Kind::minus ||
-                    (change.kind == Change::Kind::none && !text.isEmpty() && isMinus(text[0]));
+                    (change.kind == Change::Kind::none && !text.isEmpty() && isMinusSign(text[0]));
   QString number = change.rest;
   if (less && change.kind == Change::Kind::none) number.remove(0, 1);
   const Evaluation part = evaluate(number, {}, 1);

@@ -9,7 +9,7 @@ namespace detent::editor {
 
 namespace {
 
-constexpr int margin_px = 36, spacing_px = 18, mostWidth_px = 1100;
+constexpr int margin_px = 36, keyedSpacing_px = 18, mostWidth_px = 1100;
 
 template <class Widget>
 Widget* large(Widget* widget, int points) {
@@ -29,7 +29,7 @@ KeyedPage::KeyedPage(QWidget* parent) : QWidget(parent) {
   outer->addWidget(inner);
   column_ = new QVBoxLayout(inner);
   column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(spacing_px);
+  column_->setSpacing(keyedSpacing_px);
 }
 
 QLabel* KeyedPage::addText(const char* name, const QString& text, int points, Qt::Alignment alignment,
@@ -66,7 +66,7 @@ QPushButton* KeyedPage::made(const PageButton& button) {
       button.key.name.isEmpty() ? button.text : QStringLiteral("%1   [%2]").arg(button.text, button.key.name);
   auto* widget = large(new QPushButton(text), button.points);
   widget->setObjectName(button.name);
-  widget->setMinimumSize(widget->sizeHint().width() + spacing_px, button.height_px);
+  widget->setMinimumSize(widget->sizeHint().width() + keyedSpacing_px, button.height_px);
   widget->setFocusPolicy(Qt::NoFocus);  // the keys belong to the page
   return widget;
 }

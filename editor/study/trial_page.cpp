@@ -8,7 +8,7 @@ namespace detent::editor {
 
 namespace {
 
-constexpr int mostColumns = 5, padColumns = 3, longestNumber = 9, spacing_px = 18;
+constexpr int mostColumns = 5, padColumns = 3, longestNumber = 9, trialSpacing_px = 18;
 constexpr std::size_t mostKeys = 9;
 
 /// "1" for the first; more than nine have no key.
@@ -50,7 +50,7 @@ void TrialPage::addChoices(const playback::Study& study, const TrialWords& words
     column()->addWidget(x_);
   }
   auto* grid = new QGridLayout;
-  grid->setSpacing(spacing_px);
+  grid->setSpacing(trialSpacing_px);
   for (std::size_t i = 0; i < count; ++i) {
     const QByteArray pressName = QByteArray("studyPress") + QByteArray::number(i + 1);
     const QByteArray answerName = QByteArray("studyAnswer") + QByteArray::number(i + 1);

@@ -11,7 +11,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double reach_px = 24;  // a wide reach, because a curve is the target, not a point
+constexpr double addingReach_px = 24;  // a wide reach, because a curve is the target, not a point
 // A jump by a click: an eighth of the travel wide, a fifth of its tactile force deep.
 constexpr double usualWidthOfTravel = 0.125, usualDropOfForce = 0.2;
 
@@ -19,7 +19,7 @@ QString tr(const char* text) { return QCoreApplication::translate("detent::edito
 
 void propose(ToolContext& context, const PointerInput& input) {
   CanvasFeedback feedback;
-  if (const auto hit = curveAt(context.canvas, input.at_px, reach_px))
+  if (const auto hit = curveAt(context.canvas, input.at_px, addingReach_px))
     feedback.proposal = Proposal{hit->at, hit->stroke, {}};
   context.canvas.setFeedback(feedback);
 }
@@ -52,7 +52,7 @@ void AddKnotTool::leave() { context_.canvas.setFeedback({}); }
 
 bool AddKnotTool::pressed(const PointerInput& input) {
   if (input.button != Qt::LeftButton || context_.busy()) return false;
-  const auto hit = curveAt(context_.canvas, input.at_px, reach_px);
+  const auto hit = curveAt(context_.canvas, input.at_px, addingReach_px);
   if (!hit) return missed(context_, tr("There is no curve here. Click nearer to one."));
   const std::size_t state = context_.document.activeState();
   const auto added =
@@ -100,7 +100,7 @@ void AddJumpTool::leave() { context_.canvas.setFeedback({}); }
 
 bool AddJumpTool::pressed(const PointerInput& input) {
   if (input.button != Qt::LeftButton || context_.busy()) return false;
-  const auto hit = curveAt(context_.canvas, input.at_px, reach_px);
+  const auto hit = curveAt(context_.canvas, input.at_px, addingReach_px);
   if (!hit) return missed(context_, tr("There is no curve here. Press nearer to one."));
   const std::size_t state = context_.document.activeState();
   DragTask task;

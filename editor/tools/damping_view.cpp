@@ -13,8 +13,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr double reach_px = 9;
-constexpr double nudge_mm = 0.01, nudge_Ns_per_mm = 0.001;
+constexpr double dampingReach_px = 9;
+constexpr double dampingNudge_mm = 0.01, dampingNudge_Ns_per_mm = 0.001;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void DampingView::drawContent(QPainter& painter, const PlotMapping& map) const {
 std::optional<std::size_t> DampingView::pointAt(QPointF px) const {
   const PlotMapping map = mapping();
   std::optional<std::size_t> best;
-  double reach = reach_px;
+  double reach = dampingReach_px;
   for (std::size_t i = 0; i < points().size(); ++i) {
     const QPointF off = map.toPixel(points()[i].displacement_mm, points()[i].damping_Ns_per_mm) - px;
     if (std::hypot(off.x(), off.y()) > reach) continue;
@@ -192,10 +192,10 @@ bool DampingView::nudge(int key, Qt::KeyboardModifiers modifiers) {
   const double times = modifiers & Qt::ShiftModifier ? 10 : modifiers & Qt::AltModifier ? 0.1 : 1;
   std::vector<DampingPoint> next = points();
   DampingPoint& point = next[*selected_];
-  if (key == Qt::Key_Left) point.displacement_mm -= times * nudge_mm;
-  if (key == Qt::Key_Right) point.displacement_mm += times * nudge_mm;
-  if (key == Qt::Key_Down) point.damping_Ns_per_mm -= times * nudge_Ns_per_mm;
-  if (key == Qt::Key_Up) point.damping_Ns_per_mm += times * nudge_Ns_per_mm;
+  if (key == Qt::Key_Left) point.displacement_mm -= times * dampingNudge_mm;
+  if (key == Qt::Key_Right) point.displacement_mm += times * dampingNudge_mm;
+  if (key == Qt::Key_Down) point.damping_Ns_per_mm -= times * dampingNudge_Ns_per_mm;
+  if (key == Qt::Key_Up) point.damping_Ns_per_mm += times * dampingNudge_Ns_per_mm;
   if (next == points()) return false;
   apply(std::move(next), tr("Move damping point %1").arg(*selected_ + 1),
         QStringLiteral("nudge/damping/%1/%2").arg(document_.activeState()).arg(*selected_));

@@ -34,7 +34,7 @@ struct Candidate {
   double distance_px;
 };
 
-double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+double hitDistance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
 void addHandles(const GraphCanvas& canvas, const PlotMapping& map, QPointF at_px, double within_px,
                 std::vector<Candidate>& found) {
@@ -45,10 +45,10 @@ void addHandles(const GraphCanvas& canvas, const PlotMapping& map, QPointF at_px
   const SlopeHandles handles =
       slopeHandlesOf(canvas.state().graph.curve(selected->stroke), selected->index, map);
   const auto offer = [&](const std::optional<QPointF>& end, MarkKind kind) {
-    if (!end || distance(*end, at_px) > within_px) return;
+    if (!end || hitDistance(*end, at_px) > within_px) return;
     const QPointF place = map.toPlot(*end);
     found.push_back(
-        {{{kind, selected->stroke, selected->index}, {place.x(), place.y()}}, distance(*end, at_px)});
+        {{{kind, selected->stroke, selected->index}, {place.x(), place.y()}}, hitDistance(*end, at_px)});
   };
   offer(handles.before_px, MarkKind::slopeBefore);
   offer(handles.after_px, MarkKind::slopeAfter);
@@ -60,9 +60,9 @@ void nearestOfLine(QPointF a, QPointF b, QPointF p, QPointF& best, double& reach
   const double length = QPointF::dotProduct(along, along);
   const double t = length > 0 ? std::clamp(QPointF::dotProduct(p - a, along) / length, 0.0, 1.0) : 0;
   const QPointF place = a + t * along;
-  if (distance(place, p) > reach) return;
+  if (hitDistance(place, p) > reach) return;
   best = place;
-  reach = distance(place, p);
+  reach = hitDistance(place, p);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ std::vector<Mark> marksAt(const GraphCanvas& canvas, QPointF at_px, double withi
   std::vector<Candidate> found;
   addHandles(canvas, map, at_px, within_px, found);
   for (const Mark& mark : pointMarks(canvas.state(), canvas.values())) {
-    const double d = distance(map.toPixel(mark.at.displacement_mm, mark.at.force_N), at_px);
+    const double d = hitDistance(map.toPixel(mark.at.displacement_mm, mark.at.force_N), at_px);
     if (d <= within_px) found.push_back({mark, d});
   }
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {

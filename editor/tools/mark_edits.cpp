@@ -8,7 +8,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("MarkEdits", text); }
 
-Failure refusal(Message place, Message problem, Remedies remedies) {
+Failure markRefusal(Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "force graph", std::move(place), std::move(problem), std::move(remedies)};
 }
 
@@ -20,9 +20,9 @@ Result<Button> editCurve(const Button& button, std::size_t state, Stroke stroke,
 Result<double> slopeTowards(const Knot& knot, MarkKind side, CurvePoint to) {
   const double away_mm = to.displacement_mm - knot.displacement_mm;
   if (side == MarkKind::slopeBefore ? away_mm < 0 : away_mm > 0) return (to.force_N - knot.force_N) / away_mm;
-  return refusal(Message("slope handle"), Message("would point to the other side of its knot"),
-                 side == MarkKind::slopeBefore ? Message("Keep it left of the knot")
-                                               : Message("Keep it right of the knot"));
+  return markRefusal(Message("slope handle"), Message("would point to the other side of its knot"),
+                     side == MarkKind::slopeBefore ? Message("Keep it left of the knot")
+                                                   : Message("Keep it right of the knot"));
 }
 
 Result<StrokeCurve> withSlope(const StrokeCurve& curve, MarkId handle, double slope, SlopeSides sides) {
@@ -102,8 +102,8 @@ Result<Button> removeMark(const Button& button, std::size_t state, MarkId mark) 
       return editCurve(button, state, mark.stroke,
                        [&](const StrokeCurve& curve) { return removeKnot(curve, mark.index); });
     default:
-      return refusal(nameOf(mark).toStdString(), Message("cannot be removed on its own"),
-                     Message("Select a knot, a tactile point, or the operating or reset point"));
+      return markRefusal(nameOf(mark).toStdString(), Message("cannot be removed on its own"),
+                         Message("Select a knot, a tactile point, or the operating or reset point"));
   }
 }
 

@@ -9,7 +9,7 @@
 namespace detent::editor {
 namespace {
 
-Failure refusal(Message problem, const Message& remedy) {
+Failure selectionRefusal(Message problem, const Message& remedy) {
   return {FailureCode::wrongUsage, "selection", "", std::move(problem), remedy};
 }
 
@@ -28,7 +28,7 @@ using KnotsEdit = std::function<Result<StrokeCurve>(const StrokeCurve&, const st
 Result<StrokeCurve> editThese(const StrokeCurve& curve, const std::vector<std::size_t>& knots,
                               const KnotsEdit& edit) {
   if (knots.back() >= curve.knots().size())
-    return refusal(Message("names a knot that is not there"), Message("Select the points again"));
+    return selectionRefusal(Message("names a knot that is not there"), Message("Select the points again"));
   return edit(curve, knots);
 }
 
@@ -159,11 +159,11 @@ Result<Button> alignSelection(const Button& button, std::size_t state, const std
   const auto last =
       std::find_if(marks.rbegin(), marks.rend(), [](MarkId m) { return m.kind == MarkKind::knot; });
   if (last == marks.rend() || marks.size() < 2)
-    return refusal(Message("has fewer than two knots"),
-                   Message("Select two or more; all go to the last one"));
+    return selectionRefusal(Message("has fewer than two knots"),
+                            Message("Select two or more; all go to the last one"));
   const StrokeCurve& of = button.states()[state].graph.curve(last->stroke);
   if (last->index >= of.knots().size())
-    return refusal(Message("names a knot that is not there"), Message("Select the points again"));
+    return selectionRefusal(Message("names a knot that is not there"), Message("Select the points again"));
   const double level = partOf(placeOf(of, last->index), direction);
   return editKnots(button, state, marks,
                    [&](const StrokeCurve& curve, const std::vector<std::size_t>& knots) {
@@ -177,8 +177,8 @@ Result<Button> alignSelection(const Button& button, std::size_t state, const std
 Result<Button> distributeSelection(const Button& button, std::size_t state, const std::vector<MarkId>& marks,
                                    GraphDirection direction) {
   if (knotsOf(marks, Stroke::press).size() < 3 && knotsOf(marks, Stroke::release).size() < 3)
-    return refusal(Message("has fewer than three knots of one stroke"),
-                   Message("Select three or more; the outer two stay"));
+    return selectionRefusal(Message("has fewer than three knots of one stroke"),
+                            Message("Select three or more; the outer two stay"));
   return editKnots(
       button, state, marks,
       [&](const StrokeCurve& curve, const std::vector<std::size_t>& knots) -> Result<StrokeCurve> {

@@ -8,14 +8,14 @@ namespace {
 
 QPointF pixelOf(const PlotMapping& map, CurvePoint at) { return map.toPixel(at.displacement_mm, at.force_N); }
 
-double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+double snapDistance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
 // Keeps the nearest candidate within reach.
 class Nearest {
  public:
   Nearest(QPointF wanted_px, double within_px) : wanted_px_(wanted_px), reach_px_(within_px) {}
   void offer(CurvePoint at, QPointF px, SnapKind kind) {
-    const double d = distance(px, wanted_px_);
+    const double d = snapDistance(px, wanted_px_);
     if (!(d <= reach_px_)) return;
     reach_px_ = d;
     hit_ = SnapHit{at, kind};

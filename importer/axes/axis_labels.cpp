@@ -17,7 +17,7 @@ namespace detent::importer {
 namespace {
 
 constexpr int rowAttempts = 3;
-constexpr double sureReading = 0.9;  // of the engine's
+constexpr double sureLabelReading = 0.9;  // of the engine's
 
 /// One number without a blank in it: lines of several numbers do not say where each stands.
 bool isNumberText(const TextBox& t, double angle_deg) {
@@ -150,7 +150,8 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   // The engine drops points and digits of small print, but what it reads whole and with certainty stands there.
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string engine = digitsOf(found.words[i].utf8), together = digitsOf(read->texts[i]);
-    if (found.words[i].confidence >= sureReading && engine.size() == together.size() && engine != together)
+    if (found.words[i].confidence >= sureLabelReading && engine.size() == together.size() &&
+        engine != together)
       return;
   }
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -179,7 +180,7 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
   if (!read) return;
   for (std::size_t i = 0; i < read->size(); ++i) {
     texts[i] = found.words[i].utf8 = (*read)[i];
-    found.words[i].confidence = std::max(found.words[i].confidence, sureReading);
+    found.words[i].confidence = std::max(found.words[i].confidence, sureLabelReading);
     found.readings[i] = numberReadings(texts[i], found.words[i].confidence);
   }
 }

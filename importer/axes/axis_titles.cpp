@@ -27,13 +27,13 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
 /// From here on a unit stands where only units stand: in brackets, after a slash.
 constexpr double surePlace = 0.9;
 
-std::ptrdiff_t lettersIn(const SeenText& line) {
+std::ptrdiff_t letterCountOfLine(const SeenText& line) {
   return std::count_if(line.utf8.begin(), line.utf8.end(), [](char c) {
     return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
   });
 }
 
-bool hasLetters(const SeenText& line) { return lettersIn(line) >= 2; }
+bool hasLetters(const SeenText& line) { return letterCountOfLine(line) >= 2; }
 
 bool hasBracket(const SeenText& line) { return line.utf8.find_first_of("([") != std::string::npos; }
 
@@ -43,9 +43,9 @@ std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::v
   constexpr double upright = 2;  // times as high as wide
   std::erase_if(lines, [&](const SeenText& line) {
     return std::ranges::any_of(others, [&](const SeenText& other) {
-      return other.box.contains(line.box.middle()) &&
-             (lettersIn(other) > lettersIn(line) || (other.box.height() > upright * other.box.width() &&
-                                                     other.box.height() > upright * line.box.height()));
+      return other.box.contains(line.box.middle()) && (letterCountOfLine(other) > letterCountOfLine(line) ||
+                                                       (other.box.height() > upright * other.box.width() &&
+                                                        other.box.height() > upright * line.box.height()));
     });
   });
   return lines;

@@ -50,7 +50,7 @@ bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<s
 }
 
 /// How many signs of the labels the engine read as they are.
-std::size_t agreeing(const std::vector<std::string>& texts, const std::vector<std::string>& engine) {
+std::size_t agreeingTexts(const std::vector<std::string>& texts, const std::vector<std::string>& engine) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < texts.size(); ++i)
     for (std::size_t k = 0; k < texts[i].size() && texts[i].size() == engine[i].size(); ++k)
@@ -164,7 +164,7 @@ std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::v
   std::size_t most = 0, next = 0;
   for (LabelScale& scale : scalesOf(steps, rising)) {
     if (!fits(scale.texts, shapes)) continue;
-    const std::size_t agreed = agreeing(scale.texts, engine);
+    const std::size_t agreed = agreeingTexts(scale.texts, engine);
     if (best && !scale.sameValues(*best)) next = std::max(next, std::min(agreed, most));
     if (best && agreed <= most) continue;
     if (best && !scale.sameValues(*best)) next = std::max(next, most);

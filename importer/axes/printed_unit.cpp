@@ -287,7 +287,7 @@ void addUnopened(const std::string& t, std::vector<Piece>& out) {
   }
 }
 
-bool isLetter(char c) {
+bool isUnitLetter(char c) {
   return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
@@ -313,8 +313,8 @@ void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   if (name.find(quotes) != std::string_view::npos) return;
   const std::size_t from = lastPartOf(name);
   const std::string_view unit = name.substr(from);
-  const auto letters = std::ranges::count_if(name.substr(0, from), isLetter);
-  if (letters == 0 || unit.empty() || !std::ranges::all_of(unit, isLetter)) return;
+  const auto letters = std::ranges::count_if(name.substr(0, from), isUnitLetter);
+  if (letters == 0 || unit.empty() || !std::ranges::all_of(unit, isUnitLetter)) return;
   if (from > 0 && name[from - 1] == '-' && (unit.size() == 1 || unit == "in")) return;  // "plug-in"
   if (unit.size() > 1 || letters >= fewest) out.push_back({std::string(unit), 0.9});
 }

@@ -121,7 +121,7 @@ Trial countAgreeing(const std::vector<LabelPlace>& labels, const Places& places,
   return trial;
 }
 
-int agreeing(const Trial& t) {
+int agreeingTicks(const Trial& t) {
   return static_cast<int>(std::count_if(t.reading.begin(), t.reading.end(), [](int k) { return k >= 0; }));
 }
 
@@ -144,7 +144,7 @@ std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Plac
           const double perPx = (b.value - a.value) / apart;
           if (rising ? perPx <= 0 : perPx >= 0) continue;
           auto trial = countAgreeing(labels, places, a.value - perPx * places.at[i], perPx);
-          if (agreeing(trial) < 2) continue;
+          if (agreeingTicks(trial) < 2) continue;
           const auto values = agreedValues(labels, trial);
           const double step = commonStep(values);
           if (!(step > 0)) continue;
@@ -167,7 +167,7 @@ void dropStrayReadings(const std::vector<LabelPlace>& labels, Trial& t) {
     const double muchFiner = repaired ? finerIfRepaired : finerAsRead;
     Trial others = t;
     others.reading[i] = -1;
-    if (agreeing(others) < 3) continue;
+    if (agreeingTicks(others) < 3) continue;
     if (exactStep(agreedValues(labels, others)) >= muchFiner * exactStep(agreedValues(labels, t))) t = others;
   }
 }
@@ -311,7 +311,7 @@ std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
   p.perPx = trial->perPx;
   p.reading = trial->reading;
   p.tickOf = places.at;
-  p.labels = agreeing(*trial);
+  p.labels = agreeingTicks(*trial);
   const auto values = agreedValues(labels, *trial);
   p.step = commonStep(values);
   p.substep = p.step;

@@ -297,7 +297,7 @@ std::vector<Box> agreedBoxes(const AxisLabels& labels) {
   return boxes;
 }
 
-Box joined(const std::vector<Box>& boxes) {
+Box joinedBox(const std::vector<Box>& boxes) {
   return std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(),
                          [](const Box& a, const Box& b) { return a.joined(b); });
 }
@@ -340,7 +340,7 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   const Box edge{r.box.x0 - 1, r.box.y0, r.box.x0, r.box.y1};
   const std::vector<Box> read = labels ? agreedBoxes(*labels) : std::vector<Box>{};
   r.setAside(read);
-  const auto title = readYTitle(r, read.empty() ? edge : joined(read));
+  const auto title = readYTitle(r, read.empty() ? edge : joinedBox(read));
   y.title = title.text;
   y.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
@@ -397,7 +397,7 @@ Box labelsIn(const AxisReading& axis, const Homography& toView, const Box& edge,
   for (const TickLabel& tick : axis.ticks)
     if (tick.used && !tick.box.empty()) boxes.push_back(toView.boxOf(tick.box));
   r.setAside(boxes);
-  return boxes.empty() ? edge : joined(boxes);
+  return boxes.empty() ? edge : joinedBox(boxes);
 }
 
 void forget(std::vector<Remark>& remarks, std::initializer_list<RemarkCode> codes) {

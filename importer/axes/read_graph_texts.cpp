@@ -181,7 +181,7 @@ bool isBesideSample(const TextLine& line, const std::vector<Box>& marks, const I
   });
 }
 
-int lettersIn(const std::string& text) {
+int letterCountOfText(const std::string& text) {
   return static_cast<int>(std::count_if(
       text.begin(), text.end(), [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }));
 }
@@ -191,7 +191,7 @@ bool isShortName(const SeenText& seen, bool besideSample) {
   constexpr double sure = 0.6;  // confidence
   const auto digits = std::count_if(seen.utf8.begin(), seen.utf8.end(),
                                     [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
-  const int letters = lettersIn(seen.utf8);
+  const int letters = letterCountOfText(seen.utf8);
   return seen.confidence >= sure && letters > 0 && letters < minLetters &&
          (besideSample || (digits > 0 && digits + letters >= 3));
 }
@@ -299,7 +299,7 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
                     ? reader.readLineCarefully(line.box, TextKind::words)
                     : reader.readLine(line.box, TextKind::words);
     if (!digits.empty()) seen.utf8 = withKnownDigits(seen.utf8, lettersOf(ink, line.box), digits);
-    if (seen.confidence >= minConfidence && lettersIn(seen.utf8) >= minLetters) {
+    if (seen.confidence >= minConfidence && letterCountOfText(seen.utf8) >= minLetters) {
       seen.utf8 = withCyrillicWords(seen.utf8);
       axes.texts.push_back(std::move(seen));
       continue;

@@ -61,7 +61,7 @@ class Comparison {
 };
 
 /// A scale, and how well the labels stand to it in the hand that suits it best.
-struct Judged {
+struct JudgedLabel {
   const LabelScale* scale = nullptr;
   double score = -std::numeric_limits<double>::max();  ///< nats
   double likeness = -1;                                ///< of the least alike label
@@ -77,8 +77,8 @@ double natsOf(double likeness, const Box& word) {
 }
 
 /// Hands of these fonts, lower than the boxes by so much, of all common widths.
-std::vector<Hand> handsOf(double box_px, std::initializer_list<int> fonts,
-                          std::initializer_list<double> lower_px) {
+std::vector<Hand> labelFonts(double box_px, std::initializer_list<int> fonts,
+                             std::initializer_list<double> lower_px) {
   std::vector<Hand> hands;
   for (const int font : fonts)
     for (const double lower : lower_px)
@@ -87,13 +87,13 @@ std::vector<Hand> handsOf(double box_px, std::initializer_list<int> fonts,
   return hands;
 }
 
-void judge(std::vector<Judged>& scales, const Row& row, const std::vector<Hand>& hands) {
+void judge(std::vector<JudgedLabel>& scales, const Row& row, const std::vector<Hand>& hands) {
   for (const Hand& hand : hands) {
     Comparison comparison(row, hand);
-    for (Judged& judged : scales) {
+    for (JudgedLabel& judged : scales) {
       const std::vector<std::string>& texts = judged.scale->texts;
       if (!comparison.fits(texts)) continue;
-      Judged now{judged.scale, judged.scale->prior, 1};
+      JudgedLabel now{judged.scale, judged.scale->prior, 1};
       for (std::size_t i = 0; i < texts.size(); ++i) {
         const double like = comparison.likeness(i, texts[i]);
         now.likeness = std::min(now.likeness, like);
@@ -105,9 +105,10 @@ void judge(std::vector<Judged>& scales, const Row& row, const std::vector<Hand>&
 }
 
 /// The likeliest few, likeliest first.
-void keepBest(std::vector<Judged>& scales, std::size_t few) {
-  std::erase_if(scales, [](const Judged& j) { return j.likeness < 0; });
-  std::sort(scales.begin(), scales.end(), [](const Judged& a, const Judged& b) { return a.score > b.score; });
+void keepBest(std::vector<JudgedLabel>& scales, std::size_t few) {
+  std::erase_if(scales, [](const JudgedLabel& j) { return j.likeness < 0; });
+  std::sort(scales.begin(), scales.end(),
+            [](const JudgedLabel& a, const JudgedLabel& b) { return a.score > b.score; });
   if (scales.size() > few) scales.resize(few);
 }
 
@@ -129,15 +130,15 @@ std::optional<SmallLabels> readSmallLabels(const cv::Mat& darkness, const std::v
   const Row row{patches, words};
   const double height = medianOf(heights);
   const std::vector<LabelScale> scales = scalesOf(steps, rising);
-  std::vector<Judged> judged;
+  std::vector<JudgedLabel> judged;
   for (const LabelScale& scale : scales) judged.push_back({&scale});
-  judge(judged, row, handsOf(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.6}));
+  judge(judged, row, labelFonts(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.6}));
   keepBest(judged, 24);
-  judge(judged, row, handsOf(height, {cv::FONT_HERSHEY_SIMPLEX, cv::FONT_HERSHEY_COMPLEX}, {0, 0.6, 1.2}));
+  judge(judged, row, labelFonts(height, {cv::FONT_HERSHEY_SIMPLEX, cv::FONT_HERSHEY_COMPLEX}, {0, 0.6, 1.2}));
   keepBest(judged, judged.size());
   if (judged.empty() || judged.front().likeness < leastLike) return {};
-  const Judged& best = judged.front();
-  const bool alone = std::none_of(judged.begin(), judged.end(), [&](const Judged& other) {
+  const JudgedLabel& best = judged.front();
+  const bool alone = std::none_of(judged.begin(), judged.end(), [&](const JudgedLabel& other) {
     return other.score > best.score - leastMargin && !other.scale->sameValues(*best.scale);
   });
   if (!alone) return {};

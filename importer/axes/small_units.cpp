@@ -26,7 +26,7 @@ constexpr std::array units{Unit{"mm"},       Unit{"cm"},  Unit{"in"}, Unit{"inch
                            Unit{"mV"},       Unit{"A"},   Unit{"mA"}};
 
 /// Of the unit in brackets of either kind, in the hand that suits it best.
-double likenessOf(const Unit& unit, const cv::Mat& patch, double height, std::vector<DrawnText>& hands) {
+double unitLikeness(const Unit& unit, const cv::Mat& patch, double height, std::vector<DrawnText>& hands) {
   constexpr double blank =
       0.75;  // of a line's height, between the bracket and what ends the line: dust, a full stop
   double best = -1;
@@ -37,8 +37,9 @@ double likenessOf(const Unit& unit, const cv::Mat& patch, double height, std::ve
 }
 
 /// Hands of these fonts whose digits, lower than brackets, are so high and wide, in shares of the line's height.
-std::vector<DrawnText> handsOf(double height, std::initializer_list<int> fonts,
-                               std::initializer_list<double> digits, std::initializer_list<double> advances) {
+std::vector<DrawnText> unitFonts(double height, std::initializer_list<int> fonts,
+                                 std::initializer_list<double> digits,
+                                 std::initializer_list<double> advances) {
   std::vector<DrawnText> hands;
   for (const int font : fonts)
     for (const double digit : digits)
@@ -47,22 +48,22 @@ std::vector<DrawnText> handsOf(double height, std::initializer_list<int> fonts,
   return hands;
 }
 
-struct Judged {
+struct JudgedUnit {
   const Unit* unit = nullptr;
   double likeness = -1;
 };
 
 /// The units that two common hands leave in the running; none where nothing like a unit in brackets stands there.
-std::vector<Judged> likelyUnits(const cv::Mat& patch, double height) {
+std::vector<JudgedUnit> likelyUnits(const cv::Mat& patch, double height) {
   constexpr double leastLike = 0.4, behind = 0.2;  // correlations: of a unit at all, and below the best
-  std::vector<DrawnText> common = handsOf(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.71, 0.83}, {0.82});
-  std::vector<Judged> likely;
+  std::vector<DrawnText> common = unitFonts(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.71, 0.83}, {0.82});
+  std::vector<JudgedUnit> likely;
   double best = leastLike;
   for (const Unit& unit : units) {
-    likely.push_back({&unit, likenessOf(unit, patch, height, common)});
+    likely.push_back({&unit, unitLikeness(unit, patch, height, common)});
     best = std::max(best, likely.back().likeness);
   }
-  std::erase_if(likely, [&](const Judged& j) { return j.likeness < best - behind; });
+  std::erase_if(likely, [&](const JudgedUnit& j) { return j.likeness < best - behind; });
   return likely;
 }
 
@@ -79,14 +80,14 @@ std::optional<std::string> bracketedUnit(const cv::Mat& darkness, const Box& lin
     end.x0 = line.x1 - std::min(width, longest * height);
   const cv::Mat patch = finePatch(darkness, end, quarterTurns);
   if (patch.empty()) return {};
-  std::vector<Judged> likely = likelyUnits(patch, height);
+  std::vector<JudgedUnit> likely = likelyUnits(patch, height);
   if (likely.empty()) return {};
-  std::vector<DrawnText> hands = handsOf(height, {cv::FONT_HERSHEY_SIMPLEX, cv::FONT_HERSHEY_COMPLEX},
-                                         {0.68, 0.75, 0.83, 0.9}, {0.76, 0.88});
-  for (Judged& each : likely) each.likeness = likenessOf(*each.unit, patch, height, hands);
-  const auto best = std::ranges::max_element(likely, {}, &Judged::likeness);
+  std::vector<DrawnText> hands = unitFonts(height, {cv::FONT_HERSHEY_SIMPLEX, cv::FONT_HERSHEY_COMPLEX},
+                                           {0.68, 0.75, 0.83, 0.9}, {0.76, 0.88});
+  for (JudgedUnit& each : likely) each.likeness = unitLikeness(*each.unit, patch, height, hands);
+  const auto best = std::ranges::max_element(likely, {}, &JudgedUnit::likeness);
   const auto rivals =
-      std::ranges::count_if(likely, [&](const Judged& j) { return j.likeness > best->likeness - ahead; });
+      std::ranges::count_if(likely, [&](const JudgedUnit& j) { return j.likeness > best->likeness - ahead; });
   if (best->likeness < leastLike || rivals > 1) return {};
   return best->unit->ascii;
 }

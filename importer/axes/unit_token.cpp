@@ -126,8 +126,8 @@ double leastSure(const std::string& text) {
 }
 
 /// Tries the line's last letters as a unit; `letters` in their order.
-std::optional<UnitToken> unitIn(TextReader& reader, const std::vector<Box>& letters, double height,
-                                int quarterTurns, double angle_deg) {
+std::optional<UnitToken> unitTokenIn(TextReader& reader, const std::vector<Box>& letters, double height,
+                                     int quarterTurns, double angle_deg) {
   constexpr std::size_t tries = 3;
   std::size_t tried = 0;
   bool behindMark = false;
@@ -152,12 +152,12 @@ std::optional<UnitToken> unitAtEnd(TextReader& reader, std::vector<Box> blobs, i
   if (letters.empty()) return {};
   double height = 0;
   for (const Box& b : letters) height = std::max(height, b.height());
-  if (auto unit = unitIn(reader, letters, height, quarterTurns, angle_deg)) return unit;
+  if (auto unit = unitTokenIn(reader, letters, height, quarterTurns, angle_deg)) return unit;
   // An arrow may stand behind the title.
   const Box& last = letters.back();
   if (letters.size() < 2 || last.width() < 1.1 * last.height() || last.height() > 0.7 * height) return {};
   letters.pop_back();
-  return unitIn(reader, letters, height, quarterTurns, angle_deg);
+  return unitTokenIn(reader, letters, height, quarterTurns, angle_deg);
 }
 
 }  // namespace detent::importer

@@ -52,7 +52,7 @@ ChoiceSettings choiceSettings(const FitOptions& options) {
 }
 
 /// With fewer points than one cubic has parameters they are joined by straight pieces.
-constexpr std::size_t fewestPoints = 5;
+constexpr std::size_t fewestStrokePoints = 5;
 
 KnotChain joined(const std::vector<SigmaPoint>& points) {
   KnotChain chain;
@@ -209,7 +209,7 @@ Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke str
   const StrokeSamples& samples = *prepared;
 
   ChosenChain fit;
-  if (samples.points.size() < fewestPoints) {
+  if (samples.points.size() < fewestStrokePoints) {
     fit.chain = joined(samples.points);
     fit.outcome = FitOutcome::tooFewPoints;
   } else {

@@ -10,7 +10,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t fewestPoints = 14;
+constexpr std::size_t fewestMisfitPoints = 14;
 constexpr int chainParameters =
     5;  // parameters of the window: a knot's place, and half of what its two pieces share with others
 
@@ -175,7 +175,7 @@ TactileMisfit tactileMisfit(const KnotChain& chain, const std::vector<SigmaPoint
                             const ChainKnot& at, double sign, double correlationPoints) {
   Window window = windowAround(points, at, sign);
   const auto count = static_cast<std::size_t>(window.t.size());
-  if (count < fewestPoints) return {};
+  if (count < fewestMisfitPoints) return {};
   const Eigen::VectorXd own = chainHeights(chain, at, sign, window);
   std::vector<LocalModel> models{{0, 0, squaresOf(window.v - own, window.weight), chainParameters}};
   for (const int degree : {4, 5, 6})

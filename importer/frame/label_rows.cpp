@@ -40,7 +40,7 @@ int atLines(const std::vector<double>& places, const std::vector<double>& lines,
 
 /// Returns true for up to six characters of legible height; lower marks are remains of ticks. Letters of
 /// small pictures are low too.
-bool couldBeNumber(const Box& word, double frameHeight_px) {
+bool couldBeRowNumber(const Box& word, double frameHeight_px) {
   constexpr double lowest_px = 4.5, lowestOfFrame = 0.025;  // height of a digit, px and of the frame's height
   return word.height() >= std::min(lowest_px, lowestOfFrame * frameHeight_px) &&
          word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
@@ -68,7 +68,7 @@ bool allInStep(const LabelRow& row) {
 LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   std::vector<Box> band;
   for (const auto& w : words)
-    if (couldBeNumber(w, r.height()) && w.middle().x >= r.x0 - 0.1 * r.width() &&
+    if (couldBeRowNumber(w, r.height()) && w.middle().x >= r.x0 - 0.1 * r.width() &&
         w.middle().x <= r.x1 + 0.1 * r.width() && w.y0 >= r.y1 - 0.02 * r.height() &&
         w.y1 <= r.y1 + 0.3 * r.height() && w.y0 <= r.y1 + farthest(w) + 0.03 * r.height() &&
         w.height() <= 0.12 * r.height() + 6)
@@ -94,9 +94,10 @@ LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vec
 LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   std::vector<Box> band;
   for (const auto& w : words)
-    if (couldBeNumber(w, r.height()) && w.x1 <= r.x0 + 0.02 * r.width() && w.x0 >= r.x0 - 0.35 * r.width() &&
-        w.middle().y >= r.y0 - 0.12 * r.height() && w.middle().y <= r.y1 + 0.06 * r.height() &&
-        w.x1 >= r.x0 - farthest(w) - 0.03 * r.width() && w.height() <= 0.12 * r.height() + 6)
+    if (couldBeRowNumber(w, r.height()) && w.x1 <= r.x0 + 0.02 * r.width() &&
+        w.x0 >= r.x0 - 0.35 * r.width() && w.middle().y >= r.y0 - 0.12 * r.height() &&
+        w.middle().y <= r.y1 + 0.06 * r.height() && w.x1 >= r.x0 - farthest(w) - 0.03 * r.width() &&
+        w.height() <= 0.12 * r.height() + 6)
       band.push_back(w);
   LabelRow best;
   for (const auto& seed : band) {
@@ -143,7 +144,7 @@ LabelRow labelsUpwards(const std::vector<Box>& words, const Box& r, const std::v
   LabelRow best;
   for (const auto& seed : words) {
     const Box lying{0, 0, seed.height(), seed.width()};
-    if (!couldBeNumber(lying, r.height()) || seed.x1 > r.x0 ||
+    if (!couldBeRowNumber(lying, r.height()) || seed.x1 > r.x0 ||
         seed.x1 < r.x0 - farthest(lying) - 0.03 * r.width())
       continue;
     std::vector<Box> digits;

@@ -18,7 +18,7 @@ double middleX(const Box& b) { return 0.5 * (b.x0 + b.x1); }
 double middleY(const Box& b) { return 0.5 * (b.y0 + b.y1); }
 
 /// Returns true for up to five characters of legible height.
-bool couldBeNumber(const Box& word) {
+bool couldBePlotNumber(const Box& word) {
   return word.height() >= 5 && word.width() <= 4.5 * word.height() && word.height() <= 3.5 * word.width();
 }
 
@@ -162,7 +162,7 @@ std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_
   const double largest = 0.12 * std::min(ink.cols, ink.rows);
   const std::vector<Box> glyphs = glyphBoxes(ink, 2, largest);
   auto words = numberBoxes(glyphs);
-  std::erase_if(words, [](const Box& w) { return !couldBeNumber(w); });
+  std::erase_if(words, [](const Box& w) { return !couldBePlotNumber(w); });
   if (words.size() > mostWords) return {};
   const auto rows = allSeries(
       words,

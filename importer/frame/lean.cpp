@@ -14,8 +14,8 @@ namespace {
 constexpr double farthest_deg = 15, least_deg = 0.4;
 constexpr double coarse_deg = 0.25, fine_deg = 0.02;
 constexpr double standsOut = 1.5;  // times the score without tilt; a curve's slope does not reach it
-constexpr int largestSide_px = 1400;
-constexpr int minContrast = 12;  // grey levels of a line above both sides
+constexpr int leanLargestSide_px = 1400;
+constexpr int leanMinContrast = 12;  // grey levels of a line above both sides
 
 /// Crests of nearly horizontal lines, as (along, across).
 std::vector<cv::Point> levelCrests(const cv::Mat& darkness) {
@@ -25,7 +25,7 @@ std::vector<cv::Point> levelCrests(const cv::Mat& darkness) {
                *below = darkness.ptr<std::uint8_t>(y + 1), *farAbove = darkness.ptr<std::uint8_t>(y - 3),
                *farBelow = darkness.ptr<std::uint8_t>(y + 3);
     for (int x = 0; x < darkness.cols; ++x)
-      if (c[x] - std::max(farAbove[x], farBelow[x]) >= minContrast && c[x] >= above[x] && c[x] > below[x])
+      if (c[x] - std::max(farAbove[x], farBelow[x]) >= leanMinContrast && c[x] >= above[x] && c[x] > below[x])
         crests.emplace_back(x, y);
   }
   return crests;
@@ -72,7 +72,7 @@ class Directions {
 double leanOf(const cv::Mat& darkness) {
   if (darkness.rows < 32 || darkness.cols < 32) return 0;
   cv::Mat plane = darkness;
-  while (std::max(plane.cols, plane.rows) > largestSide_px) {
+  while (std::max(plane.cols, plane.rows) > leanLargestSide_px) {
     cv::Mat half;
     cv::resize(plane, half, {plane.cols / 2, plane.rows / 2}, 0, 0, cv::INTER_AREA);
     plane = half;

@@ -18,7 +18,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr int largestSide_px = 1400;
+constexpr int photoLargestSide_px = 1400;
 constexpr double detectorScale = 0.5;     // at full scale noise breaks long edges
 constexpr double shortest_share = 0.035;  // share of the larger side; letters are shorter
 constexpr double farthestLean_deg = 32;   // tilt and rotation together
@@ -136,7 +136,7 @@ double foreshortening(const Homography& levelToPage, const Page& page) {
 std::optional<Homography> photographedSheet(const Page& page) {
   if (page.unit != PageUnit::pixel || page.overview.width_px < 64 || page.overview.height_px < 64) return {};
   cv::Mat grey = luminanceOf(page.overview);
-  const double shrink = std::max(1.0, double(std::max(grey.cols, grey.rows)) / largestSide_px);
+  const double shrink = std::max(1.0, double(std::max(grey.cols, grey.rows)) / photoLargestSide_px);
   if (shrink > 1) cv::resize(grey, grey, {}, 1 / shrink, 1 / shrink, cv::INTER_AREA);
   const Segments segments = segmentsOf(grey);
   const auto level = vanishingPoint(segments.level), plumb = vanishingPoint(segments.plumb);

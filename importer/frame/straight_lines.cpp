@@ -12,7 +12,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr int minContrast =
+constexpr int lineMinContrast =
     8;  // grey levels; JPEG ripple is below, the lightest grids of plotting programs above
 constexpr double maxSlope = 0.052;  // 3°; sheets with more tilt are photographs
 constexpr double maxResidual_px = 0.75;
@@ -31,7 +31,7 @@ cv::Mat horizontalCrests(const cv::Mat& darkness) {
     auto* out = crests.ptr<std::uint8_t>(y);
     for (int x = 0; x < darkness.cols; ++x) {
       const int rise = c[x] - std::max(farAbove[x], farBelow[x]);
-      out[x] = static_cast<std::uint8_t>(3 * rise >= minContrast && c[x] >= above[x] && c[x] > below[x]);
+      out[x] = static_cast<std::uint8_t>(3 * rise >= lineMinContrast && c[x] >= above[x] && c[x] > below[x]);
     }
   }
   return crests;
@@ -173,7 +173,7 @@ void centreOnInk(const cv::Mat& d, StraightLine& line) {
       mass += v;
       moment += v * dy;
     }
-    if (mass >= minContrast) offsets.push_back(y + moment / mass - at);
+    if (mass >= lineMinContrast) offsets.push_back(y + moment / mass - at);
   }
   if (offsets.size() < samples / 3) return;
   const double middle = medianOf(std::move(offsets));

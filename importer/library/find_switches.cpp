@@ -58,8 +58,9 @@ Result<std::vector<Ranked>> rankedByFeel(const LibraryStore& store, const FeelDi
 }
 
 /// The rows themselves: by number, then by name.
-Result<std::vector<std::pair<LibrarySwitch, double>>> rowsOf(const LibraryStore& store,
-                                                             std::vector<Ranked> ranked, std::size_t limit) {
+Result<std::vector<std::pair<LibrarySwitch, double>>> distanceRows(const LibraryStore& store,
+                                                                   std::vector<Ranked> ranked,
+                                                                   std::size_t limit) {
   ranked = nearestOf(std::move(ranked), limit);
   std::vector<SwitchId> ids;
   for (const Ranked& each : ranked) ids.push_back(each.id);
@@ -80,7 +81,7 @@ Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindReq
   std::vector<Ranked> ranked;
   for (const auto& [id, figures] : *all)
     if (const auto miss = missOf(figures, request.ranges)) ranked.push_back({id, *miss});
-  auto rows = rowsOf(store, std::move(ranked), request.limit);
+  auto rows = distanceRows(store, std::move(ranked), request.limit);
   if (!rows) return rows.failure();
   std::vector<NearMiss> nearest;
   for (auto& [entry, miss] : *rows) nearest.push_back({std::move(entry), miss});
@@ -105,7 +106,7 @@ Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRe
     for (const SwitchId id : *ids) ranked.push_back({id, double(ranked.size())});
     fitting = ranked.size();
   }
-  auto rows = rowsOf(store, std::move(ranked), request.limit);
+  auto rows = distanceRows(store, std::move(ranked), request.limit);
   if (!rows) return rows.failure();
   std::vector<FoundSwitch> found;
   for (auto& [entry, by] : *rows)

@@ -165,7 +165,7 @@ struct Said {
 };
 
 /// The mean of the models by their evidence (Akaike's, corrected for few samples); their errors hold what they differ by.
-std::optional<LocalPlace> meanOf(const std::vector<Said>& all, const Columns& columns) {
+std::optional<LocalPlace> meanPlace(const std::vector<Said>& all, const Columns& columns) {
   if (all.empty()) return {};
   const auto n = static_cast<double>(columns.t.size());
   const auto score = [&](const Said& each) {
@@ -318,13 +318,13 @@ std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign) {
   std::vector<Said> all;
   for (int degree = 2; degree <= 6; ++degree) add(all, extremumOf(columns, {degree}, sign));
   using Joint = Shape::Joint;
-  const auto rough = meanOf(all, columns);
+  const auto rough = meanPlace(all, columns);
   const double joint = rough ? std::clamp(columns.at(rough->displacement_mm), -0.7, 0.7) : 0;
   for (int degree = 2; degree <= 4; ++degree)
     add(all, extremumOf(columns, {degree, Joint::level, 0, 0, joint}, sign));
   for (int degree = 2; degree <= 3; ++degree)
     add(all, extremumOf(columns, {degree, Joint::bent, 2, degree, joint}, sign));
-  return meanOf(all, columns);
+  return meanPlace(all, columns);
 }
 
 std::optional<LocalPlace> cornerIn(const LocalWindow& window, double near_mm) {
@@ -335,7 +335,7 @@ std::optional<LocalPlace> cornerIn(const LocalWindow& window, double near_mm) {
   for (int below = 1; below <= 3; ++below)
     for (int wall = 1; wall <= 3; ++wall)
       add(all, cornerOf(columns, {below, Shape::Joint::bent, 1, wall, joint}));
-  return meanOf(all, columns);
+  return meanPlace(all, columns);
 }
 
 std::optional<LocalPlace> forceAt(const LocalWindow& window, double displacement_mm) {
@@ -344,7 +344,7 @@ std::optional<LocalPlace> forceAt(const LocalWindow& window, double displacement
   std::vector<Said> all;
   for (int degree = 0; degree <= 4; ++degree)
     add(all, forceBy(columns, {degree}, columns.at(displacement_mm)));
-  return meanOf(all, columns);
+  return meanPlace(all, columns);
 }
 
 std::optional<LocalPlace> beginningOf(const LocalWindow& window) {
@@ -355,7 +355,7 @@ std::optional<LocalPlace> beginningOf(const LocalWindow& window) {
   for (int degree = 0; degree <= 1; ++degree)
     for (int rise = 1; rise <= 3; ++rise)
       add(all, forceBy(columns, {degree, Shape::Joint::bent, 1, rise, 0.5}, -1));
-  return meanOf(all, columns);
+  return meanPlace(all, columns);
 }
 
 }  // namespace detent::importer

@@ -58,7 +58,7 @@ std::optional<std::size_t> columnOf(const Cells& headings, std::string_view name
 }
 
 /// Letters, figures and whatever is not ASCII make words; "switch" says nothing.
-std::set<std::string> wordsOf(const std::string& name) {
+std::set<std::string> ratingWords(const std::string& name) {
   std::set<std::string> words;
   std::string word;
   for (const char c : lowered(name) + " ") {
@@ -79,11 +79,11 @@ std::string keyOf(const std::set<std::string>& words) {
 
 /// The sets of words that mean this switch.
 std::set<std::string> keysOf(const Rating& rating) {
-  const std::set<std::string> own = wordsOf(rating.name);
+  const std::set<std::string> own = ratingWords(rating.name);
   std::set<std::string> keys{keyOf(own)};
   std::string makers = rating.maker + "/";
   for (std::size_t slash = makers.find('/'); slash != std::string::npos; slash = makers.find('/')) {
-    const std::set<std::string> maker = wordsOf(makers.substr(0, slash));
+    const std::set<std::string> maker = ratingWords(makers.substr(0, slash));
     makers.erase(0, slash + 1);
     std::set<std::string> with = own, without;
     with.insert(maker.begin(), maker.end());
@@ -136,7 +136,7 @@ RatingsByName::RatingsByName(const std::vector<Rating>& all) {
 }
 
 std::vector<Rating> RatingsByName::of(const std::string& switchName) const {
-  const auto at = byWords_.find(keyOf(wordsOf(switchName)));
+  const auto at = byWords_.find(keyOf(ratingWords(switchName)));
   if (at == byWords_.end()) return {};
   std::vector<Rating> most;
   for (const Rating& each : at->second) {

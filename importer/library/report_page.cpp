@@ -105,7 +105,7 @@ std::string plotOf(const Axes& axes, const std::string& curves, const std::strin
          caption + "</figcaption></figure>\n";
 }
 
-std::string nameOf(const LibrarySwitch& entry) {
+std::string switchTitle(const LibrarySwitch& entry) {
   return escapedForMarkup(entry.name + (entry.unit.empty() ? "" : ", unit " + entry.unit) +
                           (entry.run.empty() ? "" : ", run " + entry.run));
 }
@@ -158,7 +158,7 @@ std::string ratingsOf(const std::vector<Rating>& ratings) {
 
 std::string rowOf(const LibrarySwitch& entry, const SwitchSpread& spread, const std::string& distance,
                   const std::vector<Rating>& ratings) {
-  std::string row = "<tr><td>" + nameOf(entry) + "</td><td>" + distance + "</td>";
+  std::string row = "<tr><td>" + switchTitle(entry) + "</td><td>" + distance + "</td>";
   for (const Column& column : columns()) row += "<td>" + figureOf(entry, spread, column) + "</td>";
   return row + "<td class=\"words\">" +
          escapedForMarkup(entry.credit.empty() ? "credit unknown" : entry.credit) + "; " +
@@ -200,7 +200,7 @@ std::string creditsOf(const LibrarySwitch& like, const std::vector<FoundSwitch>&
 
 std::string reportPage(const LibrarySwitch& like, const std::vector<FoundSwitch>& found,
                        std::size_t fitting) {
-  const std::string name = nameOf(like);
+  const std::string name = switchTitle(like);
   const Axes axes = axesOf(like, found);
   const auto alike = std::ranges::count_if(
       found, [](const FoundSwitch& each) { return each.distance_labNoise.value_or(1) < 1; });
@@ -228,7 +228,7 @@ std::string reportPage(const LibrarySwitch& like, const std::vector<FoundSwitch>
   page += tableOf(like, found) + "<h2>Curves</h2><p>Black: " + name + ".</p><div class=\"plots\">\n";
   for (const FoundSwitch& each : found)
     page += plotOf(axes, curvesOf(axes, each.entry.shape, "other") + curvesOf(axes, like.shape, "own"),
-                   nameOf(each.entry) + format(", %.2f", each.distance_labNoise.value_or(0)));
+                   switchTitle(each.entry) + format(", %.2f", each.distance_labNoise.value_or(0)));
   page += "</div>\n<h2>Credits and licences</h2>\n" + creditsOf(like, found);
   page +=
       "<p>Where none is stated, ask before you pass the measurements on. What is compared: "

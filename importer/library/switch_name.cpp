@@ -23,7 +23,7 @@ bool among(const std::array<std::string_view, count>& words, std::string_view wo
   return std::ranges::find(words, word) != words.end();
 }
 
-std::vector<std::string> wordsOf(std::string_view text) {
+std::vector<std::string> nameWords(std::string_view text) {
   std::vector<std::string> words;
   std::string word;
   for (const char c : text) {
@@ -113,14 +113,14 @@ std::string stemOf(const std::filesystem::path& path) {
 SwitchName switchNameFrom(const std::filesystem::path& path) {
   SwitchName is;
   const std::string stem = stemOf(path);
-  std::vector<std::string> words = wordsOf(lastPart(stem));
+  std::vector<std::string> words = nameWords(lastPart(stem));
   dropFileWords(words);
   is.run = takeMark(words, runWords);
   is.unit = takeMark(words, unitWords);
   dropFileWords(words);
-  const std::vector<std::string> folder = wordsOf(folderPart(stem, path));
+  const std::vector<std::string> folder = nameWords(folderPart(stem, path));
   if (words.empty()) {
-    words = wordsOf(path.parent_path().filename().string());
+    words = nameWords(path.parent_path().filename().string());
     is.unit = is.unit.empty() ? takeMark(words, unitWords) : is.unit;
   }
   if (is.unit.empty()) is.unit = takeUnitOfFolder(words, folder);

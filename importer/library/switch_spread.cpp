@@ -9,13 +9,13 @@
 namespace detent::importer {
 namespace {
 
-double meanOf(const std::vector<double>& values) {
+double meanValue(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 std::optional<double> sdOf(const std::vector<double>& values) {
   if (values.size() < 2) return {};
-  const double mean = meanOf(values);
+  const double mean = meanValue(values);
   double squares = 0;
   for (const double value : values) squares += (value - mean) * (value - mean);
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
@@ -35,7 +35,7 @@ SwitchSpread spreadOf(const std::vector<UnitRecord>& records) {
       std::vector<double> values;
       for (const KeyFigures* figures : all)
         if (const auto& value = (*figures)[name.figure]) values.push_back(*value);
-      if (!values.empty()) means.push_back(meanOf(values));
+      if (!values.empty()) means.push_back(meanValue(values));
       single = std::move(values);
     }
     spread.sd[name.figure] = sdOf(units.size() > 1 ? means : single);

@@ -147,7 +147,7 @@ bool isWordByte(char c) {
 }
 
 /// The words of a name in small letters.
-std::vector<std::string> wordsOf(const std::string& name) {
+std::vector<std::string> projectWords(const std::string& name) {
   std::vector<std::string> words(1);
   for (const char c : lowered(name))
     if (isWordByte(c))
@@ -176,7 +176,7 @@ struct SetName {
 
 SetName understood(const std::string& name) {
   SetName is;
-  for (const std::string& word : wordsOf(name)) {
+  for (const std::string& word : projectWords(name)) {
     const std::optional<Stroke> stroke = strokeOfWord(word);
     if (stroke)
       is.stroke = stroke;

@@ -129,7 +129,7 @@ bool isOfNumbers(const Row& row) {
   return numbers >= leastNumbers && numbers >= texts;
 }
 
-std::string textAt(const Row& row, std::size_t column) {
+std::string cellText(const Row& row, std::size_t column) {
   return column < row.size() ? std::string(trimmed(row[column].text)) : std::string();
 }
 
@@ -137,10 +137,10 @@ std::vector<SheetColumn> headed(const std::vector<Row>& above, std::size_t width
   std::vector<SheetColumn> columns(width);
   std::string title;
   for (std::size_t i = 0; i < width; ++i) {
-    if (above.size() > 1 && !textAt(above[above.size() - 2], i).empty())
-      title = textAt(above[above.size() - 2], i);
+    if (above.size() > 1 && !cellText(above[above.size() - 2], i).empty())
+      title = cellText(above[above.size() - 2], i);
     columns[i].title = title;
-    if (!above.empty()) columns[i].heading = textAt(above.back(), i);
+    if (!above.empty()) columns[i].heading = cellText(above.back(), i);
   }
   return columns;
 }

@@ -10,7 +10,7 @@ namespace {
 
 enum Compression : std::uint32_t { none = 0, runs8 = 1, runs4 = 2, masks = 3, masksAndAlpha = 6 };
 
-using Color = std::array<std::uint8_t, 3>;
+using BmpColor = std::array<std::uint8_t, 3>;
 
 /// Little-endian numbers; what lies outside reads as 0.
 class Bytes {
@@ -30,7 +30,7 @@ struct Layout {
   std::size_t pixelsAt = 0;
   std::uint32_t bits = 0, compression = none;
   bool fromTop = false;
-  std::vector<Color> palette;
+  std::vector<BmpColor> palette;
   std::array<std::uint32_t, 4> mask{};  // red, green, blue, alpha
 };
 
@@ -39,10 +39,10 @@ std::array<std::uint32_t, 4> usualMasks(std::uint32_t bits) {
   return {0xFF0000, 0xFF00, 0xFF, bits == 32 ? 0xFF000000 : 0};
 }
 
-std::vector<Color> paletteOf(const Bytes& in, std::size_t at, std::uint32_t bits, std::uint32_t used,
-                             std::size_t stride) {
+std::vector<BmpColor> paletteOf(const Bytes& in, std::size_t at, std::uint32_t bits, std::uint32_t used,
+                                std::size_t stride) {
   const std::uint32_t all = 1U << bits, count = used == 0 ? all : std::min(used, all);
-  std::vector<Color> palette(all, Color{});
+  std::vector<BmpColor> palette(all, BmpColor{});
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::size_t entry = at + k * stride;
     palette[k] = {static_cast<std::uint8_t>(in.u8(entry + 2)), static_cast<std::uint8_t>(in.u8(entry + 1)),

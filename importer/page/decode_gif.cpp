@@ -13,12 +13,12 @@ namespace detent::importer {
 namespace {
 
 /// What of the file giflib has not read yet.
-struct Unread {
+struct UnreadGif {
   std::span<const unsigned char> bytes;
 };
 
 int readSome(GifFileType* gif, GifByteType* to, int count) {
-  auto& unread = *static_cast<Unread*>(gif->UserData);
+  auto& unread = *static_cast<UnreadGif*>(gif->UserData);
   const std::size_t n = std::min(unread.bytes.size(), static_cast<std::size_t>(std::max(0, count)));
   std::memcpy(to, unread.bytes.data(), n);
   unread.bytes = unread.bytes.subspan(n);
@@ -83,7 +83,7 @@ bool readImage(GifFileType* gif, int transparent, StoredPicture& picture) {
 }  // namespace
 
 std::optional<StoredPicture> decodeGif(std::span<const unsigned char> bytes, int width, int height) {
-  Unread unread{bytes};
+  UnreadGif unread{bytes};
   const Gif gif(DGifOpen(&unread, readSome, nullptr));
   if (!gif || gif->SWidth != width || gif->SHeight != height) return {};
   StoredPicture picture(width, height);

@@ -15,10 +15,10 @@ struct ErrorExit {
   std::jmp_buf back;
 };
 
-[[noreturn]] void failed(j_common_ptr jpeg) {
+[[noreturn]] void jpegFailed(j_common_ptr jpeg) {
   std::longjmp(reinterpret_cast<ErrorExit*>(jpeg->err)->back, 1);
 }
-void ignored(j_common_ptr) {}
+void ignoreJpegMessage(j_common_ptr) {}
 void ignoredLevel(j_common_ptr, int) {}
 
 /// Adobe's way, in which every CMYK JPEG at hand is written: inverted, so that ink and black just multiply.
@@ -46,8 +46,8 @@ std::optional<ColourBlock> sharedColour(const jpeg_decompress_struct& jpeg) {
 }
 
 /// What a jump back must not skip the destructors of stands outside. libjpeg reports by longjmp.
-bool readRows(jpeg_decompress_struct& jpeg, ErrorExit& error, std::span<const unsigned char> bytes,
-              StoredPicture& picture, std::vector<JSAMPLE>& line, std::optional<ColourBlock>& shared) {
+bool readJpegRows(jpeg_decompress_struct& jpeg, ErrorExit& error, std::span<const unsigned char> bytes,
+                  StoredPicture& picture, std::vector<JSAMPLE>& line, std::optional<ColourBlock>& shared) {
   if (setjmp(error.back) != 0) return false;
   jpeg_mem_src(&jpeg, bytes.data(), static_cast<unsigned long>(bytes.size()));
   jpeg_read_header(&jpeg, TRUE);
@@ -77,12 +77,12 @@ std::optional<StoredPicture> decodeJpeg(std::span<const unsigned char> bytes, in
   jpeg_decompress_struct jpeg{};
   ErrorExit error{};
   jpeg.err = jpeg_std_error(&error.manager);
-  error.manager.error_exit = failed;
-  error.manager.output_message = ignored;
+  error.manager.error_exit = jpegFailed;
+  error.manager.output_message = ignoreJpegMessage;
   error.manager.emit_message = ignoredLevel;
   jpeg_create_decompress(&jpeg);
   std::optional<ColourBlock> shared;
-  const bool read = readRows(jpeg, error, bytes, picture, line, shared);
+  const bool read = readJpegRows(jpeg, error, bytes, picture, line, shared);
   jpeg_destroy_decompress(&jpeg);
   if (!read) return {};
   if (shared) colourByBrightness(picture, *shared);

@@ -12,16 +12,16 @@
 namespace detent::importer {
 namespace {
 
-struct Pixel {
+struct PicturePixel {
   std::uint8_t r = 0, g = 0, b = 0, alpha = 255;
 };
 
-Pixel pixelAt(const StoredPicture& picture, int x, int y) {
+PicturePixel pixelAt(const StoredPicture& picture, int x, int y) {
   const std::uint8_t* p = picture.at(x, y);
   return {p[0], p[1], p[2], p[3]};
 }
 
-double luma(const Pixel& p) { return importer::luma(p.r, p.g, p.b); }
+double pixelLuma(const PicturePixel& p) { return importer::luma(p.r, p.g, p.b); }
 
 /// How much of an ink as bright as this vanishes on a background as bright as that, 0..1.
 double vanishing(double ink, double background) {
@@ -53,19 +53,19 @@ bool isGround(const StoredPicture& in, int x, int y, Step outwards, double shade
   constexpr int thick = 12;  // px
   const int nx = x - thick * outwards.dx, ny = y - thick * outwards.dy;
   if (nx < 0 || ny < 0 || nx >= in.width_px || ny >= in.height_px) return false;
-  const Pixel p = pixelAt(in, nx, ny);
-  return p.alpha >= 128 && std::abs(luma(p) - shade) <= kSoftRim;
+  const PicturePixel p = pixelAt(in, nx, ny);
+  return p.alpha >= 128 && std::abs(pixelLuma(p) - shade) <= kSoftRim;
 }
 
 /// The ink that a pixel at a rim belongs to: the shade near it that differs most from its own.
 double inkBehindRim(const StoredPicture& in, int x, int y) {
   constexpr int reach = 2;
-  const double own = luma(pixelAt(in, x, y));
+  const double own = pixelLuma(pixelAt(in, x, y));
   double behind = own;
   for (int ny = std::max(0, y - reach); ny <= std::min(in.height_px - 1, y + reach); ++ny)
     for (int nx = std::max(0, x - reach); nx <= std::min(in.width_px - 1, x + reach); ++nx) {
-      const Pixel p = pixelAt(in, nx, ny);
-      if (p.alpha >= 128 && std::abs(luma(p) - own) > std::abs(behind - own)) behind = luma(p);
+      const PicturePixel p = pixelAt(in, nx, ny);
+      if (p.alpha >= 128 && std::abs(pixelLuma(p) - own) > std::abs(behind - own)) behind = pixelLuma(p);
     }
   return behind;
 }
@@ -77,10 +77,10 @@ std::uint8_t backgroundFor(const StoredPicture& in) {
       std::max(1, static_cast<int>(std::sqrt(static_cast<double>(in.width_px) * in.height_px / 4e6)));
   for (int y = 0; y < in.height_px; y += step)
     for (int x = 0; x < in.width_px; x += step) {
-      const Pixel p = pixelAt(in, x, y);
+      const PicturePixel p = pixelAt(in, x, y);
       const auto outwards = p.alpha < 128 ? std::nullopt : towardsTransparency(in, x, y);
       if (!outwards) continue;
-      const double own = luma(p), behind = inkBehindRim(in, x, y);
+      const double own = pixelLuma(p), behind = inkBehindRim(in, x, y);
       const bool soft = std::abs(own - behind) > kSoftRim, ground = isGround(in, x, y, *outwards, behind);
       if (ground && !soft) continue;  // a plot's edge without a line
       if (soft && !ground) {

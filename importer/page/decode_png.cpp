@@ -10,22 +10,22 @@
 namespace detent::importer {
 namespace {
 
-struct Unread {
+struct UnreadPng {
   std::span<const unsigned char> bytes;
 };
 
-void readBytes(png_structp png, png_bytep to, std::size_t size) {
-  auto& unread = *static_cast<Unread*>(png_get_io_ptr(png));
+void readPngBytes(png_structp png, png_bytep to, std::size_t size) {
+  auto& unread = *static_cast<UnreadPng*>(png_get_io_ptr(png));
   if (size > unread.bytes.size()) png_error(png, "ends early");
   std::memcpy(to, unread.bytes.data(), size);
   unread.bytes = unread.bytes.subspan(size);
 }
 
-[[noreturn]] void failed(png_structp png, png_const_charp) { png_longjmp(png, 1); }
-void ignored(png_structp, png_const_charp) {}
+[[noreturn]] void pngFailed(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+void ignorePngWarning(png_structp, png_const_charp) {}
 
 /// What a jump back must not skip the destructors of stands outside. libpng reports by longjmp.
-bool readRows(png_structp png, png_infop info, StoredPicture& picture, std::vector<png_bytep>& rows) {
+bool readPngRows(png_structp png, png_infop info, StoredPicture& picture, std::vector<png_bytep>& rows) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_read_info(png, info);
   if (png_get_image_width(png, info) != static_cast<png_uint_32>(picture.width_px) ||
@@ -51,14 +51,14 @@ std::optional<StoredPicture> decodePng(std::span<const unsigned char> bytes, int
   StoredPicture picture(width, height);
   std::vector<png_bytep> rows;
   for (int y = 0; y < height; ++y) rows.push_back(picture.row(y));
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, failed, ignored);
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, pngFailed, ignorePngWarning);
   if (png == nullptr) return {};
   png_infop info = png_create_info_struct(png);
-  Unread unread{bytes};
-  png_set_read_fn(png, &unread, readBytes);
+  UnreadPng unread{bytes};
+  png_set_read_fn(png, &unread, readPngBytes);
   png_set_user_limits(png, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height));
   png_set_chunk_malloc_max(png, mostPerChunk);
-  const bool read = info != nullptr && readRows(png, info, picture, rows);
+  const bool read = info != nullptr && readPngRows(png, info, picture, rows);
   png_destroy_read_struct(&png, &info, nullptr);
   if (!read) return {};
   return picture;

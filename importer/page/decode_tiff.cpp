@@ -18,7 +18,7 @@ struct Source {
   std::uint64_t at = 0;
 };
 
-tmsize_t readBytes(thandle_t handle, void* to, tmsize_t size) {
+tmsize_t readTiffBytes(thandle_t handle, void* to, tmsize_t size) {
   auto& source = *static_cast<Source*>(handle);
   if (size <= 0 || source.at >= source.bytes.size()) return 0;
   const std::size_t n =
@@ -122,8 +122,8 @@ std::optional<StoredPicture> decodeTiff(std::span<const unsigned char> bytes, in
                                         std::size_t directoryOffset) {
   silence();
   Source source{bytes, 0};
-  const std::unique_ptr<TIFF, Close> tiff(TIFFClientOpen("picture", "rm", &source, readBytes, writeNothing,
-                                                         seekTo, closeNothing, sizeOf, nullptr, nullptr));
+  const std::unique_ptr<TIFF, Close> tiff(TIFFClientOpen(
+      "picture", "rm", &source, readTiffBytes, writeNothing, seekTo, closeNothing, sizeOf, nullptr, nullptr));
   if (!tiff || TIFFSetSubDirectory(tiff.get(), directoryOffset) == 0) return {};
   StoredPicture picture(width, height);
   if (!readPixels(tiff.get(), picture)) return {};

@@ -25,7 +25,7 @@ struct Drawing {
   fz_pixmap* pixels = nullptr;
 };
 
-void fillText(Drawing& d, fz_matrix place) {
+void drawText(Drawing& d, fz_matrix place) {
   fz_context* const context = d.context;
   fz_device* device = nullptr;
   fz_var(device);
@@ -69,7 +69,7 @@ std::optional<Raster> wordsDrawn(const std::string& utf8, int height_px) {
     const fz_irect whole = fz_irect_from_rect(fz_expand_rect(bounds, 2));
     d.pixels = fz_new_pixmap_with_bbox(context, fz_device_gray(context), whole, nullptr, 0);
     fz_clear_pixmap_with_value(context, d.pixels, 255);
-    fillText(d, fz_identity);
+    drawText(d, fz_identity);
   });
   if (!drawn || d.pixels == nullptr) return {};
   Raster raster;

@@ -21,28 +21,28 @@ constexpr double noPaper =
     1.15;  // times as light is a neighbour that is; light itself changes less from block to block
 constexpr double sheetShare = 0.25;  // of the picture, at least
 
-using Color = std::array<double, 3>;
+using LightColor = std::array<double, 3>;
 
-double brightness(const Color& c) { return luma(c[0], c[1], c[2]); }
+double brightness(const LightColor& c) { return luma(c[0], c[1], c[2]); }
 
 /// Colours of the paper at the middles of square blocks.
 struct Light {
   int block_px = 0, columns = 0, rows = 0;
-  std::vector<Color> colors;
+  std::vector<LightColor> colors;
 
-  Color& at(int column, int row) {
+  LightColor& at(int column, int row) {
     return colors[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                   static_cast<std::size_t>(column)];
   }
-  const Color& near(int column, int row) const {
+  const LightColor& near(int column, int row) const {
     return colors[static_cast<std::size_t>(std::clamp(row, 0, rows - 1)) * static_cast<std::size_t>(columns) +
                   static_cast<std::size_t>(std::clamp(column, 0, columns - 1))];
   }
-  Color between(int x, int y) const {
+  LightColor between(int x, int y) const {
     const double u = (x + 0.5) / block_px - 0.5, v = (y + 0.5) / block_px - 0.5;
     const int column = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
     const double s = u - column, t = v - row;
-    Color mixed;
+    LightColor mixed;
     for (std::size_t c = 0; c < 3; ++c)
       mixed[c] = (1 - t) * ((1 - s) * near(column, row)[c] + s * near(column + 1, row)[c]) +
                  t * ((1 - s) * near(column, row + 1)[c] + s * near(column + 1, row + 1)[c]);
@@ -51,12 +51,12 @@ struct Light {
 };
 
 /// The lighter part of a block: the paper between its lines.
-Color paperOf(const Raster& raster, int x0, int y0, int side_px) {
+LightColor paperOf(const Raster& raster, int x0, int y0, int side_px) {
   std::array<std::vector<std::uint8_t>, 3> values;
   for (int y = y0; y < std::min(y0 + side_px, raster.height_px); ++y)
     for (int x = x0; x < std::min(x0 + side_px, raster.width_px); ++x)
       for (std::size_t c = 0; c < 3; ++c) values[c].push_back(raster.at(x, y)[c]);
-  Color color;
+  LightColor color;
   for (std::size_t c = 0; c < 3; ++c) color[c] = quantileOf(values[c], 0.7);
   return color;
 }
@@ -79,7 +79,7 @@ Light lightest(const Light& light) {
     for (int column = 0; column < light.columns; ++column)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
-          if (const Color& other = light.near(column + dx, row + dy);
+          if (const LightColor& other = light.near(column + dx, row + dy);
               brightness(other) >
               std::max(brightness(out.at(column, row)), noPaper * brightness(light.near(column, row))))
             out.at(column, row) = other;
@@ -90,7 +90,7 @@ Light smooth(const Light& light) {
   Light out = light;
   for (int row = 0; row < light.rows; ++row)
     for (int column = 0; column < light.columns; ++column) {
-      Color sum{};
+      LightColor sum{};
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
           for (std::size_t c = 0; c < 3; ++c) sum[c] += light.near(column + dx, row + dy)[c] / 9;
@@ -101,7 +101,7 @@ Light smooth(const Light& light) {
 
 bool isOnLightPaper(const Light& light) {
   std::vector<double> all;
-  for (const Color& color : light.colors) all.push_back(brightness(color));
+  for (const LightColor& color : light.colors) all.push_back(brightness(color));
   return quantileOf(all, 1 - sheetShare) >= darkest;
 }
 
@@ -115,7 +115,7 @@ Raster evenlyLit(Raster raster) {
   std::uint8_t* pixel = raster.rgb.data();
   for (int y = 0; y < raster.height_px; ++y)
     for (int x = 0; x < raster.width_px; ++x, pixel += 3) {
-      const Color here = light.between(x, y);
+      const LightColor here = light.between(x, y);
       for (std::size_t c = 0; c < 3; ++c)
         pixel[c] = static_cast<std::uint8_t>(
             std::lround(std::min(255.0, pixel[c] * paper / std::max(here[c], 0.5 * darkest))));

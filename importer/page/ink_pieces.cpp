@@ -37,7 +37,7 @@ class Touching {
   std::vector<std::size_t> first_;
 };
 
-Box boxOf(const InkRun& run) {
+Box runBox(const InkRun& run) {
   return {static_cast<double>(run.from), static_cast<double>(run.y), static_cast<double>(run.to),
           run.y + 1.0};
 }
@@ -87,13 +87,13 @@ InkPieces inkPiecesOf(const std::uint8_t* mask, int width, int height, std::size
   for (std::size_t i = 0; i < order.size(); ++i) {
     const InkRun& run = found.runs[order[i]];
     found.runs[order[i]].piece = i;
-    found.all[i].box = boxOf(run);
+    found.all[i].box = runBox(run);
   }
   for (std::size_t k = 0; k < found.runs.size(); ++k) {
     InkRun& run = found.runs[k];
     run.piece = found.runs[sets.firstOf(k)].piece;
     InkPiece& piece = found.all[run.piece];
-    piece.box = piece.box.joined(boxOf(run));
+    piece.box = piece.box.joined(runBox(run));
     piece.area_px += run.to - run.from;
     piece.runsAcross += 1;
     piece.runsDown += openAbove[k];

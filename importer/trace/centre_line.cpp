@@ -13,7 +13,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kStep_px = 0.5;  // along the normal
+constexpr double kNormalStep_px = 0.5;  // along the normal
 // resistance of one round's moves to bending; visible points have weight 1
 constexpr double kStiffness = 0.15;
 // per matching round; the comparison is linear only within this distance
@@ -35,7 +35,7 @@ struct CrossSection {
 CrossSection crossSection(const CurveField& field, Point p, Point normal, double reach) {
   CrossSection s;
   double moment = 0, second = 0, hiddenMoment = 0;
-  for (double t = -reach; t <= reach + 1e-9; t += kStep_px) {
+  for (double t = -reach; t <= reach + 1e-9; t += kNormalStep_px) {
     const double x = p.x + t * normal.x, y = p.y + t * normal.y;
     const double own = static_cast<double>(field.own.sample(x, y));
     const double hidden = static_cast<double>(field.otherCurves.sample(x, y));
@@ -51,9 +51,9 @@ CrossSection crossSection(const CurveField& field, Point p, Point normal, double
     s.spread = second / s.own - s.offset * s.offset;
   }
   if (s.hidden > 1e-6) s.hiddenOffset = hiddenMoment / s.hidden;
-  s.own *= kStep_px;
-  s.hidden *= kStep_px;
-  s.clutter *= kStep_px;
+  s.own *= kNormalStep_px;
+  s.hidden *= kNormalStep_px;
+  s.clutter *= kNormalStep_px;
   return s;
 }
 
@@ -190,14 +190,14 @@ std::vector<double> matchRound(Polyline& line, const CurveField& field, const Li
   const double reach = profile.reach_px() + 1.5;
   const Polyline normals = calmNormalsOf(line, 1.5);
   double fullInformation = 0;
-  for (double t = -reach; t <= reach + 1e-9; t += kStep_px) {
+  for (double t = -reach; t <= reach + 1e-9; t += kNormalStep_px) {
     const double slope = profile.at(std::abs(t - 0.25)) - profile.at(std::abs(t + 0.25));
     fullInformation += 4 * slope * slope;
   }
   std::vector<double> offset(line.size(), 0), weight(line.size(), 0);
   for (std::size_t i = 0; i < line.size(); ++i) {
     double information = 0, agreement = 0, ownArea = 0, drawnArea = 0;
-    for (double t = -reach; t <= reach + 1e-9; t += kStep_px) {
+    for (double t = -reach; t <= reach + 1e-9; t += kNormalStep_px) {
       const double x = line[i].x + t * normals[i].x, y = line[i].y + t * normals[i].y;
       const double own = std::min(1.0, static_cast<double>(field.own.sample(x, y)));
       const double open = 1 - std::min(1.0, static_cast<double>(field.otherCurves.sample(x, y)) +
@@ -215,7 +215,7 @@ std::vector<double> matchRound(Polyline& line, const CurveField& field, const Li
     if (share < 0.08) continue;
     offset[i] = std::clamp(agreement / information, -kLargestMove_px, kLargestMove_px);
     weight[i] = share;
-    const double mismatch = std::abs(ownArea - drawnArea) * kStep_px / profile.width_px;
+    const double mismatch = std::abs(ownArea - drawnArea) * kNormalStep_px / profile.width_px;
     if (mismatch > 0.5) weight[i] *= 0.15;  // a marker, an arrow or a gap, not the line's own shape
   }
   move(line, normals, stiffened(offset, weight, kStiffness));

@@ -16,14 +16,14 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr std::size_t kFewest = 4;   // dashes of a line
-constexpr std::size_t kMost = 1500;  // pieces; more is noise
-constexpr double kShortest = 1.6;    // thicknesses of a line, for a dash
-constexpr double kLongest = 0.12;    // of the area's diagonal
-constexpr double kGapTimes = 2;      // times the shorter dash, plus two pixels
-constexpr double kStraightOn = 0.8;  // cosine between a dash and the direction to the next
-constexpr double kRegularShare = 0.7, kRegularWithin = 0.5,
-                 kRegularWithin_px = 1.5;  // as in withDashesJoined
+constexpr std::size_t kFewestDashes = 4;      // dashes of a line
+constexpr std::size_t kMostInkPieces = 1500;  // pieces; more is noise
+constexpr double kShortest = 1.6;             // thicknesses of a line, for a dash
+constexpr double kLongest = 0.12;             // of the area's diagonal
+constexpr double kGapTimes = 2;               // times the shorter dash, plus two pixels
+constexpr double kStraightOn = 0.8;           // cosine between a dash and the direction to the next
+constexpr double kRegularDashShare = 0.7, kRegularDashWithin = 0.5,
+                 kRegularDashWithin_px = 1.5;  // as in withDashesJoined
 
 /// A straight piece: its two ends, each with the direction out of the piece.
 struct Dash {
@@ -85,9 +85,9 @@ std::vector<std::array<EndOf, 2>> nextOf(const std::vector<Dash>& dashes, const 
 bool even(std::vector<double> lengths) {
   const double usual = medianOf(lengths);
   const auto regular = std::ranges::count_if(lengths, [&](double length) {
-    return std::abs(length - usual) <= std::max(kRegularWithin_px, kRegularWithin * usual);
+    return std::abs(length - usual) <= std::max(kRegularDashWithin_px, kRegularDashWithin * usual);
   });
-  return static_cast<double>(regular) >= kRegularShare * static_cast<double>(lengths.size());
+  return static_cast<double>(regular) >= kRegularDashShare * static_cast<double>(lengths.size());
 }
 
 bool touches(const std::vector<Point>& piece, const cv::Mat& curves) {
@@ -115,7 +115,7 @@ std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& cu
                                            const BareAt& isBare) {
   const double longest_px = kLongest * std::hypot(ink.cols, ink.rows);
   std::vector<std::vector<Point>> pieces = piecesOf(ink), kept;
-  if (pieces.size() > kMost) return {};
+  if (pieces.size() > kMostInkPieces) return {};
   std::vector<Dash> dashes;
   for (std::vector<Point>& piece : pieces)
     if (const auto dash = dashOf(piece, thickness_px, longest_px); dash && !touches(piece, curves)) {
@@ -148,7 +148,7 @@ std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& cu
     seen[start] = 1, members = 1;
     chain = kept[start];
     walk(start, 0), walk(start, 1);
-    if (members >= kFewest && even(lengths)) chains.push_back(std::move(chain));
+    if (members >= kFewestDashes && even(lengths)) chains.push_back(std::move(chain));
   }
   return chains;
 }
@@ -174,7 +174,7 @@ std::vector<Stretch> dashedStretches(const std::vector<Point>& points, double th
       paces.push_back(static_cast<double>(starts[to + 1] - starts[to]));
       ++to;
     }
-    if (paces.size() >= kFewest && even(paces))
+    if (paces.size() >= kFewestDashes && even(paces))
       stretches.push_back({starts[from], ends[to], medianOf(paces)});
     from = to + 1;
   }

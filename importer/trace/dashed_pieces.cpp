@@ -14,10 +14,11 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t fewest = 8, most = 2000;  // pieces of a line; pieces of one colour that are not noise
-constexpr double leastGap = 0.35;               // widths; letters and pieces of a solid line are closer
-constexpr double longestGap = 8;                // widths
-constexpr double onwards = 0.15;                // cosine between a piece's direction and the next gap
+constexpr std::size_t fewestDashPieces = 8,
+                      mostDashPieces = 2000;  // pieces of a line; pieces of one colour that are not noise
+constexpr double leastGap = 0.35;             // widths; letters and pieces of a solid line are closer
+constexpr double longestDashGap = 8;          // widths
+constexpr double onwards = 0.15;              // cosine between a piece's direction and the next gap
 constexpr double shortestOfGaps = 0.4, longestOfGaps = 1.7;  // of the line's usual gap; a bend shortens them
 // share of the gaps, and their deviation from the usual one
 constexpr double evenShare = 0.8, evenWithin = 0.35;
@@ -74,7 +75,7 @@ class DashWalk {
         const double between_px = norm(way);
         const double rims_px = 0.5 * ((isDot(k) ? 1 : 0) + (isDot(from.piece) ? 1 : 0)) * width_px;
         const double free_px = between_px - rims_px;
-        if (free_px < leastGap * width_px || free_px > longestGap * width_px) continue;
+        if (free_px < leastGap * width_px || free_px > longestDashGap * width_px) continue;
         if (usual_px > 0 && (free_px < shortestOfGaps * usual_px || free_px > longestOfGaps * usual_px))
           continue;
         const double straight = norm(ahead) > 0 ? dot(ahead, way) / (norm(ahead) * between_px) : 1;
@@ -109,7 +110,7 @@ class DashWalk {
     std::vector<Met> back;
     if (!isDot(seed)) back = walk({seed, 0}, outOf({seed, 0}), gaps);
     if (isDot(seed) && !forth.empty()) back = walk({seed, 0}, endOf({seed, 0}) - endOf(forth.front()), gaps);
-    if (forth.size() + back.size() + 1 < fewest || !even(gaps)) {
+    if (forth.size() + back.size() + 1 < fewestDashPieces || !even(gaps)) {
       taken_[seed] = 0;
       for (const auto* way : {&forth, &back})
         for (const Met& each : *way) taken_[each.piece] = 0;
@@ -197,7 +198,7 @@ std::optional<DashPiece> dashOfOutline(const std::vector<Point>& outline, double
 }
 
 std::vector<DashedLine> dashedLines(const std::vector<DashPiece>& pieces) {
-  if (pieces.size() < fewest || pieces.size() > most) return {};
+  if (pieces.size() < fewestDashPieces || pieces.size() > mostDashPieces) return {};
   return DashWalk(pieces).all();
 }
 

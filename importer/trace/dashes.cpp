@@ -16,11 +16,12 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kInked = 0.25;                   // coverage
-constexpr std::size_t kFewest = 8, kMost = 1500;  // pieces of a dashed line, and of a line that is not noise
-constexpr double kLargestShare = 0.25;            // of the coverage, in one dash
-constexpr double kDustShare = 0.2;                // of the usual dash's area
-constexpr double kLongestGap = 2.5;               // in usual gaps; one dash may be hidden
+constexpr double kInkedDash = 0.25;  // coverage
+constexpr std::size_t kFewestPieces = 8,
+                      kMostPieces = 1500;  // pieces of a dashed line, and of a line that is not noise
+constexpr double kLargestShare = 0.25;     // of the coverage, in one dash
+constexpr double kDustShare = 0.2;         // of the usual dash's area
+constexpr double kLongestGap = 2.5;        // in usual gaps; one dash may be hidden
 // Share of gaps within 0.4 (or 1.5 px) of the usual one: of dashes at least 0.81, of coloured rims of letters
 // at most 0.32.
 constexpr double kRegularShare = 0.75, kRegularWithin = 0.4, kRegularWithin_px = 1.5;
@@ -37,8 +38,8 @@ struct Gap {
   double length_px = std::numeric_limits<double>::max();
 };
 
-std::vector<Piece> piecesOf(const Plane& own) {
-  const cv::Mat inked = matOf(own) > kInked;
+std::vector<Piece> dashPieces(const Plane& own) {
+  const cv::Mat inked = matOf(own) > kInkedDash;
   const InkPieces found = inkPiecesOf(inked.data, inked.cols, inked.rows, inked.step);
   std::vector<Piece> pieces(found.all.size());
   constexpr std::array<Point, 8> outward{
@@ -57,7 +58,7 @@ std::vector<Piece> piecesOf(const Plane& own) {
 
 /// Returns true if the pieces are dashes; removes dust from them.
 bool keepDashes(std::vector<Piece>& pieces) {
-  if (pieces.size() < kFewest || pieces.size() > kMost) return false;
+  if (pieces.size() < kFewestPieces || pieces.size() > kMostPieces) return false;
   std::vector<double> areas;
   double all_px = 0;
   for (const Piece& piece : pieces) {
@@ -67,7 +68,7 @@ bool keepDashes(std::vector<Piece>& pieces) {
   if (*std::ranges::max_element(areas) > kLargestShare * all_px) return false;
   const double dust_px = kDustShare * medianOf(areas);
   std::erase_if(pieces, [&](const Piece& piece) { return piece.area_px < dust_px; });
-  return pieces.size() >= kFewest;
+  return pieces.size() >= kFewestPieces;
 }
 
 Gap gapBetween(const Piece& a, const Piece& b) {
@@ -97,7 +98,7 @@ std::vector<Gap> shortestTree(const std::vector<Piece>& pieces) {
   return tree;
 }
 
-void fill(Plane& plane, const Gap& gap) {
+void fillDash(Plane& plane, const Gap& gap) {
   const int steps = std::max(1, static_cast<int>(std::ceil(2 * gap.length_px)));
   for (int i = 0; i <= steps; ++i) {
     const Point p = gap.from + (static_cast<double>(i) / steps) * (gap.to - gap.from);
@@ -108,7 +109,7 @@ void fill(Plane& plane, const Gap& gap) {
 }  // namespace
 
 std::optional<Plane> withDashesJoined(const Plane& own) {
-  std::vector<Piece> pieces = piecesOf(own);
+  std::vector<Piece> pieces = dashPieces(own);
   if (!keepDashes(pieces)) return {};
   const std::vector<Gap> gaps = shortestTree(pieces);
   std::vector<double> lengths;
@@ -120,7 +121,7 @@ std::optional<Plane> withDashesJoined(const Plane& own) {
   if (static_cast<double>(regular) < kRegularShare * static_cast<double>(gaps.size())) return {};
   Plane joined = own;
   for (const Gap& gap : gaps)
-    if (gap.length_px <= kLongestGap * usual_px) fill(joined, gap);
+    if (gap.length_px <= kLongestGap * usual_px) fillDash(joined, gap);
   return joined;
 }
 

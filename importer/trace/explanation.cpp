@@ -26,9 +26,9 @@ namespace {
 
 using namespace trace;
 
-constexpr float kInked = 0.5F;      // coverage
-constexpr double kBeside_px = 1.5;  // allowed error of a line's edge
-constexpr int kJoined_px = 2;       // pieces closer than this are joined
+constexpr float kInkedLine = 0.5F;      // coverage
+constexpr double kBesideLine_px = 1.5;  // allowed error of a line's edge
+constexpr int kJoined_px = 2;           // pieces closer than this are joined
 constexpr std::size_t kMostPoints = 400;
 
 /// One traced curve on the area.
@@ -49,7 +49,7 @@ void draw(cv::Mat& mask, const std::vector<Point>& points, double thickness_px) 
     cv::line(mask, whole(points[i - 1]), whole(points[i]), cv::Scalar(255), width);
 }
 
-void fill(cv::Mat& mask, const Box& box, double grown_px) {
+void fillExplained(cv::Mat& mask, const Box& box, double grown_px) {
   const Box b = box.grown(grown_px, grown_px);
   const cv::Rect whole(static_cast<int>(b.x0), static_cast<int>(b.y0), static_cast<int>(b.width()) + 1,
                        static_cast<int>(b.height()) + 1);
@@ -88,14 +88,14 @@ class ExplainedPlot {
   /// 255 where a curve runs, with its drawn width.
   cv::Mat curves() const {
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
-    for (const Drawn& each : drawn_) draw(mask, each.points, each.thickness_px + 2 * kBeside_px);
+    for (const Drawn& each : drawn_) draw(mask, each.points, each.thickness_px + 2 * kBesideLine_px);
     return mask;
   }
 
   /// 255 where curves, words, masks and the plot's own lines explain what is drawn.
   cv::Mat explained() const {
     cv::Mat mask = curves();
-    for (const Box& word : area_.words) fill(mask, word, 2);
+    for (const Box& word : area_.words) fillExplained(mask, word, 2);
     const Mask& letters = scene_.lettering().mask;
     for (std::size_t i = 0; i < letters.size(); ++i)
       if (letters[i] || (!area_.masked.empty() && area_.masked[i])) mask.data[i] = 255;
@@ -138,7 +138,7 @@ class ExplainedPlot {
     if (!ink.distinct()) return mask;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kInked) mask.at<std::uint8_t>(y, x) = 255;
+        if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kInkedLine) mask.at<std::uint8_t>(y, x) = 255;
     for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
     for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
     for (const PixelAt p : dottedLines(ink, scene_)) mask.at<std::uint8_t>(p.y, p.x) = 0;

@@ -31,7 +31,7 @@ enum Stage : int { headUp, headDown, body, tailUp, tailDown };
 constexpr int kStages = 5;
 
 /// How a state of the search was reached.
-enum class Step : std::uint8_t { start, alongX, fromBefore, fromOtherBefore, up, down };
+enum class ColumnStep : std::uint8_t { start, alongX, fromBefore, fromOtherBefore, up, down };
 
 /// Largest value within two pixels; at the plane's rim only along it.
 float largestNear(const Plane& plane, int x, int y) {
@@ -103,14 +103,14 @@ class CurveSearch {
   }
   std::size_t rows() const { return static_cast<std::size_t>(y1_ - y0_ + 1); }
   /// The steps into a column's rows.
-  Step* stepsAt(int x, int stage) {
+  ColumnStep* stepsAt(int x, int stage) {
     return steps_.data() +
            (static_cast<std::size_t>(x - x0_) * kStages + static_cast<std::size_t>(stage)) * rows();
   }
 
   void sweep() {
     const std::size_t n = rows();
-    steps_.assign(static_cast<std::size_t>(x1_ - x0_ + 1) * kStages * n, Step::start);
+    steps_.assign(static_cast<std::size_t>(x1_ - x0_ + 1) * kStages * n, ColumnStep::start);
     for (auto& values : value_) values.assign(n, -1e9F);
     for (auto* column : {&ink_, &cost_, &gain_, &rise_}) column->resize(n);
     for (int x = x0_; x <= x1_; ++x) {
@@ -143,28 +143,28 @@ class CurveSearch {
     float *inBody = value_[body].data(), *inUp = value_[headUp].data(), *inDown = value_[headDown].data();
     for (const int stage : {tailUp, tailDown}) {
       float* value = value_[static_cast<std::size_t>(stage)].data();
-      Step* step = stepsAt(x, stage);
+      ColumnStep* step = stepsAt(x, stage);
       for (std::size_t r = 0; r < n; ++r) {
         const float along = value[r] - kWallColumn;
-        step[r] = along > inBody[r] ? Step::alongX : Step::fromBefore;
+        step[r] = along > inBody[r] ? ColumnStep::alongX : ColumnStep::fromBefore;
         value[r] = std::max(along, inBody[r]) + gain[r];
       }
     }
-    Step* step = stepsAt(x, body);
+    ColumnStep* step = stepsAt(x, body);
     for (std::size_t r = 0; r < n; ++r) {
       const float on = std::max(0.0F, inBody[r]), orUp = std::max(on, inUp[r]);
-      step[r] = inDown[r] > orUp   ? Step::fromOtherBefore
-                : inUp[r] > on     ? Step::fromBefore
-                : inBody[r] > 0.0F ? Step::alongX
-                                   : Step::start;
+      step[r] = inDown[r] > orUp   ? ColumnStep::fromOtherBefore
+                : inUp[r] > on     ? ColumnStep::fromBefore
+                : inBody[r] > 0.0F ? ColumnStep::alongX
+                                   : ColumnStep::start;
       inBody[r] = std::max(orUp, inDown[r]) + gain[r];
     }
     for (const int stage : {headUp, headDown}) {
       float* value = value_[static_cast<std::size_t>(stage)].data();
-      Step* into = stepsAt(x, stage);
+      ColumnStep* into = stepsAt(x, stage);
       for (std::size_t r = 0; r < n; ++r) {
         const float along = value[r] - kWallColumn;
-        into[r] = along > 0 ? Step::alongX : Step::start;
+        into[r] = along > 0 ? ColumnStep::alongX : ColumnStep::start;
         value[r] = std::max(along, 0.0F) + gain[r];
       }
     }
@@ -172,7 +172,7 @@ class CurveSearch {
 
   void runAlongColumn(int x, int stage, bool up, const std::vector<float>& price) {
     float* value = value_[static_cast<std::size_t>(stage)].data();
-    Step* step = stepsAt(x, stage);
+    ColumnStep* step = stepsAt(x, stage);
     const auto n = static_cast<std::ptrdiff_t>(rows()), next = std::ptrdiff_t{up ? -1 : 1};
     float carried = value[up ? n - 1 : 0];
     for (std::ptrdiff_t r = (up ? n - 1 : 0) + next; r >= 0 && r < n; r += next) {
@@ -180,7 +180,7 @@ class CurveSearch {
       carried = value[r];
       if (arrived <= carried) continue;
       value[r] = carried = arrived;
-      step[r] = up ? Step::up : Step::down;
+      step[r] = up ? ColumnStep::up : ColumnStep::down;
     }
   }
 
@@ -198,19 +198,19 @@ class CurveSearch {
       ink += share;
       inColumn = std::max(inColumn, share);
       visible += std::max(share, static_cast<double>(visibleAt(x, y)));
-      const Step step = stepsAt(x, stage)[row];
-      if (step != Step::up && step != Step::down) {
+      const ColumnStep step = stepsAt(x, stage)[row];
+      if (step != ColumnStep::up && step != ColumnStep::down) {
         curve.inkColumns_px += inColumn;
         inColumn = 0;
       }
-      if (step == Step::start) break;
-      if (step == Step::up) {
+      if (step == ColumnStep::start) break;
+      if (step == ColumnStep::up) {
         ++row;
-      } else if (step == Step::down) {
+      } else if (step == ColumnStep::down) {
         --row;
       } else {
-        if (step == Step::fromBefore) stage = stage == body ? headUp : body;
-        if (step == Step::fromOtherBefore) stage = headDown;
+        if (step == ColumnStep::fromBefore) stage = stage == body ? headUp : body;
+        if (step == ColumnStep::fromOtherBefore) stage = headDown;
         --x;
       }
     }
@@ -230,7 +230,7 @@ class CurveSearch {
   std::array<std::vector<float>, kStages> value_;
   std::vector<float> ink_, cost_, gain_, rise_;  ///< of the column's rows
   std::vector<std::size_t> gaining_;             ///< rows of the column
-  std::vector<Step> steps_;                      ///< column by column, in it stage by stage
+  std::vector<ColumnStep> steps_;                ///< column by column, in it stage by stage
   float bestGain_ = 0;
   int endX_ = 0, endStage_ = body;
   std::size_t endRow_ = 0;

@@ -25,7 +25,7 @@ double distance(Color3 a, Color3 b) { return norm(a - b); }
 
 Point mix(Point a, Point b, double t) { return a + t * (b - a); }
 
-std::vector<Point> withoutRepeats(const std::vector<Point>& points) {
+std::vector<Point> withoutRepeatedPoints(const std::vector<Point>& points) {
   std::vector<Point> out;
   for (const Point& p : points)
     if (std::isfinite(p.x) && std::isfinite(p.y) && (out.empty() || distance(out.back(), p) > 1e-6))
@@ -192,7 +192,7 @@ double centred(const Band& band, const std::vector<double>& ink, std::size_t row
 
 std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& drawn_px,
                                const DrawnOptions& options) {
-  const std::vector<Point> drawn = withoutRepeats(drawn_px);
+  const std::vector<Point> drawn = withoutRepeatedPoints(drawn_px);
   if (drawn.size() < 2) return {};
   std::vector<Point> line = smoothLine(drawn, options.spacing_px);
   if (raster.empty()) return line;

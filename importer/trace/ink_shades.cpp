@@ -16,8 +16,8 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr float kMost = 0.8F;         // of the colour's strength, for a paler line
-constexpr float kMaxCoverage = 1.2F;  // coverage, as in unmix
+constexpr float kMostStrength = 0.8F;      // of the colour's strength, for a paler line
+constexpr float kMaxShadeCoverage = 1.2F;  // coverage, as in unmix
 
 cv::Mat square(int reach_px) {
   return cv::getStructuringElement(cv::MORPH_RECT, {2 * reach_px + 1, 2 * reach_px + 1});
@@ -77,7 +77,7 @@ float ridgeLevel(const Plane& plane) {
 
 void clearStrongLines(Plane& plane) {
   cv::Mat values = matOf(plane);
-  values.setTo(0, linesReaching(values, kMost));
+  values.setTo(0, linesReaching(values, kMostStrength));
 }
 
 std::optional<Ink> palerShade(const PlotScene& scene, const Ink& ink, const Plane& coverage,
@@ -138,7 +138,7 @@ void partShades(std::vector<Plane>& coverage, const std::vector<Ink>& inks) {
       const cv::Mat ofStrong = linesReaching(both, 0.5F * (1 + paler));
       strong.setTo(0), pale.setTo(0);
       both.copyTo(strong, ofStrong);
-      cv::Mat rest = cv::min(both / paler, static_cast<double>(kMaxCoverage));
+      cv::Mat rest = cv::min(both / paler, static_cast<double>(kMaxShadeCoverage));
       rest.copyTo(pale, ~ofStrong);
     }
 }

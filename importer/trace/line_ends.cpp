@@ -8,7 +8,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kStep_px = 0.5;
+constexpr double kEndStep_px = 0.5;
 
 /// Unit direction of the line at its last point, from the last few pixels.
 Point directionAtEnd(const std::vector<Point>& points, double over_px) {
@@ -27,13 +27,13 @@ double inkBeyondEnd(const std::vector<Point>& points, Point direction, const Lin
   const double level = std::min(1.0, profile.width_px / profile.blur_px);
   const Point normal{-direction.y, direction.x};
   double inked = 0;
-  for (double t = -reach; t <= reach; t += kStep_px) {
+  for (double t = -reach; t <= reach; t += kEndStep_px) {
     double across = 0;
     for (double n : {-0.25, 0.0, 0.25}) {
       const Point p = points.back() + t * direction + (n * profile.width_px) * normal;
       across = std::max(across, static_cast<double>(field.own.sample(p.x, p.y)));
     }
-    inked += std::min(1.0, across / level) * kStep_px;
+    inked += std::min(1.0, across / level) * kEndStep_px;
     if (across < 0.1 * level && t > 0) break;
   }
   return inked - reach;

@@ -19,7 +19,7 @@ double sharedTravel(const std::vector<Point>& a, const std::vector<Point>& b) {
 }
 
 /// Linear ramp: 0 at `bad`, 1 at `good`.
-double ramp(double value, double bad, double good) {
+double confidenceRamp(double value, double bad, double good) {
   return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
 }
 
@@ -111,8 +111,8 @@ double meanTrust(const RefinedStroke& stroke) {
 }  // namespace
 
 double LoopEvidence::confidence() const {
-  return ramp(onInk, 0.75, 0.95) * ramp(explained, 0.25, 0.6) * (0.3 + 0.7 * ramp(fit, 0.15, 0.5)) *
-         steadiness * reach * thinness * together;
+  return confidenceRamp(onInk, 0.75, 0.95) * confidenceRamp(explained, 0.25, 0.6) *
+         (0.3 + 0.7 * confidenceRamp(fit, 0.15, 0.5)) * steadiness * reach * thinness * together;
 }
 
 LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,
@@ -129,16 +129,16 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
                    }));
   e.explained = shareExplained(pair, structure, plane);
   e.fit = both ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);
-  e.steadiness = worse([&](const std::vector<Point>& p) { return 1 - ramp(turning(p), 18, 45); });
+  e.steadiness = worse([&](const std::vector<Point>& p) { return 1 - confidenceRamp(turning(p), 18, 45); });
   const auto reachOf = [&](const std::vector<Point>& p) {
-    return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.15, 0.55);
+    return confidenceRamp((p.back().x - p.front().x) / plane.frame.width(), 0.15, 0.55);
   };
   e.reach = pair.locked ? reachOf(pair.press) : worse(reachOf);
   const double side_px = std::min(plane.frame.width(), plane.frame.height()) * plane.scale;
   const double width_px =
       both ? std::max(refined.press.width_px, refined.release.width_px) : refined.press.width_px;
-  e.thinness = 1 - ramp(width_px / side_px, 0.025, 0.035);
-  e.together = both && !pair.locked ? ramp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
+  e.thinness = 1 - confidenceRamp(width_px / side_px, 0.025, 0.035);
+  e.together = both && !pair.locked ? confidenceRamp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
   return e;
 }
 

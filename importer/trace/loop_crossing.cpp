@@ -16,7 +16,7 @@ namespace detent::importer::trace {
 namespace {
 
 /// First and last point of a stretch where both lines touch.
-struct Contact {
+struct CrossingContact {
   std::size_t upperFrom = 0, upperTo = 0, lowerFrom = 0, lowerTo = 0;
 };
 
@@ -33,9 +33,9 @@ std::optional<std::size_t> nearestWithin(const std::vector<Point>& line, std::si
   return nearest;
 }
 
-std::vector<Contact> contactsOf(const std::vector<Point>& upper, const std::vector<Point>& lower,
-                                double reach_px) {
-  std::vector<Contact> contacts;
+std::vector<CrossingContact> crossingContacts(const std::vector<Point>& upper,
+                                              const std::vector<Point>& lower, double reach_px) {
+  std::vector<CrossingContact> contacts;
   std::size_t lowest = 0;
   for (std::size_t i = 0; i < upper.size(); ++i) {
     while (lowest < lower.size() && lower[lowest].x < upper[i].x - reach_px) ++lowest;
@@ -43,7 +43,7 @@ std::vector<Contact> contactsOf(const std::vector<Point>& upper, const std::vect
     if (!j) continue;
     const bool goesOn = !contacts.empty() && static_cast<double>(i - contacts.back().upperTo) <= reach_px;
     if (!goesOn) contacts.push_back({i, i, *j, *j});
-    Contact& last = contacts.back();
+    CrossingContact& last = contacts.back();
     last.upperTo = i;
     last.lowerFrom = std::min(last.lowerFrom, *j);
     last.lowerTo = std::max(last.lowerTo, *j);
@@ -68,20 +68,20 @@ Arm armOf(const std::vector<Point>& line, std::size_t from, std::size_t to, bool
           towardsEnd ? line[from] : line[to - 1]};
 }
 
-constexpr std::size_t kFewest = 4;  // points of an arm
-constexpr double kStretched = 0.6;  // of its length, between the ends of an arm
+constexpr std::size_t kFewestArmPoints = 4;  // points of an arm
+constexpr double kStretched = 0.6;           // of its length, between the ends of an arm
 
 std::optional<Arm> armBefore(const std::vector<Point>& line, std::size_t at, double arm_px) {
   std::size_t from = at;
   for (double run = 0; from > 0 && run < arm_px; --from) run += distance(line[from], line[from - 1]);
-  if (at - from < kFewest || distance(line[from], line[at]) < kStretched * arm_px) return {};
+  if (at - from < kFewestArmPoints || distance(line[from], line[at]) < kStretched * arm_px) return {};
   return armOf(line, from, at, false);
 }
 
 std::optional<Arm> armBehind(const std::vector<Point>& line, std::size_t at, double arm_px) {
   std::size_t to = at;
   for (double run = 0; to + 1 < line.size() && run < arm_px; ++to) run += distance(line[to], line[to + 1]);
-  if (to - at < kFewest || distance(line[to], line[at]) < kStretched * arm_px) return {};
+  if (to - at < kFewestArmPoints || distance(line[to], line[at]) < kStretched * arm_px) return {};
   return armOf(line, at + 1, to + 1, true);
 }
 
@@ -104,7 +104,7 @@ double shiftOf(const Arm& before, const Arm& behind) {
   return std::min(before.beside_px(behind.atContact), behind.beside_px(before.atContact));
 }
 
-std::optional<Meeting> meetingAt(const Contact& c, const std::vector<Point>& upper,
+std::optional<Meeting> meetingAt(const CrossingContact& c, const std::vector<Point>& upper,
                                  const std::vector<Point>& lower, double arm_px) {
   const auto upperIn = armBefore(upper, c.upperFrom, arm_px), upperOut = armBehind(upper, c.upperTo, arm_px);
   const auto lowerIn = armBefore(lower, c.lowerFrom, arm_px), lowerOut = armBehind(lower, c.lowerTo, arm_px);
@@ -137,8 +137,9 @@ bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower
                    mostShift = 1;                        // and in widths; adjacent steep strokes have more
   constexpr double leastContact = 1, leastApart = 2;     // in widths; touching tips have less
   constexpr double bandWidths = 1.3, bandBeyond_px = 1;  // closer lines are one band
-  const std::vector<Contact> contacts = contactsOf(upper, lower, bandWidths * width_px + bandBeyond_px);
-  return std::ranges::any_of(contacts, [&](const Contact& contact) {
+  const std::vector<CrossingContact> contacts =
+      crossingContacts(upper, lower, bandWidths * width_px + bandBeyond_px);
+  return std::ranges::any_of(contacts, [&](const CrossingContact& contact) {
     return std::ranges::any_of(kLooks, [&](const Look& look) {
       const auto m = meetingAt(contact, upper, lower, look.arm * size_px);
       return m && m->turn_deg >= look.leastTurn_deg && m->through_deg <= straightThrough * m->turn_deg &&

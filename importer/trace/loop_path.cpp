@@ -17,12 +17,12 @@ constexpr float kNever = 0.5F * kUnreached;  ///< at or below: no path leads her
 
 enum From : std::uint8_t { kStart, kMove, kTurnFromLower, kTurnFromHigher, kAsArrived, kRun };
 
-struct Step {
+struct GridStep {
   int dx, dy;  ///< dy in raster coordinates, down is positive
 };
 
 /// Ordered by angle from straight down to straight up.
-constexpr std::array<Step, kDirections> kSteps{
+constexpr std::array<GridStep, kDirections> kSteps{
     {{0, 1},  {1, 5},  {1, 3},  {1, 2},  {2, 3},  {1, 1},  {3, 2},  {2, 1},  {3, 1},  {5, 1}, {1, 0},
      {5, -1}, {3, -1}, {2, -1}, {3, -2}, {1, -1}, {2, -3}, {1, -2}, {1, -3}, {1, -5}, {0, -1}}};
 
@@ -31,7 +31,7 @@ constexpr std::array<Step, kDirections> kSteps{
 constexpr float kSteepFall = 1.3F;
 
 struct Moves {
-  std::array<std::array<Step, 5>, kDirections>
+  std::array<std::array<GridStep, 5>, kDirections>
       pixels{};  ///< passed pixels as offsets back from the step's end, end first
   std::array<int, kDirections> count{};
   std::array<float, kDirections> weight{};  ///< path length per pixel passed
@@ -40,7 +40,7 @@ struct Moves {
 
   Moves() {
     for (std::size_t d = 0; d < kDirections; ++d) {
-      const Step s = kSteps[d];
+      const GridStep s = kSteps[d];
       const int n = std::max(s.dx, std::abs(s.dy));
       count[d] = n;
       weight[d] = static_cast<float>(std::hypot(s.dx, s.dy) / n);
@@ -50,7 +50,7 @@ struct Moves {
                                                   static_cast<int>(std::lround(double(s.dy) * i / n))};
       }
       if (d + 1 < kDirections) {
-        const Step next = kSteps[d + 1];
+        const GridStep next = kSteps[d + 1];
         turn[d] = static_cast<float>(std::atan2(-next.dy, next.dx) - std::atan2(-s.dy, s.dx));
       }
     }
@@ -126,7 +126,7 @@ void LiftedSearch::arrive(const Plane& reward, const PathLimits& limits, int nod
   for (std::size_t d = 0; d < kDirections; ++d) {
     score[d] = mayStart ? 0.0F : kUnreached;
     from[d] = kStart;
-    const Step s = kSteps[d];
+    const GridStep s = kSteps[d];
     if (s.dx == 0) continue;
     const int before = indexAt(p.x - s.dx, p.y - s.dy);
     if (before < 0) continue;

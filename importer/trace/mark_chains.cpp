@@ -12,10 +12,10 @@ namespace detent::importer::trace {
 namespace {
 
 constexpr double kLeast_px = 4, kMostShare = 0.05;  // a marker's size; of the picture's smaller side
-constexpr double kAlike = 0.4;                      // of the first one's size
+constexpr double kAlikeMarks = 0.4;                 // of the first one's size
 constexpr double kReach = 5;                        // sizes, from one to the next
 constexpr double kFlattest = 1;                     // sideways for each step upwards
-constexpr std::size_t kFewest = 4;
+constexpr std::size_t kFewestMarks = 4;
 
 struct Mark {
   Point at;
@@ -53,7 +53,8 @@ auto nextAbove(const std::vector<Mark>& marks, Point from, double size_px) {
   for (auto mark = marks.begin(); mark != marks.end(); ++mark) {
     const Point way = mark->at - from;
     const bool isUp = way.y < -0.25 * size_px && std::abs(way.x) <= -kFlattest * way.y;
-    if (!isUp || std::abs(mark->size_px - size_px) > kAlike * size_px || norm(way) >= nearest_px) continue;
+    if (!isUp || std::abs(mark->size_px - size_px) > kAlikeMarks * size_px || norm(way) >= nearest_px)
+      continue;
     nearest_px = norm(way);
     best = mark;
   }
@@ -69,7 +70,7 @@ std::vector<int> chainFrom(Point end, const std::vector<Mark>& marks, const Mark
     labels.push_back(next->label);
     at = next->at;
   }
-  return labels.size() >= kFewest ? labels : std::vector<int>{};
+  return labels.size() >= kFewestMarks ? labels : std::vector<int>{};
 }
 
 std::vector<Point> pixelsOf(const std::vector<int>& chain, const cv::Mat& labels) {

@@ -29,7 +29,7 @@ constexpr double stopsWhereLineGoesOn = 0.3;  // of an end at which a join would
 constexpr double widthDoubling = 0.05;        // of a join of lines of which one is twice as wide
 constexpr double surelyGoesOn = 0.24;         // cost of a join below which the line continues
 
-constexpr double longestGap = 0.03;         // of the diagonal
+constexpr double longestNetworkGap = 0.03;  // of the diagonal
 constexpr double longestBreak = 0.08;       // of the diagonal, between two lines
 constexpr double timesTheBreak = 2;         // each line is at least this many times as long
 constexpr double nearlyTouching = 0.004;    // of the diagonal; closer ends have no direction of the gap
@@ -238,7 +238,7 @@ void PieceNetwork::bridgeLooseEnds(double reach, MayMeet mayMeet) {
 
 void PieceNetwork::bridgeGaps() {
   // Dashes drawn one by one, and lines that stop before a text.
-  bridgeLooseEnds(longestGap, [](std::size_t, std::size_t, double) { return true; });
+  bridgeLooseEnds(longestNetworkGap, [](std::size_t, std::size_t, double) { return true; });
   // Broken lines: both parts are much longer than the gap.
   const auto isLong = [&](std::size_t piece, double gap_px) {
     return !pieces_[piece].small && !pieces_[piece].axisParallel &&

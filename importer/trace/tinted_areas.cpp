@@ -11,20 +11,20 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr int kAlike = 20;        // levels per channel between neighbours in one area, after compression
-constexpr float kTint = 8;        // colour levels from the paper; less is paper
-constexpr float kInkTimes = 1.5;  // times an area's contrast; lines have more
-constexpr float kBeside_px = 8;   // from an area's even pixels; farther lines are not drawn on it
-constexpr int kSeam_px = 3;       // half the width of the seam between an area and the paper, at most
+constexpr int kAlikeTint = 20;       // levels per channel between neighbours in one area, after compression
+constexpr float kTint = 8;           // colour levels from the paper; less is paper
+constexpr float kInkTimes = 1.5;     // times an area's contrast; lines have more
+constexpr float kBesideTint_px = 8;  // from an area's even pixels; farther lines are not drawn on it
+constexpr int kSeam_px = 3;          // half the width of the seam between an area and the paper, at most
 
-cv::Mat square(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
+cv::Mat squaredColor(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
 
 /// 255 where a pixel and its neighbours have the same colour.
 cv::Mat evenPixels(const cv::Mat& rgb) {
   cv::Mat high, low, even;
-  cv::dilate(rgb, high, square(3));
-  cv::erode(rgb, low, square(3));
-  cv::inRange(high - low, cv::Scalar::all(0), cv::Scalar::all(kAlike), even);
+  cv::dilate(rgb, high, squaredColor(3));
+  cv::erode(rgb, low, squaredColor(3));
+  cv::inRange(high - low, cv::Scalar::all(0), cv::Scalar::all(kAlikeTint), even);
   return even;
 }
 
@@ -112,7 +112,7 @@ class TintedAreas {
     const int side_px = std::min(rgb_.rows, rgb_.cols);
     const int width_px = std::max(leastWidth_px, static_cast<int>(leastWidth * side_px));
     cv::Mat wide, labels, stats, centroids;
-    cv::morphologyEx(even_ & (contrast_ > kTint), wide, cv::MORPH_OPEN, square(width_px - 2));
+    cv::morphologyEx(even_ & (contrast_ > kTint), wide, cv::MORPH_OPEN, squaredColor(width_px - 2));
     const int count = cv::connectedComponentsWithStats(wide, labels, stats, centroids, 4, CV_32S);
     cv::Mat areas(rgb_.size(), CV_8U, cv::Scalar(0));
     for (int i = 1; i < count; ++i) {
@@ -146,7 +146,7 @@ class TintedAreas {
         ((box + cv::Size(2 * beside_px, 2 * beside_px)) - cv::Point(beside_px, beside_px)) &
         cv::Rect({0, 0}, rgb_.size());
     cv::Mat near;
-    cv::dilate(area(around), near, square(2 * beside_px + 1));
+    cv::dilate(area(around), near, squaredColor(2 * beside_px + 1));
     int inked = 0;
     for (int y = 0; y < near.rows; ++y)
       for (int x = 0; x < near.cols; ++x)
@@ -181,11 +181,11 @@ class TintedAreas {
     for (int y = 0; y < rgb_.rows; ++y)
       for (int x = 0; x < rgb_.cols; ++x)
         if (isInk(colorAt(before, x, y), tintAt(x, y))) inked.at<std::uint8_t>(y, x) = 255;
-    cv::dilate(inked, inked, square(2 * kSeam_px - 1));
+    cv::dilate(inked, inked, squaredColor(2 * kSeam_px - 1));
     for (int y = 0; y < rgb_.rows; ++y)
       for (int x = 0; x < rgb_.cols; ++x) {
         const float away_px = tinted.away_px(x, y), fromPaper_px = paper.away_px(x, y);
-        if (away_px > kBeside_px) continue;
+        if (away_px > kBesideTint_px) continue;
         const Color3 pixel = colorAt(before, x, y), tint = tintAt(x, y);
         const bool seam = !inked.at<std::uint8_t>(y, x) && std::max(away_px, fromPaper_px) <= kSeam_px;
         if (seam && isRim(pixel, tint))

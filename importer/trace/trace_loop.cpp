@@ -68,7 +68,7 @@ std::vector<Box> letteringOn(const WorkPlane& plane, const std::vector<Box>& wor
 }
 
 /// Points of a refined stroke at the requested spacing, with its width, in the order travelled.
-CurveTrace traceOf(const RefinedStroke& stroke, Stroke which, const PlotArea& area, double spacing_px) {
+CurveTrace loopTrace(const RefinedStroke& stroke, Stroke which, const PlotArea& area, double spacing_px) {
   CurveTrace trace;
   double since = spacing_px;
   Point before;
@@ -143,9 +143,9 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink
   if (showsAnother(pair, plane) || comesFromFarther(refined, pair.wallsCut) || strokesCross(refined, plane))
     return severalLoopsFailure(color);
 
-  std::vector<CurveTrace> traces{traceOf(refined.press, Stroke::press, area, options.pointSpacing_px)};
+  std::vector<CurveTrace> traces{loopTrace(refined.press, Stroke::press, area, options.pointSpacing_px)};
   if (!refined.release.points.empty())
-    traces.push_back(traceOf(refined.release, Stroke::release, area, options.pointSpacing_px));
+    traces.push_back(loopTrace(refined.release, Stroke::release, area, options.pointSpacing_px));
   for (CurveTrace& trace : traces) {
     trace.color = color;
     trace.confidence = confidence;

@@ -35,7 +35,7 @@ struct StyledStroke {
 constexpr std::size_t strokesOfOneInk = 2;
 
 /// Common share of the travel that either covers. Parts of one stroke lie side by side.
-double sharedTravel(const FoundStroke& a, const FoundStroke& b) {
+double sharedPathTravel(const FoundStroke& a, const FoundStroke& b) {
   const double either = std::max(a.to, b.to) - std::min(a.from, b.from);
   return (std::min(a.to, b.to) - std::max(a.from, b.from)) / either;
 }
@@ -79,7 +79,7 @@ bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& pl
 
 /// Returns true if a line that covers less of the plot than strokes do ends where the press does, like the
 /// release of a latching key. Leaders are straight, or have two or three points.
-bool leadsBackFrom(const FoundStroke& press, const FoundStroke& other, const PlotPlane& plane) {
+bool pathLeadsBackFrom(const FoundStroke& press, const FoundStroke& other, const PlotPlane& plane) {
   constexpr double together = 0.02;  // of the plot's width
   constexpr std::size_t measuredPoints = 8;
   constexpr double straightChord = 0.9995;  // of the length
@@ -113,7 +113,7 @@ StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, co
                     });
   }
   if (lines.size() == 2)
-    found.inDoubt = found.inDoubt || sharedTravel(lines[0], lines[1]) < leastShared ||
+    found.inDoubt = found.inDoubt || sharedPathTravel(lines[0], lines[1]) < leastShared ||
                     areUnpaired(lines[0], lines[1], plane);
   constexpr double shortCover = 0.12;  // of the plot's width, as in pictures
   if (lines.empty()) found.shortOne = network.nextStroke(shortCover);
@@ -267,7 +267,7 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
   });
   if (strokes.size() == 1) {
     std::erase_if(shortOnes, [&](const StyledStroke& each) {
-      return !leadsBackFrom(strokes.front().stroke, each.stroke, plane);
+      return !pathLeadsBackFrom(strokes.front().stroke, each.stroke, plane);
     });
     std::ranges::move(shortOnes, std::back_inserter(strokes));
   }

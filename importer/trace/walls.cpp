@@ -16,7 +16,7 @@ constexpr double kLeastOfCurve = 0.6;  // of the curve's thickness, for a row of
 constexpr double kMostOfCurve = 1.7;   // of the curve's thickness; bars and shaded areas are thicker
 constexpr double kLean_px = 0.75;      // between the halves of a bottom-out; more lean is none
 constexpr double kMuch_px = 0.4;  // more pixels than the plot's own line has, whatever the curve's thickness
-constexpr double kMuch = 0.35;    // the same as a share of the curve's thickness, at least
+constexpr double kMuchOfThickness = 0.35;  // the same as a share of the curve's thickness, at least
 constexpr double kLittle_px =
     0.3;  // more pixels than that line has, where all rows and the curve's thickness agree
 constexpr double kThinRows =
@@ -42,7 +42,7 @@ struct Curve {
   Point end() const { return points.back(); }
 };
 
-Curve curveOf(const CurveTrace& trace, const PlotArea& area) {
+Curve wallCurve(const CurveTrace& trace, const PlotArea& area) {
   Curve curve;
   curve.color = trace.color;
   for (const Point& p : trace.points_px) curve.points.push_back(area.fromView(p));
@@ -98,7 +98,7 @@ Thickness lineBelow(const PlumbLane& lane, double foot, double own_px, const Box
 /// all rows agree, because two adjacent thin lines look like a thicker one.
 bool standsOut(const Thickness& above, const Thickness& line, double curve_px) {
   const double more_px = above.usual - line.usual;
-  if (more_px >= std::max(kMuch_px, kMuch * curve_px)) return true;
+  if (more_px >= std::max(kMuch_px, kMuchOfThickness * curve_px)) return true;
   return std::min(more_px, curve_px - line.usual) >= kLittle_px && above.thin > line.thick;
 }
 
@@ -221,7 +221,7 @@ void addLostWalls(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   std::vector<Curve> curves;
   for (const CurveTrace& trace : traces) {
     if (trace.points_px.size() < 2) return;
-    curves.push_back(curveOf(trace, area));
+    curves.push_back(wallCurve(trace, area));
   }
   std::vector<std::optional<Wall>> walls(traces.size());
   measureThickness(curves, scene);

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/file/staged_text.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include "model/file/c_file.h"
 
 namespace detent {
 namespace {
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-std::string systemReason() { return std::strerror(errno); }
-
 std::string writeAll(const std::filesystem::path& path, std::string_view text) {
   errno = 0;
-  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "wbx"));
+  CFile file(std::fopen(path.c_str(), "wbx"));
   if (!file) return systemReason();
   const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
   const bool flushed = std::fflush(file.get()) == 0 && std::ferror(file.get()) == 0;

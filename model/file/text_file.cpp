@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/file/text_file.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 
+#include "model/file/c_file.h"
 #include "model/file/staged_text.h"
 
 namespace detent {
@@ -14,15 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 Failure unreadable(const std::string& path, Message problem, Remedies remedies) {
   return {FailureCode::unreadableInput, path, "", std::move(problem), std::move(remedies)};
 }
-
-std::string systemReason() { return std::strerror(errno); }
 
 }  // namespace
 
@@ -35,7 +26,7 @@ Result<std::string> readTextFile(const std::string& path) {
     return unreadable(path, "is larger than " + std::to_string(maxTextFileBytes >> 20) + " MiB",
                       "Give a button file or a CSV of one force graph");
   errno = 0;
-  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+  const CFile file(std::fopen(path.c_str(), "rb"));
   if (!file) return unreadable(path, "cannot be opened: " + systemReason(), "Check its permissions");
   std::string text;
   char buffer[65536];

@@ -22,7 +22,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double waitOfPeriod = 0.5, answer_s = 0.2, reopenPause_s = 0.2, farewell_s = 0.05;
+constexpr double falconWaitOfPeriod = 0.5, falconAnswer_s = 0.2, reopenPause_s = 0.2, falconFarewell_s = 0.05;
 constexpr int helloTries = 20, firstAnswers = 20, farewells = 3;
 constexpr unsigned uploadTries = 10;
 constexpr std::size_t pieceBytes = 62;
@@ -51,15 +51,15 @@ bool heard(FalconUsb& usb, Bytes wanted, double wait_s) {
   return false;
 }
 
-bool told(FalconUsb& usb, Bytes bytes) { return usb.send(bytes) && usb.sent(now_s() + answer_s); }
+bool told(FalconUsb& usb, Bytes bytes) { return usb.send(bytes) && usb.sent(now_s() + falconAnswer_s); }
 
 bool greeted(FalconUsb& usb) {
   if (!usb.set(FalconLine::hello)) return false;
   bool answered = false;
   for (int i = 0; i < helloTries && !answered && usb.alive(); ++i)
-    answered = told(usb, helloQuestion) && heard(usb, helloAnswer, answer_s / 4);
+    answered = told(usb, helloQuestion) && heard(usb, helloAnswer, falconAnswer_s / 4);
   return answered && usb.set(FalconLine::upload) && told(usb, synchronise) &&
-         heard(usb, synchronise, answer_s);
+         heard(usb, synchronise, falconAnswer_s);
 }
 
 /// Every piece comes back as it was sent.
@@ -67,7 +67,7 @@ bool uploaded(FalconUsb& usb, Bytes image, const std::atomic<bool>& cancelled) {
   if (!greeted(usb)) return false;
   for (; !image.empty(); image = image.subspan(std::min(pieceBytes, image.size()))) {
     const Bytes piece = image.first(std::min(pieceBytes, image.size()));
-    if (cancelled || !told(usb, piece) || !heard(usb, piece, answer_s)) return false;
+    if (cancelled || !told(usb, piece) || !heard(usb, piece, falconAnswer_s)) return false;
   }
   return true;
 }
@@ -79,7 +79,7 @@ bool running(FalconUsb& usb) {
   const FalconPacket quiet = falconPacket({});
   for (int i = 0; i < firstAnswers && usb.alive(); ++i) {
     if (!told(usb, quiet)) continue;
-    for (const std::uint8_t byte : usb.receive(now_s() + answer_s / 10)) {
+    for (const std::uint8_t byte : usb.receive(now_s() + falconAnswer_s / 10)) {
       if (answers.take(byte)) return true;
     }
   }
@@ -121,10 +121,10 @@ class FalconForceDevice : public ForceDevice {
     if (!usb_) return;
     const FalconPacket quiet = falconPacket({});
     for (int i = 0; i < farewells; ++i) {
-      usb_->sent(now_s() + farewell_s);
+      usb_->sent(now_s() + falconFarewell_s);
       usb_->send(quiet);
     }
-    usb_->sent(now_s() + farewell_s);
+    usb_->sent(now_s() + falconFarewell_s);
   }
 
   ForceReading exchange(const ForceCommand& command) override {
@@ -136,7 +136,8 @@ class FalconForceDevice : public ForceDevice {
       return reading;
     }
     send(command);
-    const std::optional<FalconAnswer> answer = newestAnswer(now_s() + waitOfPeriod * settings_.period_s);
+    const std::optional<FalconAnswer> answer =
+        newestAnswer(now_s() + falconWaitOfPeriod * settings_.period_s);
     if (!answer) {
       ++counts_.late;
       return reading;

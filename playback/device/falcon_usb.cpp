@@ -21,7 +21,7 @@ constexpr std::uint16_t vendor = 0x0403, product = 0xcb48;
 constexpr unsigned char endpointIn = 0x81, endpointOut = 0x02;
 constexpr std::size_t packetBytes = 64, statusBytes = 2;  // the chip's own, before everything it hands on
 constexpr unsigned control_ms = 300;
-constexpr double farewell_s = 0.2;
+constexpr double usbFarewell_s = 0.2;
 
 // FTDI's vendor requests (libftdi, ftdi.h).
 constexpr std::uint8_t vendorOut = 0x40;
@@ -57,7 +57,7 @@ std::span<const Setting> settingsOf(FalconLine line) {
 
 std::string falconName(unsigned number) { return "Novint Falcon " + std::to_string(number); }
 
-Failure troubleOf(unsigned number, int error) {
+Failure usbTrouble(unsigned number, int error) {
   if (error == LIBUSB_ERROR_ACCESS) {
     return {
         FailureCode::deviceTrouble, falconName(number), "", Message("may not be used by you"),
@@ -91,7 +91,8 @@ struct FalconUsb::Link {
     if (handle != nullptr) {
       if (listening) libusb_cancel_transfer(in);
       if (sending) libusb_cancel_transfer(out);
-      for (const double end_s = now_s() + farewell_s; (listening || sending) && now_s() < end_s;) wait(end_s);
+      for (const double end_s = now_s() + usbFarewell_s; (listening || sending) && now_s() < end_s;)
+        wait(end_s);
       libusb_release_interface(handle, 0);
       libusb_close(handle);
     }
@@ -187,7 +188,7 @@ Result<std::unique_ptr<FalconUsb>> FalconUsb::open(unsigned number) {
         FailureCode::deviceTrouble, falconName(number), "", Message("is not connected"),
         Message("Check its cable and its power supply, or try it without hardware: --device sim:falcon")};
   }
-  if (error != 0) return troubleOf(number, error);
+  if (error != 0) return usbTrouble(number, error);
   return std::unique_ptr<FalconUsb>(new FalconUsb(std::move(link)));
 }
 

@@ -18,7 +18,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double answer_s = 0.3, mmPerM = 1000;
+constexpr double odriveAnswer_s = 0.3, mmPerM = 1000;
 constexpr double arming_s = 1, rearming_s = 0.15, shortAnswer_s = 0.02;
 constexpr double velocityRoom = 1.25;  // of the firmware's velocity limit above the engine's
 constexpr double stateAsked_s = 0.02;  // between two looks at the axis's state
@@ -76,7 +76,7 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
   std::unique_ptr<OdriveForceDevice> device(new OdriveForceDevice(*std::move(link), settings));
   device->link_.forget();
   std::optional<double> turns;
-  for (int i = 0; i < tries && !turns; ++i) turns = device->feedback_turns(now_s() + answer_s);
+  for (int i = 0; i < tries && !turns; ++i) turns = device->feedback_turns(now_s() + odriveAnswer_s);
   if (!turns) {
     return Failure{
         FailureCode::deviceTrouble, settings.port, "", Message("no ODrive answers on axis %1", settings.axis),

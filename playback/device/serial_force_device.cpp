@@ -17,10 +17,10 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double answer_s = 0.5;     // to a question that is not part of the loop
-constexpr double bootPause_s = 2.0;  // an Arduino resets when its port is opened
+constexpr double serialAnswer_s = 0.5;  // to a question that is not part of the loop
+constexpr double bootPause_s = 2.0;     // an Arduino resets when its port is opened
 constexpr double micro = 1e-6, nmPerMm = 1e6;
-constexpr double waitOfPeriod = 0.5;
+constexpr double serialWaitOfPeriod = 0.5;
 
 constexpr int protocol = 2;  // with limits of the device's own
 constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
@@ -81,7 +81,7 @@ std::string forceLimitLine(const ForceLimits& limits, double period_s) {
 
 SerialForceDevice::SerialForceDevice(SerialLink link, double period_s, const ForceLimits& limits)
     : link_(std::move(link)),
-      wait_s_(waitOfPeriod * period_s),
+      wait_s_(serialWaitOfPeriod * period_s),
       limits_(limits),
       limitLine_(forceLimitLine(limits, period_s)) {}
 
@@ -118,7 +118,7 @@ void SerialForceDevice::send(std::string_view body) {
 
 bool SerialForceDevice::hello(Message& problem) {
   send("?");
-  for (const double deadline_s = now_s() + answer_s;;) {
+  for (const double deadline_s = now_s() + serialAnswer_s;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return false;
     const std::optional<std::string_view> body = forceLineBody(*line);
@@ -150,7 +150,7 @@ bool SerialForceDevice::hello(Message& problem) {
 // Set and read back. A device may be quicker to fall silent than it was asked to be.
 bool SerialForceDevice::limited() {
   send(limitLine_);
-  for (const double deadline_s = now_s() + answer_s; !limitHeld_;) {
+  for (const double deadline_s = now_s() + serialAnswer_s; !limitHeld_;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return false;
     ForceReading ignored;
@@ -161,7 +161,7 @@ bool SerialForceDevice::limited() {
 
 bool SerialForceDevice::acknowledged(const std::string& line) {
   send(line);
-  for (const double deadline_s = now_s() + answer_s;;) {
+  for (const double deadline_s = now_s() + serialAnswer_s;;) {
     const std::optional<std::string_view> answer = link_.line(deadline_s);
     if (!answer) return false;
     const std::optional<std::string_view> body = forceLineBody(*answer);
@@ -235,7 +235,7 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
   sendOrders(ForceCommand{});
   ForceReading begun;
   begun.fresh = false;
-  for (const double deadline_s = now_s() + answer_s; !begun.fresh;) {
+  for (const double deadline_s = now_s() + serialAnswer_s; !begun.fresh;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return refused;
     take(*line, begun);

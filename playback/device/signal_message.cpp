@@ -9,7 +9,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t mostArguments = 3;
+constexpr std::size_t mostMessageArguments = 3;
 
 struct Name {
   std::string_view fudi;
@@ -41,7 +41,7 @@ bool build(SignalKind kind, const double* arguments, std::size_t count, SignalMe
     message.bare = true;
     return true;
   }
-  if (count != mostArguments) return false;
+  if (count != mostMessageArguments) return false;
   message.burst = {arguments[0], arguments[1] * 1e-3, arguments[2],
                    kind == SignalKind::bottomOut ? Envelope::rising : Envelope::falling};
   return acceptable(message);
@@ -50,7 +50,7 @@ bool build(SignalKind kind, const double* arguments, std::size_t count, SignalMe
 bool separates(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ','; }
 
 bool parseMessage(std::string_view text, SignalMessage& message) {
-  std::array<double, mostArguments> arguments{};
+  std::array<double, mostMessageArguments> arguments{};
   std::size_t count = 0;
   std::string_view name;
   while (!text.empty()) {

@@ -10,7 +10,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double longestSubstep_s = 40e-6;
-constexpr double mmPerM = 1000;
+constexpr double simulatedMmPerM = 1000;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ ForceReading SimulatedForceDevice::exchange(const ForceCommand& command) {
 // rests, and nothing chatters.
 void SimulatedForceDevice::advance(double motor_N) {
   const double finger_N = finger_.push_N(position_mm_, velocity_mm_per_s_, dt_s_);
-  const double perNewton = mmPerM * dt_s_ / settings_.mass_kg;
+  const double perNewton = simulatedMmPerM * dt_s_ / settings_.mass_kg;
   double velocity =
       (velocity_mm_per_s_ + perNewton * (finger_N - motor_N)) / (1 + perNewton * settings_.damping_Ns_per_mm);
   const double friction = perNewton * settings_.friction_N;

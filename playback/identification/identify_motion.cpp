@@ -13,7 +13,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double mmPerM = 1000;
+constexpr double motionMmPerM = 1000;
 constexpr double longestSubstep_s = 100e-6;
 // The record is cut into stretches with a beginning of their own: long enough to tell a force from a speed, short enough that an
 // error of friction does not add up over many turns.
@@ -40,7 +40,7 @@ using Globals = Eigen::Matrix<double, parameters, 1>;
 using Square = Eigen::Matrix<double, parameters, parameters>;
 using Start = Eigen::Vector2d;  ///< place in mm and speed in mm/s at the beginning of a stretch
 using Locals = Eigen::Matrix<double, Eigen::Dynamic, 2>;
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, parameters>;
+using MotionColumns = Eigen::Matrix<double, Eigen::Dynamic, parameters>;
 
 // Steps of the differences, and what no parameter falls below.
 constexpr std::array<double, parameters> difference{1e-3, 1e-3, 1e-5, 0.02, 0.01, 1e-3};
@@ -145,7 +145,7 @@ class MotionFit {
 
  private:
   struct Part {
-    Columns global;
+    MotionColumns global;
     Locals local;
     Eigen::VectorXd left;
     Eigen::Matrix2d inverse;  ///< of local' local
@@ -296,7 +296,7 @@ class MotionFit {
     for (std::size_t k = stretch.first; k <= stretch.last; ++k) {
       if (record_.good[k]) left[count++] = record_.position_mm[k] - x;
       if (k == stretch.last) break;
-      const double dt_s = motor_.substep_s(k), perNewton = mmPerM * dt_s / mass_kg;
+      const double dt_s = motor_.substep_s(k), perNewton = motionMmPerM * dt_s / mass_kg;
       const double half = 0.5 * perNewton * theta[damping], most = perNewton * theta[friction];
       for (std::size_t i = motor_.firstSubstep(k); i < motor_.firstSubstep(k + 1); ++i) {
         const double free = ((1 - half) * v + perNewton * (theta[offset] - motor_.force_N(i))) / (1 + half);
@@ -335,7 +335,7 @@ class MotionFit {
       const auto without = [&](const auto& columns) {
         return (columns - part.local * (part.inverse * (part.local.transpose() * columns))).eval();
       };
-      const Columns own = without(part.global);
+      const MotionColumns own = without(part.global);
       const Globals score = own.transpose() * without(part.left);
       e.normal += own.transpose() * own;
       e.gradient += score;

@@ -92,14 +92,14 @@ void readParameter(const JsonPlace& entry, Controls& controls, ReferenceWaves& r
   control->add({{timeOf(entry), control->at(timeOf(entry))}, {timeOf(entry), value}});
 }
 
-struct AhapEvent {
+struct ReadAhapEvent {
   bool transient = false;
   double from_s = 0, to_s = 0, intensity = 1, sharpness = 0.5;
 };
 
-void readEvent(const JsonPlace& entry, std::vector<AhapEvent>& events, ReferenceWaves& result) {
+void readEvent(const JsonPlace& entry, std::vector<ReadAhapEvent>& events, ReferenceWaves& result) {
   const std::string type = entry.at("EventType").text();
-  AhapEvent event;
+  ReadAhapEvent event;
   event.transient = type == "HapticTransient";
   if (!event.transient && type != "HapticContinuous")
     return result.note(Message("events of the type %1 are left out", type));
@@ -121,7 +121,7 @@ void readEvent(const JsonPlace& entry, std::vector<AhapEvent>& events, Reference
   events.push_back(event);
 }
 
-WavePoint pointAt(const AhapEvent& event, const Controls& controls, double time_s) {
+WavePoint pointAt(const ReadAhapEvent& event, const Controls& controls, double time_s) {
   const double intensity = event.intensity * std::clamp(controls.intensity.at(time_s), 0.0, 1.0);
   const double sharpness = event.sharpness + std::clamp(controls.sharpness.at(time_s), -1.0, 1.0);
   const double falls = event.transient ? (event.to_s - time_s) / transient_s : 1;
@@ -129,7 +129,7 @@ WavePoint pointAt(const AhapEvent& event, const Controls& controls, double time_
           frequencyOf(std::clamp(sharpness, 0.0, 1.0))};
 }
 
-PlayedWave waveOf(const AhapEvent& event, const Controls& controls) {
+PlayedWave waveOf(const ReadAhapEvent& event, const Controls& controls) {
   PlayedWave wave;
   if (event.transient) {
     // What a transient is, it is from its beginning.
@@ -157,7 +157,7 @@ ReferenceWaves ahapWaves(const JsonPlace& file) {
                               Message("Export it as version 1"));
   ReferenceWaves result;
   Controls controls;
-  std::vector<AhapEvent> events;
+  std::vector<ReadAhapEvent> events;
   for (const JsonPlace& entry : file.at("Pattern").elements()) {
     if (entry.has("Event")) readEvent(entry.at("Event"), events, result);
     if (entry.has("ParameterCurve")) readCurve(entry.at("ParameterCurve"), controls, result);
@@ -165,7 +165,7 @@ ReferenceWaves ahapWaves(const JsonPlace& file) {
   }
   controls.intensity.settle();
   controls.sharpness.settle();
-  for (const AhapEvent& event : events) result.waves.push_back(waveOf(event, controls));
+  for (const ReadAhapEvent& event : events) result.waves.push_back(waveOf(event, controls));
   result.events = events.size();
   return result;
 }

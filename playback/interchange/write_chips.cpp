@@ -24,8 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* oneRecordedPress =
-    "that a finger's force decides what is felt (the table is one press)";
+constexpr const char* chipOnePress = "that a finger's force decides what is felt (the table is one press)";
 
 Stretch wholeOf(const PressPlan& plan) { return {0, static_cast<std::int64_t>(plan.samples.size())}; }
 
@@ -297,7 +296,7 @@ ExportLoss lraLoss(const PressPlan& plan, double worstTimingError_ms) {
   loss.worstTimingError_ms = worstTimingError_ms;
   loss.grainsMerged = grainsWithin(plan, wholeOf(plan));
   loss.frequencyMoved_Hz = furthestFromResonance_Hz(plan);
-  loss.dropped = {oneRecordedPress, "every frequency (the motor plays its own)"};
+  loss.dropped = {chipOnePress, "every frequency (the motor plays its own)"};
   return loss;
 }
 
@@ -383,7 +382,7 @@ Reduction bos1921Of(const ExportSource& source) {
     reduction.loss.frequencyMoved_Hz = std::fmax(
         reduction.loss.frequencyMoved_Hz,
         std::fabs(slice_Hz * frequencyCode(planned.burst.frequency_Hz) - planned.burst.frequency_Hz));
-  reduction.loss.dropped = {oneRecordedPress, "all but the strongest where several bursts overlap"};
+  reduction.loss.dropped = {chipOnePress, "all but the strongest where several bursts overlap"};
   reduction.write = [source, slices = writer.slices](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", bos1921Text(source, slices, loss)}};
   };
@@ -453,7 +452,7 @@ Reduction pcmOf(const ExportSource& source, unsigned bits, double asked_Hz) {
   heard.resize(plan.samples.size());
   Reduction reduction;
   reduction.played.emplace_back(heard.begin(), heard.end());
-  reduction.loss.dropped = {oneRecordedPress};
+  reduction.loss.dropped = {chipOnePress};
   if (sampleRate_Hz < plan.sampleRate_Hz)
     reduction.loss.dropped.push_back("frequencies above " +
                                      std::to_string(std::lround(keptBand * sampleRate_Hz)) + " Hz");

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* oneRecordedPress = "that a finger's force decides what is felt (the file is one press)";
+constexpr const char* timelineOnePress = "that a finger's force decides what is felt (the file is one press)";
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
@@ -282,7 +282,7 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
     reduction.loss.frequencyMoved_Hz =
         std::fmax(reduction.loss.frequencyMoved_Hz,
                   std::fabs(heard_Hz(planned.burst.frequency_Hz) - planned.burst.frequency_Hz));
-  reduction.loss.dropped = {oneRecordedPress, "all but the strongest where several bursts overlap"};
+  reduction.loss.dropped = {timelineOnePress, "all but the strongest where several bursts overlap"};
   return reduction;
 }
 
@@ -440,7 +440,7 @@ Reduction ahapOf(const ExportSource& source) {
                 worstTimingError_ms(plan, releaseOf(plan), transientOnsets(release)));
   reduction.loss.grainsMerged = grainsWithin(plan, {0, static_cast<std::int64_t>(plan.samples.size())});
   reduction.loss.frequencyMoved_Hz = frequencyMoved_Hz(plan);
-  reduction.loss.dropped = {oneRecordedPress, "frequencies above 230 Hz", "the length of a transient"};
+  reduction.loss.dropped = {timelineOnePress, "frequencies above 230 Hz", "the length of a transient"};
   reduction.write = [source, press, release](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{".press", "", ahapText(source, press, "Press", loss)},
                                      {".release", "", ahapText(source, release, "Release", loss)}};
@@ -506,7 +506,7 @@ Reduction androidOf(const ExportSource& source) {
       std::fmax(worstTimingError_ms(plan, pressOf(plan), press.onsets()),
                 worstTimingError_ms(plan, releaseOf(plan), release.onsets()));
   reduction.loss.grainsMerged = grainsWithin(plan, {0, static_cast<std::int64_t>(plan.samples.size())});
-  reduction.loss.dropped = {oneRecordedPress};
+  reduction.loss.dropped = {timelineOnePress};
   const bool envelopes = !press.envelope.points.empty() || !release.envelope.points.empty();
   const bool levels = press.envelope.points.empty() || release.envelope.points.empty();
   if (envelopes) reduction.loss.dropped.emplace_back("rises and falls shorter than 20 ms");

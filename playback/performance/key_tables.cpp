@@ -12,7 +12,7 @@ namespace {
 constexpr double steepest_N_per_m =
     200000;  // a vertical wall of a graph; steeper ones would outrun the step of 50 µs
 constexpr double ownDamping_Ns_per_m = 0.2;  // of every cap
-constexpr double metre_mm = 1000;
+constexpr double tableMetre_mm = 1000;
 
 /// Cuts what rises or falls faster than the step can follow; the force at the start stays.
 void limitSlope(std::vector<double>& values_N, double most_N) {
@@ -23,7 +23,7 @@ void limitSlope(std::vector<double>& values_N, double most_N) {
 }  // namespace
 
 KeyTables::KeyTables(const ButtonState& state)
-    : end_m_(state.graph.travel_mm() / metre_mm), cell_m_(end_m_ / cells) {
+    : end_m_(state.graph.travel_mm() / tableMetre_mm), cell_m_(end_m_ / cells) {
   const StrokeCurve& press = state.graph.press();
   const StrokeCurve& release = state.graph.curve(Stroke::release);
   std::vector<double> down_N, up_N, damping;
@@ -31,7 +31,7 @@ KeyTables::KeyTables(const ButtonState& state)
     const double depth_mm = state.graph.travel_mm() * i / cells;
     down_N.push_back(press.force_N(depth_mm));
     up_N.push_back(release.force_N(depth_mm));
-    damping.push_back(ownDamping_Ns_per_m + metre_mm * dampingAt(state.damping, depth_mm));
+    damping.push_back(ownDamping_Ns_per_m + tableMetre_mm * dampingAt(state.damping, depth_mm));
   }
   limitSlope(down_N, steepest_N_per_m * cell_m_);
   limitSlope(up_N, steepest_N_per_m * cell_m_);

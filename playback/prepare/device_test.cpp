@@ -9,7 +9,7 @@ namespace {
 
 constexpr double halfOfRange = 0.25;  // the rest is for what a heavy handle overshoots
 // Waves of the chirp are drawn by so many periods at least; where encoder steps are coarse, it shakes farther.
-constexpr double periodsPerWave = 7, quickest_Hz = 150, slowest_Hz = 8, shake_mm = 0.6, shakeSteps = 30;
+constexpr double periodsPerWave = 7, quickest_Hz = 150, slowestTest_Hz = 8, shake_mm = 0.6, shakeSteps = 30;
 
 }  // namespace
 
@@ -29,8 +29,8 @@ ForceExcitation chirpTest(const ForceProgram& program, double range_mm, double m
   e.mass_kg = mass_kg;
   e.friction_N = friction_N;
   e.shake_mm = std::min(std::max(shake_mm, shakeSteps * program.step_mm), range_mm / 5);
-  e.from_Hz = slowest_Hz;
-  e.to_Hz = std::clamp(1 / (periodsPerWave * program.period_s), 2 * slowest_Hz, quickest_Hz);
+  e.from_Hz = slowestTest_Hz;
+  e.to_Hz = std::clamp(1 / (periodsPerWave * program.period_s), 2 * slowestTest_Hz, quickest_Hz);
   e.sweep_s = chirpTest_s / 2;
   return e;
 }

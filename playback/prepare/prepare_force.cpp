@@ -96,9 +96,9 @@ struct FedBySpeeds {
   }
 };
 
-class Preparation {
+class ForcePreparation {
  public:
-  Preparation(const Button& button, const ForceDeviceProfile& device, const ForceSettings& settings)
+  ForcePreparation(const Button& button, const ForceDeviceProfile& device, const ForceSettings& settings)
       : button_(button), device_(device), settings_(settings) {}
 
   Result<PreparedForce> run() {
@@ -531,7 +531,7 @@ Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfil
   for (const ButtonState& state : button.states()) {
     if (Result<Done> fits = checkTravel(state, device); !fits) return fits.failure();
   }
-  return Preparation(button, device, settings).run();
+  return ForcePreparation(button, device, settings).run();
 }
 
 }  // namespace detent::playback

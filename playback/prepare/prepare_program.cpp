@@ -58,9 +58,9 @@ struct StrokePlan {
   std::vector<Section> sections;
 };
 
-class Preparation {
+class HapticPreparation {
  public:
-  Preparation(const Button& button, const DeviceProfile& profile, const PlaybackSettings& settings)
+  HapticPreparation(const Button& button, const DeviceProfile& profile, const PlaybackSettings& settings)
       : button_(button), profile_(profile), settings_(settings) {}
 
   PreparedProgram run() {
@@ -637,7 +637,7 @@ Result<PreparedProgram> prepareProgram(const Button& button, const DeviceProfile
                                        const PlaybackSettings& settings) {
   if (Result<Done> ok = checkSettings(settings); !ok) return ok.failure();
   if (Result<Done> ok = checkProfile(profile); !ok) return ok.failure();
-  return Preparation(button, profile, settings).run();
+  return HapticPreparation(button, profile, settings).run();
 }
 
 }  // namespace detent::playback

@@ -11,7 +11,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr int looks = 256;  // places along a stroke
+constexpr int speedSamples = 256;  // places along a stroke
 
 /// Largest change of force from one speed to the next, and the strongest force.
 struct Change {
@@ -19,8 +19,8 @@ struct Change {
 };
 
 void look(const StrokeCurve& slow, const StrokeCurve& fast, Change& change) {
-  for (int i = 0; i <= looks; ++i) {
-    const double at_mm = slow.start_mm() + slow.travel_mm() * i / looks;
+  for (int i = 0; i <= speedSamples; ++i) {
+    const double at_mm = slow.start_mm() + slow.travel_mm() * i / speedSamples;
     const double slow_N = slow.force_N(at_mm),
                  fast_N = fast.force_N(std::clamp(at_mm, fast.start_mm(), fast.end_mm()));
     change.most_N = std::max(change.most_N, std::fabs(fast_N - slow_N));

@@ -10,7 +10,7 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t mostCoefficients = 12;
-constexpr int places = 64;  // knots of the force, with its exact slopes, and points of the damping
+constexpr int springKnots = 64;  // knots of the force, with its exact slopes, and points of the damping
 
 double valueAt(const std::vector<double>& coefficients, double x) {
   double value = 0;
@@ -43,8 +43,8 @@ Result<Button> springButton(const std::string& name, const SpringPolynomials& sp
   if (!(spring.travel_mm > 0) || !std::isfinite(spring.travel_mm)) return refused("travel", "is no length");
   std::vector<Knot> knots;
   std::vector<DampingPoint> damping;
-  for (int i = 0; i <= places; ++i) {
-    const double x_mm = spring.travel_mm * i / places, slope = slopeAt(k, x_mm);
+  for (int i = 0; i <= springKnots; ++i) {
+    const double x_mm = spring.travel_mm * i / springKnots, slope = slopeAt(k, x_mm);
     knots.push_back({x_mm, valueAt(k, x_mm) * x_mm, slope, slope});
     if (!b.empty()) damping.push_back({x_mm, valueAt(b, x_mm)});
   }

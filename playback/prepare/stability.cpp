@@ -15,7 +15,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t places = 1024;            // along a travel
+constexpr std::size_t travelSamples = 1024;     // along a travel
 constexpr double leastAllowed_N_per_mm = 0.01;  // a slope limit below this leaves nothing to feel
 constexpr double rounding = 1.0001;
 constexpr double limitedTo =
@@ -38,8 +38,8 @@ LoopLimits limitsOf(const ButtonState& state, const ForceDeviceProfile& device, 
   if (!state.otherSpeeds.empty()) {
     const SpeedDamping rendered = renderedSpeedDamping(state, device, rate_Hz);
     SpeedDamping found;
-    for (std::size_t i = 0; i < places; ++i) {
-      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(places);
+    for (std::size_t i = 0; i < travelSamples; ++i) {
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(travelSamples);
       const SpeedDamping there = renderedAt(state, rendered, share * state.graph.travel_mm());
       found = {std::min(found.least, there.least), std::max(found.most, there.most)};
     }
@@ -79,9 +79,9 @@ class MarginOfState {
 
   void add(std::size_t index, StabilityMargin& margin) const {
     std::vector<MarginPoint> points;
-    const double spacing_mm = state_.graph.travel_mm() / static_cast<double>(places);
+    const double spacing_mm = state_.graph.travel_mm() / static_cast<double>(travelSamples);
     bool broken = false;
-    for (std::size_t i = 0; i < places; ++i) {
+    for (std::size_t i = 0; i < travelSamples; ++i) {
       const double from_mm = static_cast<double>(i) * spacing_mm;
       double steepest = steepestOf(state_.graph, from_mm, from_mm + spacing_mm);
       for (const SpeedGraph& other : state_.otherSpeeds) {
@@ -151,14 +151,14 @@ double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, doubl
 
 /// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps what fits.
 Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
-  const double spacing_mm = curve.travel_mm() / static_cast<double>(places);
+  const double spacing_mm = curve.travel_mm() / static_cast<double>(travelSamples);
   const auto [low_N, high_N] = curve.forceRange_N();
   const double range_N = high_N - low_N;
   std::vector<CurvePoint> points;
   double worst_N = 0;
-  for (std::size_t i = 0; i <= places; ++i) {
+  for (std::size_t i = 0; i <= travelSamples; ++i) {
     const double at_mm =
-        i == places ? curve.end_mm() : curve.start_mm() + static_cast<double>(i) * spacing_mm;
+        i == travelSamples ? curve.end_mm() : curve.start_mm() + static_cast<double>(i) * spacing_mm;
     // The first point of a wall at the start is its foot.
     const double wanted_N = i == 0 ? curve.forceBefore_N(at_mm) : curve.force_N(at_mm);
     double force_N = wanted_N;
@@ -197,8 +197,8 @@ double strongestBySpeed(const ButtonState& state, const ForceDeviceProfile& devi
   if (state.otherSpeeds.empty()) return 0;
   const SpeedDamping rendered = renderedSpeedDamping(state, device, rate_Hz);
   double strongest = 0;
-  for (std::size_t i = 0; i < places; ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(places);
+  for (std::size_t i = 0; i < travelSamples; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(travelSamples);
     const SpeedDamping there = renderedAt(state, rendered, share * state.graph.travel_mm());
     strongest = std::max({strongest, there.most, -there.least});
   }

@@ -12,7 +12,7 @@ namespace detent::playback {
 namespace {
 
 // Places at which the table is compared with the curve: at least this many over the travel, and every knot.
-constexpr std::size_t looks = 4096;
+constexpr std::size_t strokeSamples = 4096;
 
 // A table closer than this share of the force range is good enough; more vertices would only cost cache.
 constexpr double enoughOfRange = 1e-5;
@@ -21,16 +21,16 @@ constexpr double enoughOfRange = 1e-5;
 std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
                                       const std::vector<double>& kept_mm) {
   std::vector<double> places;
-  for (std::size_t i = 0; i <= looks; ++i) {
-    places.push_back(i == looks
-                         ? to_mm
-                         : from_mm + (to_mm - from_mm) * static_cast<double>(i) / static_cast<double>(looks));
+  for (std::size_t i = 0; i <= strokeSamples; ++i) {
+    places.push_back(i == strokeSamples ? to_mm
+                                        : from_mm + (to_mm - from_mm) * static_cast<double>(i) /
+                                                        static_cast<double>(strokeSamples));
   }
   const auto evenPlaces = static_cast<std::ptrdiff_t>(places.size());
   const std::vector<Knot>& knots = curve.knots();
   for (const Knot& knot : knots) places.push_back(knot.displacement_mm);
   // A piece narrower than the even places turns between its knots, too.
-  for (std::size_t i = 1; i < knots.size() && knots.size() < looks; ++i)
+  for (std::size_t i = 1; i < knots.size() && knots.size() < strokeSamples; ++i)
     for (const double share : {0.25, 0.5, 0.75})
       places.push_back(knots[i - 1].displacement_mm +
                        share * (knots[i].displacement_mm - knots[i - 1].displacement_mm));

@@ -36,7 +36,7 @@ struct CalibrateArguments {
 constexpr double weighing_s = 1.0;
 constexpr double largestSd_counts = 3, largestSdOfMean = 0.02;  // above, a weighing is told to be noisy
 
-void addOptions(CLI::App& app, CalibrateArguments& a) {
+void addCalibrateOptions(CLI::App& app, CalibrateArguments& a) {
   addSensorOptions(app, a.sensor);
   app.add_option("--weights", a.weightsFile,
                  "Known weights as CSV: mass_g,raw or force_N,raw; else they are asked for");
@@ -66,7 +66,7 @@ std::optional<double> massIn_g(std::string text) {
 }
 
 /// What a person is told of one weighing.
-void report(const KnownWeight& weight, const RawReading& raw) {
+void reportCalibration(const KnownWeight& weight, const RawReading& raw) {
   std::fprintf(stderr, "%.4f N: %.2f, SD %.2f over %zu readings\n", weight.force_N, raw.mean, raw.sd, raw.n);
   if (!raw.steady)
     std::fprintf(stderr, "warning: the reading still drifts; let the weight settle and weigh it again\n");
@@ -96,7 +96,7 @@ Result<Weighings> askForWeights(const CalibrateArguments& a, const Cancelled& ca
     Result<RawReading> raw = readRawSensor(a.sensor.port, a.sensor.baud, weighing_s, cancelled);
     if (!raw) return raw.failure();
     w.raw = raw->mean;
-    report(w, *raw);
+    reportCalibration(w, *raw);
     weighings.weights.push_back(w);
     weighings.sds.push_back(raw->sd);
   }
@@ -119,7 +119,7 @@ double noiseOf(const Weighings& weighings, const SensorCalibration& calibration)
   return noises_N[noises_N.size() / 2];
 }
 
-int run(const CalibrateArguments& a, const Cancelled& cancelled) {
+int runCalibrate(const CalibrateArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileToExtend(a.outputFile);
   if (!profile) return fail(profile.failure());
   Weighings weighings;
@@ -172,11 +172,11 @@ int run(const CalibrateArguments& a, const Cancelled& cancelled) {
 void addCalibrateCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand("calibrate", "Calibrate a force sensor with known weights");
   const auto arguments = std::make_shared<CalibrateArguments>();
-  addOptions(*app, *arguments);
+  addCalibrateOptions(*app, *arguments);
   app->callback([&chosen, arguments] {
     if (arguments->weightsFile.empty() && arguments->sensor.port.empty())
       throw CLI::RequiredError("--weights or --sensor");
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runCalibrate(*arguments, cancelled); };
   });
 }
 

@@ -14,7 +14,7 @@ namespace detent::playback {
 
 namespace {
 
-int run(bool json) {
+int runDevices(bool json) {
   Result<std::vector<SoundDevice>> devices = listSoundDevices();
   if (!devices) return fail(devices.failure());
   Json list = Json::array();
@@ -45,7 +45,7 @@ void addDevicesCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand("devices", "List sound devices");
   const auto json = std::make_shared<bool>(false);
   app->add_flag("--json", *json, "One JSON object on stdout");
-  app->callback([&chosen, json] { chosen = [json](const Cancelled&) { return run(*json); }; });
+  app->callback([&chosen, json] { chosen = [json](const Cancelled&) { return runDevices(*json); }; });
 }
 
 }  // namespace detent::playback

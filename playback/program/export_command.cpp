@@ -27,7 +27,7 @@ struct ExportArguments {
   bool json = false;
 };
 
-void addOptions(CLI::App& app, ExportArguments& a) {
+void addExportOptions(CLI::App& app, ExportArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json")->required();
   addChoice(app, "--format", a.settings.format, exportFormats, "What for (docs/reference/export-formats.md)",
             "")
@@ -50,7 +50,7 @@ Result<PressTrace> pressOf(const std::string& press, const HapticProgram& progra
   return namesPress(press) ? namedPress(press, program) : readPressTrace(press);
 }
 
-int run(const ExportArguments& a, const Cancelled& cancelled) {
+int runExport(const ExportArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
   if (!profile) return fail(profile.failure());
   Result<Button> button = readButtonFile(a.button);
@@ -93,9 +93,9 @@ void addExportCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "export", "A press in the formats of phones, headsets, driver chips and touchpads");
   const auto arguments = std::make_shared<ExportArguments>();
-  addOptions(*app, *arguments);
+  addExportOptions(*app, *arguments);
   app->callback([&chosen, arguments] {
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runExport(*arguments, cancelled); };
   });
 }
 

@@ -53,7 +53,7 @@ constexpr auto velocities = named<VelocityMethod>({{"kalman", VelocityMethod::ka
                                                    {"foaw", VelocityMethod::foaw},
                                                    {"difference", VelocityMethod::difference}});
 
-void addOptions(CLI::App& app, ForceArguments& a) {
+void addForceOptions(CLI::App& app, ForceArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json, or --stiffness in its place");
   const std::string spring = "A spring and damper in place of BUTTON: F = k(x) x + b(x) v";
   app.add_option("--stiffness", a.spring.stiffness_N_per_mm,
@@ -174,7 +174,7 @@ Json stabilityJson(const StabilityMargin& margin, const Button& button) {
 
 Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProfile& device,
             const ForceLinkPace& pace, const ForceSummary& summary, const ForceStatus& s,
-            const RunFigures& run, double rate_Hz) {
+            const RunFigures& runForce, double rate_Hz) {
   Json remarks = Json::array();
   for (const ForceRemark& r : summary.remarks) {
     remarks.push_back({{"code", codeOf(r.kind)},
@@ -191,18 +191,18 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
           {"device_is", device.measured ? "measured" : "assumed"},
           {"encoder_step_mm", device.step_mm},
           {"rate_Hz", rate_Hz},
-          {"rows", run.rows},
-          {"seconds", static_cast<double>(run.rows) / rate_Hz},
+          {"rows", runForce.rows},
+          {"seconds", static_cast<double>(runForce.rows) / rate_Hz},
           {"slope_limit_N_per_mm", summary.slopeLimit_N_per_mm},
           {"play_radius_mm", summary.playRadius_mm},
           {"stability", stabilityJson(stabilityOf(button, device, rate_Hz), button)},
-          {"position_mm", {{"lowest", run.lowest_mm}, {"highest", run.highest_mm}}},
-          {"strongest_N", run.strongest_N},
-          {"fastest_mm_per_s", run.fastest_mm_per_s},
-          {"state_changes", run.stateChanges},
+          {"position_mm", {{"lowest", runForce.lowest_mm}, {"highest", runForce.highest_mm}}},
+          {"strongest_N", runForce.strongest_N},
+          {"fastest_mm_per_s", runForce.fastest_mm_per_s},
+          {"state_changes", runForce.stateChanges},
           {"energy_mJ",
-           {{"taken", run.taken_mJ},
-            {"given", run.given_mJ},
+           {{"taken", runForce.taken_mJ},
+            {"given", runForce.given_mJ},
             {"net", s.last.energy_mJ},
             {"lowest_balance", s.lowestBalance_mJ}}},
           {"deadlines",
@@ -237,15 +237,17 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
           {"remarks", remarks}};
 }
 
-void printFigures(const ForceStatus& s, const RunFigures& run, const ForceSummary& summary, double rate_Hz) {
+void printForceFigures(const ForceStatus& s, const RunFigures& runForce, const ForceSummary& summary,
+                       double rate_Hz) {
   std::fprintf(stderr,
                "%llu steps at %g Hz, %.2f to %.2f mm, up to %.3f N and %.0f mm/s; play radius %.3f mm, "
                "steepest slope %.3g "
                "N/mm\n",
-               static_cast<unsigned long long>(run.rows), rate_Hz, run.lowest_mm, run.highest_mm,
-               run.strongest_N, run.fastest_mm_per_s, summary.playRadius_mm, summary.slopeLimit_N_per_mm);
-  std::fprintf(stderr, "energy: %.3f mJ taken, %.3f mJ given back; lowest balance %.4f mJ\n", run.taken_mJ,
-               run.given_mJ, s.lowestBalance_mJ);
+               static_cast<unsigned long long>(runForce.rows), rate_Hz, runForce.lowest_mm,
+               runForce.highest_mm, runForce.strongest_N, runForce.fastest_mm_per_s, summary.playRadius_mm,
+               summary.slopeLimit_N_per_mm);
+  std::fprintf(stderr, "energy: %.3f mJ taken, %.3f mJ given back; lowest balance %.4f mJ\n",
+               runForce.taken_mJ, runForce.given_mJ, s.lowestBalance_mJ);
   if (s.steps > 0) {
     std::fprintf(stderr, "deadlines: %.2f %% within 100 us, worst %.0f us, %llu missed%s\n",
                  percentPunctual(s), 1e6 * s.worstLate_s, static_cast<unsigned long long>(s.missedDeadlines),
@@ -281,7 +283,7 @@ void printHalt(const ForceStatus& s) {
     std::fprintf(stderr, "%llu emergency stops\n", static_cast<unsigned long long>(s.guard.stopped));
 }
 
-Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
+Result<ForcePlayerSettings> forceSettings(const ForceArguments& a) {
   ForcePlayerSettings settings;
   Result<ForceDeviceChoice> device = forceDeviceFrom(a.device);
   if (!device) return device.failure();
@@ -338,11 +340,11 @@ Result<Button> buttonFor(const ForceArguments& a) {
   return given ? springButton("Spring and damper", a.spring) : readButtonFile(a.button);
 }
 
-int run(const ForceArguments& a, const Cancelled& cancelled) {
+int runForce(const ForceArguments& a, const Cancelled& cancelled) {
   Result<Button> button = buttonFor(a);
   if (!button) return fail(button.failure());
   const std::string shownAs = a.button.empty() ? button->name() : a.button;
-  Result<ForcePlayerSettings> settings = settingsFrom(a);
+  Result<ForcePlayerSettings> settings = forceSettings(a);
   if (!settings) return fail(settings.failure());
   std::optional<ForceLog> log;
   if (!a.logFile.empty()) {
@@ -403,7 +405,7 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
   }
   if (Result<Done> pictures = writePictures(a, *button, drawn, 1 / rate_Hz); !pictures)
     return fail(pictures.failure());
-  printFigures(status, figures, summary, rate_Hz);
+  printForceFigures(status, figures, summary, rate_Hz);
   printHalt(status);
   if (a.json) print(jsonOf(a, *button, device, pace, summary, status, figures, rate_Hz));
   return 0;
@@ -415,9 +417,9 @@ void addForceCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "force", "A button as force on a force-feedback device, or under a simulated finger. mm, N, s, mJ");
   const auto arguments = std::make_shared<ForceArguments>();
-  addOptions(*app, *arguments);
+  addForceOptions(*app, *arguments);
   app->callback([&chosen, arguments] {
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runForce(*arguments, cancelled); };
   });
 }
 

@@ -27,7 +27,7 @@ struct IdentifyArguments {
   bool json = false;
 };
 
-void addOptions(CLI::App& app, IdentifyArguments& a) {
+void addIdentifyOptions(CLI::App& app, IdentifyArguments& a) {
   app.add_option("RECORD", a.record, "CSV: time_s,displacement_mm,force_N")->required();
   app.add_option("-o,--output", a.outputFile,
                  "*.button.json to write: c + k(x) x, and b(x) where it is named");
@@ -113,7 +113,7 @@ Json jsonOf(const IdentifyArguments& a, const Identification& f) {
   return json;
 }
 
-void printFigures(const Identification& f) {
+void printIdentified(const Identification& f) {
   std::fprintf(stderr, "F = c + k x + b v%s%s, %zu samples, residual %.4f N, condition %.3g\n",
                f.friction_N ? " + f sgn(v)" : "", f.mass_kg ? " + m a" : "", f.samples, f.residual_N,
                f.condition);
@@ -151,7 +151,7 @@ std::string profileSvg(const ForceRecord& r, const Identification& f) {
                 {"Velocity over position", "displacement [mm]", "velocity [mm/s]", {}, {velocity}}});
 }
 
-int run(const IdentifyArguments& a) {
+int runIdentify(const IdentifyArguments& a) {
   Result<ForceRecord> record = readForceRecord(a.record);
   if (!record) return fail(record.failure());
   Result<Identification> found = identify(*record, a.settings);
@@ -172,7 +172,7 @@ int run(const IdentifyArguments& a) {
     if (!button) return fail(button.failure());
     if (Result<Done> w = writeButtonFile(a.outputFile, *button); !w) return fail(w.failure());
   }
-  printFigures(*found);
+  printIdentified(*found);
   if (a.json) print(jsonOf(a, *found));
   return 0;
 }
@@ -183,8 +183,9 @@ void addIdentifyCommand(CLI::App& program, Action& chosen) {
   CLI::App* app =
       program.add_subcommand("identify", "Stiffness, damping and mass from a recorded press. mm, N, s");
   const auto arguments = std::make_shared<IdentifyArguments>();
-  addOptions(*app, *arguments);
-  app->callback([&chosen, arguments] { chosen = [arguments](const Cancelled&) { return run(*arguments); }; });
+  addIdentifyOptions(*app, *arguments);
+  app->callback(
+      [&chosen, arguments] { chosen = [arguments](const Cancelled&) { return runIdentify(*arguments); }; });
 }
 
 }  // namespace detent::playback

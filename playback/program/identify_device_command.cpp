@@ -24,7 +24,7 @@ struct IdentifyDeviceArguments {
   bool fast = false, json = false;
 };
 
-void addOptions(CLI::App& app, IdentifyDeviceArguments& a) {
+void addIdentifyDeviceOptions(CLI::App& app, IdentifyDeviceArguments& a) {
   app.add_option("--device", a.device, forceDeviceWords)->required();
   app.add_option("-o,--output", a.outputFile, "*.device to write, for `force --device-profile`");
   app.add_option("--range", a.range_mm, "The handle moves between 0 and this, in mm")
@@ -38,7 +38,7 @@ void addOptions(CLI::App& app, IdentifyDeviceArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
-Result<DeviceMeasurementSettings> settingsFrom(const IdentifyDeviceArguments& a) {
+Result<DeviceMeasurementSettings> identifyDeviceSettings(const IdentifyDeviceArguments& a) {
   Result<ForceDeviceChoice> device = forceDeviceFrom(a.device);
   if (!device) return device.failure();
   if (a.fast && device->kind != ForceDeviceKind::simulated) return fastNeedsSimulation();
@@ -83,7 +83,7 @@ Json jsonOf(const IdentifyDeviceArguments& a, const DeviceMeasurement& m) {
           {"samples", m.motion.samples}};
 }
 
-void printFigures(const DeviceMeasurement& m) {
+void printDeviceFigures(const DeviceMeasurement& m) {
   const ForceDeviceMeasurement& d = m.device;
   const auto line = [](const char* name, const ForceDeviceMeasurement::Value& v, double scale,
                        const char* unit) {
@@ -105,8 +105,8 @@ void printFigures(const DeviceMeasurement& m) {
   }
 }
 
-int run(const IdentifyDeviceArguments& a, const Cancelled& cancelled) {
-  Result<DeviceMeasurementSettings> settings = settingsFrom(a);
+int runIdentifyDevice(const IdentifyDeviceArguments& a, const Cancelled& cancelled) {
+  Result<DeviceMeasurementSettings> settings = identifyDeviceSettings(a);
   if (!settings) return fail(settings.failure());
   std::fprintf(stderr,
                "The handle moves by itself, between 0 and %g mm, with up to %g N: take the finger off.\n",
@@ -124,7 +124,7 @@ int run(const IdentifyDeviceArguments& a, const Cancelled& cancelled) {
     if (Result<Done> written = writeForceDevice(measured->device, a.outputFile); !written)
       return fail(written.failure());
   }
-  printFigures(*measured);
+  printDeviceFigures(*measured);
   if (a.json) print(jsonOf(a, *measured));
   return 0;
 }
@@ -135,9 +135,9 @@ void addIdentifyDeviceCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "identify-device", "Mass, friction, damping, delay and motor lag of a force device. kg, N, N s/mm, s");
   const auto arguments = std::make_shared<IdentifyDeviceArguments>();
-  addOptions(*app, *arguments);
+  addIdentifyDeviceOptions(*app, *arguments);
   app->callback([&chosen, arguments] {
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runIdentifyDevice(*arguments, cancelled); };
   });
 }
 

@@ -32,7 +32,7 @@ struct LatencyArguments {
 
 constexpr int histogramBins = 12;
 
-void addOptions(CLI::App& app, LatencyArguments& a) {
+void addLatencyOptions(CLI::App& app, LatencyArguments& a) {
   addDeviceOptions(app, a.player);
   addSensorOptions(app, a.sensor);
   app.add_option("--input", a.inputDevice, "Where the vibration comes back; default: the device's own input");
@@ -51,7 +51,7 @@ void addOptions(CLI::App& app, LatencyArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
-int run(const LatencyArguments& a, const Cancelled& cancelled) {
+int runLatency(const LatencyArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileOf(a.profileFile);
   if (!profile) return fail(profile.failure());
   LatencySettings settings;
@@ -112,9 +112,9 @@ int run(const LatencyArguments& a, const Cancelled& cancelled) {
 void addLatencyCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand("latency", "Measure the delay from force to vibration");
   const auto arguments = std::make_shared<LatencyArguments>();
-  addOptions(*app, *arguments);
+  addLatencyOptions(*app, *arguments);
   app->callback([&chosen, arguments] {
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runLatency(*arguments, cancelled); };
   });
 }
 

@@ -26,7 +26,7 @@ void addEndpoint(CLI::App& app, const std::string& name, std::optional<Endpoint>
       ->type_name(standardHost.empty() ? "HOST:PORT" : "[ADDRESS:]PORT");
 }
 
-void addOptions(CLI::App& app, LiveArguments& a) {
+void addLiveOptions(CLI::App& app, LiveArguments& a) {
   app.add_option("BUTTON", a.buttons, "*.button.json; several for A/B comparison");
   addFeelOptions(app, a.feel);
   addDeviceOptions(app, a.player);
@@ -51,7 +51,7 @@ void addOptions(CLI::App& app, LiveArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");
 }
 
-int run(const LiveArguments& a, const Cancelled& cancelled) {
+int runLive(const LiveArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
   if (!profile) return fail(profile.failure());
   std::vector<Button> buttons;
@@ -67,7 +67,7 @@ int run(const LiveArguments& a, const Cancelled& cancelled) {
 
 void addLiveCommand(CLI::App& program, Action& chosen) {
   const auto arguments = std::make_shared<LiveArguments>();
-  addOptions(program, *arguments);
+  addLiveOptions(program, *arguments);
   program.footer(
       "Keys while playing: space presses, Tab changes the button, + and - the gain, m the mode, p the "
       "placement, q ends.\n"
@@ -75,7 +75,7 @@ void addLiveCommand(CLI::App& program, Action& chosen) {
   program.callback([&program, &chosen, arguments] {
     if (!program.get_subcommands().empty()) return;
     if (arguments->buttons.empty()) throw CLI::RequiredError("BUTTON");
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runLive(*arguments, cancelled); };
   });
 }
 

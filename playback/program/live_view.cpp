@@ -27,7 +27,7 @@ constexpr double highestGain = 10;
 constexpr double traceLead_s = 0.2;
 constexpr double traceTail_s = 0.6;
 
-const char* nameOf(SensorCondition condition) {
+const char* viewName(SensorCondition condition) {
   switch (condition) {
     case SensorCondition::none:
       return "keyboard";
@@ -232,7 +232,7 @@ class LiveView {
         nameOf(settings_.mode), settings_.placement == EventPlacement::atOnce ? "fast" : "time-stamped",
         static_cast<unsigned long long>(s.counts.grains),
         static_cast<unsigned long long>(s.counts.pressJumps + s.counts.releaseJumps), last_, 100 * s.load,
-        static_cast<unsigned long long>(s.xruns), nameOf(s.sensor));
+        static_cast<unsigned long long>(s.xruns), viewName(s.sensor));
     std::string line(text);
     line.resize(static_cast<std::size_t>(std::max(terminalColumns() - 1, 20)), ' ');
     std::fprintf(stderr, "\r%s", line.c_str());

@@ -70,7 +70,7 @@ std::vector<MagneticKeySettings> variantsOf(const MagneticKeySettings& chosen) {
   return variants;
 }
 
-void say(const MagneticKeyForecast& f) {
+void sayMagnetic(const MagneticKeyForecast& f) {
   const std::string rapid =
       f.settings.rapid_mm ? std::to_string(*f.settings.rapid_mm).substr(0, 5) + " mm" : "off";
   std::fprintf(stderr, "  %-14s %8.1f %8.1f %14.0f %14.0f\n", rapid.c_str(), f.lost_per_1000,
@@ -94,8 +94,8 @@ Result<Done> write(const MagneticArguments& a, const Button& button, const Magne
   return writeTextFileAtomically(a.outputFile, text);
 }
 
-void report(const MagneticArguments& a, const Button& button, const MagneticSensor& sensor,
-            const std::vector<MagneticKeyForecast>& simulated) {
+void reportMagnetic(const MagneticArguments& a, const Button& button, const MagneticSensor& sensor,
+                    const std::vector<MagneticKeyForecast>& simulated) {
   const MagneticKeySettings& chosen = simulated.front().settings;
   std::fprintf(
       stderr, "%s: acts at %.4g mm, resets at %.4g mm; forecast of %d presses, %s\n", button.name().c_str(),
@@ -104,7 +104,7 @@ void report(const MagneticArguments& a, const Button& button, const MagneticSens
   std::fprintf(
       stderr,
       "  rapid trigger   lost and doubled of 1,000; held at the end, and shallow: lets go a minute\n");
-  for (const MagneticKeyForecast& one : simulated) say(one);
+  for (const MagneticKeyForecast& one : simulated) sayMagnetic(one);
   if (!a.json) return;
   Json list = Json::array();
   for (const MagneticKeyForecast& one : simulated) list.push_back(jsonOf(one));
@@ -120,7 +120,7 @@ void report(const MagneticArguments& a, const Button& button, const MagneticSens
          {"output", a.outputFile.empty() ? Json(nullptr) : Json(a.outputFile)}});
 }
 
-int run(const MagneticArguments& a, const Cancelled& cancelled) {
+int runMagnetic(const MagneticArguments& a, const Cancelled& cancelled) {
   if (!a.outputFile.empty() && !a.outputFile.ends_with(".csv") && !a.outputFile.ends_with(".h"))
     return fail(usage("--output", "ends neither in .csv nor in .h", "Give the file one of these endings"));
   Result<Button> button = readButtonFile(a.button);
@@ -139,11 +139,11 @@ int run(const MagneticArguments& a, const Cancelled& cancelled) {
   }
   const Result<Done> written = write(a, *button, *sensor, simulated);
   if (!written) return fail(written.failure());
-  report(a, *button, *sensor, simulated);
+  reportMagnetic(a, *button, *sensor, simulated);
   return 0;
 }
 
-void addOptions(CLI::App& app, MagneticArguments& a) {
+void addMagneticOptions(CLI::App& app, MagneticArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json")->required();
   app.add_option(
       "-o,--output", a.outputFile,
@@ -176,8 +176,9 @@ void addMagneticCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "magnetic", "Tables and settings for a magnetic keyboard's firmware, tried on simulated presses");
   const auto a = std::make_shared<MagneticArguments>();
-  addOptions(*app, *a);
-  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+  addMagneticOptions(*app, *a);
+  app->callback(
+      [&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runMagnetic(*a, cancelled); }; });
 }
 
 }  // namespace detent::playback

@@ -21,7 +21,7 @@ struct PageArguments {
   std::string outputFile;
 };
 
-int run(const PageArguments& a, const Cancelled& cancelled) {
+int runPage(const PageArguments& a, const Cancelled& cancelled) {
   std::vector<Button> buttons;
   for (const std::string& file : a.buttons) {
     if (cancelled && cancelled()) return fail(Failure::cancelled("page"));
@@ -46,7 +46,7 @@ void addPageCommand(CLI::App& program, Action& chosen) {
   app->add_option("BUTTON", arguments->buttons, "One to nine *.button.json")->required();
   app->add_option("-o,--output", arguments->outputFile, "The page, *.html")->required();
   app->callback([&chosen, arguments] {
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runPage(*arguments, cancelled); };
   });
 }
 

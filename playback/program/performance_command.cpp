@@ -45,7 +45,7 @@ Result<Button> namedButton(const std::string& file) {
   return button;
 }
 
-const char* nameOf(Claim claim) {
+const char* buttonName(Claim claim) {
   switch (claim) {
     case Claim::noDifference:
       return "no_difference_forecast";
@@ -66,13 +66,13 @@ Json differencesOf(const PressForecast& first, const PressForecast& second) {
   for (std::size_t f = 0; f < pressFigureCount; ++f) {
     const PressDifference difference = differenceOf(first, second, static_cast<PressFigure>(f));
     const bool known = difference.claim != Claim::notForecast;
-    json[pressFigureNames()[f].key] = {{"forecast", nameOf(difference.claim)},
+    json[pressFigureNames()[f].key] = {{"forecast", buttonName(difference.claim)},
                                        {"ratio", known ? bandJson(difference.ratio) : Json(nullptr)}};
   }
   return json;
 }
 
-void say(const PressForecast& forecast) {
+void sayPerformance(const PressForecast& forecast) {
   std::fprintf(stderr, "%s: forecast", forecast.name.c_str());
   if (forecast.operatingPoint_mm)
     std::fprintf(stderr, ", acting at %.4g mm, %s", *forecast.operatingPoint_mm,
@@ -93,7 +93,7 @@ void say(const PressForecast& forecast) {
   }
 }
 
-void say(const LimitFinding& finding) {
+void sayPerformance(const LimitFinding& finding) {
   const Limit& limit = finding.limit;
   const char* outcome = finding.outcome == LimitOutcome::pass   ? "passes"
                         : finding.outcome == LimitOutcome::fail ? "fails"
@@ -140,7 +140,7 @@ Json allDifferences(const std::vector<Forecasted>& all) {
   return list;
 }
 
-int run(const PerformanceArguments& a, const Cancelled& cancelled) {
+int runPerformance(const PerformanceArguments& a, const Cancelled& cancelled) {
   std::vector<Limit> limits = knownLimits();
   if (!a.limitsFile.empty()) {
     Result<std::vector<Limit>> more = readLimits(a.limitsFile);
@@ -162,8 +162,8 @@ int run(const PerformanceArguments& a, const Cancelled& cancelled) {
     if (!forecast) return fail(Failure::cancelled("performance"));
     std::vector<LimitFinding> findings = holdAgainst(limits, button);
     all.push_back({std::move(button), *std::move(forecast), std::move(findings)});
-    say(all.back().forecast);
-    for (const LimitFinding& finding : all.back().limits) say(finding);
+    sayPerformance(all.back().forecast);
+    for (const LimitFinding& finding : all.back().limits) sayPerformance(finding);
     list.push_back(forecastJson(all.back().forecast, all.back().limits));
   }
   const Json differences = allDifferences(all);
@@ -199,7 +199,8 @@ void addPerformanceCommand(CLI::App& program, Action& chosen) {
                           "effects, forecast (5 to 95 % of the fingers) and whether that is what people did "
                           "(docs/reference/press-forecast.md):\n") +
               pressEffects);
-  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+  app->callback(
+      [&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runPerformance(*a, cancelled); }; });
 }
 
 }  // namespace detent::playback

@@ -9,7 +9,7 @@ namespace {
 
 Json numberOrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-const char* nameOf(LimitOutcome outcome) {
+const char* figureName(LimitOutcome outcome) {
   if (outcome == LimitOutcome::withinTolerance) return "within_tolerance";
   return outcome == LimitOutcome::pass ? "pass" : "fail";
 }
@@ -20,7 +20,7 @@ Json jsonOf(const LimitFinding& finding) {
           {"clause", limit.clause},           {"kind", limit.kind},
           {"figure", keyOf(limit.figure)},    {"least", numberOrNull(limit.least)},
           {"most", numberOrNull(limit.most)}, {"tolerance", limit.tolerance},
-          {"value", finding.value},           {"outcome", nameOf(finding.outcome)}};
+          {"value", finding.value},           {"outcome", figureName(finding.outcome)}};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace detent::playback {
 
 namespace {
 
-std::string wordOf(const Json& entry, const char* key) {
+std::string limitWord(const Json& entry, const char* key) {
   const auto found = entry.find(key);
   return found != entry.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
@@ -31,11 +31,11 @@ std::optional<LimitedFigure> figureOf(const std::string& key) {
 
 std::optional<Limit> limitOf(const Json& entry) {
   if (!entry.is_object()) return {};
-  const std::optional<LimitedFigure> figure = figureOf(wordOf(entry, "figure"));
-  Limit limit{wordOf(entry, "standard"), wordOf(entry, "edition"),
-              wordOf(entry, "clause"),   wordOf(entry, "kind"),
-              LimitedFigure::keyForce,   numberOf(entry, "least"),
-              numberOf(entry, "most"),   numberOf(entry, "tolerance").value_or(0)};
+  const std::optional<LimitedFigure> figure = figureOf(limitWord(entry, "figure"));
+  Limit limit{limitWord(entry, "standard"), limitWord(entry, "edition"),
+              limitWord(entry, "clause"),   limitWord(entry, "kind"),
+              LimitedFigure::keyForce,      numberOf(entry, "least"),
+              numberOf(entry, "most"),      numberOf(entry, "tolerance").value_or(0)};
   if (limit.kind.empty()) limit.kind = "required";
   if (!figure || limit.standard.empty() || (!limit.least && !limit.most)) return {};
   if (limit.tolerance < 0 || (limit.least && limit.most && *limit.least > *limit.most)) return {};

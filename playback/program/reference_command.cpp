@@ -21,7 +21,7 @@ struct ReferenceArguments {
   bool json = false;
 };
 
-int run(const ReferenceArguments& a, const Cancelled& cancelled) {
+int runReference(const ReferenceArguments& a, const Cancelled& cancelled) {
   Result<ReferenceSignal> signal = readReference(a.file);
   if (!signal) return fail(signal.failure());
   if (cancelled && cancelled()) return fail(Failure::cancelled("reference"));
@@ -59,7 +59,7 @@ void addReferenceCommand(CLI::App& program, Action& chosen) {
                   "WAV or FLAC of what it plays, 48000 samples a second");
   app->add_flag("--json", arguments->json, "One JSON object on stdout");
   app->callback([&chosen, arguments] {
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runReference(*arguments, cancelled); };
   });
 }
 

@@ -37,7 +37,7 @@ struct RenderArguments {
   bool json = false;
 };
 
-void addOptions(CLI::App& app, RenderArguments& a) {
+void addRenderOptions(CLI::App& app, RenderArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json")->required();
   auto* press =
       app.add_option("--press", a.pressFile, "Press trace CSV: time_s,force_N or time_s,displacement_mm");
@@ -90,7 +90,7 @@ void warnOfSize(const ExpectedSize& size) {
                size.duration_s / 60, size.bytes / 1e9);
 }
 
-int run(const RenderArguments& a, const Cancelled& cancelled) {
+int runRender(const RenderArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
   if (!profile) return fail(profile.failure());
   Result<Button> button = readButtonFile(a.button);
@@ -176,11 +176,11 @@ void addRenderCommand(CLI::App& program, Action& chosen) {
   CLI::App* app =
       program.add_subcommand("render", "A press to a sound file, sample for sample what live play gives");
   const auto arguments = std::make_shared<RenderArguments>();
-  addOptions(*app, *arguments);
+  addRenderOptions(*app, *arguments);
   app->callback([&chosen, arguments] {
     if (arguments->pressFile.empty() && !arguments->standardPress)
       throw CLI::RequiredError("--press or --standard-press");
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runRender(*arguments, cancelled); };
   });
 }
 

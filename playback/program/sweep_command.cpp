@@ -31,7 +31,7 @@ struct SweepArguments {
 
 constexpr std::size_t mostRuns = 8;
 
-void addOptions(CLI::App& app, SweepArguments& a) {
+void addSweepOptions(CLI::App& app, SweepArguments& a) {
   addDeviceOptions(app, a.player);
   app.add_option("--input", a.inputDevice, "Accelerometer or microphone; default: the device's own input");
   app.add_option("-o,--output", a.outputFile, "Device profile to write; an existing one keeps its sensor")
@@ -100,15 +100,15 @@ Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const Pl
                                                const SweepSettings& settings, const Cancelled& cancelled) {
   const std::vector<float> played = sweepSignal(settings);
   std::vector<FrequencyResponse> runs;
-  for (std::size_t run = 1; run <= mostRuns; ++run) {
-    std::fprintf(stderr, "Run %zu: playing %.0f s from %.0f to %.0f Hz at %.0f samples per second ...\n", run,
-                 settings.duration_s, settings.from_Hz, settings.to_Hz, settings.sampleRate_Hz);
+  for (std::size_t runSweep = 1; runSweep <= mostRuns; ++runSweep) {
+    std::fprintf(stderr, "Run %zu: playing %.0f s from %.0f to %.0f Hz at %.0f samples per second ...\n",
+                 runSweep, settings.duration_s, settings.from_Hz, settings.to_Hz, settings.sampleRate_Hz);
     Result<SoundRecording> recorded = playAndRecordSamples(player, a.inputDevice, played, cancelled);
     if (!recorded) return recorded.failure();
     Result<FrequencyResponse> response = analyseSweep(played, recorded->samples, settings);
     if (!response) return response.failure();
     if (const std::string lost = lostIn(*recorded, *response); !lost.empty()) {
-      std::fprintf(stderr, "Run %zu does not count: %s\n", run, lost.c_str());
+      std::fprintf(stderr, "Run %zu does not count: %s\n", runSweep, lost.c_str());
       continue;
     }
     for (const FrequencyResponse& before : runs) {
@@ -122,7 +122,7 @@ Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const Pl
       "Close other programs, enlarge the sound server's buffer, fix the device so that nothing rattles"};
 }
 
-int run(const SweepArguments& a, const Cancelled& cancelled) {
+int runSweep(const SweepArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileToExtend(a.outputFile);
   if (!profile) return fail(profile.failure());
   SweepSettings settings = a.sweep;
@@ -190,9 +190,9 @@ void addSweepCommand(CLI::App& program, Action& chosen) {
   CLI::App* app =
       program.add_subcommand("sweep", "Measure a device's frequency response and write its profile");
   const auto arguments = std::make_shared<SweepArguments>();
-  addOptions(*app, *arguments);
+  addSweepOptions(*app, *arguments);
   app->callback([&chosen, arguments] {
-    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+    chosen = [arguments](const Cancelled& cancelled) { return runSweep(*arguments, cancelled); };
   });
 }
 

@@ -9,7 +9,7 @@ namespace detent::playback {
 namespace {
 
 // Claims of docs/develop/decisions/0906.
-constexpr double negligible_N = 0.001;
+constexpr double negligibleMovement_N = 0.001;
 constexpr double fewestTurns = 2.5;   // half swings within the window: 6 Hz and above
 constexpr double surestTurns = 8;     // more do not tell a drift more surely
 constexpr double mostHum_N = 0.04;    // range: hum of 12 mN with its harmonics, or a steadied sensor
@@ -96,7 +96,7 @@ bool RestBand::drifts(const SwingWindow::Swing& swing) {
 }
 
 void RestBand::judge(double time_s, const SwingWindow::Swing& swing) {
-  const bool still = swing.range_N() < negligible_N;
+  const bool still = swing.range_N() < negligibleMovement_N;
   if (time_s - swungAt_s_ > remembered_s) swing_N_ = 0;
   if (still && swing_N_ == 0 && motion_ == Motion::rest) restWithin(swing);
   if (still || !swings(swing)) return;

@@ -4,14 +4,14 @@
 namespace detent::playback {
 
 namespace {
-constexpr double fade_s = 0.005;
-constexpr double gainRamp_s = 0.01;  // as the engine's
+constexpr double takeFade_s = 0.005;
+constexpr double takeGainRamp_s = 0.01;  // as the engine's
 }  // namespace
 
 void TakePlayer::setSampleRate(double sampleRate_Hz) {
   stop();
-  fadeStep_ = 1 / (fade_s * sampleRate_Hz);
-  gainStep_ = 1 / (gainRamp_s * sampleRate_Hz);
+  fadeStep_ = 1 / (takeFade_s * sampleRate_Hz);
+  gainStep_ = 1 / (takeGainRamp_s * sampleRate_Hz);
 }
 
 void TakePlayer::stop() {

@@ -24,10 +24,10 @@ Result<Button> changedBy(const Button& button, Lever lever, double factor) {
 }
 
 /// Searches one lever in one direction.
-class Search {
+class DesignSearch {
  public:
-  Search(const Button& button, const FeltButton& other, const DesignHelpSettings& settings,
-         const std::function<bool()>& cancelled)
+  DesignSearch(const Button& button, const FeltButton& other, const DesignHelpSettings& settings,
+               const std::function<bool()>& cancelled)
       : button_(button), other_(other), settings_(settings), cancelled_(cancelled) {}
 
   /// The first factor on the way from 1 to `farthest` at which the two are told apart: found in strides, then looked for in the two strides
@@ -85,7 +85,7 @@ Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const 
   if (!felt) return felt.failure();
   std::vector<Suggestion> suggestions;
   if (predictConfusion(*itself, *felt, settings.confusion).toldApart()) return suggestions;
-  const Search search(button, *felt, settings, cancelled);
+  const DesignSearch search(button, *felt, settings, cancelled);
   for (const Lever lever : {Lever::snap, Lever::travel, Lever::force})
     for (const double farthest : {settings.largestFactor, 1 / settings.largestFactor})
       if (std::optional<Suggestion> found = search.along(lever, farthest))

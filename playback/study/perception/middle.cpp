@@ -21,10 +21,10 @@ double imbalanceOf(const PerceptualMiddle& place) {
 }
 
 /// Tries places between two buttons and keeps the one whose halves differ least.
-class Search {
+class MiddleSearch {
  public:
-  Search(const Button& from, const Button& to, const PerceptionSettings& perception,
-         const ConfusionSettings& confusion, const std::function<bool()>& cancelled)
+  MiddleSearch(const Button& from, const Button& to, const PerceptionSettings& perception,
+               const ConfusionSettings& confusion, const std::function<bool()>& cancelled)
       : from_(from), to_(to), perception_(perception), confusion_(confusion), cancelled_(cancelled) {}
 
   std::optional<Failure> begin() {
@@ -95,7 +95,7 @@ Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
                                           const PerceptionSettings& perception,
                                           const ConfusionSettings& confusion,
                                           const std::function<bool()>& cancelled) {
-  Search search(from, to, perception, confusion, cancelled);
+  MiddleSearch search(from, to, perception, confusion, cancelled);
   if (auto failure = search.begin()) return std::move(*failure);
   if (const auto half = search.imbalanceAt(0.5); !half) return half.failure();
   constexpr int stretches =

@@ -12,6 +12,7 @@
 #include "model/file/button_file.h"
 #include "model/program/command_line.h"
 #include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
 #include "playback/study/perception/middle.h"
 
 namespace detent::playback {
@@ -24,7 +25,7 @@ struct BetweenArguments {
   bool json = false;
 };
 
-int run(const BetweenArguments& a, const Cancelled& cancelled) {
+int runBetween(const BetweenArguments& a, const Cancelled& cancelled) {
   const auto from = readButtonFile(a.from);
   if (!from) return fail(from.failure());
   const auto to = readButtonFile(a.to);
@@ -56,9 +57,10 @@ void addBetweenCommand(CLI::App& program, Action& chosen) {
   app->add_option("TO", a->to, "*.button.json")->required();
   app->add_option("-o,--output", a->out, "*.button.json to write")->required();
   app->add_option("--at", a->share, "share of the way instead, 0 (FROM) to 1 (TO)")
-      ->check(numberWithin<CLI::Validator>(0, 1));
+      ->check(numberWithin(0, 1));
   app->add_flag("--json", a->json, "One JSON object on stdout");
-  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+  app->callback(
+      [&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runBetween(*a, cancelled); }; });
 }
 
 }  // namespace detent::playback

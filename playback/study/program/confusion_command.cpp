@@ -48,7 +48,7 @@ Result<PerceptionSettings> perceptionOf(const ConfusionArguments& a) {
   return settings;
 }
 
-const char* wordOf(Verdict verdict) {
+const char* confusionWord(Verdict verdict) {
   if (verdict == Verdict::toldApart) return "told apart";
   return verdict == Verdict::notToldApart ? "not told apart" : "cannot be said";
 }
@@ -60,16 +60,16 @@ Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pai
           {"errors_per_90", pair.errorsPer90()},
           {"errors_low", pair.leastErrorsPer90()},
           {"errors_high", pair.mostErrorsPer90()},
-          {"verdict", wordOf(pair.verdict())},
+          {"verdict", confusionWord(pair.verdict())},
           {"reason", english(reasonOf(pair))}};
 }
 
-void say(const std::string& a, const std::string& b, const PredictedPair& pair) {
+void sayConfusion(const std::string& a, const std::string& b, const PredictedPair& pair) {
   std::fprintf(stderr, "%s | %s: %s; %s (d' %.1f)\n", a.c_str(), b.c_str(), english(verdictOf(pair)).c_str(),
                english(reasonOf(pair)).c_str(), pair.dPrime);
 }
 
-const char* nameOf(Lever lever) {
+const char* confusionName(Lever lever) {
   if (lever == Lever::snap) return "snap ratio";
   return lever == Lever::travel ? "travel" : "force";
 }
@@ -83,12 +83,12 @@ int suggest(const Button& button, const Button& other, const PerceptionSettings&
   if (found->empty())
     std::fprintf(stderr, "  no single change of up to a factor 4 is sure to tell them apart\n");
   for (const Suggestion& s : *found)
-    std::fprintf(stderr, "  %s of \"%s\" x %.2f: %s\n", nameOf(s.lever), button.name().c_str(), s.factor,
-                 english(errorsOf(s.forecast)).c_str());
+    std::fprintf(stderr, "  %s of \"%s\" x %.2f: %s\n", confusionName(s.lever), button.name().c_str(),
+                 s.factor, english(errorsOf(s.forecast)).c_str());
   return 0;
 }
 
-int run(const ConfusionArguments& a, const Cancelled& cancelled) {
+int runConfusion(const ConfusionArguments& a, const Cancelled& cancelled) {
   Result<std::vector<Button>> buttons = readAll(a.buttons);
   if (!buttons) return fail(buttons.failure());
   Result<PerceptionSettings> settings = perceptionOf(a);
@@ -108,7 +108,7 @@ int run(const ConfusionArguments& a, const Cancelled& cancelled) {
   for (std::size_t second = 1; second < felt.size(); ++second) {
     for (std::size_t first = 0; first < second; ++first, ++at) {
       list.push_back(jsonOf(felt[first].name, felt[second].name, pairs[at]));
-      say(felt[first].name, felt[second].name, pairs[at]);
+      sayConfusion(felt[first].name, felt[second].name, pairs[at]);
       if (!a.suggest || pairs[at].toldApart()) continue;
       if (const int code = suggest((*buttons)[second], (*buttons)[first], *settings, cancelled); code != 0)
         return code;
@@ -135,7 +135,8 @@ void addConfusionCommand(CLI::App& program, Action& chosen) {
   a->feel.settings.feel = Feel::paper;  // the forecast was held against the paper's own presses
   addFeelOptions(*app, a->feel);
   app->add_flag("--json", a->json, "One JSON object on stdout");
-  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+  app->callback(
+      [&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runConfusion(*a, cancelled); }; });
 }
 
 }  // namespace detent::playback

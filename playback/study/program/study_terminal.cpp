@@ -20,13 +20,13 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double look_s = 0.05;
+constexpr double terminalPoll_s = 0.05;
 constexpr std::size_t mostKeys = 9;  // 1..9 press, a..i answer
 
 enum class Outcome : std::uint8_t { answered, paused, stopped };
 
 /// Words with their values, on standard error.
-void say(const std::string& words) { std::fputs(words.c_str(), stderr); }
+void sayOnTerminal(const std::string& words) { std::fputs(words.c_str(), stderr); }
 
 /// What the participant said.
 struct Given {
@@ -82,12 +82,12 @@ class Desk {
       Result<Outcome> outcome = isTimed() ? timed(terminal) : ask(terminal);
       if (!outcome) return outcome.failure();
       if (*outcome == Outcome::paused) {
-        say(std::string("\n") + words_.paused + "\n");
+        sayOnTerminal(std::string("\n") + words_.paused + "\n");
         return Done{};
       }
       if (*outcome == Outcome::stopped) return session_.end("stopped by the participant");
     }
-    say(std::string("\n") + words_.last + "\n");
+    sayOnTerminal(std::string("\n") + words_.last + "\n");
     return session_.end("complete");
   }
 
@@ -104,11 +104,11 @@ class Desk {
       if (cancelled_()) return Outcome::paused;
       if (const StudyTrouble trouble = player_.troubleSinceAsked(); trouble != StudyTrouble::none) {
         if (Result<Done> ok = session_.interrupted(nameOf(trouble)); !ok) return ok.failure();
-        say("\n" + filled(words_.interrupted, {nameOf(trouble)}) + "\n");
+        sayOnTerminal("\n" + filled(words_.interrupted, {nameOf(trouble)}) + "\n");
         awaitDevice(player_, terminal, words_, trouble, cancelled_);
         return ask(terminal);
       }
-      const std::optional<char> typed = terminal.key(look_s);
+      const std::optional<char> typed = terminal.key(terminalPoll_s);
       desk.felt(player_.takeFelt());
       if (!typed) continue;
       if (*typed == escapeKey) player_.stopForce();
@@ -122,7 +122,7 @@ class Desk {
       answer.rating = given->rating;
       Result<Done> kept = session_.record(answer);
       if (kept) return Outcome::answered;
-      say("\n" + filled(words_.notKept, {kept.failure().sentence()}) + "\n");
+      sayOnTerminal("\n" + filled(words_.notKept, {kept.failure().sentence()}) + "\n");
     }
   }
 
@@ -136,21 +136,22 @@ class Desk {
       showScale();
     else
       showChoices(desk);
-    say(std::string("  ") + keys() + "\n");
+    sayOnTerminal(std::string("  ") + keys() + "\n");
   }
 
   std::string keys() const { return words_.keys + (withForce_ ? std::string(", ") + words_.stopForce : ""); }
 
   void sayNumber(const Trial& trial) const {
-    say("\n" + filled(trial.practice ? words_.practice : words_.trial,
-                      {std::to_string(trial.number), std::to_string(session_.record().plan.size())}));
-    say(player_.sounding() ? std::string("\n") : std::string("   ") + words_.rehearsal + "\n");
+    sayOnTerminal("\n" +
+                  filled(trial.practice ? words_.practice : words_.trial,
+                         {std::to_string(trial.number), std::to_string(session_.record().plan.size())}));
+    sayOnTerminal(player_.sounding() ? std::string("\n") : std::string("   ") + words_.rehearsal + "\n");
   }
 
   void showScale() const {
     const bool magnitude = study_.design.scale == RatingScale::magnitude;
-    say(std::string("  ") + words_.press + " " + words_.spaceBar + "\n  " + words_.answer + " " +
-        filled(words_.thenEnter, {magnitude ? words_.magnitude : words_.preference}) + "\n");
+    sayOnTerminal(std::string("  ") + words_.press + " " + words_.spaceBar + "\n  " + words_.answer + " " +
+                  filled(words_.thenEnter, {magnitude ? words_.magnitude : words_.preference}) + "\n");
   }
 
   void showChoices(const TrialDesk& desk) const {
@@ -165,7 +166,7 @@ class Desk {
     for (std::size_t i = 0; i < trial.choices.size(); ++i)
       text += std::string("  ") + static_cast<char>('a' + i) + " = " +
               filled(comparisonWords(words_, study_.design), {std::to_string(i + 1)});
-    say(text + "\n");
+    sayOnTerminal(text + "\n");
   }
 
   // ---- timing
@@ -189,7 +190,7 @@ class Desk {
     const std::string said = filled(task(), {std::to_string(std::lround(study_.design.run_s))});
     std::string keys = "\n  " + said + "\n";
     if (!player_.sensed()) keys += std::string("  ") + words_.press + " " + words_.spaceBar + "\n";
-    say(keys + "  " + this->keys() + "\n\n" + words_.begin + " ");
+    sayOnTerminal(keys + "  " + this->keys() + "\n\n" + words_.begin + " ");
     return anyKey(terminal);
   }
 
@@ -239,7 +240,7 @@ class Desk {
     }
     if (key == '\b' || key == '\x7f') {
       typed_.clear();
-      say(std::string(" [") + words_.takenBack + "] ");
+      sayOnTerminal(std::string(" [") + words_.takenBack + "] ");
     }
     if (key != '\n' && key != '\r') return {};
     const std::string typed = std::exchange(typed_, {});
@@ -248,7 +249,7 @@ class Desk {
     if (error == std::errc() && stop == typed.data() + typed.size() && ratingFits(study_, number))
       return Given{0, number};
     const bool magnitude = study_.design.scale == RatingScale::magnitude;
-    say(std::string("  [") + (magnitude ? words_.typeMagnitude : words_.typePreference) + "]");
+    sayOnTerminal(std::string("  [") + (magnitude ? words_.typeMagnitude : words_.typePreference) + "]");
     return {};
   }
 
@@ -262,13 +263,13 @@ class Desk {
       text += at == desk.slotOfX() ? std::string(" X") : " " + std::to_string(at + 1);
       if (desk.feltOf(at).presses > 0) text += std::string(" ") + words_.notYet;
     }
-    say(text + "]");
+    sayOnTerminal(text + "]");
     return {};
   }
 
   /// The participant rests; any key goes on. False: the program is to end.
   bool rested(RawTerminal& terminal) const {
-    say(std::string("\n") + words_.rest + " ");
+    sayOnTerminal(std::string("\n") + words_.rest + " ");
     return anyKey(terminal);
   }
 
@@ -276,7 +277,7 @@ class Desk {
   bool anyKey(RawTerminal& terminal) const {
     while (!cancelled_()) {
       player_.takeFelt();
-      const std::optional<char> key = terminal.key(look_s);
+      const std::optional<char> key = terminal.key(terminalPoll_s);
       if (key && !stopsForce(*key)) return true;
     }
     return false;
@@ -289,10 +290,10 @@ class Desk {
   }
 
   bool confirmed(RawTerminal& terminal) const {
-    say(std::string("\n") + words_.stop + " ");
+    sayOnTerminal(std::string("\n") + words_.stop + " ");
     while (!cancelled_()) {
       player_.takeFelt();
-      const std::optional<char> key = terminal.key(look_s);
+      const std::optional<char> key = terminal.key(terminalPoll_s);
       if (key && stopsForce(*key)) continue;
       if (key) return lowerCase(*key) == 'y' || lowerCase(*key) == words_.yes;
     }
@@ -319,9 +320,9 @@ enum class Decision : std::uint8_t { agreed, declined, left };
 
 Decision decided(const ParticipantWords& words, const Cancelled& cancelled) {
   RawTerminal terminal;
-  say(std::string("\n  ") + words.agree + "\n");
+  sayOnTerminal(std::string("\n  ") + words.agree + "\n");
   while (!cancelled()) {
-    const std::optional<char> key = terminal.key(look_s);
+    const std::optional<char> key = terminal.key(terminalPoll_s);
     if (!key) continue;
     if (lowerCase(*key) == 'y' || lowerCase(*key) == 'j') return Decision::agreed;
     if (lowerCase(*key) == 'n') return Decision::declined;
@@ -342,7 +343,7 @@ Result<bool> consented(const Study& study, const std::string& language, const Ca
   if (decision == Decision::agreed) start.consent = kept;
   if (decision == Decision::declined) {
     if (Result<Done> ok = recordDeclined(study.folder, kept); !ok) return ok.failure();
-    say(std::string("\n") + words.goodbye + "\n");
+    sayOnTerminal(std::string("\n") + words.goodbye + "\n");
   }
   return decision == Decision::agreed;
 }
@@ -389,7 +390,8 @@ Result<ParticipantRecord> askParticipant(const Study& study, const AskedParticip
   for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
   if (session->trial() == nullptr) return session->record();
   if (noiseLevel > 0)
-    say(filled(words.rain, {devices.player.masking.device.empty() ? words.behindTheSignal
+    sayOnTerminal(
+        filled(words.rain, {devices.player.masking.device.empty() ? words.behindTheSignal
                                                                   : devices.player.masking.device}) +
         "\n");
   Desk desk(study, *session, **player, words, cancelled);

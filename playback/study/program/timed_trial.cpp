@@ -14,7 +14,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double blocked_s = 1e-4;      // a wait so long has blocked
-constexpr double look_s = 0.01;         // a sensor's presses are timed by themselves; this is for the picture
+constexpr double timedPoll_s = 0.01;    // a sensor's presses are timed by themselves; this is for the picture
 constexpr std::size_t wayColumns = 40;  // of the ball, from its start to the window
 
 /// The window's line: the ball runs through it.
@@ -75,7 +75,7 @@ class TimedTrial {
   /// Until the next thing to draw, at most.
   double wait_s() const {
     const double at_s = now_s();
-    double wait_s = look_s;
+    double wait_s = timedPoll_s;
     if (drawn_ < beats_s().size()) wait_s = std::min(wait_s, beats_s()[drawn_] - at_s);
     return std::max(wait_s, 0.0);
   }
@@ -146,7 +146,7 @@ void awaitDevice(StudyPlayer& player, RawTerminal& terminal, const ParticipantWo
                  StudyTrouble trouble, const Cancelled& cancelled) {
   if (trouble == StudyTrouble::forceStopped) std::fprintf(stderr, "%s\n", words.rearm);
   while (player.troubleSinceAsked() != StudyTrouble::none && !cancelled()) {
-    const std::optional<char> key = terminal.key(look_s);
+    const std::optional<char> key = terminal.key(timedPoll_s);
     if (key == 'a' || key == 'A') player.rearm();
     if (key == escapeKey) player.stopForce();
   }

@@ -19,7 +19,7 @@ constexpr std::size_t fewestPersons = 6;  // as participantBootstrap
 constexpr int mostSteps = 100;
 constexpr double smallestStep = 1e-12;
 
-double shareOf(double logOdds) { return 1 / (1 + std::exp(-logOdds)); }
+double shareOfLogOdds(double logOdds) { return 1 / (1 + std::exp(-logOdds)); }
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -55,7 +55,7 @@ Slopes slopesAt(const Vector& scores, const Duels& duels) {
   Slopes s{Vector::Zero(n), Matrix::Constant(n, n, 1.0 / static_cast<double>(n))};  // fixes the mean
   for (const auto& [pair, duel] : duels) {
     const auto i = static_cast<Eigen::Index>(pair.first), k = static_cast<Eigen::Index>(pair.second);
-    const double share = shareOf(scores[i] - scores[k]), weight = duel.all * share * (1 - share);
+    const double share = shareOfLogOdds(scores[i] - scores[k]), weight = duel.all * share * (1 - share);
     const double surplus = duel.wins - duel.all * share;
     s.gradient[i] += surplus;
     s.gradient[k] -= surplus;
@@ -77,7 +77,7 @@ Matrix pullsOf(const std::vector<Preference>& preferences, const Vector& scores,
   Matrix pulls = Matrix::Zero(scores.size(), static_cast<Eigen::Index>(persons));
   for (const Preference& p : preferences) {
     const auto w = static_cast<Eigen::Index>(p.winner), l = static_cast<Eigen::Index>(p.loser);
-    const double surprise = 1 - shareOf(scores[w] - scores[l]);
+    const double surprise = 1 - shareOfLogOdds(scores[w] - scores[l]);
     pulls(w, static_cast<Eigen::Index>(p.person)) += surprise;
     pulls(l, static_cast<Eigen::Index>(p.person)) -= surprise;
   }

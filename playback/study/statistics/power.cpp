@@ -12,7 +12,7 @@ namespace {
 constexpr const char* seedText = "power of a study";
 
 double logOdds(double share) { return std::log(share / (1 - share)); }
-double shareOf(double odds) { return 1 / (1 + std::exp(-odds)); }
+double shareOfOdds(double odds) { return 1 / (1 + std::exp(-odds)); }
 
 int drawErrors(std::size_t trials, double rate, StudyRandom& random) {
   int errors = 0;
@@ -64,8 +64,8 @@ int drawErrorDifference(const ErrorRates& rates, StudyRandom& random) {
   const double effect =
       logOdds(rates.rate + rates.difference) - logOdds(rates.rate) + rates.effectSpread * drawNormal(random);
   const double first = logOdds(rates.rate) + person;
-  return drawErrors(rates.trials, shareOf(first + effect), random) -
-         drawErrors(rates.trials, shareOf(first), random);
+  return drawErrors(rates.trials, shareOfOdds(first + effect), random) -
+         drawErrors(rates.trials, shareOfOdds(first), random);
 }
 
 double drawNormal(StudyRandom& random) {

@@ -17,7 +17,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double percent = 100, confidence = 0.95;
+constexpr double answerPercent = 100, confidence = 0.95;
 
 FigureCell cell(const std::optional<double>& value) { return value ? FigureCell(*value) : FigureCell(); }
 FigureCell count(std::size_t n) { return static_cast<double>(n); }
@@ -235,7 +235,7 @@ double told(RatingScale scale, double value) {
     case RatingScale::magnitude:
       return std::exp(value);
     case RatingScale::pairwise:
-      return percent * (value + 0.5);
+      return answerPercent * (value + 0.5);
   }
   return value;
 }
@@ -318,19 +318,19 @@ std::vector<FigureTable> thresholdTables(const Study& study,
     std::map<std::size_t, std::vector<double>> logs;
     for (const auto& [key, t] : thresholdsIn(study, answers)) {
       const auto& [reference, person] = key;
-      persons.rows.push_back({condition, participants[person].participant, study.buttons[reference].label,
-                              count(t.trials), count(t.right), percent * t.estimate.threshold,
-                              percent * t.estimate.credible.low, percent * t.estimate.credible.high,
-                              t.estimate.beyondLevels ? "yes" : "no"});
+      persons.rows.push_back(
+          {condition, participants[person].participant, study.buttons[reference].label, count(t.trials),
+           count(t.right), answerPercent * t.estimate.threshold, answerPercent * t.estimate.credible.low,
+           answerPercent * t.estimate.credible.high, t.estimate.beyondLevels ? "yes" : "no"});
       logs[reference].push_back(std::log(t.estimate.threshold));
     }
     for (const auto& [reference, values] : logs) {
       const MeanOverPeople m = meanOver(values);
       const auto end = [&](double Interval::*side) {
-        return cell(m.interval ? std::optional(percent * std::exp((*m.interval).*side)) : std::nullopt);
+        return cell(m.interval ? std::optional(answerPercent * std::exp((*m.interval).*side)) : std::nullopt);
       };
       over.rows.push_back({condition, study.buttons[reference].label, count(values.size()),
-                           percent * std::exp(m.mean), end(&Interval::low), end(&Interval::high)});
+                           answerPercent * std::exp(m.mean), end(&Interval::low), end(&Interval::high)});
     }
   }
   return {persons, over};

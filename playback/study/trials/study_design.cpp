@@ -47,7 +47,7 @@ Failure unreadable(const fs::path& file, Message problem, Remedies remedies) {
   return {FailureCode::unreadableInput, file.string(), "", std::move(problem), std::move(remedies)};
 }
 
-std::string labelOf(const std::string& file) {
+std::string fileLabel(const std::string& file) {
   std::string name = fs::path(file).filename().string();
   if (name.ends_with(buttonEnding)) name.resize(name.size() - std::string_view(buttonEnding).size());
   return name;
@@ -283,7 +283,7 @@ Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
     if (!text) return text.failure();
     Result<Button> button = buttonFromJson(*text, file);
     if (!button) return button.failure();
-    const std::string label = labelOf(file);
+    const std::string label = fileLabel(file);
     if (!isUtf8(label))  // it stands in study.json, which names the study's own copy of the file
       return wrong(file, Message("has a name that is not UTF-8"), Message("Rename the file"));
     if (!labels.insert(label).second)

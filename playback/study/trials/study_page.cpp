@@ -30,7 +30,7 @@ caption { caption-side: bottom; min-width: 26rem; text-align: left; color: #5660
   .sheet { display: table; width: 100%; } .sheet > thead { display: table-header-group; } .sheet > thead > tr > td { height: 2.6rem; } }
 )";
 
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
+__attribute__((format(printf, 1, 2))) std::string formattedHtml(const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
   char text[1024];
@@ -39,46 +39,47 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return text;
 }
 
-std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
+std::string htmlCell(const std::string& text) { return "<td>" + text + "</td>"; }
 std::string head(const std::string& text) { return "<th>" + text + "</th>"; }
 
-std::string percent(double share) { return formatted("%.2f %%", 100 * share); }
-std::string interval(const Interval& i) { return formatted("%.1f–%.1f %%", 100 * i.low, 100 * i.high); }
+std::string percentText(double share) { return formattedHtml("%.2f %%", 100 * share); }
+std::string interval(const Interval& i) { return formattedHtml("%.1f–%.1f %%", 100 * i.low, 100 * i.high); }
 
 std::string row(const std::string& name, const StudyResults& results,
                 const std::function<std::string(const GroupResult&)>& text) {
   std::string line = "<tr>" + head(name);
-  for (const GroupResult& group : results.groups) line += cell(text(group));
+  for (const GroupResult& group : results.groups) line += htmlCell(text(group));
   return line + "</tr>\n";
 }
 
-std::string count(const Count& c) {
+std::string countText(const Count& c) {
   if (c.trials == 0) return "–";
-  return formatted("%zu / %zu (%s)", c.errors, c.trials, percent(rateOf(c)).c_str());
+  return formattedHtml("%zu / %zu (%s)", c.errors, c.trials, percentText(rateOf(c)).c_str());
 }
 
-std::string table1(const StudyResults& results) {
+std::string table1Html(const StudyResults& results) {
   std::string text = "<section><h2>Table 1. Summary</h2>\n<table><tr><th></th>";
   for (const GroupResult& group : results.groups) text += head(escapedForMarkup(group.condition));
   text += "</tr>\n";
   text +=
       row("Participants", results, [](const GroupResult& g) { return std::to_string(g.participantCount); });
   text += row("Avg. time (SD)", results, [](const GroupResult& g) {
-    return g.meanTime_min > 0 ? formatted("%.1f min (%.1f)", g.meanTime_min, g.sdTime_min) : std::string("–");
+    return g.meanTime_min > 0 ? formattedHtml("%.1f min (%.1f)", g.meanTime_min, g.sdTime_min)
+                              : std::string("–");
   });
-  text += row("Errors / trials", results, [](const GroupResult& g) { return count(g.errors); });
+  text += row("Errors / trials", results, [](const GroupResult& g) { return countText(g.errors); });
   text += row("Wilson 95 %", results, [](const GroupResult& g) { return interval(g.wilson); });
   text +=
       row("Clopper–Pearson 95 %", results, [](const GroupResult& g) { return interval(g.clopperPearson); });
   text += row("Participants resampled (BCa) 95 %", results,
               [](const GroupResult& g) { return g.bootstrap ? interval(*g.bootstrap) : std::string("–"); });
-  text += row("ABX tests failed / total", results, [](const GroupResult& g) { return count(g.fails); });
+  text += row("ABX tests failed / total", results, [](const GroupResult& g) { return countText(g.fails); });
   return text +
          "<caption>Wilson and Clopper–Pearson take trials as independent; those of one person are not, "
          "which resampling participants accounts for.</caption></table></section>\n";
 }
 
-const PairResult* pairOf(const GroupResult& group, std::size_t first, std::size_t second) {
+const PairResult* pairResult(const GroupResult& group, std::size_t first, std::size_t second) {
   for (const PairResult& pair : group.pairs)
     if (pair.first == first && pair.second == second) return &pair;
   return nullptr;
@@ -88,10 +89,10 @@ std::string table2Cell(const PairResult* pair) {
   if (pair == nullptr) return "<td></td>";
   const std::size_t fails = pair->failCount.value_or(0);
   const char* shade = fails == 0 ? "" : fails == 1 ? " class=\"one\"" : " class=\"more\"";
-  return formatted("<td%s>%zu%s</td>", shade, pair->errors.errors, markOf(*pair));
+  return formattedHtml("<td%s>%zu%s</td>", shade, pair->errors.errors, markOf(*pair));
 }
 
-std::string table2(const StudyResults& results, const GroupResult& group) {
+std::string table2Html(const StudyResults& results, const GroupResult& group) {
   const std::size_t n = results.labels.size();
   std::string text =
       "<section><h2>Table 2. Errors by all participants: " + escapedForMarkup(group.condition) +
@@ -100,7 +101,7 @@ std::string table2(const StudyResults& results, const GroupResult& group) {
   text += "</tr>\n";
   for (std::size_t second = 1; second < n; ++second) {
     text += "<tr>" + head(escapedForMarkup(results.labels[second]));
-    for (std::size_t first = 0; first < second; ++first) text += table2Cell(pairOf(group, first, second));
+    for (std::size_t first = 0; first < second; ++first) text += table2Cell(pairResult(group, first, second));
     text += "</tr>\n";
   }
   const bool told = std::any_of(group.pairs.begin(), group.pairs.end(),
@@ -133,12 +134,12 @@ std::string bars(const StudyResults& results, const GroupResult& group) {
   const double barsLeft = besideBars + letterWidth * static_cast<double>(longest);
   const double end = scaleEnd(group), perShare = barsWidth / end;
   const double height = barStep * static_cast<double>(group.pairs.size()) + 30;
-  std::string text =
-      formatted("<section><h2>Error rate by pair: %s</h2>\n<svg width=\"%.0f\" height=\"%.0f\" role=\"img\">",
-                escapedForMarkup(group.condition).c_str(), barsLeft + barsWidth + 60, height);
+  std::string text = formattedHtml(
+      "<section><h2>Error rate by pair: %s</h2>\n<svg width=\"%.0f\" height=\"%.0f\" role=\"img\">",
+      escapedForMarkup(group.condition).c_str(), barsLeft + barsWidth + 60, height);
   for (int tick = 0; tick <= 5; ++tick) {
     const double x = barsLeft + barsWidth * tick / 5;
-    text += formatted(
+    text += formattedHtml(
         "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"0\" y2=\"%.1f\" stroke=\"#dde3ea\"/>"
         "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%.3g %%</text>\n",
         x, x, height - 22, x, height - 6, 100 * end * tick / 5);
@@ -146,12 +147,12 @@ std::string bars(const StudyResults& results, const GroupResult& group) {
   double y = 4;
   for (const PairResult& pair : group.pairs) {
     const double middle = y + barHeight / 2, rate = rateOf(pair.errors);
-    text += formatted("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">", barsLeft - 8, middle + 4) +
+    text += formattedHtml("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">", barsLeft - 8, middle + 4) +
             escapedForMarkup(pairName(labels, pair.first, pair.second)) + "<title>" +
             escapedForMarkup(pairName(results.labels, pair.first, pair.second)) + "</title></text>";
-    text += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#3567a8\"/>",
-                      barsLeft, y, rate * perShare, barHeight);
-    text += formatted(
+    text += formattedHtml("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#3567a8\"/>",
+                          barsLeft, y, rate * perShare, barHeight);
+    text += formattedHtml(
         "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"#1c2430\" stroke-width=\"1.5\"/>\n",
         barsLeft + pair.wilson.low * perShare, barsLeft + pair.wilson.high * perShare, middle, middle);
     y += barStep;
@@ -160,7 +161,7 @@ std::string bars(const StudyResults& results, const GroupResult& group) {
 }
 
 std::string sensitivity(const Sensitivity& s, double value) {
-  return formatted("%s%.2f", s.noError ? "≈ " : "", value);
+  return formattedHtml("%s%.2f", s.noError ? "≈ " : "", value);
 }
 
 std::string pairTable(const StudyResults& results, const GroupResult& group) {
@@ -169,13 +170,13 @@ std::string pairTable(const StudyResults& results, const GroupResult& group) {
       "</h2>\n<table><tr><th>Pair</th><th>Errors</th><th>Wilson 95 %</th><th>Clopper–Pearson</th>"
       "<th>d′ differencing</th><th>d′ independent</th><th>Failed</th></tr>\n";
   for (const PairResult& pair : group.pairs) {
-    text += "<tr>" + cell(escapedForMarkup(pairName(results.labels, pair.first, pair.second))) +
-            cell(formatted("%zu / %zu", pair.errors.errors, pair.errors.trials)) +
-            cell(interval(pair.wilson)) + cell(interval(pair.clopperPearson)) +
-            cell(sensitivity(pair.sensitivity, pair.sensitivity.differencing) +
-                 formatted(" (%.2f)", pair.sensitivity.low)) +
-            cell(sensitivity(pair.sensitivity, pair.sensitivity.independent)) +
-            cell(pair.failCount ? std::to_string(*pair.failCount) : "–") + "</tr>\n";
+    text += "<tr>" + htmlCell(escapedForMarkup(pairName(results.labels, pair.first, pair.second))) +
+            htmlCell(formattedHtml("%zu / %zu", pair.errors.errors, pair.errors.trials)) +
+            htmlCell(interval(pair.wilson)) + htmlCell(interval(pair.clopperPearson)) +
+            htmlCell(sensitivity(pair.sensitivity, pair.sensitivity.differencing) +
+                     formattedHtml(" (%.2f)", pair.sensitivity.low)) +
+            htmlCell(sensitivity(pair.sensitivity, pair.sensitivity.independent)) +
+            htmlCell(pair.failCount ? std::to_string(*pair.failCount) : "–") + "</tr>\n";
   }
   return text +
          "<caption>d′ of all participants together. Pairs are mixed, so differencing is the model that fits; "
@@ -197,13 +198,14 @@ std::string participantTable(const StudyResults& results, const GroupResult& gro
         if (test.adjusted < 0.05) ++sure;
       }
     }
-    text += "<tr>" + cell(escapedForMarkup(group.participants[i])) + cell(count(group.perParticipant[i])) +
-            cell(formatted("%zu of %zu", passed, tests)) + cell(formatted("%zu of %zu", sure, tests)) +
-            "</tr>\n";
+    text += "<tr>" + htmlCell(escapedForMarkup(group.participants[i])) +
+            htmlCell(countText(group.perParticipant[i])) +
+            htmlCell(formattedHtml("%zu of %zu", passed, tests)) +
+            htmlCell(formattedHtml("%zu of %zu", sure, tests)) + "</tr>\n";
   }
   std::string rule = "No number of errors in so few trials tells skill from guessing.";
   if (results.rule.mostErrors)
-    rule = formatted(
+    rule = formattedHtml(
         "Told apart: at most %zu error%s in %zu, p = %.4f by guessing. Someone who is right nine times in "
         "ten still fails that rule of ten in 26 %% of runs.",
         *results.rule.mostErrors, *results.rule.mostErrors == 1 ? "" : "s", results.trialsPerTest,
@@ -211,7 +213,7 @@ std::string participantTable(const StudyResults& results, const GroupResult& gro
   return text + "<caption>" + rule + "</caption></table></section>\n";
 }
 
-std::string confusionTable(const StudyResults& results, const GroupResult& group) {
+std::string confusionHtml(const StudyResults& results, const GroupResult& group) {
   std::string text =
       "<section><h2>Matches: " + escapedForMarkup(group.condition) + "</h2>\n<table><tr><th>X \\ answer</th>";
   for (const std::string& label : results.labels) text += head(escapedForMarkup(label));
@@ -222,7 +224,7 @@ std::string confusionTable(const StudyResults& results, const GroupResult& group
     for (const std::size_t c : group.confusion[x]) all += c;
     for (const std::size_t c : group.confusion[x]) {
       const double share = all > 0 ? static_cast<double>(c) / static_cast<double>(all) : 0;
-      text += formatted("<td style=\"background: rgba(53,103,168,%.2f)\">%zu</td>", 0.6 * share, c);
+      text += formattedHtml("<td style=\"background: rgba(53,103,168,%.2f)\">%zu</td>", 0.6 * share, c);
     }
     text += "</tr>\n";
   }
@@ -233,7 +235,7 @@ std::string confusionTable(const StudyResults& results, const GroupResult& group
 std::string rankCaption(const std::vector<double>& told, const std::vector<double>& found) {
   constexpr std::size_t fewest = 3;
   if (found.size() < fewest) return {};
-  return formatted(
+  return formattedHtml(
       "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs (one-sided p = "
       "%.3f, pairs permuted). What is found "
       "scatters by itself: a perfect forecast of the paper's noisy group would reach about "
@@ -246,13 +248,14 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
   std::vector<double> found, told;
   std::string lines;
   for (const ForetoldPair& pair : foretold) {
-    const PairResult* seen = pairOf(group, pair.first, pair.second);
+    const PairResult* seen = pairResult(group, pair.first, pair.second);
     if (seen == nullptr || pair.mode != group.mode) continue;
     found.push_back(rateOf(seen->errors));
     told.push_back(pair.errorRate);
-    lines += "<tr>" + cell(escapedForMarkup(pairName(results.labels, pair.first, pair.second))) +
-             cell(formatted("%.1f", pair.dPrime)) + "<td class=\"words\">" + escapedForMarkup(pair.verdict) +
-             "</td>" + cell(formatted("%zu / %zu", seen->errors.errors, seen->errors.trials)) +
+    lines += "<tr>" + htmlCell(escapedForMarkup(pairName(results.labels, pair.first, pair.second))) +
+             htmlCell(formattedHtml("%.1f", pair.dPrime)) + "<td class=\"words\">" +
+             escapedForMarkup(pair.verdict) + "</td>" +
+             htmlCell(formattedHtml("%zu / %zu", seen->errors.errors, seen->errors.trials)) +
              "<td class=\"words\">" + escapedForMarkup(pair.reason) + "</td></tr>\n";
   }
   if (lines.empty()) return {};
@@ -272,13 +275,14 @@ std::string comparisons(const StudyResults& results) {
   for (const GroupComparison& c : results.comparisons) {
     const std::string pair =
         c.pair ? pairName(results.labels, pairs[*c.pair].first, pairs[*c.pair].second) : "all";
-    text += "<tr>" + cell(escapedForMarkup(c.first + " − " + c.second)) + "<td class=\"words\">" +
+    text += "<tr>" + htmlCell(escapedForMarkup(c.first + " − " + c.second)) + "<td class=\"words\">" +
             escapedForMarkup(pair) + "</td>" +
-            cell(formatted("%zu%s", c.participants, c.paired ? ", in both" : "")) +
-            cell(formatted("%+.2f %%", 100 * c.difference)) +
-            cell(c.interval ? formatted("%+.1f to %+.1f %%", 100 * c.interval->low, 100 * c.interval->high)
-                            : std::string("–")) +
-            cell(formatted("%.4f", c.p)) + cell(formatted("%.4f", c.adjusted)) + "</tr>\n";
+            htmlCell(formattedHtml("%zu%s", c.participants, c.paired ? ", in both" : "")) +
+            htmlCell(formattedHtml("%+.2f %%", 100 * c.difference)) +
+            htmlCell(c.interval
+                         ? formattedHtml("%+.1f to %+.1f %%", 100 * c.interval->low, 100 * c.interval->high)
+                         : std::string("–")) +
+            htmlCell(formattedHtml("%.4f", c.p)) + htmlCell(formattedHtml("%.4f", c.adjusted)) + "</tr>\n";
   }
   return text +
          "<caption>Two-sided. People who were in both conditions are their own control: the signs of persons "
@@ -327,13 +331,13 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
   }
   text += ". " + escapedForMarkup(results.source) + " Detent " + version() + "</p>\n";
   text += notes(results);
-  if (!results.groups.empty()) text += table1(results);
+  if (!results.groups.empty()) text += table1Html(results);
   for (const FigureTable& table : results.tables) text += tableMarkup(table);
   for (const GroupResult& group : results.groups) {
     if (!group.pairs.empty())
-      text += table2(results, group) + bars(results, group) + pairTable(results, group) +
+      text += table2Html(results, group) + bars(results, group) + pairTable(results, group) +
               foretoldTable(results, group, foretold);
-    if (!group.confusion.empty()) text += confusionTable(results, group);
+    if (!group.confusion.empty()) text += confusionHtml(results, group);
     if (!group.participants.empty() && !group.pairs.empty()) text += participantTable(results, group);
   }
   text += comparisons(results);

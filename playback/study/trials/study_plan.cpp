@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double level = 0.05, percent = 100;
+constexpr double level = 0.05, planPercent = 100;
 constexpr std::array<std::size_t, 8> peopleAsked{6, 8, 9, 10, 12, 16, 20, 30};
 
 std::size_t mostChoices(const std::vector<Trial>& trials) {
@@ -56,15 +56,15 @@ FigureTable oneTest(const Study& study) {
       "most 5 %.",
       {{"trials", "trials", 0, "for each pair and mode"}, {"most_errors", "most errors", 0, "that pass"}});
   for (const double share : shares)
-    power.columns.push_back({"right_" + std::to_string(std::lround(percent * share)),
-                             std::to_string(std::lround(percent * share)) + " % right", 0, "power, %"});
+    power.columns.push_back({"right_" + std::to_string(std::lround(planPercent * share)),
+                             std::to_string(std::lround(planPercent * share)) + " % right", 0, "power, %"});
   std::set<std::size_t> trials{5, 8, 10, 16, 20, 30, study.design.trials};
   for (const std::size_t count : trials) {
     const DiscriminationRule rule = discriminationRule(count);
     std::vector<FigureCell> row{static_cast<double>(count)};
     row.emplace_back(rule.mostErrors ? FigureCell{static_cast<double>(*rule.mostErrors)} : FigureCell{});
     for (const double share : shares)
-      row.emplace_back(rule.mostErrors ? percent * atMost({*rule.mostErrors, count}, 1 - share) : 0.0);
+      row.emplace_back(rule.mostErrors ? planPercent * atMost({*rule.mostErrors, count}, 1 - share) : 0.0);
     power.rows.push_back(std::move(row));
   }
   return power;
@@ -75,7 +75,7 @@ FigureTable byPeople(FigureTable power, const std::vector<DrawDifference>& diffe
   for (const std::size_t people : peopleAsked) {
     std::vector<FigureCell> row{static_cast<double>(people)};
     for (const DrawDifference& draw : differences)
-      row.emplace_back(percent * signFlipPower(people, draw, atLevel));
+      row.emplace_back(planPercent * signFlipPower(people, draw, atLevel));
     power.rows.push_back(std::move(row));
   }
   return power;
@@ -103,9 +103,9 @@ std::size_t comparisonsOf(const Study& study) {
   return modes * (modes - 1) / 2;
 }
 
-void addDifferences(FigureTable& power, const std::string& description) {
+void addPower(FigureTable& power, const std::string& description) {
   for (const double difference : errorDifferences) {
-    const std::string points = std::to_string(std::lround(percent * difference));
+    const std::string points = std::to_string(std::lround(planPercent * difference));
     power.columns.push_back({"more_" + points, "+" + points + " points", 0, description});
   }
 }
@@ -119,7 +119,7 @@ FigureTable twoConditions(const Study& study) {
                                 " trials in each condition; " + errorAssumptions +
                                 " Simulation error: 1 point. Fewer than six people can never find anything.",
                             {{"people", "people", 0, "who are in both"}});
-  addDifferences(power, "power, %");
+  addPower(power, "power, %");
   std::vector<DrawDifference> draws;
   for (const double difference : errorDifferences) draws.push_back(errorsOf(trials, difference));
   return byPeople(std::move(power), draws, level / static_cast<double>(comparisonsOf(study)));
@@ -140,7 +140,7 @@ FigureTable peopleNeeded(const Study& study) {
                              "As above, by trials for each pair (or button) and mode; -: more than " +
                                  std::to_string(peopleAsked.back()) + ".",
                              {{"trials", "trials", 0, "for each pair (or button) and mode"}});
-  addDifferences(needed, "people");
+  addPower(needed, "people");
   for (const std::size_t trials : std::set<std::size_t>{5, 10, 20, study.design.trials}) {
     std::vector<FigureCell> row{static_cast<double>(trials)};
     for (const double difference : errorDifferences)
@@ -191,7 +191,7 @@ FigureTable pairwisePower(const Study& study, std::size_t comparisons) {
   std::vector<DrawDifference> draws;
   const std::size_t trials = study.design.trials;
   for (const double share : shares) {
-    const std::string words = std::to_string(std::lround(percent * share));
+    const std::string words = std::to_string(std::lround(planPercent * share));
     power.columns.push_back({"share_" + words, words + " % of choices", 0, "power, %"});
     draws.emplace_back([=](StudyRandom& random) {
       constexpr double spread = 0.5;
@@ -269,8 +269,8 @@ FigureTable timingPrecision(const Study& study) {
       if (presses < static_cast<double>(leastPresses)) continue;
       const double students = studentQuantile(0.975, people - 1) / std::sqrt(static_cast<double>(people));
       table.rows.push_back({static_cast<double>(people), static_cast<double>(trials),
-                            percent * students * std::hypot(placeVaries, ofOne / std::sqrt(presses)),
-                            percent * students * std::hypot(spreadVaries, 1 / std::sqrt(2 * presses))});
+                            planPercent * students * std::hypot(placeVaries, ofOne / std::sqrt(presses)),
+                            planPercent * students * std::hypot(spreadVaries, 1 / std::sqrt(2 * presses))});
     }
   }
   return table;

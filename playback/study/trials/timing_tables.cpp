@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t mostBytes = 64 << 20;
 constexpr double longest_s = 60;  ///< of intervals and windows, and how far from its cue a press may lie
-constexpr double percent = 100;
+constexpr double timingPercent = 100;
 
 /// Columns a task needs, in the order read.
 std::vector<std::string_view> columnsOf(TimingTask task) {
@@ -108,11 +108,11 @@ Words wordsOf(TimingTask task) {
     case TimingTask::cue:
       return {{"place_percent", "behind, %", 2, "mean press behind the cue, in hundredths of the interval"},
               spread,
-              percent};
+              timingPercent};
     case TimingTask::window:
       return {{"place_percent", "aim, %", 2, "where in the window is aimed at, in hundredths of it"},
               spread,
-              percent};
+              timingPercent};
     case TimingTask::tapping:
       break;
   }
@@ -127,11 +127,13 @@ FigureColumn within(const FigureColumn& of, bool low) {
           of.decimals, low ? "95 % interval over people, lower end" : "upper end"};
 }
 
-FigureCell cell(const std::optional<double>& value) { return value ? FigureCell(*value) : FigureCell(); }
-FigureCell count(std::size_t n) { return static_cast<double>(n); }
+FigureCell timingCell(const std::optional<double>& value) {
+  return value ? FigureCell(*value) : FigureCell();
+}
+FigureCell timingCount(std::size_t n) { return static_cast<double>(n); }
 
 /// Everybody's trials with one button in one condition; both are empty where a file tells neither.
-struct Cell {
+struct TimingCell {
   std::string button, condition;
   TimedPeople presses;
   std::map<std::string, double> within_s;  ///< by person: the median of how exactly their presses were timed
@@ -163,9 +165,10 @@ struct Naming {
   std::string title;  ///< behind a table's own
 };
 
-Naming namingOf(const std::vector<Cell>& cells) {
-  const bool several = std::any_of(cells.begin(), cells.end(),
-                                   [&](const Cell& c) { return c.condition != cells.front().condition; });
+Naming namingOf(const std::vector<TimingCell>& cells) {
+  const bool several = std::any_of(cells.begin(), cells.end(), [&](const TimingCell& c) {
+    return c.condition != cells.front().condition;
+  });
   return {true, several, several || cells.empty() ? std::string() : " (" + cells.front().condition + ")"};
 }
 
@@ -175,17 +178,17 @@ void addCellColumns(FigureTable& table, const Naming& naming) {
   if (naming.condition)
     table.columns.push_back({"condition", "condition", 0, "listening, mode, who answered"});
 }
-std::vector<FigureCell> cellRow(const Cell& cell, const Naming& naming) {
+std::vector<FigureCell> cellRow(const TimingCell& timingCell, const Naming& naming) {
   std::vector<FigureCell> row;
-  if (naming.button) row.emplace_back(cell.button);
-  if (naming.condition) row.emplace_back(cell.condition);
+  if (naming.button) row.emplace_back(timingCell.button);
+  if (naming.condition) row.emplace_back(timingCell.condition);
   return row;
 }
 void append(std::vector<FigureCell>& row, std::vector<FigureCell> more) {
   row.insert(row.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-FigureTable laboratoryTable(TimingTask task, const std::vector<Cell>& cells,
+FigureTable laboratoryTable(TimingTask task, const std::vector<TimingCell>& cells,
                             const std::vector<std::vector<FittedPerson>>& fits, const Naming& naming) {
   const auto [place, spread, factor] = wordsOf(task);
   FigureTable table{"laboratory", std::string("Timing, task ") + nameOf(task), "", {}, {}};
@@ -201,22 +204,23 @@ FigureTable laboratoryTable(TimingTask task, const std::vector<Cell>& cells,
     if (people.size() == 1) table.note = "One person has no interval: people differ.";
     std::vector<FigureCell> row = cellRow(cells[i], naming);
     if (people.empty()) {
-      append(row, {count(0), {}, {}, {}, {}, {}, {}});
+      append(row, {timingCount(0), {}, {}, {}, {}, {}, {}});
     } else {
       const LaboratoryTiming fit = timingOver(task, people);
       const auto end = [](const std::optional<Interval>& interval, bool low, double times) {
-        return cell(interval ? std::optional(times * (low ? interval->low : interval->high)) : std::nullopt);
+        return timingCell(interval ? std::optional(times * (low ? interval->low : interval->high))
+                                   : std::nullopt);
       };
-      append(row, {count(people.size()), factor * fit.timing.place, end(fit.place, true, factor),
-                   end(fit.place, false, factor), percent * fit.timing.spread, end(fit.spread, true, percent),
-                   end(fit.spread, false, percent)});
+      append(row, {timingCount(people.size()), factor * fit.timing.place, end(fit.place, true, factor),
+                   end(fit.place, false, factor), timingPercent * fit.timing.spread,
+                   end(fit.spread, true, timingPercent), end(fit.spread, false, timingPercent)});
     }
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-FigureTable peopleTable(TimingTask task, const std::vector<Cell>& cells,
+FigureTable peopleTable(TimingTask task, const std::vector<TimingCell>& cells,
                         const std::vector<std::vector<FittedPerson>>& fits, const Naming& naming) {
   const auto [place, spread, factor] = wordsOf(task);
   FigureTable table{"people",
@@ -242,15 +246,16 @@ FigureTable peopleTable(TimingTask task, const std::vector<Cell>& cells,
     for (const FittedPerson& p : fits[i]) {
       std::vector<FigureCell> row{p.participant};
       append(row, cellRow(cells[i], naming));
-      row.push_back(count(p.trials));
-      if (file) row.push_back(count(p.presses));
+      row.push_back(timingCount(p.trials));
+      if (file) row.push_back(timingCount(p.presses));
       constexpr std::size_t figures = 3;
       if (!p.fit) row.resize(row.size() + figures);
       if (p.fit)
-        for (const double figure :
-             {factor * p.fit->timing.place, percent * p.fit->timing.spread, percent * p.fit->lapses})
+        for (const double figure : {factor * p.fit->timing.place, timingPercent * p.fit->timing.spread,
+                                    timingPercent * p.fit->lapses})
           row.emplace_back(figure);
-      if (window) row.emplace_back(percent * static_cast<double>(p.outside) / static_cast<double>(p.trials));
+      if (window)
+        row.emplace_back(timingPercent * static_cast<double>(p.outside) / static_cast<double>(p.trials));
       if (!file) row.emplace_back(1000 * cells[i].within_s.at(p.participant));
       table.rows.push_back(std::move(row));
     }
@@ -260,12 +265,13 @@ FigureTable peopleTable(TimingTask task, const std::vector<Cell>& cells,
 
 /// What two fits of one person differ by. Spreads, and places of tapping, are ratios: hundredths more.
 double differenceOf(TimingTask task, bool ofPlace, const PersonTiming& first, const PersonTiming& second) {
-  if (ofPlace && task != TimingTask::tapping) return percent * (first.timing.place - second.timing.place);
-  return ofPlace ? percent * std::log(first.timing.place / second.timing.place)
-                 : percent * std::log(first.timing.spread / second.timing.spread);
+  if (ofPlace && task != TimingTask::tapping)
+    return timingPercent * (first.timing.place - second.timing.place);
+  return ofPlace ? timingPercent * std::log(first.timing.place / second.timing.place)
+                 : timingPercent * std::log(first.timing.spread / second.timing.spread);
 }
 
-FigureTable differencesTable(TimingTask task, const std::vector<Cell>& cells,
+FigureTable differencesTable(TimingTask task, const std::vector<TimingCell>& cells,
                              const std::vector<std::vector<FittedPerson>>& fits) {
   FigureTable table{
       "differences",
@@ -296,9 +302,9 @@ FigureTable differencesTable(TimingTask task, const std::vector<Cell>& cells,
         const PairedDifference d = pairedDifference(differences);
         byCondition[cells[i].condition].emplace_back(table.rows.size(), d.p);
         table.rows.push_back({pairName({cells[i].button, cells[k].button}, 0, 1), cells[i].condition,
-                              std::string(ofPlace ? "place" : "spread"), count(differences.size()), d.mean,
-                              cell(d.interval ? std::optional(d.interval->low) : std::nullopt),
-                              cell(d.interval ? std::optional(d.interval->high) : std::nullopt), d.p,
+                              std::string(ofPlace ? "place" : "spread"), timingCount(differences.size()),
+                              d.mean, timingCell(d.interval ? std::optional(d.interval->low) : std::nullopt),
+                              timingCell(d.interval ? std::optional(d.interval->high) : std::nullopt), d.p,
                               FigureCell()});
       }
     }
@@ -319,7 +325,7 @@ double medianOf(std::vector<double> values) {
 }
 
 /// By condition, then button.
-std::vector<Cell> cellsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
+std::vector<TimingCell> cellsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
   struct Person {
     std::vector<TimedPress> trials;
     std::vector<double> within_s;
@@ -335,14 +341,14 @@ std::vector<Cell> cellsOf(const Study& study, const std::vector<ParticipantRecor
       person.within_s.push_back(p.answers[i].answer.pressWithin_s);
     }
   }
-  std::vector<Cell> cells;
+  std::vector<TimingCell> cells;
   for (auto& [key, people] : all) {
-    Cell cell{study.buttons[key.second].label, key.first, {study.design.task, {}}, {}};
+    TimingCell timingCell{study.buttons[key.second].label, key.first, {study.design.task, {}}, {}};
     for (auto& [id, person] : people) {
-      cell.presses.people.push_back({id, std::move(person.trials)});
-      cell.within_s[id] = medianOf(std::move(person.within_s));
+      timingCell.presses.people.push_back({id, std::move(person.trials)});
+      timingCell.within_s[id] = medianOf(std::move(person.within_s));
     }
-    cells.push_back(std::move(cell));
+    cells.push_back(std::move(timingCell));
   }
   return cells;
 }
@@ -360,7 +366,7 @@ Result<std::vector<FigureTable>> timingTables(const TimedPeople& presses, const 
   if (std::none_of(fits[0].begin(), fits[0].end(), [](const FittedPerson& p) { return p.fit.has_value(); }))
     return Failure{FailureCode::unreadableInput, file, "", "nobody has enough presses that differ",
                    "Give " + std::to_string(leastPresses) + " presses a person at least"};
-  const std::vector<Cell> cells{{"", "", presses, {}}};
+  const std::vector<TimingCell> cells{{"", "", presses, {}}};
   return std::vector<FigureTable>{laboratoryTable(presses.task, cells, fits, {}),
                                   peopleTable(presses.task, cells, fits, {})};
 }
@@ -377,9 +383,9 @@ std::vector<TimedPress> timedPresses(const StudyDesign& design, const Trial& tri
 std::vector<FigureTable> timingTables(const Study& study,
                                       const std::vector<ParticipantRecord>& participants) {
   const TimingTask task = study.design.task;
-  const std::vector<Cell> cells = cellsOf(study, participants);
+  const std::vector<TimingCell> cells = cellsOf(study, participants);
   std::vector<std::vector<FittedPerson>> fits;
-  for (const Cell& cell : cells) fits.push_back(fitted(cell.presses));
+  for (const TimingCell& timingCell : cells) fits.push_back(fitted(timingCell.presses));
   const Naming naming = namingOf(cells);
   std::vector<FigureTable> tables{laboratoryTable(task, cells, fits, naming),
                                   peopleTable(task, cells, fits, naming)};

@@ -26,7 +26,7 @@ std::vector<bool> balanced(std::size_t count, StudyRandom& random) {
 }
 
 /// What one trial of a pair is: who is alpha, and on which side X falls.
-struct Cell {
+struct PlanCell {
   bool swapped = false;    ///< the pair's second button is alpha
   bool secondIsX = false;  ///< X is the pair's second button
   std::size_t side() const { return swapped == secondIsX ? 0 : 1; }
@@ -34,14 +34,14 @@ struct Cell {
 
 /// Every cell a quarter of the time. What four do not divide: one by chance; two that differ in both, on the side that `toTheRight`
 /// says; three of the four.
-std::vector<Cell> fourCells(std::size_t count, bool toTheRight, StudyRandom& random) {
-  constexpr std::array<Cell, 4> all{
+std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom& random) {
+  constexpr std::array<PlanCell, 4> all{
       {{false, false}, {true, true}, {false, true}, {true, false}}};  // left, left, right, right
-  std::vector<Cell> cells;
+  std::vector<PlanCell> cells;
   for (std::size_t i = 0; i + 4 <= count; i += 4) cells.insert(cells.end(), all.begin(), all.end());
-  std::vector<Cell> rest(all.begin(), all.end());
+  std::vector<PlanCell> rest(all.begin(), all.end());
   if (count % 4 == 2) {
-    rest = toTheRight ? std::vector<Cell>{all[2], all[3]} : std::vector<Cell>{all[0], all[1]};
+    rest = toTheRight ? std::vector<PlanCell>{all[2], all[3]} : std::vector<PlanCell>{all[0], all[1]};
   } else {
     shuffle(rest, random);
   }
@@ -51,9 +51,9 @@ std::vector<Cell> fourCells(std::size_t count, bool toTheRight, StudyRandom& ran
 }
 
 /// As studies of version 1 were planned: sides balanced, who X is left to chance.
-std::vector<Cell> balancedSides(std::size_t count, StudyRandom& random) {
+std::vector<PlanCell> balancedSides(std::size_t count, StudyRandom& random) {
   const std::vector<bool> swapped = balanced(count, random), right = balanced(count, random);
-  std::vector<Cell> cells;
+  std::vector<PlanCell> cells;
   for (std::size_t i = 0; i < count; ++i) cells.push_back({swapped[i], swapped[i] != right[i]});
   return cells;
 }
@@ -81,10 +81,11 @@ std::vector<Trial> abxTrials(const Study& study, const std::vector<Pair>& pairs,
   std::vector<Trial> trials;
   bool toTheRight = study.version > 1 && drawBelow(random, 2) == 1;
   for (const auto& [first, second] : pairs) {
-    const std::vector<Cell> cells = study.version == 1 ? balancedSides(study.design.trials, random)
-                                                       : fourCells(study.design.trials, toTheRight, random);
+    const std::vector<PlanCell> cells = study.version == 1
+                                            ? balancedSides(study.design.trials, random)
+                                            : fourCells(study.design.trials, toTheRight, random);
     toTheRight = !toTheRight;
-    for (const Cell& cell : cells) {
+    for (const PlanCell& cell : cells) {
       Trial trial;
       trial.mode = mode;
       trial.choices = cell.swapped ? std::vector{second, first} : std::vector{first, second};
