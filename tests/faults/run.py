@@ -4,11 +4,11 @@
 
     run.py [--build FOLDER] [--only WORDS] [--check | --compile]
 
-For each fault the text `search` is replaced by `replace` in `file`, its `target`s are built in FOLDER (default build/release) and
+For each fault the pattern `search` is replaced by `replace` in the function `function` of `file` (places.py), its `target`s are built in FOLDER (default build/release) and
 its `tests` (a regular expression for ctest) are run; then the file is as it was. Prints one line per fault and the share killed;
-exit 1 if that is below 90 %, or if a fault does not count: its text is gone or stands more than once, or the file with it does not
+exit 1 if that is below 90 %, or if a fault does not count: its pattern is gone or stands more than once, or the file with it does not
 compile, so that no test was asked: then look at what became of the guard and mend the list. --only: faults whose name contains one
-of these words, separated by commas. --check: only whether every fault's text stands once. --compile: whether every file compiles
+of these words, separated by commas. --check: only whether every fault's pattern stands once. --compile: whether every file compiles
 with its fault, without building or testing anything (a header by the first file of its target that includes it).
 """
 
@@ -24,6 +24,8 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+import places
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 BAR = 0.9
 
@@ -32,7 +34,8 @@ BAR = 0.9
 class Fault:
     name: str     # what is taken out, in a few words
     file: str
-    search: str   # stands once in the file
+    function: str # as places.py names it; empty: the whole file
+    search: str   # stands once in the function, whatever its white space
     replace: str
     target: str   # what to build, separated by spaces
     tests: str    # for ctest -R
@@ -42,8 +45,15 @@ class Fault:
         path = ROOT / self.file
         if not path.is_file():
             return f"{self.file} is gone"
-        count = path.read_text().count(self.search)
-        return None if count == 1 else f"its text stands {count} times in {self.file}"
+        where = places.place(path, self.function, self.search)
+        return where if isinstance(where, str) else None
+
+    def planted(self):
+        """The file's text with the fault in it."""
+        path = ROOT / self.file
+        start, end = places.place(path, self.function, self.search)
+        text = path.read_text()
+        return text[:start] + self.replace + text[end:]
 
 
 def read_faults(words):
@@ -60,7 +70,7 @@ class Planted:
 
     def __enter__(self):
         self.before = self.path.read_text()
-        self.path.write_text(self.before.replace(self.fault.search, self.fault.replace))
+        self.path.write_text(self.fault.planted())
 
     def __exit__(self, *_):
         self.path.write_text(self.before)
@@ -110,7 +120,7 @@ def first_error(fault, commands):
     with tempfile.TemporaryDirectory() as folder:
         planted = Path(folder, fault.file)
         planted.parent.mkdir(parents=True)
-        planted.write_text((ROOT / fault.file).read_text().replace(fault.search, fault.replace))
+        planted.write_text(fault.planted())
         words = shlex.split(command["command"])
         source = str(planted) if fault.file.endswith(".cpp") else command["file"]
         words = words[:words.index("-o")] + ["-fsyntax-only", source]
