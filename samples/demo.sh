@@ -30,8 +30,20 @@ fi
 "$project/install-dependencies.sh" import
 (
   cd "$project"
+  # A folder that an older layout of the project configured is configured anew.
+  grep -qs '^DETENT_UNITY:' build/import/CMakeCache.txt || rm -rf build/import/CMakeCache.txt build/import/CMakeFiles
   cmake --preset import --log-level=WARNING >/dev/null
-  cmake --build --preset import --parallel "$(nproc)" --target detent-import detent-graph
+  # One line that says how long the rest will take; what the compiler says otherwise is passed on.
+  NINJA_STATUS='[%f/%t %e] ' cmake --build --preset import --parallel "$(nproc)" --target detent-import detent-graph |
+    awk -v terminal="$([[ -t 1 ]] && echo yes)" '
+      /^\[[0-9]+\/[0-9]+ [0-9.]+\]/ {
+        split(substr($1, 2), steps, "/"); seconds = $2 + 0
+        if (!terminal || steps[1] == 0) next
+        printf "\rBuilding: step %d of %d, about %d s left.   ", steps[1], steps[2], seconds / steps[1] * (steps[2] - steps[1])
+        fflush(); shown = 1; next
+      }
+      { if (shown) printf "\n"; shown = 0; print }
+      END { if (shown) printf "\n" }'
 )
 import=$project/build/import/bin/detent-import
 

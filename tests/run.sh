@@ -22,6 +22,8 @@ done
 build=build/release
 started=$SECONDS
 ./install-dependencies.sh test
+# A folder that an older layout of the project configured is configured anew.
+grep -qs '^DETENT_UNITY:' $build/CMakeCache.txt || rm -rf $build/CMakeCache.txt $build/CMakeFiles
 cmake --preset release --log-level=WARNING >/dev/null
 cmake --build --preset release --parallel "$(nproc)"
 
@@ -57,6 +59,9 @@ if ((passed == 0)); then
   echo "tests/run.sh: no test ran."
   exit 1
 fi
+echo "The twenty slowest:"
+awk -F'"' '/^[0-9]+\/[0-9]+ Testing: /{name = $0; sub(/.*Testing: /, "", name)} /^Test time = /{split($0, t, " "); print t[4], name}' "$log" |
+  sort -rn | head -n 20 | awk '{printf "  %6.1f s  %s\n", $1, $2}'
 grep -aE '^SKIPPED' "$log" | sort | uniq -c | sed 's/^ *\([0-9]*\) /  \1 x /' || true
 closing="All tests passed: $passed programs, $skipped checks skipped."
 if ((${#ctest_options[@]} == 0)); then

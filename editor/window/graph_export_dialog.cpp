@@ -211,12 +211,14 @@ DisplayUnits GraphExportDialog::units() const {
   return units;
 }
 
-std::optional<AxisEnds> GraphExportDialog::endsFrom(const QuantityField& first, const QuantityField& last,
-                                                    const Ticks& whole) const {
+std::optional<detent::AxisEnds> GraphExportDialog::endsFrom(const QuantityField& first,
+                                                            const QuantityField& last,
+                                                            const Ticks& whole) const {
   const bool begins = first.value() != first.range().lowest, ends = last.value() != last.range().lowest;
   if (!begins && !ends) return {};
   const double unit = shownUnitOf(first.quantity(), units());
-  return AxisEnds{begins ? first.value() / unit : whole.first, ends ? last.value() / unit : whole.last()};
+  return detent::AxisEnds{begins ? first.value() / unit : whole.first,
+                          ends ? last.value() / unit : whole.last()};
 }
 
 GraphExport GraphExportDialog::choice() const {

@@ -36,8 +36,8 @@ class GraphExportDialog : public QDialog {
   void takeUnits();
   void showChoice();
   DisplayUnits units() const;
-  std::optional<AxisEnds> endsFrom(const QuantityField& first, const QuantityField& last,
-                                   const Ticks& whole) const;
+  std::optional<detent::AxisEnds> endsFrom(const QuantityField& first, const QuantityField& last,
+                                           const Ticks& whole) const;
   QString refusal() const;
 
   Button button_;

@@ -23,6 +23,7 @@
 #include "editor/tools/damping_view.h"
 #include "editor/tools/knot_text.h"
 #include "model/edits.h"
+#include "tests/editor/window_tests.h"
 #include "tests/editor/workspace_rig.h"
 #include "tests/samples/two_switches.h"
 
@@ -426,5 +427,5 @@ void MonkeyTest::randomCorrectionsOfAnImportAreUndone() {
   qInfo("%d corrections, %d buttons imported", actions, imported);
 }
 
-QTEST_MAIN(MonkeyTest)
+DETENT_WINDOW_TEST(MonkeyTest)
 #include "monkey_test.moc"

@@ -27,17 +27,17 @@ void assertNamedOrValue(const Result<Value>& edited) {
 
 std::size_t anyIndex(std::size_t count) { return anyOf<std::size_t>(0, count - 1); }
 std::size_t anyKnot(const StrokeCurve& curve) { return anyIndex(curve.knots().size()); }
-double anyPlaceOn(const StrokeCurve& curve) { return within(curve.start_mm(), curve.end_mm()); }
+double editPlaceOn(const StrokeCurve& curve) { return within(curve.start_mm(), curve.end_mm()); }
 Stroke anyStroke() { return oneIn(2) ? Stroke::press : Stroke::release; }
 
 /// Near the curve, or anything.
 CurvePoint anyTarget(const StrokeCurve& curve) {
   if (oneIn(4)) return {anyDouble(), anyDouble()};
-  const double x = anyPlaceOn(curve);
+  const double x = editPlaceOn(curve);
   return {x, curve.force_N(x) * within(-2, 3)};
 }
 
-double spanOf(const StrokeCurve& curve) {
+double editSpan(const StrokeCurve& curve) {
   const auto [low, high] = curve.forceRange_N();
   return std::max(std::abs(low), std::abs(high));
 }
@@ -67,12 +67,12 @@ TEST_CASE("edits of knots by any number") {
   });
   holdsAlways("insertKnot keeps the shape", [] {
     const StrokeCurve curve = extremeCurve();
-    const auto more = insertKnot(curve, anyPlaceOn(curve));
+    const auto more = insertKnot(curve, editPlaceOn(curve));
     assertSound(more);
     if (!more) return;
-    const double x = anyPlaceOn(curve);
+    const double x = editPlaceOn(curve);
     const double steep = std::abs(curve.slope_N_per_mm(x)) * curve.end_mm();
-    RC_ASSERT(alike(more->force_N(x), curve.force_N(x), 1e-11, spanOf(curve) + steep));
+    RC_ASSERT(alike(more->force_N(x), curve.force_N(x), 1e-11, editSpan(curve) + steep));
   });
   holdsAlways("insertKnot, any place", [] {
     const StrokeCurve curve = extremeCurve();
@@ -101,16 +101,16 @@ TEST_CASE("edits of knots by any number") {
   });
   holdsAlways("stretchOf, putStretch: taken out and put back it is the same curve", [] {
     const StrokeCurve curve = extremeCurve();
-    double from = anyPlaceOn(curve), to = anyPlaceOn(curve);
+    double from = editPlaceOn(curve), to = editPlaceOn(curve);
     if (from > to) std::swap(from, to);
     const auto stretch = stretchOf(curve, from, to);
     if (!stretch) return assertNamed(stretch.failure());
     const auto again = putStretch(curve, *stretch);
     assertSound(again);
     if (!again) return;
-    const double x = anyPlaceOn(curve);
+    const double x = editPlaceOn(curve);
     const double steep = std::abs(curve.slope_N_per_mm(x)) * curve.end_mm();
-    RC_ASSERT(alike(again->force_N(x), curve.force_N(x), 1e-10, spanOf(curve) + steep));
+    RC_ASSERT(alike(again->force_N(x), curve.force_N(x), 1e-10, editSpan(curve) + steep));
   });
   holdsAlways("stretchOf, putStretch, any numbers", [] {
     const StrokeCurve curve = extremeCurve();
@@ -135,8 +135,8 @@ TEST_CASE("edits of shapes by any number") {
     const auto moved = moveTactilePoint(curve, stroke, index, to);
     assertSound(moved);
     if (moved)
-      RC_ASSERT(alike(moved->force_N(to.displacement_mm), to.force_N, 1e-9, spanOf(curve)) ||
-                alike(moved->forceBefore_N(to.displacement_mm), to.force_N, 1e-9, spanOf(curve)));
+      RC_ASSERT(alike(moved->force_N(to.displacement_mm), to.force_N, 1e-9, editSpan(curve)) ||
+                alike(moved->forceBefore_N(to.displacement_mm), to.force_N, 1e-9, editSpan(curve)));
   });
   holdsAlways("moveTurn", [] {
     const StrokeCurve curve = extremeCurve();
@@ -156,12 +156,12 @@ TEST_CASE("edits of shapes by any number") {
     const Stroke stroke = anyStroke();
     const auto sections = sectionsOf(curve, stroke);
     const double by_mm = oneIn(4) ? anyDouble() : within(-0.1, 0.1) * curve.travel_mm();
-    const double by_N = oneIn(4) ? anyDouble() : within(-0.1, 0.1) * spanOf(curve);
+    const double by_N = oneIn(4) ? anyDouble() : within(-0.1, 0.1) * editSpan(curve);
     assertSound(moveSection(curve, stroke, anyIndex(sections.size()), by_mm, by_N));
   });
   holdsAlways("addJump, any jump", [] {
     const StrokeCurve curve = extremeCurve();
-    NewJump jump{anyPlaceOn(curve), within(0, 0.5) * curve.travel_mm(), within(0, 1) * spanOf(curve)};
+    NewJump jump{editPlaceOn(curve), within(0, 0.5) * curve.travel_mm(), within(0, 1) * editSpan(curve)};
     if (oneIn(4)) jump = {anyDouble(), anyDouble(), anyDouble()};
     assertSound(addJump(curve, anyStroke(), jump));
   });
@@ -200,7 +200,7 @@ TEST_CASE("edits of graphs and buttons by any number") {
     const double hysteresis = oneIn(4) ? anyDouble() : magnitude(1e-12, 1e7);
     const auto mirrored = mirrorPressToRelease(graph, hysteresis);
     if (!mirrored) return assertNamed(mirrored.failure());
-    const double slack = 1e-9 * (spanOf(graph.press()) + std::min(hysteresis, 1e7));
+    const double slack = 1e-9 * (editSpan(graph.press()) + std::min(hysteresis, 1e7));
     for (const Knot& k : mirrored->release()->knots())
       RC_ASSERT(k.force_N <= std::max(graph.press().force_N(k.displacement_mm),
                                       graph.press().forceBefore_N(k.displacement_mm)) +

@@ -19,7 +19,7 @@ using namespace detent::tests;
 
 namespace {
 
-const ForceProgram& programOf(int button) {
+const ForceProgram& forceProgramOf(int button) {
   static const std::vector<ForceProgram> programs = [] {
     std::vector<ForceProgram> made;
     for (const Button& b :
@@ -29,7 +29,7 @@ const ForceProgram& programOf(int button) {
   }();
   return programs[static_cast<std::size_t>(button)];
 }
-const ForceProgram& anyProgram() { return programOf(count(0, 3)); }
+const ForceProgram& anyForceProgram() { return forceProgramOf(count(0, 3)); }
 
 VelocityMethod anyMethod() { return static_cast<VelocityMethod>(count(0, 2)); }
 
@@ -53,7 +53,7 @@ ForceRecord recordOf(Size size, double stiffness, double damping, double noise, 
 
 TEST_CASE("no reading gets more force out of the loop than the limits allow") {
   holdsAlways("ForceEngine, any readings", [] {
-    const ForceProgram& program = anyProgram();
+    const ForceProgram& program = anyForceProgram();
     ForceEngine engine(program);
     double before_N = 0, position = 0;
     for (int i = count(1, 400); i > 0; --i) {
@@ -86,7 +86,7 @@ TEST_CASE("no reading gets more force out of the loop than the limits allow") {
     }
   });
   holdsAlways("ForceEngine: stopped, it falls silent within its ramp", [] {
-    const ForceProgram& program = anyProgram();
+    const ForceProgram& program = anyForceProgram();
     ForceEngine engine(program);
     for (int i = 0; i < 300; ++i) engine.step({1 + 0.002 * i, {}, true});
     engine.stop();
@@ -138,7 +138,7 @@ TEST_CASE("the force law holds what its header says", "[finite]") {
     RC_ASSERT(one.centre_mm() == many.centre_mm());
   });
   holdsAlways("ForceLaw: at rest force and energy do not creep", [] {
-    const ForceProgram& program = anyProgram();
+    const ForceProgram& program = anyForceProgram();
     ForceLaw law(program);
     const double x = within(0.2, 1.5);
     law.restart(x);

@@ -24,10 +24,8 @@ import count_properties
 ROOT = count_properties.ROOT
 # Folder of tests (or one file's beginning) -> the program they are in; the first that fits.
 PROGRAMS = {
-    "extremes/model_": "extremes_model_test", "extremes/edits_": "extremes_model_test", "extremes/file_": "extremes_model_test",
-    "extremes/fit_": "extremes_importer_test", "extremes/log_": "extremes_importer_test", "extremes/": "extremes_playback_test",
-    "model/file/": "model_file_test", "model/": "model_test", "importer/fit/": "importer_fit_test", "importer/axes/": "importer_axes_test",
-    "playback/realtime/": "playback_realtime_test", "editor/quantity/": "editor_quantity_test",
+    "extremes/": "extremes_tests", "model/": "model_tests", "importer/": "importer_tests", "playback/realtime/": "playback_tests",
+    "editor/quantity/": "editor_tests",
 }
 
 

@@ -31,7 +31,7 @@ Button late() {
   return require(tactileButton(values));
 }
 
-double largestDifference(const StrokeCurve& a, const StrokeCurve& b) {
+double largestBlendDifference(const StrokeCurve& a, const StrokeCurve& b) {
   double worst = 0;
   const double end_mm = std::min(a.end_mm(), b.end_mm());
   for (int i = 0; i < 1000; ++i) {  // up to the wall, where a rounding of the travel is all of its force
@@ -56,8 +56,8 @@ TEST_CASE("between two buttons: the ends are the buttons, and close to them the 
   for (const double close : {1e-12, 1 - 1e-12}) {
     const Button near = require(between(a, b, close));
     const Button& end = close < 0.5 ? a : b;
-    CHECK(largestDifference(near.states()[0].graph.press(), end.states()[0].graph.press()) < 1e-9);
-    CHECK(largestDifference(*near.states()[0].graph.release(), *end.states()[0].graph.release()) < 1e-9);
+    CHECK(largestBlendDifference(near.states()[0].graph.press(), end.states()[0].graph.press()) < 1e-9);
+    CHECK(largestBlendDifference(*near.states()[0].graph.release(), *end.states()[0].graph.release()) < 1e-9);
   }
 }
 
@@ -99,10 +99,10 @@ TEST_CASE(
 TEST_CASE("the mean of one button many times is that button; weights count by their ratios") {
   const Button a = early(), b = late();
   const Button same = require(blend({a, a, a}, {1, 2, 3}));
-  CHECK(largestDifference(same.states()[0].graph.press(), a.states()[0].graph.press()) < 1e-12);
+  CHECK(largestBlendDifference(same.states()[0].graph.press(), a.states()[0].graph.press()) < 1e-12);
   CHECK(require(blend({a, b}, {3, 1})).states() == require(between(a, b, 0.25)).states());
   const Button first = require(blend({a, b}, {1, 0}));
-  CHECK(largestDifference(first.states()[0].graph.press(), a.states()[0].graph.press()) < 1e-12);
+  CHECK(largestBlendDifference(first.states()[0].graph.press(), a.states()[0].graph.press()) < 1e-12);
 }
 
 TEST_CASE("buttons whose features differ still have a mean: linear and tactile, with and without a release") {

@@ -21,18 +21,18 @@ using detent::tests::holdsAlways;
 
 namespace {
 
-StrokeCurve through(std::vector<CurvePoint> points) {
+StrokeCurve curveThrough(std::vector<CurvePoint> points) {
   auto curve = StrokeCurve::throughPoints(points);
   REQUIRE(curve.ok());
   return *curve;
 }
 
-StrokeCurve tactile() {
-  return through({{0, 0.3}, {0.5, 0.5}, {1, 0.6}, {1.6, 0.4}, {3.9, 0.7}, {3.9, 1.5}});
+StrokeCurve tactileCurve() {
+  return curveThrough({{0, 0.3}, {0.5, 0.5}, {1, 0.6}, {1.6, 0.4}, {3.9, 0.7}, {3.9, 1.5}});
 }
 
 template <class T>
-void requireRefusal(const Result<T>& result, const std::string& part) {
+void requireEditRefusal(const Result<T>& result, const std::string& part) {
   REQUIRE_FALSE(result.ok());
   CHECK_THAT(result.failure().sentence(), Catch::Contains(part));
   CHECK_FALSE(result.failure().remedies.empty());
@@ -52,7 +52,7 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 TEST_CASE("a valley moves with its flanks and stays the valley") {
-  const StrokeCurve curve = tactile();
+  const StrokeCurve curve = tactileCurve();
   const CurvePoint valley = curve.localMinima().front();
   const StrokeCurve moved = require(moveTurn(curve, valley, {1.7, 0.35}));
   REQUIRE(moved.localMinima().size() == 1);
@@ -61,22 +61,22 @@ TEST_CASE("a valley moves with its flanks and stays the valley") {
   CHECK(moved.localMaxima() == curve.localMaxima());
   CHECK(moved.knots().front() == curve.knots().front());
   CHECK(moved.knots().back() == curve.knots().back());
-  requireRefusal(moveTurn(curve, valley, {1.7, 0.65}), "no extremum");
-  requireRefusal(moveTurn(curve, valley, {0.9, 0.35}), "outside its flanks");
-  requireRefusal(moveTurn(curve, {1.65, 0.4}, {1.7, 0.35}), "is not an extremum of the curve");
+  requireEditRefusal(moveTurn(curve, valley, {1.7, 0.65}), "no extremum");
+  requireEditRefusal(moveTurn(curve, valley, {0.9, 0.35}), "outside its flanks");
+  requireEditRefusal(moveTurn(curve, {1.65, 0.4}, {1.7, 0.35}), "is not an extremum of the curve");
 }
 
 TEST_CASE("knots move between their neighbours and keep their slopes") {
-  const StrokeCurve moved = require(moveKnot(tactile(), 2, {1.2, 0.65}));
+  const StrokeCurve moved = require(moveKnot(tactileCurve(), 2, {1.2, 0.65}));
   CHECK(moved.force_N(1.2) == 0.65);
-  CHECK(moved.knots()[2].slopeAfter_N_per_mm == tactile().knots()[2].slopeAfter_N_per_mm);
-  requireRefusal(moveKnot(tactile(), 2, {1.7, 0.6}), "past its neighbour at 1.6 mm");
-  requireRefusal(moveKnot(tactile(), 9, {1, 1}), "has no knot 10, only 6");
-  requireRefusal(moveKnot(tactile(), 2, {notANumber, 0.6}), "not a finite number");
+  CHECK(moved.knots()[2].slopeAfter_N_per_mm == tactileCurve().knots()[2].slopeAfter_N_per_mm);
+  requireEditRefusal(moveKnot(tactileCurve(), 2, {1.7, 0.6}), "past its neighbour at 1.6 mm");
+  requireEditRefusal(moveKnot(tactileCurve(), 9, {1, 1}), "has no knot 10, only 6");
+  requireEditRefusal(moveKnot(tactileCurve(), 2, {notANumber, 0.6}), "not a finite number");
 }
 
 TEST_CASE("slopes, corners and smooth knots") {
-  StrokeCurve curve = require(setSlopeAfter(tactile(), 2, -1));
+  StrokeCurve curve = require(setSlopeAfter(tactileCurve(), 2, -1));
   CHECK(isCorner(curve, 2));
   curve = require(setSlope(curve, 2, 0.25));
   CHECK_FALSE(isCorner(curve, 2));
@@ -89,7 +89,7 @@ TEST_CASE("slopes, corners and smooth knots") {
   curve = require(makeSmooth(curve, 1));
   CHECK(curve.slope_N_per_mm(0.5) > 0);
   CHECK(isCorner(curve, 4));  // a wall begins there
-  requireRefusal(setSlope(curve, 0, notANumber), "not a finite number");
+  requireEditRefusal(setSlope(curve, 0, notANumber), "not a finite number");
 }
 
 TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
@@ -104,14 +104,14 @@ TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
     while (inserted->knots()[index].displacement_mm != x) ++index;
     RC_ASSERT(removeKnot(*inserted, index).value() == curve);
   });
-  requireRefusal(insertKnot(tactile(), 1), "stands already at 1 mm");
-  requireRefusal(insertKnot(tactile(), 0), "outside");
-  requireRefusal(insertKnot(tactile(), notANumber), "outside");
-  requireRefusal(removeKnot(through({{0, 0}, {1, 1}}), 0), "needs 2 knots");
+  requireEditRefusal(insertKnot(tactileCurve(), 1), "stands already at 1 mm");
+  requireEditRefusal(insertKnot(tactileCurve(), 0), "outside");
+  requireEditRefusal(insertKnot(tactileCurve(), notANumber), "outside");
+  requireEditRefusal(removeKnot(curveThrough({{0, 0}, {1, 1}}), 0), "needs 2 knots");
 }
 
 TEST_CASE("several knots are put at once, in their order, and keep their slopes") {
-  const StrokeCurve curve = tactile();
+  const StrokeCurve curve = tactileCurve();
   const StrokeCurve moved = require(placeKnots(curve, {{1, {0.6, 0.55}}, {2, {1.1, 0.65}}}));
   CHECK(moved.knots()[1].displacement_mm == 0.6);
   CHECK(moved.knots()[2].force_N == 0.65);
@@ -120,19 +120,19 @@ TEST_CASE("several knots are put at once, in their order, and keep their slopes"
   CHECK(require(placeKnots(curve, {})) == curve);
   // One at a time the first would pass the second.
   CHECK(placeKnots(curve, {{1, {1.2, 0.55}}, {2, {1.4, 0.6}}}).ok());
-  requireRefusal(placeKnots(curve, {{1, {1.2, 0.55}}}), "before knot 2");
-  requireRefusal(placeKnots(curve, {{9, {1, 1}}}), "no knot 10");
+  requireEditRefusal(placeKnots(curve, {{1, {1.2, 0.55}}}), "before knot 2");
+  requireEditRefusal(placeKnots(curve, {{9, {1, 1}}}), "no knot 10");
   CHECK_FALSE(placeKnots(curve, {{1, {notANumber, 1}}}).ok());
 }
 
 TEST_CASE("several knots are removed at once") {
-  const StrokeCurve curve = tactile();
+  const StrokeCurve curve = tactileCurve();
   const StrokeCurve left = require(removeKnots(curve, {3, 1, 3}));
   REQUIRE(left.knots().size() == curve.knots().size() - 2);
   CHECK(left.knots()[1] == curve.knots()[2]);
   CHECK(require(removeKnots(curve, {})) == curve);
-  requireRefusal(removeKnots(curve, {0, 1, 2, 3, 4}), "needs 2 knots");
-  requireRefusal(removeKnots(curve, {6}), "no knot 7");
+  requireEditRefusal(removeKnots(curve, {0, 1, 2, 3, 4}), "needs 2 knots");
+  requireEditRefusal(removeKnots(curve, {6}), "no knot 7");
 }
 
 TEST_CASE("a stretch taken out and put back changes no shape") {
@@ -147,17 +147,17 @@ TEST_CASE("a stretch taken out and put back changes no shape") {
     const auto [low, high] = curve.forceRange_N();
     RC_ASSERT(largestDifference(curve, *back) <= 1e-9 * std::max({1.0, std::abs(low), std::abs(high)}));
   });
-  const StrokeCurve curve = tactile();
+  const StrokeCurve curve = tactileCurve();
   const auto stretch = require(stretchOf(curve, 0.7, 1.3));
   CHECK(stretch.size() == 3);
   CHECK(require(putStretch(curve, {Knot{5, 2, 1, 1}})).end_mm() == 5);
-  requireRefusal(stretchOf(curve, 1, 1), "has no stretch");
-  requireRefusal(stretchOf(curve, -1, 1), "has no stretch");
-  requireRefusal(putStretch(curve, {}), "no knots");
+  requireEditRefusal(stretchOf(curve, 1, 1), "has no stretch");
+  requireEditRefusal(stretchOf(curve, -1, 1), "has no stretch");
+  requireEditRefusal(putStretch(curve, {}), "no knots");
 }
 
 TEST_CASE("a tactile point goes exactly where it is moved and stays the only one") {
-  const StrokeCurve curve = tactile();
+  const StrokeCurve curve = tactileCurve();
   for (CurvePoint to :
        {CurvePoint{1.3, 0.9}, CurvePoint{0.2, 0.5}, CurvePoint{1.0, 0.62}, CurvePoint{1.59, 0.45}}) {
     const StrokeCurve moved = require(moveTactilePoint(curve, Stroke::press, 0, to));
@@ -167,11 +167,11 @@ TEST_CASE("a tactile point goes exactly where it is moved and stays the only one
     CHECK(points[0].force_N == to.force_N);
     CHECK(moved.force_N(3.0) == Approx(curve.force_N(3.0)).epsilon(1e-12));
   }
-  requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {1.7, 0.6}),
-                 "outside its flanks from 0 mm to 1.6 mm");
-  requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {1, 0.35}), "would be no extremum at 0.35 N");
-  requireRefusal(moveTactilePoint(curve, Stroke::press, 1, {1, 0.6}), "has no tactile point 2, it has 1");
-  requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {notANumber, 0.6}), "cannot move to nan mm");
+  requireEditRefusal(moveTactilePoint(curve, Stroke::press, 0, {1.7, 0.6}),
+                     "outside its flanks from 0 mm to 1.6 mm");
+  requireEditRefusal(moveTactilePoint(curve, Stroke::press, 0, {1, 0.35}), "would be no extremum at 0.35 N");
+  requireEditRefusal(moveTactilePoint(curve, Stroke::press, 1, {1, 0.6}), "has no tactile point 2, it has 1");
+  requireEditRefusal(moveTactilePoint(curve, Stroke::press, 0, {notANumber, 0.6}), "cannot move to nan mm");
 }
 
 TEST_CASE("a tactile point between knots is moved as well, and of a release too") {
@@ -180,7 +180,7 @@ TEST_CASE("a tactile point between knots is moved as well, and of a release too"
   const StrokeCurve moved = require(moveTactilePoint(*hump, Stroke::press, 0, {0.9, 1.4}));
   CHECK(tactilePoints(moved, Stroke::press)[0].displacement_mm == 0.9);
   CHECK(tactilePoints(moved, Stroke::press)[0].force_N == 1.4);
-  const StrokeCurve release = require(moveTactilePoint(tactile(), Stroke::release, 0, {1.9, 0.2}));
+  const StrokeCurve release = require(moveTactilePoint(tactileCurve(), Stroke::release, 0, {1.9, 0.2}));
   CHECK(tactilePoints(release, Stroke::release)[0].displacement_mm == 1.9);
 }
 
@@ -237,18 +237,18 @@ TEST_CASE("any tactile point of any curve can be moved a little") {
 
 TEST_CASE("the snap ratio becomes what is asked") {
   for (double ratio : {0.05, 0.5, 0.9, 1.2}) {
-    const StrokeCurve snapped = require(setSnapRatio(tactile(), 0, ratio));
+    const StrokeCurve snapped = require(setSnapRatio(tactileCurve(), 0, ratio));
     const auto metrics = metricsOf(snapped, Stroke::press);
     REQUIRE(metrics.tactile.size() == 1);
     CHECK(*metrics.tactile[0].snapRatio == Approx(ratio));
     CHECK(metrics.tactile[0].point.force_N == 0.6);
   }
-  requireRefusal(setSnapRatio(tactile(), 0, 0), "snap ratio of 0");
-  requireRefusal(setSnapRatio(tactile(), 3, 0.5), "has no tactile point 4");
+  requireEditRefusal(setSnapRatio(tactileCurve(), 0, 0), "snap ratio of 0");
+  requireEditRefusal(setSnapRatio(tactileCurve(), 3, 0.5), "has no tactile point 4");
 }
 
 TEST_CASE("a section moves as a whole, its neighbours stretch") {
-  const StrokeCurve curve = tactile();
+  const StrokeCurve curve = tactileCurve();
   const auto before = sectionsOf(curve, Stroke::press);
   const StrokeCurve moved = require(moveSection(curve, Stroke::press, 1, 0.1, 0.05));
   const auto after = sectionsOf(moved, Stroke::press);
@@ -264,21 +264,21 @@ TEST_CASE("a section moves as a whole, its neighbours stretch") {
   CHECK(moved.start_mm() == 0);
   CHECK(moved.knots().front().force_N == curve.knots().front().force_N);
   CHECK(moved.end_mm() == curve.end_mm());
-  requireRefusal(moveSection(curve, Stroke::press, 1, -1.5, 0),
-                 "past the end of the section beside it at 0 mm");
-  requireRefusal(moveSection(curve, Stroke::press, 8, 0, 0), "has no section 9");
-  requireRefusal(moveSection(curve, Stroke::press, 1, notANumber, 0), "not finite");
+  requireEditRefusal(moveSection(curve, Stroke::press, 1, -1.5, 0),
+                     "past the end of the section beside it at 0 mm");
+  requireEditRefusal(moveSection(curve, Stroke::press, 8, 0, 0), "has no section 9");
+  requireEditRefusal(moveSection(curve, Stroke::press, 1, notANumber, 0), "not finite");
 }
 
 TEST_CASE("moving a release's section moves the same stretch") {
-  const StrokeCurve curve = through({{0, 0.3}, {0.8, 0.45}, {1.5, 0.2}, {3.9, 0.65}});
+  const StrokeCurve curve = curveThrough({{0, 0.3}, {0.8, 0.45}, {1.5, 0.2}, {3.9, 0.65}});
   const StrokeCurve moved = require(moveSection(curve, Stroke::release, 0, 0.2, 0.1));
   CHECK(tactilePoints(moved, Stroke::release)[0].displacement_mm == Approx(1.7));
   CHECK(moved.end_mm() == Approx(4.1));
 }
 
 TEST_CASE("jumps are added and removed on both strokes") {
-  const StrokeCurve line = through({{0, 0.3}, {4, 0.8}});
+  const StrokeCurve line = curveThrough({{0, 0.3}, {4, 0.8}});
   for (Stroke stroke : {Stroke::press, Stroke::release}) {
     const StrokeCurve jumping = require(addJump(line, stroke, {2, 0.6, 0.2}));
     const auto points = tactilePoints(jumping, stroke);
@@ -293,14 +293,14 @@ TEST_CASE("jumps are added and removed on both strokes") {
   const StrokeCurve two =
       require(addJump(require(addJump(line, Stroke::press, {1, 0.4, 0.2})), Stroke::press, {2.5, 0.4, 0.2}));
   CHECK(tactilePoints(two, Stroke::press).size() == 2);
-  requireRefusal(addJump(line, Stroke::press, {3.8, 0.6, 0.2}), "leaves the curve");
-  requireRefusal(addJump(line, Stroke::press, {2, -1, 0.2}), "has width -1 mm");
-  requireRefusal(addJump(line, Stroke::press, {2, 0.6, notANumber}), "drop nan N");
-  requireRefusal(addJump(through({{0, 1}, {4, 0}}), Stroke::press, {2, 0.6, 0.2}), "does not rise");
+  requireEditRefusal(addJump(line, Stroke::press, {3.8, 0.6, 0.2}), "leaves the curve");
+  requireEditRefusal(addJump(line, Stroke::press, {2, -1, 0.2}), "has width -1 mm");
+  requireEditRefusal(addJump(line, Stroke::press, {2, 0.6, notANumber}), "drop nan N");
+  requireEditRefusal(addJump(curveThrough({{0, 1}, {4, 0}}), Stroke::press, {2, 0.6, 0.2}), "does not rise");
 }
 
 TEST_CASE("a linear button keeps its wall") {
-  const StrokeCurve line = require(makeLinear(tactile()));
+  const StrokeCurve line = require(makeLinear(tactileCurve()));
   CHECK(tactilePoints(line, Stroke::press).empty());
   CHECK(line.knots().size() == 3);
   CHECK(line.force_N(1.95) == Approx(0.5));
@@ -308,21 +308,21 @@ TEST_CASE("a linear button keeps its wall") {
 }
 
 TEST_CASE("mirroring: release lies below press by the hysteresis and never below 0") {
-  const ForceGraph graph = require(ForceGraph::fromCurves(tactile(), {}));
+  const ForceGraph graph = require(ForceGraph::fromCurves(tactileCurve(), {}));
   const ForceGraph mirrored = require(mirrorPressToRelease(graph, 0.1));
   for (int i = 0; i <= 100; ++i) {
     const double x = 3.89 * i / 100;
     CHECK(mirrored.release()->force_N(x) == Approx(graph.press().force_N(x) - 0.1));
   }
-  const ForceGraph weak = require(ForceGraph::fromCurves(through({{0, 0}, {1, 0.1}, {4, 1}}), {}));
+  const ForceGraph weak = require(ForceGraph::fromCurves(curveThrough({{0, 0}, {1, 0.1}, {4, 1}}), {}));
   const ForceGraph low = require(mirrorPressToRelease(weak, 0.2));
   CHECK(low.release()->forceRange_N().first >= 0);
   CHECK(low.release()->force_N(4) == Approx(0.8));
   CHECK(require(mirrorPressToRelease(graph, 0)).release() == graph.press());
-  requireRefusal(mirrorPressToRelease(graph, -1), "hysteresis");
+  requireEditRefusal(mirrorPressToRelease(graph, -1), "hysteresis");
   CHECK_FALSE(require(removeRelease(mirrored)).release().has_value());
-  requireRefusal(editStroke(graph, Stroke::release, [](const StrokeCurve& c) { return makeLinear(c); }),
-                 "does not exist");
+  requireEditRefusal(editStroke(graph, Stroke::release, [](const StrokeCurve& c) { return makeLinear(c); }),
+                     "does not exist");
 }
 
 TEST_CASE("scaling scales everything that has the unit") {
@@ -341,10 +341,10 @@ TEST_CASE("scaling scales everything that has the unit") {
   CHECK(require(scaleForce(strong, 0.5)) == button);
   CHECK(require(scaleTravel(wide, 2)) == button);
   for (double bad : {0.0, -1.0, notANumber, HUGE_VAL}) {
-    requireRefusal(scaleForce(button, bad), "finite number above 0");
-    requireRefusal(scaleTravel(button, bad), "finite number above 0");
+    requireEditRefusal(scaleForce(button, bad), "finite number above 0");
+    requireEditRefusal(scaleTravel(button, bad), "finite number above 0");
   }
-  requireRefusal(scaleForce(button, 1e9), "beyond the limit");
+  requireEditRefusal(scaleForce(button, 1e9), "beyond the limit");
 }
 
 TEST_CASE("edits of a button reach its state, and keep its rules") {
@@ -357,11 +357,11 @@ TEST_CASE("edits of a button reach its state, and keep its rules") {
   CHECK_FALSE(edited.states()[1] == button.states()[1]);
   CHECK(*require(setOperatingPoint(button, 0, 3)).states()[0].operatingPoint_mm == 3);
   CHECK_FALSE(require(setResetPoint(button, 0, {})).states()[0].resetPoint_mm.has_value());
-  requireRefusal(setOperatingPoint(button, 0, 9), "operating point at 9 mm");
-  requireRefusal(editGraph(button, 2, [](const ForceGraph& g) { return removeRelease(g); }),
-                 "has no state 3");
-  requireRefusal(editGraph(button, 0, [](const ForceGraph& g) { return scaleTravel(g, 0.1); }),
-                 "operating point");
+  requireEditRefusal(setOperatingPoint(button, 0, 9), "operating point at 9 mm");
+  requireEditRefusal(editGraph(button, 2, [](const ForceGraph& g) { return removeRelease(g); }),
+                     "has no state 3");
+  requireEditRefusal(editGraph(button, 0, [](const ForceGraph& g) { return scaleTravel(g, 0.1); }),
+                     "operating point");
 }
 
 TEST_CASE("a state is added as a copy and taken away again") {
@@ -371,10 +371,10 @@ TEST_CASE("a state is added as a copy and taken away again") {
   CHECK(both.states()[0].name == "unlocked");
   CHECK(both.states()[1].name == "locked");
   CHECK(both.states()[1].graph == momentary.states()[0].graph);
-  requireRefusal(addState(both, 0), "two states already");
+  requireEditRefusal(addState(both, 0), "two states already");
   const Button left = require(removeState(both, 0));
   REQUIRE(left.states().size() == 1);
   CHECK(left.states()[0].name == "locked");
-  requireRefusal(removeState(momentary, 0), "this state alone");
-  requireRefusal(removeState(both, 2), "no state 3");
+  requireEditRefusal(removeState(momentary, 0), "this state alone");
+  requireEditRefusal(removeState(both, 2), "no state 3");
 }

@@ -9,7 +9,7 @@ using namespace detent;
 
 namespace {
 
-StrokeCurve straight(const std::vector<CurvePoint>& points) {
+StrokeCurve straightMetric(const std::vector<CurvePoint>& points) {
   StrokeSketch sketch{points, {}};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) sketch.straight.push_back(i);
   return *strokeFrom(sketch);
@@ -18,8 +18,8 @@ StrokeCurve straight(const std::vector<CurvePoint>& points) {
 }  // namespace
 
 TEST_CASE("figures of a button drawn with straight lines") {
-  const StrokeCurve press = straight({{0, 0}, {1, 0.6}, {2, 0.3}, {4, 0.9}});
-  const StrokeCurve release = straight({{0, 0}, {1, 0.4}, {1.5, 0.1}, {4, 0.6}});
+  const StrokeCurve press = straightMetric({{0, 0}, {1, 0.6}, {2, 0.3}, {4, 0.9}});
+  const StrokeCurve release = straightMetric({{0, 0}, {1, 0.4}, {1.5, 0.1}, {4, 0.6}});
   const ButtonState state{"", *ForceGraph::fromCurves(press, release), 1.5, 1.25, {}};
   const StateMetrics m = metricsOf(state);
   CHECK(m.travel_mm == 4);
@@ -49,14 +49,15 @@ TEST_CASE("two levels have two snap ratios; a linear button has none") {
 }
 
 TEST_CASE("a force that never turns back has its end as valley") {
-  const StrokeMetrics m = metricsOf(straight({{0, 0}, {1, 0.6}, {4, 0.2}}), Stroke::press);
+  const StrokeMetrics m = metricsOf(straightMetric({{0, 0}, {1, 0.6}, {4, 0.2}}), Stroke::press);
   REQUIRE(m.tactile.size() == 1);
   CHECK(m.tactile[0].following == CurvePoint{4, 0.2});
 }
 
 TEST_CASE("hysteresis counts only where both strokes are; a missing release has none") {
-  const StrokeCurve press = straight({{0, 1}, {4, 1}});
-  const ButtonState partly{"", *ForceGraph::fromCurves(press, straight({{1, 0.5}, {3, 0.5}})), {}, {}, {}};
+  const StrokeCurve press = straightMetric({{0, 1}, {4, 1}});
+  const ButtonState partly{
+      "", *ForceGraph::fromCurves(press, straightMetric({{1, 0.5}, {3, 0.5}})), {}, {}, {}};
   CHECK(*metricsOf(partly).hysteresisArea_mJ == Approx(1));
   const ButtonState pressOnly{"", *ForceGraph::fromCurves(press, {}), {}, {}, {}};
   CHECK_FALSE(metricsOf(pressOnly).hysteresisArea_mJ.has_value());

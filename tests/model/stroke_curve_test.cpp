@@ -26,14 +26,14 @@ StrokeCurve curveOf(std::vector<Knot> knots) {
 // x^3 - 2x^2 + 3 on [0, 2]: minimum at 4/3.
 StrokeCurve knownCubic() { return curveOf({{0, 3, 0, 0}, {2, 3, 4, 4}}); }
 
-void requireRefusal(std::vector<Knot> knots, const std::string& part) {
+void requireCurveRefusal(std::vector<Knot> knots, const std::string& part) {
   const auto curve = StrokeCurve::fromKnots(std::move(knots));
   REQUIRE_FALSE(curve.ok());
   CHECK_THAT(curve.failure().sentence(), Catch::Contains(part));
   CHECK_FALSE(curve.failure().remedies.empty());
 }
 
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double curveNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -106,16 +106,16 @@ TEST_CASE("an inflection is no extremum") {
 }
 
 TEST_CASE("what is no curve is refused with its rule, place and value") {
-  requireRefusal({}, "at least 2");
-  requireRefusal({{0, 1, 0, 0}}, "has 1 knots");
-  requireRefusal({{0, 1, 0, 0}, {0, 2, 0, 0}}, "zero travel");
-  requireRefusal({{0, 1, 0, 0}, {1, notANumber, 0, 0}}, "knot 2: force is nan");
-  requireRefusal({{0, 1, 0, infinity}, {1, 1, 0, 0}}, "knot 1: slope after is inf");
-  requireRefusal({{0, 1, 0, 0}, {2, 1, 0, 0}, {1.5, 1, 0, 0}}, "1.5 mm lies before");
-  requireRefusal({{0, 1, 0, 0}, {1, 1, 0, 0}, {1, 2, 0, 0}, {1, 3, 0, 0}}, "third knot");
-  requireRefusal({{0, 0, 0, 0}, {1e-310, 1e6, 0, 0}, {1, 0, 0, 0}}, "piece 1");
-  requireRefusal({{0, 0, 0, 1e308}, {1, 1e6, 1e308, 0}}, "so steep");
-  requireRefusal(std::vector<Knot>(StrokeCurve::maxKnots + 1), "more than the 100000");
+  requireCurveRefusal({}, "at least 2");
+  requireCurveRefusal({{0, 1, 0, 0}}, "has 1 knots");
+  requireCurveRefusal({{0, 1, 0, 0}, {0, 2, 0, 0}}, "zero travel");
+  requireCurveRefusal({{0, 1, 0, 0}, {1, curveNotANumber, 0, 0}}, "knot 2: force is nan");
+  requireCurveRefusal({{0, 1, 0, infinity}, {1, 1, 0, 0}}, "knot 1: slope after is inf");
+  requireCurveRefusal({{0, 1, 0, 0}, {2, 1, 0, 0}, {1.5, 1, 0, 0}}, "1.5 mm lies before");
+  requireCurveRefusal({{0, 1, 0, 0}, {1, 1, 0, 0}, {1, 2, 0, 0}, {1, 3, 0, 0}}, "third knot");
+  requireCurveRefusal({{0, 0, 0, 0}, {1e-310, 1e6, 0, 0}, {1, 0, 0, 0}}, "piece 1");
+  requireCurveRefusal({{0, 0, 0, 1e308}, {1, 1e6, 1e308, 0}}, "so steep");
+  requireCurveRefusal(std::vector<Knot>(StrokeCurve::maxKnots + 1), "more than the 100000");
 }
 
 TEST_CASE("extremes: tiny travel, tiny and huge forces") {

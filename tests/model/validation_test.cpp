@@ -24,7 +24,9 @@ Button withGraph(StrokeCurve press, std::optional<StrokeCurve> release) {
   return *Button::fromStates("b", {ButtonState{"", *graph, {}, {}, {}}});
 }
 
-StrokeCurve through(const std::vector<CurvePoint>& points) { return *StrokeCurve::throughPoints(points); }
+StrokeCurve validCurveThrough(const std::vector<CurvePoint>& points) {
+  return *StrokeCurve::throughPoints(points);
+}
 
 }  // namespace
 
@@ -49,21 +51,24 @@ TEST_CASE("exchanged strokes are noticed, with the worst place") {
 }
 
 TEST_CASE("walls a hair apart are no crossing") {
-  const Button button =
-      withGraph(through({{0, 0.3}, {4, 0.6}, {4, 2}}), through({{0, 0.2}, {3.97, 0.5}, {4, 2}}));
+  const Button button = withGraph(validCurveThrough({{0, 0.3}, {4, 0.6}, {4, 2}}),
+                                  validCurveThrough({{0, 0.2}, {3.97, 0.5}, {4, 2}}));
   CHECK(rulesOf(button) == std::vector<Rule>{});
 }
 
 TEST_CASE("each oddity is named") {
-  CHECK(rulesOf(withGraph(through({{0, 0.3}, {4, 0.8}}), {})) == std::vector{Rule::noRelease});
-  CHECK(rulesOf(withGraph(through({{0, 0.3}, {4, 0.8}}), through({{0, 0.2}, {3.5, 0.6}}))) ==
-        std::vector{Rule::strokesDoNotMeet});
-  CHECK(rulesOf(withGraph(through({{0, -0.3}, {4, 0.8}}), through({{0, -0.3}, {4, 0.8}}))) ==
+  CHECK(rulesOf(withGraph(validCurveThrough({{0, 0.3}, {4, 0.8}}), {})) == std::vector{Rule::noRelease});
+  CHECK(rulesOf(withGraph(validCurveThrough({{0, 0.3}, {4, 0.8}}),
+                          validCurveThrough({{0, 0.2}, {3.5, 0.6}}))) == std::vector{Rule::strokesDoNotMeet});
+  CHECK(rulesOf(
+            withGraph(validCurveThrough({{0, -0.3}, {4, 0.8}}), validCurveThrough({{0, -0.3}, {4, 0.8}}))) ==
         std::vector{Rule::negativeForce, Rule::negativeForce});
-  CHECK(rulesOf(withGraph(through({{0, 0.3}, {1, 0.2}, {4, 0.8}}),
-                          through({{0, 0.05}, {1, 0.1}, {4, 0.7}}))) == std::vector{Rule::fallsAtStart});
-  CHECK(rulesOf(withGraph(through({{0, 0.2}, {0.5, 1.2}, {0.8, 0.4}, {1.4, 0.8}, {1.7, 0.5}, {2, 1.5}}),
-                          through({{0, 0.1}, {2, 1.2}}))) != std::vector<Rule>{});
+  CHECK(rulesOf(withGraph(validCurveThrough({{0, 0.3}, {1, 0.2}, {4, 0.8}}),
+                          validCurveThrough({{0, 0.05}, {1, 0.1}, {4, 0.7}}))) ==
+        std::vector{Rule::fallsAtStart});
+  CHECK(rulesOf(
+            withGraph(validCurveThrough({{0, 0.2}, {0.5, 1.2}, {0.8, 0.4}, {1.4, 0.8}, {1.7, 0.5}, {2, 1.5}}),
+                      validCurveThrough({{0, 0.1}, {2, 1.2}}))) != std::vector<Rule>{});
   const auto reset = setResetPoint(tactile(), 0, 2.5);
   CHECK(rulesOf(*reset) == std::vector{Rule::resetBeyondOperating});
   const auto damped = setDamping(tactile(), 0, {{0, 0.1}, {5, 0.1}});
@@ -72,15 +77,16 @@ TEST_CASE("each oddity is named") {
 
 TEST_CASE("a hidden tactile point is named") {
   const Button button =
-      withGraph(through({{0, 0.2}, {0.5, 1.2}, {0.8, 0.4}, {1.4, 0.8}, {1.7, 0.5}, {2, 1.5}}),
-                through({{0, 0.05}, {0.8, 0.3}, {2, 0.35}, {2, 1.5}}));
+      withGraph(validCurveThrough({{0, 0.2}, {0.5, 1.2}, {0.8, 0.4}, {1.4, 0.8}, {1.7, 0.5}, {2, 1.5}}),
+                validCurveThrough({{0, 0.05}, {0.8, 0.3}, {2, 0.35}, {2, 1.5}}));
   CHECK(rulesOf(button) == std::vector{Rule::hiddenTactilePoint});
 }
 
 TEST_CASE("too many knots and a doubtful import are named") {
   std::vector<CurvePoint> many;
   for (int i = 0; i <= 300; ++i) many.push_back({i * 0.01, 0.3 + i * 0.001});
-  CHECK(rulesOf(withGraph(through(many), through({{0, 0.2}, {3, 0.5}}))) == std::vector{Rule::manyKnots});
+  CHECK(rulesOf(withGraph(validCurveThrough(many), validCurveThrough({{0, 0.2}, {3, 0.5}}))) ==
+        std::vector{Rule::manyKnots});
   Provenance provenance;
   provenance.confidence = 0.2;
   const auto doubtful = Button::fromStates("b", tactile().states(), provenance);

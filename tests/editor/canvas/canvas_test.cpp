@@ -7,6 +7,7 @@
 #include "editor/canvas/unit_ticker.h"
 #include "model/edits.h"
 #include "model/unit_spread.h"
+#include "tests/editor/window_tests.h"
 #include "tests/editor/workspace_rig.h"
 
 using namespace detent;
@@ -396,5 +397,5 @@ void CanvasTest::magnifierShowsWhileDragging() {
   rig.release(from + QPointF(4, -4));
 }
 
-QTEST_MAIN(CanvasTest)
+DETENT_WINDOW_TEST(CanvasTest)
 #include "canvas_test.moc"

@@ -17,6 +17,7 @@
 #include "editor/feel/feel_panel.h"
 #include "editor/feel/level_meter.h"
 #include "editor/feel/signal_view.h"
+#include "tests/editor/window_tests.h"
 #include "tests/playback/device/jack_rig.h"
 #include "tests/playback/device/pty_sensor.h"
 #include "tests/playback/sample_buttons.h"
@@ -307,5 +308,5 @@ class FeelLiveTest : public QObject {
   }
 };
 
-QTEST_MAIN(FeelLiveTest)
+DETENT_WINDOW_TEST(FeelLiveTest)
 #include "feel_live_test.moc"

@@ -27,6 +27,7 @@
 #include "model/edits.h"
 #include "playback/playback.h"
 #include "tests/editor/feel/feel_buttons.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -673,5 +674,5 @@ class FeelPanelTest : public QObject {
   }
 };
 
-QTEST_MAIN(FeelPanelTest)
+DETENT_WINDOW_TEST(FeelPanelTest)
 #include "feel_panel_test.moc"

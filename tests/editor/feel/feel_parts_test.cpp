@@ -18,6 +18,7 @@
 #include "model/edits.h"
 #include "model/speed_family.h"
 #include "tests/editor/feel/feel_buttons.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -303,5 +304,5 @@ class FeelPartsTest : public QObject {
   }
 };
 
-QTEST_MAIN(FeelPartsTest)
+DETENT_WINDOW_TEST(FeelPartsTest)
 #include "feel_parts_test.moc"

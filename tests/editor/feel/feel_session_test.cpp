@@ -10,6 +10,7 @@
 #include "editor/feel/force_words.h"
 #include "model/edits.h"
 #include "tests/editor/feel/feel_buttons.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -259,5 +260,5 @@ class FeelSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FeelSessionTest)
+DETENT_WINDOW_TEST(FeelSessionTest)
 #include "feel_session_test.moc"

@@ -9,6 +9,8 @@
 #include <QTabletEvent>
 #include <QTest>
 
+#include "tests/editor/window_tests.h"
+
 using namespace detent;
 using namespace detent::editor;
 
@@ -222,5 +224,5 @@ class PressPadTest : public QObject {
   }
 };
 
-QTEST_MAIN(PressPadTest)
+DETENT_WINDOW_TEST(PressPadTest)
 #include "press_pad_test.moc"

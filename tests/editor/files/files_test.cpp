@@ -16,6 +16,7 @@
 #include "editor/files/recent_files.h"
 #include "model/edits.h"
 #include "model/templates.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -420,5 +421,5 @@ class FilesTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(FilesTest)
+DETENT_WINDOW_TEST(FilesTest)
 #include "files_test.moc"

@@ -10,6 +10,7 @@
 #include "importer/page/document.h"
 #include "model/compare.h"
 #include "model/file/graph_program.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -153,5 +154,5 @@ class GraphExportTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_MAIN(GraphExportTest)
+DETENT_WINDOW_TEST(GraphExportTest)
 #include "graph_export_test.moc"

@@ -11,6 +11,7 @@
 #include "editor/files/recovery_store.h"
 #include "model/edits.h"
 #include "model/templates.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -43,7 +44,8 @@ int editorToBeKilled(QCoreApplication& app, const QString& folder) {
 class OtherEditor {
  public:
   explicit OtherEditor(const QString& folder) {
-    process_.start(QCoreApplication::applicationFilePath(), {"--editor-to-be-killed", folder});
+    process_.start(QCoreApplication::applicationFilePath(),
+                   {"RecoveryTest", "--editor-to-be-killed", folder});
     started_ = process_.waitForStarted() && process_.waitForReadyRead(20000);
   }
   bool started() const { return started_; }
@@ -192,11 +194,9 @@ class RecoveryTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-int main(int argc, char** argv) {
-  QCoreApplication app(argc, argv);
-  if (argc == 3 && qstrcmp(argv[1], "--editor-to-be-killed") == 0)
-    return editorToBeKilled(app, QString::fromLocal8Bit(argv[2]));
-  RecoveryTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+DETENT_WINDOW_TEST(RecoveryTest, [] {
+  const QStringList arguments = QCoreApplication::arguments();
+  if (arguments.size() != 4 || arguments[2] != "--editor-to-be-killed") return true;
+  std::exit(editorToBeKilled(*QCoreApplication::instance(), arguments[3]));
+})
 #include "recovery_test.moc"

@@ -15,6 +15,7 @@
 #include "editor/forecast/forecast_words.h"
 #include "editor/library/library_panel.h"
 #include "model/edits.h"
+#include "tests/editor/window_tests.h"
 #include "tests/playback/sample_buttons.h"
 
 using namespace detent;
@@ -250,5 +251,5 @@ class ForecastTest : public QObject {
   }
 };
 
-QTEST_MAIN(ForecastTest)
+DETENT_WINDOW_TEST(ForecastTest)
 #include "forecast_test.moc"

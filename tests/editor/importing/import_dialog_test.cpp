@@ -33,6 +33,7 @@
 #include "model/file/button_file.h"
 #include "model/file/svg_plot.h"
 #include "tests/editor/importing/stall_probe.h"
+#include "tests/editor/window_tests.h"
 #include "tests/samples/two_switches.h"
 
 using namespace detent;
@@ -1224,5 +1225,5 @@ void ImportDialogTest::picturesOfInputs() {
   }
 }
 
-QTEST_MAIN(ImportDialogTest)
+DETENT_WINDOW_TEST(ImportDialogTest)
 #include "import_dialog_test.moc"

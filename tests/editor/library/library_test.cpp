@@ -27,6 +27,7 @@
 #include "editor/quantity/quantity.h"
 #include "model/edits.h"
 #include "model/templates.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -354,5 +355,5 @@ class LibraryTest : public QObject {
   }
 };
 
-QTEST_MAIN(LibraryTest)
+DETENT_WINDOW_TEST(LibraryTest)
 #include "library_test.moc"

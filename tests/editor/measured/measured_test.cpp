@@ -16,6 +16,7 @@
 #include "editor/measured/measured_words.h"
 #include "model/templates.h"
 #include "model/units.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -351,5 +352,5 @@ class MeasuredTest : public QObject {
   }
 };
 
-QTEST_MAIN(MeasuredTest)
+DETENT_WINDOW_TEST(MeasuredTest)
 #include "measured_test.moc"

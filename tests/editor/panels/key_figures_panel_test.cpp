@@ -16,6 +16,7 @@
 #include "editor/panels/figure_drawing.h"
 #include "editor/panels/key_figures_model.h"
 #include "model/edits.h"
+#include "tests/editor/window_tests.h"
 #include "tests/editor/workspace_rig.h"
 
 using namespace detent;
@@ -339,5 +340,5 @@ void KeyFiguresPanelTest::undoAndHandsKeepTheTableTrue() {
   rig.document.history().cancelDrag();
 }
 
-QTEST_MAIN(KeyFiguresPanelTest)
+DETENT_WINDOW_TEST(KeyFiguresPanelTest)
 #include "key_figures_panel_test.moc"

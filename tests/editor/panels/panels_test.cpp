@@ -16,6 +16,7 @@
 #include "editor/tools/damping_view.h"
 #include "model/edits.h"
 #include "model/speed_family.h"
+#include "tests/editor/window_tests.h"
 #include "tests/editor/workspace_rig.h"
 
 using namespace detent;
@@ -573,5 +574,5 @@ void PanelsTest::aClosedWorkspaceLeavesTheDocumentClean() {
   QVERIFY(document.button() == button);
 }
 
-QTEST_MAIN(PanelsTest)
+DETENT_WINDOW_TEST(PanelsTest)
 #include "panels_test.moc"

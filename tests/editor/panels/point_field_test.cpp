@@ -10,6 +10,7 @@
 #include "editor/panels/annotations_panel.h"
 #include "model/edits.h"
 #include "model/sections.h"
+#include "tests/editor/window_tests.h"
 #include "tests/editor/workspace_rig.h"
 
 using namespace detent;
@@ -228,5 +229,5 @@ void PointFieldTest::undoInAnEmptyFieldIsTheButtons() {
   }
 }
 
-QTEST_MAIN(PointFieldTest)
+DETENT_WINDOW_TEST(PointFieldTest)
 #include "point_field_test.moc"

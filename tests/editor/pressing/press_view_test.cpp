@@ -13,6 +13,7 @@
 
 #include "editor/pressing/effort_plot.h"
 #include "editor/pressing/press_words.h"
+#include "tests/editor/window_tests.h"
 #include "tests/playback/sample_buttons.h"
 
 using namespace detent;
@@ -134,5 +135,5 @@ class PressViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(PressViewTest)
+DETENT_WINDOW_TEST(PressViewTest)
 #include "press_view_test.moc"

@@ -25,6 +25,7 @@
 
 #include "editor/study/study_desk.h"
 #include "editor/study/study_maker.h"
+#include "tests/editor/window_tests.h"
 #include "tests/playback/sample_buttons.h"
 
 using namespace detent;
@@ -915,5 +916,5 @@ class StudyTest : public QObject {
   }
 };
 
-QTEST_MAIN(StudyTest)
+DETENT_WINDOW_TEST(StudyTest)
 #include "study_test.moc"

@@ -8,6 +8,7 @@
 #include "editor/tools/mark_edits.h"
 #include "editor/tools/selection_edits.h"
 #include "model/edits.h"
+#include "tests/editor/window_tests.h"
 #include "tests/editor/workspace_rig.h"
 
 using namespace detent;
@@ -696,5 +697,5 @@ void ToolsTest::lostReleaseEndsTheDrag() {
   QCOMPARE(rig.steps(), 1);
 }
 
-QTEST_MAIN(ToolsTest)
+DETENT_WINDOW_TEST(ToolsTest)
 #include "tools_test.moc"

@@ -31,6 +31,7 @@
 #include "editor/window/welcome_page.h"
 #include "model/templates.h"
 #include "tests/editor/window/scripted_prompts.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -363,5 +364,5 @@ class FieldsTest : public QObject {
   int fields_ = 0, typed_ = 0, wheeled_ = 0;
 };
 
-QTEST_MAIN(FieldsTest)
+DETENT_WINDOW_TEST(FieldsTest)
 #include "fields_test.moc"

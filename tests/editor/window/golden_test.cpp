@@ -16,6 +16,7 @@
 #include "editor/window/main_window.h"
 #include "model/edits.h"
 #include "tests/editor/window/scripted_prompts.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -170,15 +171,13 @@ class GoldenTest : public QObject {
   tests::ScriptedPrompts prompts_;
 };
 
-int main(int argc, char** argv) {
+DETENT_WINDOW_TEST(GoldenTest, [] {
   QApplication::setStyle(outlinedStyle());
-  QApplication app(argc, argv);
   if (!QFontDatabase::families().contains("DejaVu Sans")) {
     std::puts("SKIPPED golden pictures of the editor: the font DejaVu Sans is not installed");
-    return 0;
+    return false;
   }
   QApplication::setFont(QFont("DejaVu Sans", 9));
-  GoldenTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+  return true;
+})
 #include "golden_test.moc"

@@ -68,6 +68,7 @@
 #include "playback/force_feedback.h"
 #include "playback/study.h"
 #include "tests/editor/window/scripted_prompts.h"
+#include "tests/editor/window_tests.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -1606,10 +1607,8 @@ class WindowTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-int main(int argc, char** argv) {
+DETENT_WINDOW_TEST(WindowTest, [] {
   QApplication::setStyle(outlinedStyle());
-  QApplication app(argc, argv);
-  WindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+  return true;
+})
 #include "window_test.moc"

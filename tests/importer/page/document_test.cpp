@@ -68,7 +68,7 @@ Opened open(const std::string& text, const std::string& name) {
   return {std::move(document).value(), std::move(page).value()};
 }
 
-Failure refusalOf(const std::string& text, const std::string& name, const PageLimits& limits = {}) {
+Failure documentRefusal(const std::string& text, const std::string& name, const PageLimits& limits = {}) {
   const auto document = Document::fromBytes(bytesOf(text), name, limits);
   if (!document) return document.failure();
   const auto page = document->page(1);
@@ -263,7 +263,7 @@ TEST_CASE("a view's paths lie on its pixels") {
 TEST_CASE("hostile and broken documents are refused") {
   const std::string good = onePage("10 20 m 60 90 l S");
   SECTION("truncated") {
-    const Failure failure = refusalOf(good.substr(0, good.size() / 2), "cut.pdf");
+    const Failure failure = documentRefusal(good.substr(0, good.size() / 2), "cut.pdf");
     CHECK(failure.code == FailureCode::unreadableInput);
     CHECK(english(failure.problem).find("truncated") != std::string::npos);
   }
@@ -273,13 +273,13 @@ TEST_CASE("hostile and broken documents are refused") {
     const std::string many =
         pdfOf({"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[" + kids + "]/Count 10000>>",
                "<</Type/Page/Parent 2 0 R/MediaBox[0 0 9 9]>>"});
-    CHECK(english(refusalOf(many, "many.pdf").problem).find("10000 pages") != std::string::npos);
+    CHECK(english(documentRefusal(many, "many.pdf").problem).find("10000 pages") != std::string::npos);
   }
   SECTION("an image that claims more pixels than allowed") {
     const std::string content = "q 9 0 0 9 0 0 cm /I Do Q";
     std::string huge = onePage(content);
     huge.replace(huge.find("/Width 4/Height 2"), 17, "/Width 60000/Height 60000");
-    const Failure failure = refusalOf(huge, "huge.pdf");
+    const Failure failure = documentRefusal(huge, "huge.pdf");
     INFO(failure.sentence());
     CHECK(english(failure.problem).find("60000 x 60000") != std::string::npos);
   }
@@ -288,7 +288,7 @@ TEST_CASE("hostile and broken documents are refused") {
     limits.maxPathPoints = 50;
     std::string content = "0 0 m ";
     for (int i = 0; i < 100; ++i) content += std::to_string(i) + " 5 l ";
-    CHECK(english(refusalOf(onePage(content + "S"), "long.pdf", limits).problem).find("50 points") !=
+    CHECK(english(documentRefusal(onePage(content + "S"), "long.pdf", limits).problem).find("50 points") !=
           std::string::npos);
   }
   SECTION("an SVG whose references multiply") {
@@ -300,18 +300,19 @@ TEST_CASE("hostile and broken documents are refused") {
       for (int k = 0; k < 8; ++k) svg += "<use xlink:href='#a" + std::to_string(i - 1) + "'/>";
       svg += "</g>";
     }
-    CHECK(english(refusalOf(svg + "</svg>", "bomb.svg").problem).find("more elements") != std::string::npos);
+    CHECK(english(documentRefusal(svg + "</svg>", "bomb.svg").problem).find("more elements") !=
+          std::string::npos);
   }
   SECTION("an SVG that refers to itself") {
     const std::string svg =
         "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink'>"
         "<g id='a'><use xlink:href='#a'/><use xlink:href='#a'/></g></svg>";
-    CHECK(english(refusalOf(svg, "circle.svg").problem).find("circle") != std::string::npos);
+    CHECK(english(documentRefusal(svg, "circle.svg").problem).find("circle") != std::string::npos);
   }
   SECTION("an SVG nested too deep") {
     std::string svg = "<svg xmlns='http://www.w3.org/2000/svg'>";
     for (int i = 0; i < 100000; ++i) svg += "<g>";
-    CHECK(english(refusalOf(svg, "deep.svg").problem).find("deep") != std::string::npos);
+    CHECK(english(documentRefusal(svg, "deep.svg").problem).find("deep") != std::string::npos);
   }
 }
 
@@ -570,7 +571,7 @@ TEST_CASE("the limit on a page's time covers what is drawn") {
   PageLimits limits;
   limits.maxPageSeconds = 1.5;
   const double before_s = processorSeconds();
-  const Failure failure = refusalOf(slowToDraw(), "plot.pdf", limits);
+  const Failure failure = documentRefusal(slowToDraw(), "plot.pdf", limits);
   CHECK(processorSeconds() - before_s < 10);
   CHECK(failure.code == FailureCode::unreadableInput);
   CHECK(failure.sentence().find("plot.pdf, page 1: it takes too long to") == 0);
@@ -601,7 +602,8 @@ TEST_CASE("one object that goes up and down the page without end is refused befo
   for (const std::string paint : {"fill='none' stroke='black'", "fill='red'", "fill='red' opacity='0.001'"}) {
     INFO(paint);
     const double before_s = processorSeconds();
-    const Failure failure = refusalOf(head + "<path " + paint + " d='" + path + "'/></svg>", "plot.svg");
+    const Failure failure =
+        documentRefusal(head + "<path " + paint + " d='" + path + "'/></svg>", "plot.svg");
     CHECK(failure.code == FailureCode::unreadableInput);
     CHECK(english(failure.problem) == "it takes too long to draw");
     CHECK(processorSeconds() - before_s < 2);
@@ -623,7 +625,7 @@ TEST_CASE("an SVG that was cut off is truncated, wherever it ends") {
        {"</svg:sv", "</svg:svg", "</svg:g>", "50\" stro", "</svg:svg><svg:path", "<svg:g"}) {
     INFO("ends at " << last);
     const std::size_t end = std::string_view(last) == "</svg:svg" ? whole.size() - 1 : whole.find(last);
-    const Failure failure = refusalOf(whole.substr(0, end), "plot.svg");
+    const Failure failure = documentRefusal(whole.substr(0, end), "plot.svg");
     CHECK(failure.code == FailureCode::unreadableInput);
     CHECK(english(failure.problem).find("truncated") != std::string::npos);
   }
@@ -652,7 +654,7 @@ TEST_CASE("a pattern of more cells than any page has objects is refused before i
   for (const auto& [stepX, stepY] : steps) {
     INFO("steps " << stepX << ", " << stepY);
     const double before_s = processorSeconds();
-    CHECK(refusalOf(tiled(stepX, stepY), "plot.pdf").code == FailureCode::unreadableInput);
+    CHECK(documentRefusal(tiled(stepX, stepY), "plot.pdf").code == FailureCode::unreadableInput);
     CHECK(processorSeconds() - before_s < 1);
   }
   CHECK(open(tiled("2", "2"), "plot.pdf").page.count == 1);

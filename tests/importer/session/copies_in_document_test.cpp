@@ -95,7 +95,7 @@ ImportReport importedFrom(std::vector<unsigned char> document) {
   return std::move(report).value();
 }
 
-bool says(const ImportReport& report, RemarkCode code) {
+bool saysOfCopies(const ImportReport& report, RemarkCode code) {
   return std::any_of(report.remarks.begin(), report.remarks.end(),
                      [code](const Remark& remark) { return remark.code == code; });
 }
@@ -104,8 +104,8 @@ bool says(const ImportReport& report, RemarkCode code) {
 
 TEST_CASE("One graph on two pages is one graph", "[copies]") {
   const auto report = importedFrom(documentOf(graph(100, 100, 560, 25), graph(150, 200, 320, 25)));
-  CHECK(says(report, RemarkCode::sameGraphSeveralTimes));
-  CHECK_FALSE(says(report, RemarkCode::severalGraphs));
+  CHECK(saysOfCopies(report, RemarkCode::sameGraphSeveralTimes));
+  CHECK_FALSE(saysOfCopies(report, RemarkCode::severalGraphs));
   CHECK(report.button.states().front().graph.travel_mm() == Approx(3.8).margin(0.02));
 }
 
@@ -125,6 +125,6 @@ TEST_CASE("A curve that was held against its copies is not traced again", "[copi
 
 TEST_CASE("Two switches on equal axes stay two graphs", "[copies]") {
   const auto report = importedFrom(documentOf(graph(100, 100, 560, 25), graph(150, 200, 320, 5)));
-  CHECK_FALSE(says(report, RemarkCode::sameGraphSeveralTimes));
-  CHECK(says(report, RemarkCode::severalGraphs));
+  CHECK_FALSE(saysOfCopies(report, RemarkCode::sameGraphSeveralTimes));
+  CHECK(saysOfCopies(report, RemarkCode::severalGraphs));
 }

@@ -39,7 +39,7 @@ std::string logOf(double perMm = 1, double perN = 1, int broken = -1, const std:
   return text;
 }
 
-Result<ImportReport> imported(const std::string& text, const ImportRequest& request = {}) {
+Result<ImportReport> importedLog(const std::string& text, const ImportRequest& request = {}) {
   const LogFile file(text);
   auto session = ImportSession::open(file.path.string());
   REQUIRE(session.ok());
@@ -48,7 +48,7 @@ Result<ImportReport> imported(const std::string& text, const ImportRequest& requ
 
 void refusedFor(const std::string& text, const char* reason) {
   INFO(reason);
-  const auto report = imported(text);
+  const auto report = importedLog(text);
   REQUIRE_FALSE(report.ok());
   CHECK(report.failure().code == FailureCode::notCertain);
   CHECK(report.failure().reason == reason);
@@ -58,7 +58,7 @@ void refusedFor(const std::string& text, const char* reason) {
 }  // namespace
 
 TEST_CASE("A log of a button is not doubted") {
-  const auto report = imported(logOf());
+  const auto report = importedLog(logOf());
   REQUIRE(report.ok());
   CHECK(report->confidence == 1);
   CHECK(report->button.provenance()->confidence == 1);
@@ -78,14 +78,14 @@ TEST_CASE(
     "A unit given by hand settles the size it answers, and a lower bar lets a doubt pass with its figure") {
   ImportRequest given;
   given.hints.axes.xUnit = LengthUnit::millimetre;
-  const auto settled = imported(logOf(10), given);
+  const auto settled = importedLog(logOf(10), given);
   REQUIRE(settled.ok());
   CHECK(settled->button.states()[0].graph.press().travel_mm() == Approx(40).margin(0.5));
   ImportRequest forces = given;
-  CHECK_FALSE(imported(logOf(1, 100), forces).ok());
+  CHECK_FALSE(importedLog(logOf(1, 100), forces).ok());
   ImportRequest unsure;
   unsure.sure = 0.3;
-  const auto passed = imported(logOf(10), unsure);
+  const auto passed = importedLog(logOf(10), unsure);
   REQUIRE(passed.ok());
   CHECK(passed->confidence < 0.5);
   CHECK_FALSE(passed->remarks.empty());

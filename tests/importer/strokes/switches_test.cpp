@@ -14,8 +14,8 @@ using namespace detent::importer;
 namespace {
 
 /// A rising line of its own ink, `height_px` above the foot of a 300 px plot; its legend entry in row `row`.
-CurveTrace traced(std::string label, double height_px, std::uint8_t blue, int row = 0,
-                  double column_px = 400) {
+CurveTrace tracedSwitch(std::string label, double height_px, std::uint8_t blue, int row = 0,
+                        double column_px = 400) {
   CurveTrace t;
   t.color = {20, 40, blue};
   t.confidence = 1;
@@ -35,7 +35,8 @@ using Names = std::vector<std::string>;
 
 /// The two strokes of a switch of `travel_px`, the release up to `lag_px` lower; neither named.
 std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, std::uint8_t blue) {
-  std::vector<CurveTrace> strokes{traced("", 0, blue), traced("", 0, static_cast<std::uint8_t>(blue + 1))};
+  std::vector<CurveTrace> strokes{tracedSwitch("", 0, blue),
+                                  tracedSwitch("", 0, static_cast<std::uint8_t>(blue + 1))};
   for (std::size_t k = 0; k < 2; ++k) {
     auto& points = strokes[k].points_px;
     points.clear();
@@ -50,7 +51,7 @@ std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, st
 }  // namespace
 
 TEST_CASE("A name is found without its accents", "[switches]") {
-  const std::vector<CurveTrace> traces{traced("Boton A", 10, 1), traced("Boton B", 60, 2, 1)};
+  const std::vector<CurveTrace> traces{tracedSwitch("Boton A", 10, 1), tracedSwitch("Boton B", 60, 2, 1)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 2);
   CHECK(switches[chosenSwitch(switches, traces, "Botón B").value()].name == "Boton B");
@@ -58,7 +59,8 @@ TEST_CASE("A name is found without its accents", "[switches]") {
 }
 
 TEST_CASE("Where one of several names was not read its place says that it is a switch's", "[switches]") {
-  std::vector<CurveTrace> traces{traced("1.6 N", 10, 1), traced("2.6 N", 60, 2, 1), traced("", 90, 3, 2)};
+  std::vector<CurveTrace> traces{tracedSwitch("1.6 N", 10, 1), tracedSwitch("2.6 N", 60, 2, 1),
+                                 tracedSwitch("", 90, 3, 2)};
   CHECK(switchesAmong(traces).size() != 3);  // a curve beside them that no legend lists
   traces[2].labelBox_px = {400, 50, 460, 62};
   const auto switches = switchesAmong(traces);
@@ -70,7 +72,7 @@ TEST_CASE("Where one of several names was not read its place says that it is a s
 
 TEST_CASE("Two curves that no legend parts are one switch's strokes", "[switches]") {
   for (const char* label : {"", "press", "Switch A"}) {
-    const std::vector<CurveTrace> traces{traced("", 10, 1), traced(label, 60, 2)};
+    const std::vector<CurveTrace> traces{tracedSwitch("", 10, 1), tracedSwitch(label, 60, 2)};
     const auto switches = switchesAmong(traces);
     REQUIRE(switches.size() == 1);
     CHECK(switches[0].traces.size() == 2);
@@ -80,27 +82,29 @@ TEST_CASE("Two curves that no legend parts are one switch's strokes", "[switches
 }
 
 TEST_CASE("Curves with names of their own are switches in the legend's order", "[switches]") {
-  const std::vector<CurveTrace> traces{traced("Switch B", 10, 1, 1), traced("Switch C", 60, 2, 2),
-                                       traced("Switch A", 30, 3, 0)};
+  const std::vector<CurveTrace> traces{tracedSwitch("Switch B", 10, 1, 1), tracedSwitch("Switch C", 60, 2, 2),
+                                       tracedSwitch("Switch A", 30, 3, 0)};
   const auto switches = switchesAmong(traces);
   REQUIRE(namesOf(switches) == Names{"Switch A", "Switch B", "Switch C"});
   CHECK(switches[0].pressColor == traces[2].color);
   CHECK_FALSE(switches[0].releaseColor);
-  CHECK(namesOf(switchesAmong({traced("downstroke_a", 10, 1, 0), traced("downstroke_b", 60, 2, 1)})) ==
+  CHECK(namesOf(switchesAmong(
+            {tracedSwitch("downstroke_a", 10, 1, 0), tracedSwitch("downstroke_b", 60, 2, 1)})) ==
         Names{"downstroke_a", "downstroke_b"});
 }
 
 TEST_CASE("A legend in one row counts from the left", "[switches]") {
-  const auto switches = switchesAmong(
-      {traced("Red", 10, 1, 0, 300), traced("Blue", 30, 2, 0, 100), traced("Brown", 60, 3, 0, 200)});
+  const auto switches =
+      switchesAmong({tracedSwitch("Red", 10, 1, 0, 300), tracedSwitch("Blue", 30, 2, 0, 100),
+                     tracedSwitch("Brown", 60, 3, 0, 200)});
   CHECK(namesOf(switches) == Names{"Blue", "Brown", "Red"});
 }
 
 TEST_CASE("Press and release come together by the rest of their names", "[switches]") {
   const std::vector<CurveTrace> traces{
-      traced("Switch 2 release", 50, 1, 3), traced("Switch 1", 40, 2, 0),
-      traced("Switch 2", 60, 3, 2),         traced("Switch 1 release", 30, 4, 1),
-      traced("T1 upstroke", 5, 5, 5),       traced("T1 downstroke", 15, 6, 4)};
+      tracedSwitch("Switch 2 release", 50, 1, 3), tracedSwitch("Switch 1", 40, 2, 0),
+      tracedSwitch("Switch 2", 60, 3, 2),         tracedSwitch("Switch 1 release", 30, 4, 1),
+      tracedSwitch("T1 upstroke", 5, 5, 5),       tracedSwitch("T1 downstroke", 15, 6, 4)};
   const auto switches = switchesAmong(traces);
   REQUIRE(namesOf(switches) == Names{"Switch 1", "Switch 2", "T1"});
   CHECK(switches[0].pressColor == traces[1].color);
@@ -110,7 +114,8 @@ TEST_CASE("Press and release come together by the rest of their names", "[switch
 }
 
 TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[switches]") {
-  std::vector<CurveTrace> traces{traced("", 10, 1), traced("", 20, 1), traced("", 40, 2), traced("", 50, 2)};
+  std::vector<CurveTrace> traces{tracedSwitch("", 10, 1), tracedSwitch("", 20, 1), tracedSwitch("", 40, 2),
+                                 tracedSwitch("", 50, 2)};
   traces[0].stroke = traces[2].stroke = Stroke::release;
   traces[1].stroke = traces[3].stroke = Stroke::press;
   const auto switches = switchesAmong(traces);
@@ -178,7 +183,7 @@ TEST_CASE("Of several curves without names those that close a loop are one switc
 
 TEST_CASE("A quantity that only falls belongs to no loop, however its fall wavers", "[switches]") {
   std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
-  CurveTrace resistance = traced("", 0, 3);
+  CurveTrace resistance = tracedSwitch("", 0, 3);
   for (Point& p : resistance.points_px) p.y = p.x < 150 ? 40 : 280;
   for (double y = 40; y < 280; ++y) resistance.points_px.push_back({150 + 0.4 * std::sin(y), y});
   traces.push_back(resistance);
@@ -192,25 +197,27 @@ TEST_CASE("Where it is not clear what belongs together nothing is joined", "[swi
   onOneWall.push_back(loop(60, 300, 0, 3)[0]);
   onOneWall.back().points_px.back() = onOneWall[0].points_px.back();
   CHECK(switchesAmong(onOneWall).empty());
-  CHECK(switchesAmong({traced("Brown press", 10, 1), traced("Red release", 30, 2)}).empty());
-  CHECK(switchesAmong({traced("A press", 10, 1), traced("A release", 30, 2), traced("A release", 50, 3)})
+  CHECK(switchesAmong({tracedSwitch("Brown press", 10, 1), tracedSwitch("Red release", 30, 2)}).empty());
+  CHECK(switchesAmong({tracedSwitch("A press", 10, 1), tracedSwitch("A release", 30, 2),
+                       tracedSwitch("A release", 50, 3)})
             .empty());
-  CHECK(switchesAmong({traced("A", 10, 1), traced("A release", 30, 2), traced("", 50, 3)}).empty());
+  CHECK(switchesAmong({tracedSwitch("A", 10, 1), tracedSwitch("A release", 30, 2), tracedSwitch("", 50, 3)})
+            .empty());
   CHECK(switchesAmong({}).empty());
 }
 
 TEST_CASE("Beside press and release a mark without a name is none of them", "[switches]") {
-  const auto switches =
-      switchesAmong({traced("press", 10, 1), traced("lease", 30, 2), traced("", 50, 3)});  // misread
+  const auto switches = switchesAmong(
+      {tracedSwitch("press", 10, 1), tracedSwitch("lease", 30, 2), tracedSwitch("", 50, 3)});  // misread
   REQUIRE(switches.size() == 1);
   CHECK(switches[0].traces.size() == 2);
 }
 
 TEST_CASE("A line without a name that only falls is no stroke beside a named one", "[switches]") {
-  CurveTrace arrow = traced("", 0, 3);
+  CurveTrace arrow = tracedSwitch("", 0, 3);
   for (Point& p : arrow.points_px) p.y = 100 + 0.5 * p.x;
   std::ranges::reverse(arrow.points_px);  // from its tip
-  const std::vector<CurveTrace> traces{traced("press", 60, 1), arrow, traced("", 10, 2)};
+  const std::vector<CurveTrace> traces{tracedSwitch("press", 60, 1), arrow, tracedSwitch("", 10, 2)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 1);
   CHECK(switches[0].traces == std::vector<std::size_t>{0, 2});
@@ -219,20 +226,21 @@ TEST_CASE("A line without a name that only falls is no stroke beside a named one
     CurveTrace named = arrow;
     named.label = "Voltage";
     named.labelBox_px = {400, 30, 460, 42};
-    CHECK(switchesAmong({traced("press", 60, 1), named, traced("release", 10, 2, 1)}).size() == 2);
+    CHECK(switchesAmong({tracedSwitch("press", 60, 1), named, tracedSwitch("release", 10, 2, 1)}).size() ==
+          2);
   }
   SECTION("One that rises again may be a stroke") {
     CurveTrace dip = arrow;
     for (Point& p : dip.points_px) p.y = 100 + std::abs(p.x - 200);
-    CHECK(switchesAmong({traced("press", 60, 1), dip, traced("", 10, 2)}).empty());
+    CHECK(switchesAmong({tracedSwitch("press", 60, 1), dip, tracedSwitch("", 10, 2)}).empty());
   }
   SECTION("Where no legend names a stroke nothing is left out") {
-    CHECK(switchesAmong({traced("", 60, 1), arrow, traced("", 10, 2)}).empty());
+    CHECK(switchesAmong({tracedSwitch("", 60, 1), arrow, tracedSwitch("", 10, 2)}).empty());
   }
 }
 
 TEST_CASE("Two colours given by hand are a pair whatever the legend says", "[switches]") {
-  std::vector<CurveTrace> traces{traced("Switch A", 10, 1), traced("Switch B", 30, 2)};
+  std::vector<CurveTrace> traces{tracedSwitch("Switch A", 10, 1), tracedSwitch("Switch B", 30, 2)};
   traces[0].stroke = Stroke::press;
   traces[1].stroke = Stroke::release;
   CHECK(switchesAmong(traces).size() == 1);
@@ -256,8 +264,9 @@ TEST_CASE("Names that no list has are strokes' where their curves end in one poi
 }
 
 TEST_CASE("A switch is asked for by name or number", "[switches]") {
-  const std::vector<CurveTrace> traces{traced("Switch A", 40, 1, 0), traced("Switch 8", 20, 2, 1),
-                                       traced("Gateron", 60, 3, 2), traced("Gateron upstroke", 50, 4, 3)};
+  const std::vector<CurveTrace> traces{tracedSwitch("Switch A", 40, 1, 0), tracedSwitch("Switch 8", 20, 2, 1),
+                                       tracedSwitch("Gateron", 60, 3, 2),
+                                       tracedSwitch("Gateron upstroke", 50, 4, 3)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 3);
   for (const auto& [asked, index] : {std::pair{"Switch A", 0U},
@@ -285,8 +294,9 @@ TEST_CASE("One letter within a long word may be misread; what tells switches apa
   const auto chosen = [](const Names& read, const std::string& asked) -> std::optional<std::size_t> {
     std::vector<CurveTrace> traces;
     for (const std::string& name : read)
-      traces.push_back(traced(name, 10 + 20 * static_cast<double>(traces.size()),
-                              static_cast<std::uint8_t>(traces.size() + 1), static_cast<int>(traces.size())));
+      traces.push_back(tracedSwitch(name, 10 + 20 * static_cast<double>(traces.size()),
+                                    static_cast<std::uint8_t>(traces.size() + 1),
+                                    static_cast<int>(traces.size())));
     const auto found = chosenSwitch(switchesAmong(traces), traces, asked);
     return found ? std::optional(*found) : std::nullopt;
   };
@@ -306,7 +316,8 @@ TEST_CASE("One letter within a long word may be misread; what tells switches apa
 TEST_CASE("A name that was read near to the one asked for is said", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  const std::vector<CurveTrace> traces{traced("Linear 45", 40, 1, 0), traced("Tachile 4S", 20, 2, 1)};
+  const std::vector<CurveTrace> traces{tracedSwitch("Linear 45", 40, 1, 0),
+                                       tracedSwitch("Tachile 4S", 20, 2, 1)};
   const auto near = [&](const std::string& asked) {
     StrokeHints hints;
     hints.curve = asked;
@@ -337,7 +348,7 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
   CHECK(first->confidence <= 0.6);                               // nothing says that it has no release
 
   SECTION("they end together, and cross") {
-    std::vector<CurveTrace> crossing{traced("", 10, 1), traced("", 10, 5)};
+    std::vector<CurveTrace> crossing{tracedSwitch("", 10, 1), tracedSwitch("", 10, 5)};
     for (Point& p : crossing[0].points_px) p.y -= 30 * std::sin(2 * M_PI * p.x / 300);
     CHECK(switchesAmong(crossing).size() == 2);
     for (Point& p : crossing[0].points_px)  // a snap that comes earlier on the way back
@@ -349,14 +360,14 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
     CHECK(switchesAmong(crossing).size() == 1);
   }
   SECTION("of three and more each ends beside the others' lines, which no release does") {
-    std::vector<CurveTrace> walls{traced("", 10, 1), traced("", 30, 2), traced("", 50, 3)};
+    std::vector<CurveTrace> walls{tracedSwitch("", 10, 1), tracedSwitch("", 30, 2), tracedSwitch("", 50, 3)};
     CHECK(switchesAmong(walls).size() == 3);
     walls[1].label = "2.6 N";  // the one name that was read may be another curve's
     CHECK(switchesAmong(walls).empty());
     CHECK(switchesAmong({walls[0], walls[2]}).size() == 1);
   }
   SECTION("a mark beside a press") {
-    CurveTrace mark = traced("", 80, 7);
+    CurveTrace mark = tracedSwitch("", 80, 7);
     mark.points_px.resize(60);
     CHECK(switchesAmong({longer[0], mark}).size() == 1);
   }
@@ -371,8 +382,8 @@ TEST_CASE("Strokes whose names were read alike are one switch's where they close
 }
 
 TEST_CASE("A name of which the legend's sample hid the beginning is found by its end", "[switches]") {
-  const std::vector<CurveTrace> traces{traced("ple 1", 40, 1, 0), traced("Sample 2", 20, 2, 1),
-                                       traced("ple 3", 60, 3, 2)};
+  const std::vector<CurveTrace> traces{tracedSwitch("ple 1", 40, 1, 0), tracedSwitch("Sample 2", 20, 2, 1),
+                                       tracedSwitch("ple 3", 60, 3, 2)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 3);
   CHECK(chosenSwitch(switches, traces, "Sample 1").value() == 0);
@@ -381,7 +392,7 @@ TEST_CASE("A name of which the legend's sample hid the beginning is found by its
 }
 
 TEST_CASE("Of two switches called the same only a number chooses", "[switches]") {
-  const std::vector<CurveTrace> traces{traced("Red", 40, 1, 0), traced("Red", 20, 2, 1)};
+  const std::vector<CurveTrace> traces{tracedSwitch("Red", 40, 1, 0), tracedSwitch("Red", 20, 2, 1)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 2);
   CHECK(chosenSwitch(switches, traces, "Red").failure().code == FailureCode::wrongUsage);
@@ -391,7 +402,8 @@ TEST_CASE("Of two switches called the same only a number chooses", "[switches]")
 TEST_CASE("Several switches and none chosen: a doubt that names them", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  const std::vector<CurveTrace> traces{traced("Switch A", 90, 1, 0), traced("Switch B", 20, 2, 1)};
+  const std::vector<CurveTrace> traces{tracedSwitch("Switch A", 90, 1, 0),
+                                       tracedSwitch("Switch B", 20, 2, 1)};
   const auto refused = separateStrokes(traces, axes);
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.failure().code == FailureCode::notCertain);
@@ -414,7 +426,8 @@ TEST_CASE("Several switches and none chosen: a doubt that names them", "[switche
 TEST_CASE("A curve of several that the legend names twice is no press alone", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  const std::vector<CurveTrace> traces{traced("Switch A", 90, 1, 0), traced("Lark / Finch", 20, 2, 1)};
+  const std::vector<CurveTrace> traces{tracedSwitch("Switch A", 90, 1, 0),
+                                       tracedSwitch("Lark / Finch", 20, 2, 1)};
   StrokeHints hints;
   hints.curve = "2";
   const auto chosen = separateStrokes(traces, axes, hints);
@@ -427,7 +440,7 @@ TEST_CASE("A curve of several that the legend names twice is no press alone", "[
 TEST_CASE("A curve whose end another switch's covers is not taken for the whole", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  CurveTrace whole = traced("Switch A", 90, 1, 0), part = traced("Switch B", 20, 2, 1);
+  CurveTrace whole = tracedSwitch("Switch A", 90, 1, 0), part = tracedSwitch("Switch B", 20, 2, 1);
   for (double y = whole.points_px.back().y; y > 0; --y) whole.points_px.push_back({301, y});
   StrokeHints hints;
   hints.curve = "Switch B";
@@ -445,7 +458,7 @@ TEST_CASE("A curve whose end another switch's covers is not taken for the whole"
 TEST_CASE("A stroke whose foot lies under another switch's runs down with that one", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
-  CurveTrace steep = traced("Switch A", 90, 1, 0), covered = traced("Switch B", 40, 2, 1);
+  CurveTrace steep = tracedSwitch("Switch A", 90, 1, 0), covered = tracedSwitch("Switch B", 40, 2, 1);
   steep.points_px.clear(), covered.points_px.clear();
   for (double x = 0; x < 9; x += 0.5) steep.points_px.push_back({x, 300 - 10 * x});
   for (double x = 9; x <= 300; ++x) steep.points_px.push_back({x, 210 - 0.3 * (x - 9)});

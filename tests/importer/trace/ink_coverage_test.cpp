@@ -16,14 +16,16 @@ using namespace detent::importer::trace;
 namespace {
 
 constexpr int kWidth_px = 60, kHeight_px = 40, kLine_px = 20;
-constexpr Rgb kWhite{255, 255, 255}, kGrey{180, 180, 180}, kRed{220, 30, 40};
+constexpr Rgb kCoverageWhite{255, 255, 255}, kCoverageGrey{180, 180, 180}, kCoverageRed{220, 30, 40};
 
 /// White paper with grey lines across and a short red stroke over one of them.
 PlotScene sceneWithLine() {
   Raster raster{kWidth_px, kHeight_px, {}};
   for (int y = 0; y < kHeight_px; ++y)
     for (int x = 0; x < kWidth_px; ++x) {
-      const Rgb color = x == 30 && std::abs(y - kLine_px) < 8 ? kRed : y % 10 == 0 ? kGrey : kWhite;
+      const Rgb color = x == 30 && std::abs(y - kLine_px) < 8 ? kCoverageRed
+                        : y % 10 == 0                         ? kCoverageGrey
+                                                              : kCoverageWhite;
       raster.rgb.insert(raster.rgb.end(), {color.r, color.g, color.b});
     }
   constexpr double right = kWidth_px - 1, bottom = kHeight_px - 1;
@@ -38,7 +40,8 @@ PlotScene sceneWithLine() {
 TEST_CASE("unmix: an ink that is what lies behind it explains nothing there") {
   const PlotScene scene = sceneWithLine();
   REQUIRE(scene.onLine(5, kLine_px));
-  const Coverage coverage = unmix(scene, {inkOfColor(kGrey, scene.paper()), inkOfColor(kRed, scene.paper())});
+  const Coverage coverage =
+      unmix(scene, {inkOfColor(kCoverageGrey, scene.paper()), inkOfColor(kCoverageRed, scene.paper())});
   for (int y : {kLine_px - 5, kLine_px}) {
     INFO("row " << y);
     CHECK(coverage.ink[0].at(30, y) == 0);
@@ -50,13 +53,13 @@ TEST_CASE("unmix: an ink that is what lies behind it explains nothing there") {
 
 TEST_CASE("scene: a colour's coverage is what is like it, lines too, and is reckoned once") {
   const PlotScene scene = sceneWithLine();
-  const InkOnArea& red = scene.inkOf(kRed);
+  const InkOnArea& red = scene.inkOf(kCoverageRed);
   CHECK(red.distinct());
   CHECK(red.at(30, kLine_px) == Approx(1).margin(0.01));
   CHECK(red.at(5, kLine_px) == 0);
-  CHECK(scene.inkOf(kGrey).at(5, kLine_px) == Approx(1).margin(0.01));
+  CHECK(scene.inkOf(kCoverageGrey).at(5, kLine_px) == Approx(1).margin(0.01));
   CHECK(red.at(-1, kLine_px) == 0);
-  CHECK(&scene.inkOf(kRed) == &red);
+  CHECK(&scene.inkOf(kCoverageRed) == &red);
   CHECK(&scene.lettering() == &scene.lettering());
   CHECK(scene.lettering().mask.size() == scene.area().pixels());
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* header = "stroke,displacement_mm,force_N\n";
 
-void requireRefusal(const Result<ForceGraph>& result, int exitCode, const std::string& part) {
+void requireCsvRefusal(const Result<ForceGraph>& result, int exitCode, const std::string& part) {
   REQUIRE_FALSE(result.ok());
   INFO(result.failure().sentence());
   CHECK(result.failure().exitCode() == exitCode);
@@ -64,17 +64,18 @@ TEST_CASE("a byte order mark, CRLF, spaces, blank lines and a missing last newli
 }
 
 TEST_CASE("faults are refused with their line") {
-  requireRefusal(graphFromCsv("", "a.csv"), 3, "line 1: is \"\", not the header");
-  requireRefusal(graphFromCsv("time,force\n1,2\n", "a.csv"), 3, "Use detent-import");
-  requireRefusal(read(""), 4, "has a header but no rows");
-  requireRefusal(read("release,1,1\nrelease,0,0\n"), 4, "has no press rows");
-  requireRefusal(read("press,0,0\npress,1\n"), 3, "line 3: does not have 3 fields");
-  requireRefusal(read("press,0,0\npush,1,1\n"), 3, "line 3: names the stroke \"push\"");
-  requireRefusal(read("press,0,0\npress,one,1\n"), 3, "line 3: displacement \"one\"");
+  requireCsvRefusal(graphFromCsv("", "a.csv"), 3, "line 1: is \"\", not the header");
+  requireCsvRefusal(graphFromCsv("time,force\n1,2\n", "a.csv"), 3, "Use detent-import");
+  requireCsvRefusal(read(""), 4, "has a header but no rows");
+  requireCsvRefusal(read("release,1,1\nrelease,0,0\n"), 4, "has no press rows");
+  requireCsvRefusal(read("press,0,0\npress,1\n"), 3, "line 3: does not have 3 fields");
+  requireCsvRefusal(read("press,0,0\npush,1,1\n"), 3, "line 3: names the stroke \"push\"");
+  requireCsvRefusal(read("press,0,0\npress,one,1\n"), 3, "line 3: displacement \"one\"");
   for (const char* bad : {"nan", "inf", "-inf", "1e999", "", "1,5", "0x10", "1 2"})
     CHECK(read(std::string("press,0,0\npress,1,") + bad + "\n").failure().exitCode() == 3);
-  requireRefusal(read("press,0,0\n"), 3, "press rows");
-  requireRefusal(read("press,0,0\npress,1,1\npress,0.5,1\n"), 3, "press rows, point 3: at 0.5 mm goes back");
-  requireRefusal(read("press,0,0\npress,1,1\nrelease,0,0\nrelease,1,1\n"), 3, "release rows, point 1");
-  requireRefusal(read("press,-1,0\npress,1,1\n"), 3, "starts at -1 mm");
+  requireCsvRefusal(read("press,0,0\n"), 3, "press rows");
+  requireCsvRefusal(read("press,0,0\npress,1,1\npress,0.5,1\n"), 3,
+                    "press rows, point 3: at 0.5 mm goes back");
+  requireCsvRefusal(read("press,0,0\npress,1,1\nrelease,0,0\nrelease,1,1\n"), 3, "release rows, point 1");
+  requireCsvRefusal(read("press,-1,0\npress,1,1\n"), 3, "starts at -1 mm");
 }

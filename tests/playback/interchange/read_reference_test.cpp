@@ -21,7 +21,7 @@ using namespace detent::playback;
 
 namespace {
 
-constexpr double rate_Hz = referenceRate_Hz;
+constexpr double readRate_Hz = referenceRate_Hz;
 
 ReferenceSignal read(const std::string& text) {
   Result<ReferenceSignal> signal = referenceFromText(text, "file");
@@ -40,12 +40,12 @@ std::string refusal(const std::string& text) {
 
 /// Largest difference from `expected(time)` between two times; infinite where a sample is no number.
 template <class Expected>
-double worst(const ReferenceSignal& signal, double from_s, double to_s, Expected expected) {
+double worstSample(const ReferenceSignal& signal, double from_s, double to_s, Expected expected) {
   double most = 0;
-  for (auto i = static_cast<std::size_t>(std::ceil(from_s * rate_Hz));
-       i < static_cast<std::size_t>(to_s * rate_Hz); ++i) {
+  for (auto i = static_cast<std::size_t>(std::ceil(from_s * readRate_Hz));
+       i < static_cast<std::size_t>(to_s * readRate_Hz); ++i) {
     const double off =
-        std::fabs(static_cast<double>(signal.samples.at(i)) - expected(static_cast<double>(i) / rate_Hz));
+        std::fabs(static_cast<double>(signal.samples.at(i)) - expected(static_cast<double>(i) / readRate_Hz));
     if (std::isnan(off)) return std::numeric_limits<double>::infinity();
     most = std::fmax(most, off);
   }
@@ -78,8 +78,9 @@ TEST_CASE("An AHAP event is as strong as the square of its intensity and as high
   CHECK(signal.format == ReferenceFormat::ahap);
   CHECK(signal.events == 1);
   CHECK(signal.notes.empty());
-  CHECK(worst(signal, 0, 0.1, [](double) { return 0.0; }) == 0);
-  CHECK(worst(signal, 0.1, 0.3, [](double t) { return 0.64 * sine((t - 0.1) * (80 + 150 * 0.4)); }) < 1e-6);
+  CHECK(worstSample(signal, 0, 0.1, [](double) { return 0.0; }) == 0);
+  CHECK(worstSample(signal, 0.1, 0.3, [](double t) { return 0.64 * sine((t - 0.1) * (80 + 150 * 0.4)); }) <
+        1e-6);
   CHECK(signal.duration_s() == Approx(0.3).margin(1e-4));
 }
 
@@ -90,9 +91,9 @@ TEST_CASE("An AHAP curve multiplies the intensity and is kept behind its last po
     {"Event": {"Time": 0.5, "EventType": "HapticTransient", "EventParameters": [
        {"ParameterID": "HapticIntensity", "ParameterValue": 7}, {"ParameterID": "HapticSharpness", "ParameterValue": -3}]}})"));
   const auto level = [](double t) { return std::pow(0.8 * std::fmin(0.5, 5 * (t - 0.1)), 2); };
-  CHECK(worst(signal, 0.1, 0.3, [&](double t) { return level(t) * sine((t - 0.1) * 140); }) < 1e-4);
-  CHECK(worst(signal, 0.5, 0.522,
-              [](double t) { return 0.25 * (1 - (t - 0.5) / 0.022) * sine((t - 0.5) * 80); }) < 1e-6);
+  CHECK(worstSample(signal, 0.1, 0.3, [&](double t) { return level(t) * sine((t - 0.1) * 140); }) < 1e-4);
+  CHECK(worstSample(signal, 0.5, 0.522,
+                    [](double t) { return 0.25 * (1 - (t - 0.5) / 0.022) * sine((t - 0.5) * 80); }) < 1e-6);
 }
 
 TEST_CASE("Of AHAP, what is not played is told") {
@@ -113,10 +114,10 @@ TEST_CASE("A .haptic envelope runs straight; an emphasis ducks it and stands on 
       read(haptic(R"({"amplitude": [{"time": 0, "amplitude": 0}, {"time": 1, "amplitude": 1}],
                       "frequency": [{"time": 0, "frequency": 0.25}]})"));
   CHECK(plain.format == ReferenceFormat::haptic);
-  CHECK(worst(plain, 0, 1, [](double t) { return t * sine(t * (80 + 150 * 0.5)); }) < 1e-5);
+  CHECK(worstSample(plain, 0, 1, [](double t) { return t * sine(t * (80 + 150 * 0.5)); }) < 1e-5);
   const ReferenceSignal emphasis = read(haptic(
       R"({"amplitude": [{"time": 0, "amplitude": 0.5, "emphasis": {"amplitude": 0.6, "frequency": 1}}, {"time": 1, "amplitude": 0.5}]})"));
-  CHECK(worst(emphasis, 0, 0.022, [](double t) {
+  CHECK(worstSample(emphasis, 0, 0.022, [](double t) {
           return (0.32 + 0.18 * t) * sine(t * 80) + 0.6 * (1 - t / 0.022) * sine(t * 230);
         }) < 1e-5);
 }
@@ -128,7 +129,7 @@ TEST_CASE("Points closer than any clock tells apart are a step, not a number tha
         read(haptic(R"({"amplitude": [{"time": 0, "amplitude": 0.5}, {"time": 0.3, "amplitude": 0.5}],
                    "frequency": [{"time": 0, "frequency": 0.2}, {"time": )" +
                     std::string(brief) + R"(, "frequency": 1}]})"));
-    CHECK(worst(signal, 0, 0.3, [](double t) { return 0.5 * sine(t * 230); }) < 1e-5);
+    CHECK(worstSample(signal, 0, 0.3, [](double t) { return 0.5 * sine(t * 230); }) < 1e-5);
   }
 }
 
@@ -143,29 +144,31 @@ TEST_CASE("HJIF bands are evaluated as the reference software does") {
   };
   const auto cycles = [](double t) { return (t - 0.01) * (100 + 200 * (t - 0.01) / 0.04); };
   const auto level = [](double t) { return 0.5 * (1 - (t - 0.01) / 0.02); };
-  CHECK(worst(read(hjif(effect("Sine"))), 0.01, 0.03, [&](double t) { return level(t) * sine(cycles(t)); }) <
-        1e-6);
+  CHECK(worstSample(read(hjif(effect("Sine"))), 0.01, 0.03,
+                    [&](double t) { return level(t) * sine(cycles(t)); }) < 1e-6);
   // The formulas of the reference software's base signals.
-  CHECK(worst(read(hjif(effect("Triangle"))), 0.01, 0.03, [&](double t) {
+  CHECK(worstSample(read(hjif(effect("Triangle"))), 0.01, 0.03, [&](double t) {
           const double x = cycles(t) - 0.25;
           return level(t) * (1 - 4 * std::fabs(std::round(x) - x));
         }) < 1e-6);
-  CHECK(worst(read(hjif(effect("SawToothUp"))), 0.0101, 0.03,
-              [&](double t) { return level(t) * 2 * (cycles(t) - std::floor(cycles(t) + 0.5)); }) < 1e-6);
+  CHECK(worstSample(read(hjif(effect("SawToothUp"))), 0.0101, 0.03, [&](double t) {
+          return level(t) * 2 * (cycles(t) - std::floor(cycles(t) + 0.5));
+        }) < 1e-6);
   // At 48000 ticks the same numbers are shorter, not higher.
   const ReferenceSignal fast = read(hjif(effect("Sine"), R"("timescale": 48000)"));
   CHECK(fast.duration_s() < 0.002);
   const ReferenceSignal transient =
       read(hjif(R"({"band_type": "Transient", "effects": [{"effect_type": "Basis", "position": 10,
       "keyframes": [{"relative_position": 0, "amplitude_modulation": 1, "frequency_modulation": 10}]}]})"));
-  CHECK(worst(transient, 0.01, 0.032, [](double t) { return 0.5 * sine(2 * (t - 0.01) / 0.022); }) < 1e-6);
+  CHECK(worstSample(transient, 0.01, 0.032, [](double t) { return 0.5 * sine(2 * (t - 0.01) / 0.022); }) <
+        1e-6);
   const ReferenceSignal line =
       read(hjif(R"({"band_type": "Curve", "curve_type": "Linear", "effects": [{"effect_type": "Basis",
       "position": 0, "keyframes": [{"relative_position": 0, "amplitude_modulation": 0}, {"relative_position": 10, "amplitude_modulation": 1}]}]})"));
-  CHECK(worst(line, 0, 0.01, [](double t) { return 50 * t; }) < 1e-6);
+  CHECK(worstSample(line, 0, 0.01, [](double t) { return 50 * t; }) < 1e-6);
   const ReferenceSignal library = read(hjif(
       R"({"band_type": "VectorialWave", "effects": [{"effect_type": "Reference", "id": 7, "position": 20}]})"));
-  CHECK(worst(library, 0.02, 0.03, [](double t) { return 0.25 * sine(200 * (t - 0.02)); }) < 1e-6);
+  CHECK(worstSample(library, 0.02, 0.03, [](double t) { return 0.25 * sine(200 * (t - 0.02)); }) < 1e-6);
 }
 
 TEST_CASE("What passes full scale is turned down, and told") {
@@ -262,7 +265,7 @@ TEST_CASE("A sound file is read at the reference's rate, several channels as the
   REQUIRE(signal.ok());
   CHECK(signal->format == ReferenceFormat::sound);
   CHECK(signal->duration_s() == Approx(0.5).margin(1e-4));
-  CHECK(worst(*signal, 0.01, 0.49, [](double t) { return 0.5 * sine(390 * t); }) < 1e-4);
+  CHECK(worstSample(*signal, 0.01, 0.49, [](double t) { return 0.5 * sine(390 * t); }) < 1e-4);
   // Cut off in its samples, and in its head.
   const auto size = std::filesystem::file_size(path);
   std::filesystem::resize_file(path, size / 2);

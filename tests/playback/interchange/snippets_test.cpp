@@ -19,7 +19,7 @@ struct Played {
 };
 
 /// What the memory itself says, read by its pointers.
-std::array<Played, 2> played(const std::array<int, snippetMemoryBytes>& memory) {
+std::array<Played, 2> playedSnippets(const std::array<int, snippetMemoryBytes>& memory) {
   const auto at = [&](std::size_t i) { return static_cast<std::size_t>(memory.at(i)); };
   const std::size_t snippets = at(0), sequences = at(1), begin = 2 + snippets + sequences;
   REQUIRE(snippets <= 15);
@@ -71,7 +71,7 @@ TEST_CASE("What the memory holds is whole, in time and near the course") {
       INFO(cells << " cells, " << bursts << " bursts");
       const Courses courses{drawn(bits, cells, bursts), drawn(bits, cells / 2 + 1, bursts / 2)};
       const auto rows = snippetsOf(courses);
-      const auto found = played(memoryOf(rows));
+      const auto found = playedSnippets(memoryOf(rows));
       for (std::size_t k = 0; k < 2; ++k) {
         CHECK(rows[k].held <= found[k].levels.size());
         CHECK(rows[k].cut == (rows[k].held < courses[k].levels.size()));
@@ -99,5 +99,5 @@ TEST_CASE("One course takes the memory that the other leaves; nothing is one sil
   const auto twice = snippetsOf({busy, busy});
   CHECK((twice[0].cut && twice[1].cut));
   CHECK(twice[0].held > 100);
-  played(memoryOf(twice));
+  playedSnippets(memoryOf(twice));
 }

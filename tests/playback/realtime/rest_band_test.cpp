@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rate_Hz = 1000, most_N = 0.2;
 
-double sine(double time_s, double frequency_Hz) {
+double sineAt(double time_s, double frequency_Hz) {
   return std::sin(2 * std::numbers::pi * frequency_Hz * time_s);
 }
 
@@ -53,36 +53,36 @@ TEST_CASE("rest band: what does not swing passes bit for bit, slow or fast") {
     const Passed passed = pass(6, force);
     return passed.in_N == passed.out_N;
   };
-  CHECK(same([](double t) { return 0.05 * t; }));                    // a press of a minute
-  CHECK(same([](double t) { return 0.6 + 0.5 * sine(t, 7); }));      // taps as fast as fingers go
-  CHECK(same([](double t) { return 0.6 + 0.04 * sine(t, 1); }));     // to and fro, deliberately
-  CHECK(same([](double t) { return t < 3 ? 0.8 : 0.2; }));           // a step
-  CHECK(same([](double t) { return 0.5 + 0.0004 * sine(t, 50); }));  // of no consequence
+  CHECK(same([](double t) { return 0.05 * t; }));                      // a press of a minute
+  CHECK(same([](double t) { return 0.6 + 0.5 * sineAt(t, 7); }));      // taps as fast as fingers go
+  CHECK(same([](double t) { return 0.6 + 0.04 * sineAt(t, 1); }));     // to and fro, deliberately
+  CHECK(same([](double t) { return t < 3 ? 0.8 : 0.2; }));             // a step
+  CHECK(same([](double t) { return 0.5 + 0.0004 * sineAt(t, 50); }));  // of no consequence
   CHECK(same([](double t) { return 1.2 * std::exp(-t) * (t < 5 ? 1 : 0.5); }));
 }
 
 TEST_CASE("rest band: a finger that swings little and fast stands still") {
   const double frequency_Hz = GENERATE(6.5, 9.0, 12.0, 50.0, 60.0, 150.0);
-  const Passed passed = pass(4, [&](double t) { return 1 + 0.02 * sine(t, frequency_Hz); });
+  const Passed passed = pass(4, [&](double t) { return 1 + 0.02 * sineAt(t, frequency_Hz); });
   INFO(frequency_Hz << " Hz");
   CHECK(passed.moved_N(0.4, 4) == 0);
   CHECK(passed.swing_N == Approx(0.04).epsilon(0.05));
 }
 
 TEST_CASE("rest band: a larger swing is movement") {
-  const Passed passed = pass(4, [](double t) { return 1 + 0.11 * sine(t, 9); });
+  const Passed passed = pass(4, [](double t) { return 1 + 0.11 * sineAt(t, 9); });
   CHECK(passed.in_N == passed.out_N);
 }
 
 TEST_CASE("rest band: a press or a release out of the swing passes at once, with nothing kept back") {
   const double sign = GENERATE(1, -1);
   const Passed passed =
-      pass(2, [&](double t) { return 1 + 0.02 * sine(t, 9) + sign * (t < 1.5 ? 0 : 10 * (t - 1.5)); });
+      pass(2, [&](double t) { return 1 + 0.02 * sineAt(t, 9) + sign * (t < 1.5 ? 0 : 10 * (t - 1.5)); });
   for (std::size_t i = 1510; i < 1550; ++i) CHECK(passed.out_N[i] == passed.in_N[i]);
 }
 
 TEST_CASE("rest band: a slow press through hum goes one way only and gets there") {
-  const Passed passed = pass(5, [](double t) { return 0.012 * sine(t, 50) + (t < 1 ? 0 : 0.1 * (t - 1)); });
+  const Passed passed = pass(5, [](double t) { return 0.012 * sineAt(t, 50) + (t < 1 ? 0 : 0.1 * (t - 1)); });
   double furthest_N = 0, back_N = 0, reached_N = 0, late_N = 0;
   for (std::size_t i = 1000; i < passed.out_N.size(); ++i) {
     reached_N = std::max(reached_N, passed.in_N[i]);
@@ -96,13 +96,15 @@ TEST_CASE("rest band: a slow press through hum goes one way only and gets there"
 }
 
 TEST_CASE("rest band: a resting force that creeps away is followed") {
-  const Passed passed = pass(20, [](double t) { return 1 + 0.02 * sine(t, 9) + 0.01 * t; });
+  const Passed passed = pass(20, [](double t) { return 1 + 0.02 * sineAt(t, 9) + 0.01 * t; });
   for (std::size_t i = 1000; i < passed.out_N.size(); ++i)
     REQUIRE(passed.out_N[i] == Approx(passed.in_N[i]).margin(0.085));
 }
 
 TEST_CASE("rest band: a swing that ends is forgotten") {
-  const auto force = [](double t) { return t < 2 ? 1 + 0.02 * sine(t, 9) : 1 + 0.05 * std::max(0.0, t - 4); };
+  const auto force = [](double t) {
+    return t < 2 ? 1 + 0.02 * sineAt(t, 9) : 1 + 0.05 * std::max(0.0, t - 4);
+  };
   const Passed passed = pass(6, force);
   CHECK(passed.swing_N == 0);
   for (std::size_t i = 4500; i < passed.out_N.size(); ++i) REQUIRE(passed.out_N[i] == passed.in_N[i]);
@@ -111,14 +113,14 @@ TEST_CASE("rest band: a swing that ends is forgotten") {
 TEST_CASE("rest band: after a silence it begins anew; without a limit everything passes") {
   RestBand band;
   band.configure(most_N);
-  for (int i = 0; i < 1000; ++i) band.next(i / rate_Hz, 1 + 0.02 * sine(i / rate_Hz, 9));
+  for (int i = 0; i < 1000; ++i) band.next(i / rate_Hz, 1 + 0.02 * sineAt(i / rate_Hz, 9));
   CHECK(band.swing_N() > 0);
   band.startAnew();
   CHECK(band.swing_N() == 0);
   CHECK(band.next(1.5, 0.99) == 0.99);
   RestBand open;
   for (int i = 0; i < 1000; ++i) {
-    const double reading_N = 1 + 0.02 * sine(i / rate_Hz, 9);
+    const double reading_N = 1 + 0.02 * sineAt(i / rate_Hz, 9);
     REQUIRE(open.next(i / rate_Hz, reading_N) == reading_N);
   }
 }

@@ -52,7 +52,7 @@ struct Totals {
   }
 };
 
-std::uint64_t grainPositions(const StrokeTable& table) {
+std::uint64_t trackerGrainPositions(const StrokeTable& table) {
   std::uint64_t n = 0;
   for (std::size_t i = 0; i < table.slopeCount; ++i) {
     if (table.slopes[i].last >= table.slopes[i].first) {
@@ -82,9 +82,9 @@ TEST_CASE("tracker: a press of any speed crosses every grain, jump and bottom-ou
       const StateProgram& s = program->states[0];
       INFO(button.name() << " in " << duration << " s");
       if (duration < 0.004 + 1e-9) {
-        CHECK(t.grains == grainPositions(s.press) + grainPositions(s.release));
+        CHECK(t.grains == trackerGrainPositions(s.press) + trackerGrainPositions(s.release));
       }
-      CHECK(t.grains == grainPositions(s.press) + grainPositions(s.release));
+      CHECK(t.grains == trackerGrainPositions(s.press) + trackerGrainPositions(s.release));
       CHECK(t.pressJumps == s.press.jumpCount);
       CHECK(t.releaseJumps == s.release.jumpCount);
       CHECK(t.bottomOuts == 1);
@@ -95,13 +95,13 @@ TEST_CASE("tracker: a press of any speed crosses every grain, jump and bottom-ou
 
 TEST_CASE("tracker: grain positions are what the paper says, 20 per mm outside jumps") {
   const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
-  CHECK(grainPositions(program->states[0].press) == 80);
-  CHECK(grainPositions(program->states[0].release) == 80);
+  CHECK(trackerGrainPositions(program->states[0].press) == 80);
+  CHECK(trackerGrainPositions(program->states[0].release) == 80);
   const auto tactile = std::make_unique<HapticProgram>(programOf(tactileButton()));
   const JumpEntry& jump = tactile->states[0].press.jumps[0];
   CHECK(jump.from_mm == Approx(1.2));
   const auto cells = [](double x) { return static_cast<long>(std::floor(x * 20 + 1e-9)); };
-  CHECK(grainPositions(tactile->states[0].press) ==
+  CHECK(trackerGrainPositions(tactile->states[0].press) ==
         static_cast<std::uint64_t>(80 - (cells(jump.to_mm) - cells(jump.from_mm))));
 }
 
@@ -237,7 +237,7 @@ TEST_CASE("tracker: displacement readings cross the same places") {
       for (int i = 0; i <= steps; ++i) t.add(tracker.updateDisplacement(s.end_mm * i / steps));
       for (int i = steps; i >= 0; --i) t.add(tracker.updateDisplacement(s.end_mm * i / steps));
       INFO(button.name() << " in " << steps);
-      CHECK(t.grains == grainPositions(s.press) + grainPositions(s.release));
+      CHECK(t.grains == trackerGrainPositions(s.press) + trackerGrainPositions(s.release));
       CHECK(t.pressJumps == s.press.jumpCount);
       CHECK(t.releaseJumps == s.release.jumpCount);
       CHECK(t.bottomOuts == 1);
@@ -267,7 +267,7 @@ TEST_CASE("tracker: flat force, walls and far too long travels stay in bounds") 
   Totals far;
   far.add(tracker.updateForce(3));
   far.add(tracker.updateForce(0));
-  CHECK(far.grains == 2 * grainPositions(tall->states[0].press));
+  CHECK(far.grains == 2 * trackerGrainPositions(tall->states[0].press));
 }
 
 TEST_CASE("tracker: more grains in one reading than there is room for are counted by those before them") {
@@ -283,6 +283,6 @@ TEST_CASE("tracker: more grains in one reading than there is room for are counte
   CHECK(crossed.count <= Crossings::capacity);
   Totals t;
   t.add(crossed);
-  CHECK(t.grains == grainPositions(program->states[0].press));
+  CHECK(t.grains == trackerGrainPositions(program->states[0].press));
   CHECK(t.bottomOuts == 1);
 }

@@ -38,7 +38,7 @@ Trial oneTrial(double interval_s, double window_s = 0) {
   return trial;
 }
 
-double number(const FigureTable& table, std::size_t row, const std::string& key) {
+double timingNumber(const FigureTable& table, std::size_t row, const std::string& key) {
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     if (table.columns[c].key == key) return std::get<double>(table.rows[row][c]);
   throw std::runtime_error("no column " + key);
@@ -51,7 +51,7 @@ std::vector<ParticipantRecord> recordsOf(const Study& study) {
   return *records;
 }
 
-const SessionStart person{SessionKind::real, Listening::quiet, "test", "", 1000};
+const SessionStart timingPerson{SessionKind::real, Listening::quiet, "test", "", 1000};
 
 }  // namespace
 
@@ -122,7 +122,7 @@ TEST_CASE("tapping runs from the first press on, and a key that repeats is no ta
 
 TEST_CASE("what nobody pressed is not kept, nor what nobody felt") {
   const StudyFolder folder(timing(TimingTask::cue), {"A"});
-  Result<ParticipantSession> session = ParticipantSession::open(*folder.study, "P01", person);
+  Result<ParticipantSession> session = ParticipantSession::open(*folder.study, "P01", timingPerson);
   REQUIRE(session);
   Answer given;
   given.trial = 1;
@@ -166,7 +166,7 @@ TEST_CASE("a journal whose times do not fit the plan is refused") {
 
 TEST_CASE("route and how presses were timed stand in the journal") {
   const StudyFolder folder(timing(TimingTask::cue), {"A"});
-  SessionStart start = person;
+  SessionStart start = timingPerson;
   start.route.timing = TimingRoute{"key: read from the terminal", "picture", {}};
   REQUIRE(ParticipantSession::open(*folder.study, "P01", start));
   const ParticipantRecord record = recordsOf(*folder.study).at(0);
@@ -189,13 +189,13 @@ TEST_CASE("simulated people come back, in every format") {
                       &pairs = results.tables[2];
     REQUIRE(laboratory.rows.size() == 2);
     for (std::size_t row = 0; row < 2; ++row) {
-      CHECK(number(laboratory, row, "spread_percent") == Approx(7).margin(0.9));
-      CHECK(number(laboratory, row, tapping ? "place_ms" : "place_percent") ==
+      CHECK(timingNumber(laboratory, row, "spread_percent") == Approx(7).margin(0.9));
+      CHECK(timingNumber(laboratory, row, tapping ? "place_ms" : "place_percent") ==
             Approx(tapping ? 160 : 10).margin(tapping ? 3 : 9));
-      CHECK(number(laboratory, row, "people") == 6);
+      CHECK(timingNumber(laboratory, row, "people") == 6);
     }
     CHECK(people.rows.size() == 12);
-    CHECK(number(pairs, 0, "people") == 6);
+    CHECK(timingNumber(pairs, 0, "people") == 6);
     CHECK(std::get<std::string>(pairs.rows[0][2]) == "place");
     CHECK_THAT(resultsText(results), Catch::Contains("Timing, task " + std::string(word)));
     CHECK_THAT(resultsJson(results), Catch::Contains("\"spread_low_percent\""));
@@ -216,7 +216,7 @@ TEST_CASE("simulated people come back, in every format") {
     const Result<std::vector<FigureTable>> again = timingTables(*read, file);
     REQUIRE(again);
     for (const char* key : {"spread_percent", "spread_low_percent"})
-      CHECK(number(again->at(0), 0, key) == Approx(number(laboratory, 0, key)).epsilon(1e-9));
+      CHECK(timingNumber(again->at(0), 0, key) == Approx(timingNumber(laboratory, 0, key)).epsilon(1e-9));
   }
 }
 
@@ -287,7 +287,7 @@ TEST_CASE("who simulates a timing study says when they press") {
 
 TEST_CASE("a person of whom no press can count answers nothing, and is not waited for") {
   const StudyFolder folder(timing(TimingTask::cue), {"A"});
-  auto session = ParticipantSession::open(*folder.study, "P01", person);
+  auto session = ParticipantSession::open(*folder.study, "P01", timingPerson);
   REQUIRE(session);
   const Answer answer =
       simulatedAnswer(*folder.study, "P01", *session->trial(), *simulationNamed("timing=2,0.01"));
@@ -302,6 +302,6 @@ TEST_CASE("timing studies: lists tell the times, and the plan what people and tr
   CHECK_THAT(list, Catch::Contains(",0.6,0.08\n"));
   const std::vector<FigureTable> power = powerTables(*folder.study);
   REQUIRE(power.size() == 2);
-  CHECK(number(power[0], 0, "people") == 6);
+  CHECK(timingNumber(power[0], 0, "people") == 6);
   CHECK_THAT(preregistrationPage(*folder.study, {12, "", power, {}}), Catch::Contains("hit a moving target"));
 }

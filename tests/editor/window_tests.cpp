@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/editor/window_tests.h"
+
+#include <cstdio>
+#include <map>
+#include <QApplication>
+#include <QTest>
+#include <string>
+#include <vector>
+
+namespace detent::tests {
+namespace {
+
+struct Entry {
+  MakeWindowTest make;
+  PrepareWindowTest prepare;
+};
+
+std::map<std::string, Entry>& entries() {
+  static std::map<std::string, Entry> all;
+  return all;
+}
+
+}  // namespace
+
+WindowTestEntry::WindowTestEntry(const char* name, MakeWindowTest make, PrepareWindowTest prepare) {
+  entries()[name] = {make, prepare};
+}
+
+}  // namespace detent::tests
+
+int main(int argc, char** argv) {
+  using namespace detent::tests;
+  const auto found = argc > 1 ? entries().find(argv[1]) : entries().end();
+  if (found == entries().end()) {
+    std::fprintf(stderr, "usage: editor_window_tests CLASS [QTEST-ARGUMENTS...]; the classes are:\n");
+    for (const auto& [name, entry] : entries()) std::fprintf(stderr, "  %s\n", name.c_str());
+    return 2;
+  }
+  QCoreApplication::setAttribute(Qt::AA_Use96Dpi, true);  // as QTEST_MAIN does
+  QApplication app(argc, argv);
+  if (!found->second.prepare()) return 0;
+  std::vector<char*> rest{argv[0]};
+  rest.insert(rest.end(), argv + 2, argv + argc);
+  const std::unique_ptr<QObject> test = found->second.make();
+  return QTest::qExec(test.get(), static_cast<int>(rest.size()), rest.data());
+}

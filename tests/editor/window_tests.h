@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// QTest classes of one program, each run by its name: editor_window_tests CLASS [QTEST-ARGUMENTS...].
+#pragma once
+
+#include <memory>
+#include <QObject>
+
+namespace detent::tests {
+
+using MakeWindowTest = std::unique_ptr<QObject> (*)();
+using PrepareWindowTest = bool (*)();
+
+/// Registers a test class under its name. `prepare` runs once the application exists and before the class is made; where it
+/// returns false, the class is skipped.
+struct WindowTestEntry {
+  WindowTestEntry(
+      const char* name, MakeWindowTest make, PrepareWindowTest prepare = [] { return true; });
+};
+
+template <typename Test>
+std::unique_ptr<QObject> makeWindowTest() {
+  return std::make_unique<Test>();
+}
+
+}  // namespace detent::tests
+
+/// DETENT_WINDOW_TEST(Class) or DETENT_WINDOW_TEST(Class, prepare), in place of QTEST_MAIN.
+#define DETENT_WINDOW_TEST(Class, ...)                        \
+  static const detent::tests::WindowTestEntry entryOf##Class( \
+      #Class, detent::tests::makeWindowTest<Class> __VA_OPT__(, ) __VA_ARGS__);
