@@ -92,7 +92,7 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isAsciiSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Reads a row from left to right; each step that does not find what it looks for stays where it is.
+/// Reads a row from left to right. A step without a match does not move.
 struct RowReader {
   std::string_view row;
   std::size_t at = 0;

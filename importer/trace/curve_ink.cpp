@@ -10,8 +10,8 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr int kReach_px = 14;         // on either side of a line's middle
-constexpr float kInkedCurve = 0.12F;  // coverage; less ends a line
+constexpr int kReach_px = 14;            // on either side of a line's middle
+constexpr float kCurveCoverage = 0.12F;  // coverage; less ends a line
 
 }  // namespace
 
@@ -32,7 +32,7 @@ InkAcross InkOnArea::across(double x, double y, bool plumb) const {
   for (const int near : {from, from - 1, from + 1, from - 2, from + 2})
     if (value(near) > value(middle)) middle = near;
   InkAcross run;
-  if (value(middle) < kInkedCurve) return run;
+  if (value(middle) < kCurveCoverage) return run;
   double moment = 0;
   const auto take = [&](int along) {
     const double v = static_cast<double>(value(along));
@@ -41,7 +41,8 @@ InkAcross InkOnArea::across(double x, double y, bool plumb) const {
   };
   take(middle);
   for (const int step : {-1, 1})
-    for (int k = 1; k <= kReach_px && value(middle + step * k) >= kInkedCurve; ++k) take(middle + step * k);
+    for (int k = 1; k <= kReach_px && value(middle + step * k) >= kCurveCoverage; ++k)
+      take(middle + step * k);
   run.middle = moment / run.thickness_px;
   return run;
 }

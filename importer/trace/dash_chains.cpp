@@ -17,7 +17,7 @@ namespace detent::importer::trace {
 namespace {
 
 constexpr std::size_t kFewestDashes = 4;      // dashes of a line
-constexpr std::size_t kMostInkPieces = 1500;  // pieces; more is noise
+constexpr std::size_t kMostDashParts = 1500;  // pieces; more is noise
 constexpr double kShortest = 1.6;             // thicknesses of a line, for a dash
 constexpr double kLongest = 0.12;             // of the area's diagonal
 constexpr double kGapTimes = 2;               // times the shorter dash, plus two pixels
@@ -115,7 +115,7 @@ std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& cu
                                            const BareAt& isBare) {
   const double longest_px = kLongest * std::hypot(ink.cols, ink.rows);
   std::vector<std::vector<Point>> pieces = piecesOf(ink), kept;
-  if (pieces.size() > kMostInkPieces) return {};
+  if (pieces.size() > kMostDashParts) return {};
   std::vector<Dash> dashes;
   for (std::vector<Point>& piece : pieces)
     if (const auto dash = dashOf(piece, thickness_px, longest_px); dash && !touches(piece, curves)) {
@@ -136,7 +136,7 @@ std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& cu
     std::vector<double> lengths;
     std::size_t members = 0;
     // Follows both ends of the first; a closed line ends at a dash seen before.
-    const auto walk = [&](std::size_t i, std::size_t e) {
+    const auto follow = [&](std::size_t i, std::size_t e) {
       while (mutual(i, e) && !seen[next[i][e].dash]) {
         lengths.push_back(gaps[i][e]);
         const EndOf to = next[i][e];
@@ -147,7 +147,7 @@ std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& cu
     };
     seen[start] = 1, members = 1;
     chain = kept[start];
-    walk(start, 0), walk(start, 1);
+    follow(start, 0), follow(start, 1);
     if (members >= kFewestDashes && even(lengths)) chains.push_back(std::move(chain));
   }
   return chains;

@@ -16,7 +16,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kInkedDash = 0.25;  // coverage
+constexpr double kDashCoverage = 0.25;  // coverage
 constexpr std::size_t kFewestPieces = 8,
                       kMostPieces = 1500;  // pieces of a dashed line, and of a line that is not noise
 constexpr double kLargestShare = 0.25;     // of the coverage, in one dash
@@ -39,8 +39,8 @@ struct Gap {
 };
 
 std::vector<Piece> dashPieces(const Plane& own) {
-  const cv::Mat inked = matOf(own) > kInkedDash;
-  const InkPieces found = inkPiecesOf(inked.data, inked.cols, inked.rows, inked.step);
+  const cv::Mat covered = matOf(own) > kDashCoverage;
+  const InkPieces found = inkPiecesOf(covered.data, covered.cols, covered.rows, covered.step);
   std::vector<Piece> pieces(found.all.size());
   constexpr std::array<Point, 8> outward{
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};

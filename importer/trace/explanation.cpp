@@ -26,7 +26,7 @@ namespace {
 
 using namespace trace;
 
-constexpr float kInkedLine = 0.5F;      // coverage
+constexpr float kLineCoverage = 0.5F;   // coverage
 constexpr double kBesideLine_px = 1.5;  // allowed error of a line's edge
 constexpr int kJoined_px = 2;           // pieces closer than this are joined
 constexpr std::size_t kMostPoints = 400;
@@ -138,7 +138,8 @@ class ExplainedPlot {
     if (!ink.distinct()) return mask;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kInkedLine) mask.at<std::uint8_t>(y, x) = 255;
+        if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kLineCoverage)
+          mask.at<std::uint8_t>(y, x) = 255;
     for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
     for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
     for (const PixelAt p : dottedLines(ink, scene_)) mask.at<std::uint8_t>(p.y, p.x) = 0;

@@ -11,9 +11,9 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr float kMaxInkCoverage = 1.2F;   // above 1, because a colour has darker pixels than its mean
-constexpr float kResidualFloor = 5;       // colour levels: rounding and neighbouring shades
-constexpr float kResidualShare = 0.045F;  // of the difference; a colour's shade is known only approximately
+constexpr float kMaxColourCoverage = 1.2F;  // above 1, because a colour has darker pixels than its mean
+constexpr float kResidualFloor = 5;         // colour levels: rounding and neighbouring shades
+constexpr float kResidualShare = 0.045F;    // of the difference; a colour's shade is known only approximately
 
 /// Possible composition of a pixel.
 struct Mixture {
@@ -36,7 +36,7 @@ class PixelUnmixer {
     Mixture best;
     for (std::size_t k = 0; k < full_.size(); ++k) {
       const Color3 v = full_[k] - behind;
-      const float a = std::clamp(dot(difference, v) / std::max(1.0F, dot(v, v)), 0.0F, kMaxInkCoverage);
+      const float a = std::clamp(dot(difference, v) / std::max(1.0F, dot(v, v)), 0.0F, kMaxColourCoverage);
       const float residual = norm(difference - a * v);
       if (residual < best.residual) best = {static_cast<int>(k), -1, a, 0, residual};
     }
@@ -64,9 +64,9 @@ class PixelUnmixer {
     float a = (du * vv - dv * uv) / determinant, b = (dv * uu - du * uv) / determinant;
     if (a < 0.03F || b < 0.03F) return pair;
     const float sum = a + b;
-    if (sum > kMaxInkCoverage) {
-      a *= kMaxInkCoverage / sum;
-      b *= kMaxInkCoverage / sum;
+    if (sum > kMaxColourCoverage) {
+      a *= kMaxColourCoverage / sum;
+      b *= kMaxColourCoverage / sum;
     }
     const Color3 rest = difference - (a * u + b * v);
     return {static_cast<int>(k), static_cast<int>(j), a, b, norm(rest)};
