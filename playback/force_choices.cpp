@@ -68,6 +68,7 @@ Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text) {
   choice.port = detail;
   choice.baud = kind == "serial" ? serialBaud : odriveBaud;
   choice.profile = voiceCoilRig();
+  choice.profile.provesDirection = choice.profile.watchesEncoder = true;
   choice.profile.name = text;
   return choice;
 }

@@ -73,8 +73,12 @@ struct ForceStatus {
   // Punctuality of the loop: how long after its time a step began.
   std::uint64_t steps = 0, within100us = 0, missedDeadlines = 0;
   double worstLate_s = 0, meanLate_s = 0;
+  std::uint64_t computerLate = 0,
+                deviceLate = 0;  ///< answers missed in steps that began late, and in steps on time
   bool realtime = false;
   ForceGuardCounts guard;
+  std::uint64_t withdrawn =
+      0;  ///< commands to a device that runs the law by itself to give no force, because its answers stopped
   std::uint64_t lateAnswers = 0, malformedAnswers = 0, repeatedAnswers = 0, reconnects = 0, firmwareTries = 0;
   double lowestBalance_mJ = 0;  ///< of the passivity observer; below 0: the button gave more than it held
   std::uint64_t droppedRows = 0;
@@ -90,6 +94,7 @@ struct ForceStatus {
 struct ForceLinkPace {
   double roundTrip_s = 0;  ///< measured: nine of ten answers take no longer
   double asked_Hz = 0;     ///< the rate that was asked for
+  double computer_s = 0;   ///< of the round trip, what this computer alone takes
   double addedDamping_Ns_per_mm = 0,
          largestForceChange_N = 0;  ///< what the button lost to it, besides slopes
 };

@@ -8,6 +8,7 @@
 #include "playback/device/force_loop.h"
 #include "playback/device/force_orders.h"
 #include "playback/device/odrive_force_device.h"
+#include "playback/device/own_delay.h"
 #include "playback/device/serial_force_device.h"
 #include "playback/force_feedback.h"
 #include "playback/open_force_device.h"
@@ -15,6 +16,8 @@
 namespace detent::playback {
 
 namespace {
+
+constexpr double busyShare = 0.5;  // of a round trip that this computer takes alone
 
 double strongestForce_N(const Button& button, double limit_N) {
   double strongest_N = 0;
@@ -87,27 +90,49 @@ double rounded(double value, int digits) {
   return std::round(value / unit) * unit;
 }
 
-/// The nearest button that the margin allows at the measured round trip. Failure deviceTrouble where that is none worth feeling.
+/// Why no force is worth feeling: what the device bears, what the button needs, and what would carry it.
+Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace, const MarginPoint& least,
+                    double needed_N_per_mm) {
+  const double allowed = rounded(least.allowed_N_per_mm, 2), needed = rounded(needed_N_per_mm, 2);
+  if (pace.roundTrip_s > 0) {
+    const double answer_ms = rounded(1e3 * pace.roundTrip_s, 3), late_ms = rounded(1e3 * device.delay_s, 3);
+    const bool busy = pace.computer_s > busyShare * pace.roundTrip_s;
+    return {FailureCode::deviceTrouble, device.name, "",
+            Message("answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest "
+                    "that is steady; this button needs %4 N/mm",
+                    answer_ms, late_ms, allowed, needed),
+            busy ? Message("This computer is late: it takes %1 ms to pass a line to itself. Close what else "
+                           "runs and allow "
+                           "real-time scheduling (docs/guide/force-feedback.md)",
+                           rounded(1e3 * pace.computer_s, 3))
+                 : Message("The device is late. Make the link quicker: native USB, a higher --baud, an FTDI "
+                           "latency timer of "
+                           "1 ms; or --upload, so that the device runs the law")};
+  }
+  const Message bears("bears %1 N/mm by its measured profile; this button needs %2 N/mm", allowed, needed);
+  if (least.bound == StabilityBound::quantisation) {
+    return {FailureCode::deviceTrouble, device.name, "", bears,
+            Message("Friction of %1 N or an encoder step of %2 mm would carry it",
+                    rounded(needed_N_per_mm * device.step_mm / 2, 2),
+                    rounded(2 * device.friction_N / needed_N_per_mm, 2))};
+  }
+  return {FailureCode::deviceTrouble, device.name, "", bears,
+          Message("More damping of the handle, a quicker loop (--rate) or a shorter delay would carry it")};
+}
+
+/// The nearest button that the margin allows. Failure deviceTrouble where that is none worth feeling.
 Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& device,
                              const ForceSettings& settings, const ForceLinkPace& pace) {
   Result<StableButton> stable = nearestStable(button, device, device.rate_Hz);
   const double needed = plainestSlope_N_per_mm(button, device.limits.force_N);
-  double allowed = 0;
-  if (stable) allowed = stabilityOf(stable->button, device, device.rate_Hz).least.allowed_N_per_mm;
-  if (allowed < needed) {
-    return Failure{
-        FailureCode::deviceTrouble, device.name, "",
-        Message("answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest "
-                "that is steady; this button needs %4 N/mm",
-                rounded(1e3 * pace.roundTrip_s, 3), rounded(1e3 * device.delay_s, 3), rounded(allowed, 2),
-                rounded(needed, 2)),
-        Message("Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or "
-                "--upload, so that the device runs the law")};
-  }
+  const MarginPoint least = stabilityOf(stable ? stable->button : button, device, device.rate_Hz).least;
+  const double allowed = stable ? least.allowed_N_per_mm : 0;
+  if (allowed < needed) return tooSteepFor(device, pace, least, needed);
   ForceDeviceProfile softened = device;
   softened.largestSlope_N_per_mm = std::min(device.largestSlope_N_per_mm, allowed);
   ForceSettings atRate = settings;
   atRate.rate_Hz = device.rate_Hz;
+  atRate.passivityController = settings.passivityController || device.measured;
   Result<PreparedForce> prepared = prepareForce(stable->button, softened, atRate);
   if (!prepared) return prepared.failure();
   FittedForce fitted{*std::move(prepared), softened, pace};
@@ -119,15 +144,30 @@ Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& dev
   return fitted;
 }
 
-/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do.
-Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings& settings,
-                                 PreparedForce prepared, ForceDevice& opened) {
-  FittedForce asked{std::move(prepared), settings.device.profile, {}};
-  const double period_s = asked.prepared.program.period_s;
-  asked.device.rate_Hz = 1 / period_s;
+/// The button, or the nearest one that the device's measured profile bears, damped where it would give energy. A preset is a guess and
+/// limits nothing.
+Result<FittedForce> keptTo(const ForceDeviceProfile& profile, const Button& button,
+                           const ForceSettings& settings, PreparedForce prepared) {
+  FittedForce unlimited{std::move(prepared), profile, {}};
+  unlimited.device.rate_Hz = 1 / unlimited.prepared.program.period_s;
+  if (!profile.measured) return unlimited;
+  // A slope above the device's limit is softened anyway.
+  const std::vector<UnstableStretch> unstable =
+      stabilityOf(button, profile, unlimited.device.rate_Hz).unstable;
+  const bool borne = std::ranges::all_of(
+      unstable, [](const UnstableStretch& u) { return u.worst.bound == StabilityBound::device; });
+  if (borne) return unlimited;
+  return fittedTo(button, unlimited.device, settings, {});
+}
+
+/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do. `computer_s`: what this
+/// computer alone takes.
+Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings& settings, FittedForce kept,
+                                 double computer_s, ForceDevice& opened) {
+  const double period_s = kept.prepared.program.period_s;
   const std::optional<double> roundTrip_s = opened.measureRoundTrip_s();
-  if (!roundTrip_s || !tooSlowFor(period_s, *roundTrip_s)) return asked;
-  ForceDeviceProfile slower = asked.device;
+  if (!roundTrip_s || !tooSlowFor(period_s, *roundTrip_s)) return kept;
+  ForceDeviceProfile slower = settings.device.profile;
   const double slow_s = slowPeriod_s(period_s, *roundTrip_s);
   slower.rate_Hz = 1 / slow_s;
   slower.delay_s = std::max(slower.delay_s, slow_s);
@@ -136,6 +176,7 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   ForceLinkPace pace;
   pace.roundTrip_s = *roundTrip_s;
   pace.asked_Hz = 1 / period_s;
+  pace.computer_s = computer_s;
   Result<FittedForce> fitted = fittedTo(button, slower, settings.force, pace);
   if (!fitted) return fitted;
   if (!opened.setPace(slow_s, answerOfSlowPeriod * slow_s)) {
@@ -150,6 +191,7 @@ class RunningForce : public ForcePlayer {
  public:
   RunningForce(const ForcePlayerSettings& settings, FittedForce fitted, std::unique_ptr<ForceDevice> device)
       : settings_(settings),
+        unheard_s_(device->longestUnheard_s()),
         summary_(std::move(fitted.prepared.summary)),
         device_(std::move(fitted.device)),
         pace_(fitted.pace),
@@ -172,6 +214,12 @@ class RunningForce : public ForcePlayer {
       if (settings_.device.uploadTable) {
         std::optional<Failure> refused = refusedAsTable(prepared->program, device_.name);
         if (refused) return *std::move(refused);
+        watchOnly(prepared->program, unheard_s_);
+      } else {
+        Result<FittedForce> kept =
+            keptTo(settings_.device.profile, button, settings_.force, *std::move(prepared));
+        if (!kept) return kept.failure();
+        prepared = std::move(kept->prepared);
       }
       summary_ = std::move(prepared->summary);
       loop_.setProgram(prepared->program);
@@ -201,7 +249,12 @@ class RunningForce : public ForcePlayer {
     to.worstLate_s = from.deadlines.worst_s;
     to.meanLate_s = from.deadlines.mean_s;
     to.realtime = from.deadlines.realtime;
+    to.computerLate = from.deadlines.computerLate;
+    to.deviceLate = from.deadlines.deviceLate;
     to.guard = from.guard;
+    // The loop does not fade a force that the device makes by itself.
+    if (settings_.device.uploadTable) to.guard.faded = from.link.withdrawn;
+    to.withdrawn = from.link.withdrawn;
     to.lateAnswers = from.link.late;
     to.malformedAnswers = from.link.malformed;
     to.repeatedAnswers = from.link.repeated;
@@ -213,8 +266,9 @@ class RunningForce : public ForcePlayer {
     to.homing = from.device == ForceDeviceState::homing;
     to.halt = from.halt;
     if (from.device == ForceDeviceState::fault || from.link.fault != 0)
-      to.fault = english(odriveErrorWords(from.link.fault));
-    if (from.link.clearedFault != 0) to.clearedFault = english(odriveErrorWords(from.link.clearedFault));
+      to.fault = english(odriveErrorWords(from.link.fault, from.link.newerFaults));
+    if (from.link.clearedFault != 0)
+      to.clearedFault = english(odriveErrorWords(from.link.clearedFault, from.link.newerFaults));
     to.finished = from.finished;
     return to;
   }
@@ -227,6 +281,7 @@ class RunningForce : public ForcePlayer {
 
  private:
   ForcePlayerSettings settings_;
+  double unheard_s_;
   ForceSummary summary_;
   ForceDeviceProfile device_;
   ForceLinkPace pace_;
@@ -247,13 +302,24 @@ Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button,
     if (!plan) return plan.failure();
     finger = *std::move(plan);
   }
-  Result<std::unique_ptr<ForceDevice>> device =
-      openForceDevice(settings.device, *prepared, std::move(finger));
-  if (!device) return device.failure();
   FittedForce fitted{*std::move(prepared), settings.device.profile, {}};
-  // A device that runs the law itself does not wait for the link.
+  double computer_s = 0;
+  // Before the device is opened: from then on an ODrive's watchdog runs.
   if (!settings.device.uploadTable) {
-    Result<FittedForce> onLink = fittedToLink(button, settings, std::move(fitted.prepared), **device);
+    Result<FittedForce> kept =
+        keptTo(settings.device.profile, button, settings.force, std::move(fitted.prepared));
+    if (!kept) return kept.failure();
+    fitted = *std::move(kept);
+    if (!settings.device.port.empty()) computer_s = ownTerminalDelay_s();
+  }
+  Result<std::unique_ptr<ForceDevice>> device =
+      openForceDevice(settings.device, fitted.prepared, std::move(finger));
+  if (!device) return device.failure();
+  // A device that runs the law itself does not wait for the link.
+  if (settings.device.uploadTable) {
+    watchOnly(fitted.prepared.program, (*device)->longestUnheard_s());
+  } else {
+    Result<FittedForce> onLink = fittedToLink(button, settings, std::move(fitted), computer_s, **device);
     if (!onLink) return onLink.failure();
     fitted = *std::move(onLink);
   }

@@ -23,7 +23,7 @@ namespace {
 constexpr double shortestRange_mm = 4, longestRange_mm = 80;
 // A device's own ramp and the loop's are over after this: what is asked is what is given.
 constexpr double rampsOver_s = 0.25;
-constexpr double movedWrongWay_mm = 0.25;
+constexpr double moved_mm = 0.25;
 // After a pause of so long no device still gives the force it was asked for (docs/reference/force-protocol.md).
 constexpr double longPause_s = 0.01;
 constexpr auto lookEvery = std::chrono::milliseconds(20);
@@ -85,6 +85,10 @@ class Measuring {
     Result<PreparedForce> prepared = prepareForce(*none, device_.profile, force);
     if (!prepared) return prepared.failure();
     program_ = std::make_unique<ForceProgram>(prepared->program);
+    // The relay's own growing push proves the direction, wherever the handle stands; there is no button whose end it could pass.
+    program_->proof.present = false;
+    program_->limits.deadCountFrom_mm = -std::numeric_limits<double>::infinity();
+    program_->limits.travelEnd_mm = std::numeric_limits<double>::infinity();
     Result<std::unique_ptr<ForceDevice>> opened =
         openForceDevice(device_, *prepared, FingerForcePath{{0}, {0}});
     if (!opened) return opened.failure();
@@ -136,6 +140,23 @@ class Measuring {
       return trouble(device_, "is lost", "Check the cable, let the handle rest, and measure again");
     if (status.halt == ForceHalt::stopped)
       return trouble(device_, "was stopped", "Let the handle rest and measure again");
+    if (status.halt == ForceHalt::reversed)
+      return trouble(device_, "reversed polarity: the handle moves against the force it is asked for",
+                     "Swap the motor's two wires or the encoder's A and B (of an ODrive: calibrate motor and "
+                     "encoder anew)");
+    if (status.halt == ForceHalt::deadCount) {
+      return trouble(device_,
+                     "the encoder did not count one step under force: it is dead, or the handle is stuck",
+                     "Turn the handle by hand and see whether the position changes; check the encoder and "
+                     "its wires, then free "
+                     "the handle");
+    }
+    if (status.halt == ForceHalt::dropOuts)
+      return trouble(device_, "the readings failed again and again",
+                     "Check the cable, close what else runs on this computer, and measure again");
+    if (status.halt == ForceHalt::runaway)
+      return trouble(device_, "the handle ran on against the whole force",
+                     "Clear its way, let it rest, and measure again");
     if (status.halt == ForceHalt::displaced) {
       return longestPause_s_ < longPause_s
                  ? trouble(device_, "moved out of its range, or its position jumped",
@@ -169,19 +190,16 @@ class Measuring {
   // The relay pushes towards the middle first.
   Result<Done> checkMoved() const {
     const double toMiddle = settings_.range_mm / 2 - from_mm_.value_or(0);
-    double least_mm = 0, most_mm = 0;
+    double most_mm = 0;
     for (std::size_t k = 0; k < record_.position_mm.size(); ++k) {
       const double way_mm = std::copysign(1.0, toMiddle) * (record_.position_mm[k] - from_mm_.value_or(0));
-      least_mm = std::min(least_mm, way_mm);
       most_mm = std::max(most_mm, way_mm);
     }
-    if (most_mm > movedWrongWay_mm) return Done{};
-    if (least_mm < -movedWrongWay_mm) {
-      return trouble(device_, "moves against the force it is asked for",
-                     "Swap the motor's direction (of an ODrive: a negative --mm-per-turn)");
-    }
-    return trouble(device_, "does not move under " + numberText(settings_.largest_N) + " N",
-                   "Free the handle, take the finger off, or give a larger --max-N");
+    if (most_mm > moved_mm) return Done{};
+    return trouble(device_, "the position does not follow " + numberText(settings_.largest_N) + " N",
+                   "Turn the handle by hand: a position that stays the same means a dead encoder. Else free "
+                   "the handle and take "
+                   "the finger off");
   }
 
   Failure told(const Failure& failure) const {

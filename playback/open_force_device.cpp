@@ -2,6 +2,8 @@
 #include "playback/open_force_device.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,12 +11,23 @@
 #include "playback/device/falcon_force_device.h"
 #include "playback/device/falcon_protocol.h"
 #include "playback/device/odrive_force_device.h"
+#include "playback/device/round_trips.h"
 #include "playback/device/serial_force_device.h"
 #include "playback/device/simulated_device.h"
+#include "playback/device/steady_clock.h"
+#include "playback/realtime/direction_proof.h"
+#include "playback/realtime/force_guard.h"
 
 namespace detent::playback {
 
 namespace {
+
+// An answer that comes within this share of a period does not slow the loop down.
+constexpr double answerOfPeriod = 0.5;
+// The link's own scatter.
+constexpr double roundTripRoom = 1.05, roundTripRoom_s = 200e-6;
+// A proof ends by itself; on a link that does not answer, after this.
+constexpr double longestProof_s = 5;
 
 std::unique_ptr<ForceDevice> simulatedOn(const PreparedForce& prepared, const ForceDeviceProfile& p,
                                          FingerPlan finger) {
@@ -32,6 +45,46 @@ std::unique_ptr<ForceDevice> simulatedOn(const PreparedForce& prepared, const Fo
   return std::make_unique<SimulatedForceDevice>(s, SimulatedFinger({}, std::move(finger)));
 }
 
+Failure reversedOn(const std::string& port) {
+  return {FailureCode::deviceTrouble, port, "",
+          Message("reversed polarity: the handle moves against the force it is asked for"),
+          Message("Swap the motor's two wires or the encoder's A and B")};
+}
+
+Failure unmovedOn(const std::string& port) {
+  return {
+      FailureCode::deviceTrouble, port, "", Message("the handle does not follow a small push"),
+      Message("Turn it by hand: a position that stays the same means a dead encoder. Else free the handle, "
+              "take the finger off, and try again")};
+}
+
+/// Pushes the handle a little (realtime/direction_proof.h) before a device is given a law that it then runs by itself, as slowly as the
+/// link needs. Measures the link. Failure deviceTrouble where the handle goes the wrong way or does not follow.
+Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& program, const std::string& port) {
+  const double roundTrip_s = device.measureRoundTrip_s().value_or(0);
+  if (!program.proof.present) return Done{};
+  const bool slow = tooSlowFor(program.period_s, roundTrip_s);
+  const double period_s = slow ? slowPeriod_s(program.period_s, roundTrip_s) : program.period_s;
+  if (slow) device.setPace(period_s, answerOfSlowPeriod * period_s);
+  const RealtimeWhile realtime(forcePriority);
+  DirectionProof proof(program.proof, period_s);
+  ForceGuard guard(program.limits, period_s, program.step_mm);
+  ForceCommand command;
+  double due_s = now_s();
+  for (const double end_s = due_s + longestProof_s; proof.verdict() == DirectionProof::Verdict::running &&
+                                                    guard.halt() == ForceHalt::none && due_s < end_s;) {
+    const ForceReading reading = device.exchange(command);
+    const bool good = guard.judge(reading.position_mm, reading.fresh) == ReadingVerdict::good;
+    command.force_N = guard.limit(good ? proof.step_N(reading.position_mm) : 0, 0);
+    due_s = std::max(due_s + period_s, now_s());
+    sleepUntil(due_s);
+  }
+  device.exchange(ForceCommand{});
+  if (slow) device.setPace(program.period_s, answerOfPeriod * program.period_s);
+  if (proof.verdict() == DirectionProof::Verdict::agrees) return Done{};
+  return proof.verdict() == DirectionProof::Verdict::reversed ? reversedOn(port) : unmovedOn(port);
+}
+
 Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
                                               const ForceDeviceChoice& choice) {
   Result<std::unique_ptr<SerialForceDevice>> device =
@@ -45,6 +98,8 @@ Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
         Message("Give --step-mm %1", info.step_mm)};
   }
   if (choice.uploadTable) {
+    if (Result<Done> proved = proveDirection(**device, prepared.program, choice.port); !proved)
+      return proved.failure();
     if (Result<Done> sent = (*device)->upload(prepared.program); !sent) return sent.failure();
   }
   return std::unique_ptr<ForceDevice>(std::move(*device));
@@ -80,11 +135,6 @@ Result<std::unique_ptr<ForceDevice>> falconOn(const PreparedForce& prepared,
   return std::move(*device);
 }
 
-// An answer that comes within this share of a period does not slow the loop down.
-constexpr double answerOfPeriod = 0.5;
-// The link's own scatter.
-constexpr double roundTripRoom = 1.05, roundTripRoom_s = 50e-6;
-
 }  // namespace
 
 Result<std::unique_ptr<ForceDevice>> openForceDevice(const ForceDeviceChoice& choice,
@@ -100,6 +150,14 @@ Result<std::unique_ptr<ForceDevice>> openForceDevice(const ForceDeviceChoice& ch
       break;
   }
   return falconOn(prepared, choice);
+}
+
+void watchOnly(ForceProgram& program, double longestUnheard_s) {
+  program.proof.present = false;  // done; from here on the device pushes by itself
+  program.limits.deadCountAbove_N =
+      std::numeric_limits<double>::infinity();  // its force cannot be lowered for a probe
+  program.limits.heldReadings = static_cast<std::uint32_t>(longestUnheard_s / program.period_s) + 1;
+  program.limits.longestHold_s = longestUnheard_s;  // as long as the device goes on without being heard
 }
 
 bool tooSlowFor(double period_s, double roundTrip_s) { return roundTrip_s > answerOfPeriod * period_s; }

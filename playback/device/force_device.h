@@ -19,7 +19,10 @@ struct ForceLinkCounts {
   std::uint64_t reconnects = 0;     ///< times the device came back
   std::uint64_t firmwareTries = 0;  ///< uploads of a firmware, the successful ones included
   std::uint64_t clearedFault = 0;   ///< the last one that was found and cleared
-  std::uint64_t fault = 0;          ///< the device's own code of why it gives no force; 0: none
+  std::uint64_t withdrawn =
+      0;  ///< commands to a device that runs the law by itself to give no force, because its answers stopped
+  bool newerFaults = false;  ///< an ODrive's faults are those of firmware 0.6
+  std::uint64_t fault = 0;   ///< the device's own code of why it gives no force; 0: none
 };
 
 /// What keeps a device from rendering.
@@ -44,6 +47,9 @@ class ForceDevice {
   virtual std::optional<double> measureRoundTrip_s() { return {}; }
   /// Another period, of which an answer may take up `wait_s`. False where the device does not take it. Before the first `exchange`.
   virtual bool setPace(double /*period_s*/, double /*wait_s*/) { return true; }
+
+  /// Longest silence of a device that runs the law by itself before it is commanded to give no force; 0: the host runs the law.
+  virtual double longestUnheard_s() const { return 0; }
 
   /// Another button is under the finger. A device that runs the law itself takes it over some hundred exchanges, without force meanwhile,
   /// and its force rises from nothing. Not for every step: it may allocate.

@@ -4,20 +4,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "playback/device/round_trips.h"
 #include "playback/device/steady_clock.h"
 
 namespace detent::playback {
 
 namespace {
 
-constexpr int loopPriority =
-    70;  // above the audio callback (JACK: 65): a late force is felt, a late sample heard
 constexpr double punctual_s = 100e-6;
 // A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits out what is left awake: at
 // most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
 constexpr double longestAwake_s = 30e-6, awakeOfPeriod = 0.03;
 constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
+// An answer that is missed in a step that itself began so late is no fault of the device.
+constexpr double lateShare = 0.25;
 constexpr double queuePause_s = 0.0005;
+constexpr double longestGap = 4;  // periods; a pause beyond it is a stall
 constexpr int longestFade_steps =
     4000;  // the force is gone long before; a device that never answers ends too
 
@@ -76,6 +78,8 @@ void ForceLoop::step(ForceReading reading) {
     const double before_s = std::exchange(exchanged_s_, now_s());
     if (before_s > 0) reading.periods = std::max(1.0, (exchanged_s_ - before_s) / program_->period_s);
   }
+  if (settings_.paced && !reading.fresh)
+    ++(late_s_ > lateShare * program_->period_s ? deadlines_.computerLate : deadlines_.deviceLate);
   command_ = engine_.step(reading);
 }
 
@@ -122,7 +126,7 @@ void ForceLoop::waitFor(double due_s) {
   sleepUntil(due_s - std::min(longestAwake_s, awakeOfPeriod * program_->period_s));
   while (now_s() < due_s) {
   }
-  const double late_s = std::max(0.0, now_s() - due_s);
+  const double late_s = late_s_ = std::max(0.0, now_s() - due_s);
   ++deadlines_.steps;
   deadlines_.within100us += late_s <= punctual_s ? 1 : 0;
   deadlines_.missed += late_s >= program_->period_s ? 1 : 0;
@@ -133,7 +137,7 @@ void ForceLoop::waitFor(double due_s) {
 void ForceLoop::run() {
   if (settings_.paced) {
     requestPunctualWakeUp();
-    deadlines_.realtime = requestRealtime(loopPriority);
+    deadlines_.realtime = requestRealtime(forcePriority);
   }
   double due_s = now_s();
   for (std::int64_t i = 0; !stopping_ && (settings_.steps == 0 || i < settings_.steps); ++i) {
@@ -145,6 +149,10 @@ void ForceLoop::run() {
     if (!settings_.paced && i > 0 && i == settings_.waitsAfter_steps) awaitProgram();
     takeProgram();
     takeOrders();
+    // The device has given up the force of before the pause; it must not have it back at once.
+    if (settings_.paced && exchanged_s_ > 0 && now_s() - exchanged_s_ > program_->limits.stall_s &&
+        now_s() - exchanged_s_ > longestGap * program_->period_s)
+      command_.force_N = 0;
     step(device_->exchange(command_));
     keep(engine_.last(), !settings_.paced);
     publish(false);

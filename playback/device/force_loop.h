@@ -32,7 +32,9 @@ inline constexpr double holdLasts_s = 0.15;
 struct DeadlineCounts {
   std::uint64_t steps = 0, within100us = 0, missed = 0;  ///< missed: late by a whole period
   double worst_s = 0, mean_s = 0;
-  bool realtime = false;  ///< the system granted real-time scheduling
+  std::uint64_t computerLate = 0,
+                deviceLate = 0;  ///< answers missed in steps that began late, and in steps on time
+  bool realtime = false;         ///< the system granted real-time scheduling
 };
 
 /// A snapshot for displays.
@@ -91,7 +93,7 @@ class ForceLoop {
   std::uint64_t dropped_ = 0;
   std::atomic<bool> stopping_{false}, abandoned_{false}, emergency_{false}, rearming_{false};
   std::atomic<double> heldUntil_s_{0};
-  double exchanged_s_ = 0;
+  double exchanged_s_ = 0, late_s_ = 0;
   moodycamel::ReaderWriterQueue<ForceStep> rows_;
   moodycamel::ReaderWriterQueue<std::unique_ptr<ForceProgram>> programs_, retired_;
   mutable std::mutex statusMutex_;  ///< the loop only tries it: a display never makes a step late

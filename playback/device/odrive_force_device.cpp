@@ -21,10 +21,17 @@ namespace {
 constexpr double odriveAnswer_s = 0.3, mmPerM = 1000;
 constexpr double arming_s = 1, rearming_s = 0.15, shortAnswer_s = 0.02;
 constexpr double velocityRoom = 1.25;  // of the firmware's velocity limit above the engine's
-constexpr double stateAsked_s = 0.02;  // between two looks at the axis's state
+constexpr double stateEvery_s = 0.02;  // between two requests for the axis's state
 constexpr double feedEvery_s = 0.015;  // well within the watchdog
+constexpr double lost_s = 0.02;        // a position that has not come by then was lost on the way
+constexpr double longestUnsure_s = 1;  // a marker was lost as well: begin anew
+constexpr double quiet_s = 0.015, longestQuiet_s = 0.1;  // nothing more is on its way
+constexpr double sameShare = 1e-3;                       // the device reports a value with few digits
 constexpr int tries = 5;
-constexpr int torqueControl = 1, closedLoop = 8, idle = 1;  // CONTROL_MODE_TORQUE_CONTROL, AXIS_STATE_...
+constexpr int torqueControl = 1, passThrough = 1;  // CONTROL_MODE_TORQUE_CONTROL, INPUT_MODE_PASSTHROUGH
+constexpr int closedLoop = 8, idle = 1;            // AXIS_STATE_...
+// Firmware 0.5 cuts a property's answer to so many characters.
+constexpr std::size_t longestAnswer = 9;
 
 /// The text before a good checksum, or all of one that carries none; none where the checksum is wrong.
 std::optional<std::string_view> payloadOf(std::string_view line) {
@@ -40,6 +47,7 @@ std::optional<std::string_view> payloadOf(std::string_view line) {
 /// One number and nothing else: what a question about a property gives.
 std::optional<double> numberIn(std::string_view line) {
   double value = 0;
+  if (line == "True" || line == "False") return line == "True" ? 1.0 : 0.0;
   const char* last = line.data() + line.size();
   const auto [end, error] = std::from_chars(line.data(), last, value);
   if (error != std::errc()) return {};
@@ -47,6 +55,11 @@ std::optional<double> numberIn(std::string_view line) {
     if (*p != ' ') return {};
   }
   return value;
+}
+
+/// A whole number that fills the answer: more digits may have been cut off.
+bool mayBeCut(std::string_view text) {
+  return text.size() >= longestAnswer && text.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
 /// "1.25 -0.5", with or without a checksum: position and velocity in turns.
@@ -76,25 +89,36 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
   std::unique_ptr<OdriveForceDevice> device(new OdriveForceDevice(*std::move(link), settings));
   device->link_.forget();
   std::optional<double> turns;
-  for (int i = 0; i < tries && !turns; ++i) turns = device->feedback_turns(now_s() + odriveAnswer_s);
+  for (int i = 0; i < tries && !turns; ++i) {
+    device->settle();
+    turns = device->feedback_turns(now_s() + odriveAnswer_s);
+  }
   if (!turns) {
     return Failure{
         FailureCode::deviceTrouble, settings.port, "", Message("no ODrive answers on axis %1", settings.axis),
         Message(
             "Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)")};
   }
-  if (!device->arm(arming_s)) {
-    return Failure{
-        FailureCode::deviceTrouble, settings.port, "",
-        Message("axis %1 does not arm: %2", settings.axis, odriveErrorWords(device->counts_.fault)),
-        Message("Mend that with odrivetool (dump_errors), until closed-loop control runs")};
+  const bool armed = device->arm(arming_s);
+  if (!device->unheld_.empty()) {
+    return Failure{FailureCode::deviceTrouble, settings.port, "",
+                   Message("axis %1 does not hold %2", settings.axis, device->unheld_),
+                   Message("Set that with odrivetool, then try again")};
+  }
+  if (!armed) {
+    return Failure{FailureCode::deviceTrouble, settings.port, "",
+                   Message("axis %1 does not arm: %2", settings.axis,
+                           odriveErrorWords(device->counts_.fault, device->counts_.newerFaults)),
+                   Message("Mend that with odrivetool (dump_errors), until closed-loop control runs")};
   }
   return device;
 }
 
-Message odriveErrorWords(std::uint64_t error) {
-  if (error == 0) return Message("it tells no error, and does not reach closed-loop control");
-  const std::pair<std::uint64_t, Message> names[] = {
+namespace {
+
+/// Bits of axis.error in firmware 0.5.
+const std::pair<std::uint64_t, Message>* olderNames(std::size_t& count) {
+  static const std::pair<std::uint64_t, Message> names[] = {
       {0x1, Message("invalid state")},
       {0x40, Message("motor failed")},
       {0x80, Message("sensorless estimator failed")},
@@ -108,10 +132,61 @@ Message odriveErrorWords(std::uint64_t error) {
       {0x40000, Message("over temperature")},
       {0x80000, Message("unknown position")},
   };
+  count = std::size(names);
+  return names;
+}
+
+/// Bits of axis.active_errors in firmware 0.6.
+const std::pair<std::uint64_t, Message>* newerNames(std::size_t& count) {
+  static const std::pair<std::uint64_t, Message> names[] = {
+      {0x1, Message("initializing")},
+      {0x2, Message("system level")},
+      {0x4, Message("timing error")},
+      {0x8, Message("missing estimate")},
+      {0x10, Message("bad configuration")},
+      {0x20, Message("gate driver fault")},
+      {0x40, Message("missing input")},
+      {0x100, Message("DC bus over-voltage")},
+      {0x200, Message("DC bus under-voltage")},
+      {0x400, Message("DC bus over-current")},
+      {0x800, Message("DC bus over-regeneration current")},
+      {0x1000, Message("current limit violation")},
+      {0x2000, Message("motor over temperature")},
+      {0x4000, Message("inverter over temperature")},
+      {0x8000, Message("velocity limit violation")},
+      {0x10000, Message("position limit violation")},
+      {0x1000000, Message("watchdog timer expired")},
+      {0x2000000, Message("emergency stop requested")},
+      {0x4000000, Message("spinout detected")},
+      {0x8000000, Message("brake resistor disarmed")},
+      {0x10000000, Message("thermistor disconnected")},
+      {0x40000000, Message("calibration error")},
+  };
+  count = std::size(names);
+  return names;
+}
+
+constexpr std::uint64_t leastCut = 100000000;  // nine digits
+
+}  // namespace
+
+Message odriveErrorWords(std::uint64_t error, bool newer) {
+  if (error == 0) return Message("it tells no error, and does not reach closed-loop control");
+  std::size_t count = 0;
+  const std::pair<std::uint64_t, Message>* names = newer ? newerNames(count) : olderNames(count);
   std::vector<Message> words;
-  for (const auto& [bit, name] : names)
-    if ((error & bit) != 0) words.push_back(name);
+  std::uint64_t unknown = error;
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((error & names[i].first) == 0) continue;
+    words.push_back(names[i].second);
+    unknown &= ~names[i].first;
+  }
   std::array<char, 32> number{};
+  if (unknown != 0 && error >= leastCut && error < 10 * leastCut) {
+    std::snprintf(number.data(), number.size(), "%llu", static_cast<unsigned long long>(error));
+    return Message("an error whose code begins with %1 and was cut off: odrivetool's dump_errors tells it",
+                   std::string(number.data()));
+  }
   std::snprintf(number.data(), number.size(), "0x%llX", static_cast<unsigned long long>(error));
   const std::string code = number.data();
   return words.empty() ? Message("error %1", code) : Message("error %1 (%2)", code, std::move(words));
@@ -136,25 +211,109 @@ void OdriveForceDevice::write(const char* property, double value) {
 // Commands feed the watchdog; this one asks for nothing.
 void OdriveForceDevice::feed() { say("c %u %.6f ", settings_.axis, 0.0); }
 
-std::optional<double> OdriveForceDevice::ask(const char* property, double wait_s) {
+/// Value of a property as text; none if nothing came in time; empty if there is no such property.
+std::optional<std::string> OdriveForceDevice::askText(const char* property, double wait_s) {
   feed();
   say("r axis%u.%s ", settings_.axis, property);
   for (const double deadline_s = now_s() + wait_s;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return {};
-    const std::optional<std::string_view> text = payloadOf(*line);
-    if (text && numberIn(*text)) return numberIn(*text);
-    if (text && !positionIn(*text)) return {};  // "invalid property"
+    std::optional<std::string_view> text = payloadOf(*line);
+    if (!text || positionIn(*text)) continue;
+    while (text->ends_with(' ')) text->remove_suffix(1);
+    return numberIn(*text) ? std::string(*text) : std::string();  // "invalid property"
   }
 }
 
-// Firmware 0.5 calls it error, 0.6 active_errors.
+std::optional<double> OdriveForceDevice::ask(const char* property, double wait_s) {
+  const std::optional<std::string> text = askText(property, wait_s);
+  return text ? numberIn(*text) : std::nullopt;
+}
+
+// Firmware 0.5 calls it error, 0.6 active_errors, and once disarmed disarm_reason.
 std::uint64_t OdriveForceDevice::error() {
-  for (int i = 0; i < 2; ++i, olderNames_ = !olderNames_) {
-    const std::optional<double> bits = ask(olderNames_ ? "error" : "active_errors", shortAnswer_s);
-    if (bits && *bits >= 0 && *bits < 1e15) return static_cast<std::uint64_t>(*bits);
+  std::optional<double> bits;
+  for (int i = 0; i < 2 && !bits; ++i) {
+    bits = ask(olderNames_ ? "error" : "active_errors", shortAnswer_s);
+    if (!bits) olderNames_ = !olderNames_;
   }
-  return 0;
+  if (!olderNames_ && bits == 0.0 && !armed_) {
+    if (const std::optional<double> reason = ask("disarm_reason", shortAnswer_s)) bits = reason;
+  }
+  counts_.newerFaults = !olderNames_;
+  return bits && *bits >= 0 && *bits < 1e15 ? static_cast<std::uint64_t>(*bits) : 0;
+}
+
+// Read, kept, written, read back. A setting that the firmware does not have is none, unless the force depends on it.
+bool OdriveForceDevice::hold(const char* property, double value, bool required) {
+  std::optional<std::string> before;
+  for (int i = 0; i < tries && !before; ++i) before = askText(property, shortAnswer_s);
+  if (!before || (before->empty() && required)) {
+    unheld_ = std::string(property) + ": it reports no value";
+    return false;
+  }
+  if (before->empty()) return true;
+  const auto same = [value](const std::optional<double>& reported) {
+    return reported && std::abs(*reported - value) <= sameShare * std::max(std::abs(value), 1e-3);
+  };
+  if (same(numberIn(*before))) return true;
+  if (mayBeCut(*before)) {
+    unheld_ = std::string(property) + ": its value, " + *before + "..., is cut off and could not be put back";
+    return false;
+  }
+  write(property, value);
+  std::optional<double> after;
+  for (int i = 0; i < tries && !after; ++i) after = ask(property, shortAnswer_s);
+  if (!same(after)) {
+    char reported[64];
+    std::snprintf(reported, sizeof reported, ": asked for %.6g, it says %.6g", value,
+                  after.value_or(std::nan("")));
+    unheld_ = std::string(property) + reported;
+    return false;
+  }
+  if (!configured_) kept_.push_back({property, *before});  // later it is this program's own
+  return true;
+}
+
+// A limit that its owner has set lower stands.
+bool OdriveForceDevice::allows(double torque_Nm) {
+  for (const char* property : {"motor.config.torque_lim", "config.torque_soft_max"}) {
+    const std::optional<double> least_Nm = ask(property, shortAnswer_s);
+    if (!least_Nm || *least_Nm >= torque_Nm * (1 - sameShare)) continue;
+    char reported[96];
+    std::snprintf(reported, sizeof reported, ": it allows %.4g Nm, and --max-N needs %.4g Nm", *least_Nm,
+                  torque_Nm);
+    unheld_ = std::string(property) + reported;
+    return false;
+  }
+  return true;
+}
+
+// The torque depends on all of these. In torque control the firmware brakes above its velocity limit with torque of its own: that is
+// switched off, and the limit, beyond which it gives up altogether, is moved out of a hand's reach; the engine's own speed limit takes the
+// force away below it. Anticogging would add torque that nobody requested.
+bool OdriveForceDevice::configure() {
+  const double most_Nm = settings_.force_N * std::abs(settings_.mmPerTurn) / (2 * std::numbers::pi * mmPerM);
+  const double fastest = velocityRoom * settings_.speed_mm_per_s / std::abs(settings_.mmPerTurn);
+  if (!configured_ && !allows(most_Nm)) return false;
+  const bool limited = hold("motor.config.torque_lim", most_Nm, false) &&  // firmware 0.5
+                       hold("config.torque_soft_max", most_Nm, false) &&   // 0.6
+                       hold("config.torque_soft_min", -most_Nm, false);
+  return limited && hold("controller.config.control_mode", torqueControl, true) &&
+         hold("controller.config.input_mode", passThrough, true) &&
+         hold("controller.config.vel_limit", fastest, true) &&
+         hold("controller.config.enable_torque_mode_vel_limit", 0, false) &&
+         hold("controller.config.anticogging.anticogging_enabled", 0, false) &&  // 0.5
+         hold("config.anticogging.enabled", 0, false) &&                         // 0.6
+         hold("config.watchdog_timeout", settings_.watchdog_s, true);
+}
+
+/// Waits until no answer to an earlier request is on its way any more.
+void OdriveForceDevice::settle() {
+  for (const double end_s = now_s() + longestQuiet_s; now_s() < end_s && link_.line(now_s() + quiet_s);) {
+  }
+  pending_ = requestedNow_ = unsure_ = false;
+  markersDue_ = 0;
 }
 
 // The watchdog counts from the moment it is switched on, and an axis that is not armed yet is not fed: so it comes last. Old errors, one of
@@ -162,14 +321,14 @@ std::uint64_t OdriveForceDevice::error() {
 bool OdriveForceDevice::arm(double wait_s) {
   armed_ = false;
   const double deadline_s = now_s() + wait_s;
-  link_.forget();
-  write("config.enable_watchdog", 0);
+  settle();
+  unheld_.clear();
+  if (!hold("config.enable_watchdog", 0, true)) return false;
   counts_.fault = error();
   if (counts_.fault != 0) counts_.clearedFault = counts_.fault;
   say("%s ", "sc");
-  write("controller.config.control_mode", torqueControl);
-  limit();
-  write("config.watchdog_timeout", settings_.watchdog_s);
+  if (!configure()) return false;
+  configured_ = true;
   feed();
   write("requested_state", closedLoop);
   while (!armed_ && now_s() < deadline_s) armed_ = ask("current_state", shortAnswer_s) == closedLoop;
@@ -183,24 +342,13 @@ bool OdriveForceDevice::arm(double wait_s) {
   if (!turns) return armed_ = false;
   rest_turns_ = *turns;
   counts_.fault = 0;
-  asked_s_ = now_s();
+  stateSent_s_ = now_s();
   return true;
-}
-
-// What the motor can give whatever it is asked for. In torque control the firmware brakes above its velocity limit with torque of its own:
-// that limit is moved out of a hand's reach, the engine's own speed limit takes the force away below it.
-void OdriveForceDevice::limit() {
-  const double most_Nm = settings_.force_N * std::abs(settings_.mmPerTurn) / (2 * std::numbers::pi * mmPerM);
-  write("motor.config.torque_lim", most_Nm);  // firmware 0.5
-  write("config.torque_soft_max", most_Nm);   // 0.6
-  write("config.torque_soft_min", -most_Nm);
-  write("controller.config.vel_limit",
-        velocityRoom * settings_.speed_mm_per_s / std::abs(settings_.mmPerTurn));
-  link_.forget();
 }
 
 void OdriveForceDevice::disarmed() {
   armed_ = false;
+  settle();
   if (const std::uint64_t bits = error(); bits != 0) counts_.fault = bits;
 }
 
@@ -208,24 +356,63 @@ void OdriveForceDevice::rearm() {
   if (link_.isOpen() && arm(rearming_s)) last_mm_ = 0;
 }
 
-std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
+void OdriveForceDevice::askPosition() {
   say("f %u ", settings_.axis);
-  return nextFeedback_turns(deadline_s);
+  pending_ = requestedNow_ = true;
+  requested_s_ = now_s();
 }
 
-std::optional<double> OdriveForceDevice::nextFeedback_turns(double deadline_s) {
+// Answers come in order: once the marker is answered, no position requested before it is on its way any more. Its value cannot be
+// mistaken for a state.
+void OdriveForceDevice::askMarker() {
+  if (!std::exchange(unsure_, true)) unsureSince_s_ = now_s();
+  ++markersDue_;
+  markerSent_s_ = now_s();
+  say("r axis%u.%s ", settings_.axis, "config.watchdog_timeout");
+}
+
+void OdriveForceDevice::noteState(double state) {
+  if (state != closedLoop && armed_) armed_ = false, zeroLost_ = true;
+}
+
+/// Takes one line; `turns` is set if it is a fresh position.
+OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double& turns) {
+  const std::optional<std::string_view> text = payloadOf(line);
+  const std::optional<double> position = text ? positionIn(*text) : std::nullopt;
+  const std::optional<double> number = text && !position ? numberIn(*text) : std::nullopt;
+  if (position) {
+    if (unsure_) return Answer::late;
+    if (!std::exchange(pending_, false)) {
+      askMarker();  // not requested: one more may follow
+      return Answer::late;
+    }
+    turns = *position;
+    return requestedNow_ ? Answer::fresh : Answer::late;
+  }
+  const bool marker = number && std::abs(*number - settings_.watchdog_s) <= sameShare * settings_.watchdog_s;
+  if (marker) {
+    // One that was sent earlier says nothing of what was requested since.
+    if (markersDue_ > 0 && --markersDue_ == 0 && unsure_) pending_ = unsure_ = false;
+  } else if (number) {
+    noteState(*number);
+  } else {
+    ++counts_.malformed;
+    if (pending_ && !unsure_) askMarker();  // it may have been the position
+  }
+  return Answer::other;
+}
+
+/// Requests the position until it comes; only while no loop runs.
+std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
+  if (pending_ && now_s() - requested_s_ > slowestRoundTrip_s) askMarker();
+  if (!pending_) askPosition();
+  requestedNow_ = true;
   for (;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return {};
-    const std::optional<std::string_view> text = payloadOf(*line);
-    if (text) {
-      if (const std::optional<double> position = positionIn(*text)) return position;
-      if (const std::optional<double> state = numberIn(*text)) {  // what was asked about the axis
-        if (*state != closedLoop && armed_) armed_ = false, zeroLost_ = true;
-        continue;
-      }
-    }
-    ++counts_.malformed;
+    double turns = 0;
+    if (take(*line, turns) == Answer::fresh) return turns;
+    if (!unsure_ && !pending_) askPosition();
   }
 }
 
@@ -238,7 +425,7 @@ std::optional<double> OdriveForceDevice::measureRoundTrip_s() {
     std::optional<double> turns = feedback_turns(asked_s + feedEvery_s);
     while (!turns && now_s() < asked_s + slowestRoundTrip_s) {
       feed();
-      turns = nextFeedback_turns(now_s() + feedEvery_s);
+      turns = feedback_turns(now_s() + feedEvery_s);
     }
     trips.add(now_s() - asked_s);
   }
@@ -264,18 +451,12 @@ ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
     }
     return reading;
   }
-  // An answer of the period before, come late, would be taken for this one's.
-  link_.forget();
   const bool allowed = armed_ && !command.halted;
   const double torque_Nm =
       allowed ? -command.force_N * settings_.mmPerTurn / (2 * std::numbers::pi * mmPerM) : 0;
   say("c %u %.6f ", settings_.axis, torque_Nm);
-  if (armed_ && now_s() - asked_s_ > stateAsked_s) {
-    asked_s_ = now_s();
-    say("r axis%u.current_state ", settings_.axis);
-  }
   const bool wasArmed = armed_;
-  const std::optional<double> turns = feedback_turns(now_s() + wait_s_);
+  const std::optional<double> turns = nextPosition();
   if (wasArmed && !armed_) disarmed();
   if (!turns) {
     ++counts_.late;
@@ -287,10 +468,35 @@ ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
   return reading;
 }
 
+/// The position of this period, if its answer comes in time.
+std::optional<double> OdriveForceDevice::nextPosition() {
+  const double start_s = now_s();
+  requestedNow_ = false;
+  if (pending_ && !unsure_ && start_s - requested_s_ > lost_s) askMarker();
+  if (unsure_ && start_s - markerSent_s_ > slowestRoundTrip_s) askMarker();
+  if (unsure_ && start_s - unsureSince_s_ > longestUnsure_s) settle();
+  if (!pending_ && !unsure_) askPosition();
+  const bool stateDue = armed_ && start_s - stateSent_s_ > stateEvery_s;
+  if (stateDue) {  // after the position, so that its answer never stands in for the marker's
+    stateSent_s_ = start_s;
+    say("r axis%u.current_state ", settings_.axis);
+  }
+  for (const double deadline_s = start_s + wait_s_;;) {
+    const std::optional<std::string_view> line = link_.line(deadline_s);
+    if (!line) return {};
+    double turns = 0;
+    if (take(*line, turns) == Answer::fresh) return turns;
+    if (!pending_ && !unsure_) askPosition();  // an old one has come: the link is free again
+  }
+}
+
 OdriveForceDevice::~OdriveForceDevice() {
   feed();
   write("requested_state", idle);
   write("config.enable_watchdog", 0);
+  feed();
+  for (auto kept = kept_.rbegin(); kept != kept_.rend(); ++kept)
+    say("w axis%u.%s %s ", settings_.axis, kept->property, kept->text.c_str());
 }
 
 }  // namespace detent::playback

@@ -4,7 +4,11 @@
 // away when the host is silent.
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "playback/device/force_device.h"
 #include "playback/device/serial_link.h"
@@ -26,12 +30,15 @@ struct OdriveSettings {
 
 class OdriveForceDevice : public ForceDevice {
  public:
-  /// Opens a port, tells and clears old errors, sets torque control, arms the axis, then switches the watchdog on, and takes the present
-  /// position as rest. Failure where no ODrive answers, or the axis does not arm: with its error.
+  /// Opens a port, reports and clears old errors, sets everything the torque depends on (control mode, input mode, limits, no torque of the
+  /// firmware's own) and reads it back, arms the axis, then switches the watchdog on, and takes the present position as rest. Failure where no
+  /// ODrive answers, a setting does not hold (it is named), or the axis does not arm: with its error.
   static Result<std::unique_ptr<OdriveForceDevice>> open(const OdriveSettings& settings);
-  /// No torque, then idle.
+  /// No torque, idle, and every setting that was changed as it was before.
   ~OdriveForceDevice() override;
 
+  /// One question is in flight at a time, because an ODrive's answers carry no number: an answer that comes after its period is late, not
+  /// fresh, and while it is pending nothing else is requested.
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
   bool setPace(double period_s, double wait_s) override;
@@ -50,24 +57,48 @@ class OdriveForceDevice : public ForceDevice {
   void say(const char* pattern, Values... values);
   void write(const char* property, double value);
   void feed();
+  std::optional<std::string> askText(const char* property, double wait_s);
   std::optional<double> ask(const char* property, double wait_s);
   std::uint64_t error();
   bool arm(double wait_s);
-  void limit();
+  bool configure();
+  bool allows(double torque_Nm);
+  bool hold(const char* property, double value, bool required);
+  void settle();
   void disarmed();
-  void follow(std::string_view line);
+  void askPosition();
+  void askMarker();
+  void noteState(double state);
   std::optional<double> feedback_turns(double deadline_s);
-  std::optional<double> nextFeedback_turns(double deadline_s);
+  std::optional<double> nextPosition();
+  enum class Answer : std::uint8_t { fresh, late, other };
+  Answer take(std::string_view line, double& turns);
+
+  /// A setting of the device as it was before.
+  struct Kept {
+    const char* property;
+    std::string text;
+  };
 
   SerialLink link_;
   OdriveSettings settings_;
   double wait_s_;  ///< for an answer
   ForceLinkCounts counts_;
-  double rest_turns_ = 0, last_mm_ = 0, asked_s_ = 0;
+  std::vector<Kept> kept_;
+  bool configured_ = false;  ///< once: what is read from now on may be this program's own
+  std::string unheld_;       ///< the setting that does not hold, and how
+  double rest_turns_ = 0, last_mm_ = 0, stateSent_s_ = 0;
   bool armed_ = false, olderNames_ = true, zeroLost_ = false;
+  bool pending_ = false;       ///< a position is on its way
+  bool requestedNow_ = false;  ///< requested in this period
+  double requested_s_ = 0;     ///< when
+  bool unsure_ = false;        ///< an answer was lost or garbled: none counts until the marker has come
+  int markersDue_ = 0;         ///< sent and not answered
+  double markerSent_s_ = -1e9, unsureSince_s_ = 0;
 };
 
-/// Names of an axis's error bits: "watchdog timer expired"; the number alone where none is known.
-Message odriveErrorWords(std::uint64_t error);
+/// Names of an axis's error bits, of firmware 0.5 or, `newer`, 0.6: "watchdog timer expired"; the number alone where none is known, with a
+/// warning where the firmware may have cut it.
+Message odriveErrorWords(std::uint64_t error, bool newer);
 
 }  // namespace detent::playback

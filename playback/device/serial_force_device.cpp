@@ -26,6 +26,9 @@ constexpr int protocol = 2;  // with limits of the device's own
 constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
 constexpr double tableSilence =
     0.8;  // of what the device waits: our answers and its clock are not quite one time
+// Without answers a table goes on for so long, or so many round trips of a slow link.
+constexpr std::uint32_t unansweredQuestions = 3;
+constexpr double unheard_s = 0.010, unheardTrips = 3, longestUnheardEver_s = 0.05;
 constexpr std::int32_t questionsForALine = 8;        // then it is sent again, answered or not
 constexpr int stoppedState = 1, unlimitedState = 2;  // of an answer
 
@@ -285,14 +288,32 @@ void SerialForceDevice::noteAnswer(std::uint32_t sequence, long long time_us) {
     lineSent_ = sequence_;
   }
   heard_ = sequence;
+  heardAt_s_ = now_s();
+  if (withdrawn_ && static_cast<std::int32_t>(sequence - withdrawnSince_) >= 0) {
+    withdrawn_ = false;
+    beginTable();
+  }
   const long long before_us = std::exchange(heardTime_us_, time_us);
   if (before_us < 0 || !ownLaw_ || toldLines_ < table_.size()) return;
   // A table ends where the device hears nothing for longer than it waits. Its clock may wrap.
   if (micro * static_cast<std::uint32_t>(time_us - before_us) > silence_s_) beginTable();
 }
 
+double SerialForceDevice::longestUnheard_s() const {
+  return std::min(std::max(unheard_s, unheardTrips * roundTrip_s_), longestUnheardEver_s);
+}
+
+// The device cannot be watched: an F of no force ends its table at once, while an H would keep it alive for ever.
+void SerialForceDevice::withdrawLaw() {
+  const bool unheard = sequence_ - heard_ > unansweredQuestions && now_s() - heardAt_s_ > longestUnheard_s();
+  if (!unheard || !ownLaw_ || withdrawn_ || toldLines_ < table_.size()) return;
+  withdrawn_ = true;
+  withdrawnSince_ = sequence_;
+  ++counts_.withdrawn;
+}
+
 void SerialForceDevice::loseLaw() {
-  ownLaw_ = false;
+  ownLaw_ = withdrawn_ = false;
   zeroLost_ = true;
 }
 
@@ -319,7 +340,7 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
   }
   std::array<char, 64> body{};
   int length = 0;
-  if (ownLaw_) {
+  if (ownLaw_ && !withdrawn_) {
     if (toldLines_ < table_.size() && lineIsDue()) sendTableLine();
     length = std::snprintf(body.data(), body.size(), "H,%u", sequence_);
   } else {
@@ -389,7 +410,8 @@ std::optional<double> SerialForceDevice::measureRoundTrip_s() {
     }
     trips.add(now_s() - asked_s);
   }
-  return trips.usual_s();
+  roundTrip_s_ = trips.usual_s();
+  return roundTrip_s_;
 }
 
 bool SerialForceDevice::setPace(double period_s, double wait_s) {
@@ -416,6 +438,7 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
     beginTable();
   }
   ++sequence_;
+  withdrawLaw();
   sendOrders(command);
   for (const double deadline_s = now_s() + wait_s_;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);

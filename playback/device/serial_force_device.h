@@ -35,7 +35,8 @@ class SerialForceDevice : public ForceDevice {
   /// Failure where the table does not fit (`refusedAsTable`; the device says how many rows it takes), has no limit or one above that
   /// of `open`, or a row is not acknowledged. A device that heard nothing for longer than it waits has ended the table by itself:
   /// `exchange` then sends it again; one that was reset or away is given it when a person arms. Readings are then the newest there are,
-  /// however late they come.
+  /// however late they come. Where none come for `longestUnheard_s`, nobody watches the device any more: it is commanded to give no force, and is
+  /// given the table again once it answers.
   Result<Done> upload(const ForceProgram& program);
   /// Where a law has been uploaded: this one takes its place, a line with each exchange. A device that refuses it has lost its place.
   void setProgram(const ForceProgram& program) override;
@@ -44,6 +45,8 @@ class SerialForceDevice : public ForceDevice {
   std::optional<double> measureRoundTrip_s() override;
   bool setPace(double period_s, double wait_s) override;
   void rearm() override;
+  /// Longest silence while the device runs a table; then it is commanded to give no force until answers are back.
+  double longestUnheard_s() const override;
   ForceDeviceState state() const override {
     return link_.isOpen() ? ForceDeviceState::ready : ForceDeviceState::lost;
   }
@@ -61,6 +64,7 @@ class SerialForceDevice : public ForceDevice {
   void sendTableLine();
   void noteAnswer(std::uint32_t sequence, long long time_us);
   void loseLaw();
+  void withdrawLaw();
   enum class Answer : std::uint8_t { reading, old, other, none };
   Answer take(std::string_view line, ForceReading& reading);
   bool isBack();
@@ -72,14 +76,18 @@ class SerialForceDevice : public ForceDevice {
   ForceLinkCounts counts_;
   std::string limitLine_;  ///< without checksum; a device that keeps to it says it back
   bool limitHeld_ = false;
-  double silence_s_ = 0;            ///< after which a table is taken for ended
-  bool ownLaw_ = false;             ///< the device runs the table, or is being given it
-  std::vector<std::string> table_;  ///< its lines, without checksum
-  std::size_t toldLines_ = 0;       ///< of them, those the device has acknowledged
-  std::uint32_t lineSince_ = 0;     ///< the first question with which the next one may be sent
-  std::uint32_t lineSent_ = 0;      ///< the last one with which a line was sent
-  std::uint32_t heard_ = 0;         ///< the last one that was answered
-  bool lineTaken_ = false;          ///< an acknowledgement came since the last answer
+  double roundTrip_s_ = 0;  ///< measured; 0: not yet
+  double heardAt_s_ = 0;    ///< on now_s(): the last answer
+  bool withdrawn_ = false;  ///< no answers came: the device was commanded to give no force by an F of 0
+  std::uint32_t withdrawnSince_ = 0;  ///< the first question after that
+  double silence_s_ = 0;              ///< after which a table is taken for ended
+  bool ownLaw_ = false;               ///< the device runs the table, or is being given it
+  std::vector<std::string> table_;    ///< its lines, without checksum
+  std::size_t toldLines_ = 0;         ///< of them, those the device has acknowledged
+  std::uint32_t lineSince_ = 0;       ///< the first question with which the next one may be sent
+  std::uint32_t lineSent_ = 0;        ///< the last one with which a line was sent
+  std::uint32_t heard_ = 0;           ///< the last one that was answered
+  bool lineTaken_ = false;            ///< an acknowledgement came since the last answer
   bool toldStop_ = false, arming_ = false, zeroLost_ = false;
   bool tableDue_ = false;         ///< a person has armed: the table goes out once the limits are held
   std::uint32_t armedSince_ = 0;  ///< the first question after the last word that a person wants force

@@ -5,10 +5,14 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -35,6 +39,29 @@ std::optional<speed_t> speedOf(unsigned baud) {
   return {};
 }
 
+/// Which program has a port open, as "detent-play (process 4711)"; empty where that cannot be seen.
+std::string holderOf(const std::string& port) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path device = fs::canonical(port, error);
+  for (fs::directory_iterator process("/proc", error), end; !error && process != end;
+       process.increment(error)) {
+    const std::string number = process->path().filename().string();
+    if (number.find_first_not_of("0123456789") != std::string::npos || std::stol(number) == ::getpid())
+      continue;
+    std::error_code hidden;  // of another user, or gone meanwhile
+    for (fs::directory_iterator open(process->path() / "fd", hidden); !hidden && open != end;
+         open.increment(hidden)) {
+      std::error_code closed;
+      if (fs::read_symlink(open->path(), closed) != device) continue;
+      std::string name;
+      std::getline(std::ifstream(process->path() / "comm"), name);
+      return name + " (process " + number + ")";
+    }
+  }
+  return {};
+}
+
 bool ready(int descriptor, short events, double wait_s) {
   pollfd poll{descriptor, events, 0};
   timespec time{};
@@ -52,10 +79,17 @@ bool SerialLink::openPort() {
   termios mode{};
   if (!isOpen()) return false;
   if (::tcgetattr(descriptor_, &mode) != 0) {
-    close();
+    ::close(std::exchange(descriptor_, -1));
     errno = ENOTTY;
     return false;
   }
+  // Two programs on one port would each hear half of the answers, and send forces against each other.
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(std::exchange(descriptor_, -1));
+    errno = EBUSY;
+    return false;
+  }
+  ::ioctl(descriptor_, TIOCEXCL);
   ::cfmakeraw(&mode);
   mode.c_cflag |= CLOCAL | CREAD;
   ::cfsetspeed(&mode, *speedOf(baud_));
@@ -76,6 +110,13 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
   link.received_.reserve(reserved);
   link.line_.reserve(reserved);
   if (link.openPort()) return link;
+  if (errno == EBUSY) {
+    const std::string holder = holderOf(port);
+    return Failure{
+        FailureCode::deviceTrouble, port, "",
+        holder.empty() ? Message("is in use by another program") : Message("is in use by %1", holder),
+        Message("End that program, then try again")};
+  }
   return Failure{FailureCode::deviceTrouble, port, "", Message("cannot be opened (%1)", std::strerror(errno)),
                  Message("Check the name, the cable and your right to use it (group dialout)")};
 }
@@ -94,7 +135,10 @@ SerialLink& SerialLink::operator=(SerialLink&& other) noexcept {
 }
 
 void SerialLink::close() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (isOpen()) {
+    ::ioctl(descriptor_, TIOCNXCL);  // or it would outlast us where somebody else still has the port open
+    ::close(descriptor_);
+  }
   descriptor_ = -1;
   lastTry_s_ = now_s();
 }

@@ -14,7 +14,8 @@ namespace detent::playback {
 /// One thread. Allocates nothing once it is open, unless a line is longer than 250 characters.
 class SerialLink {
  public:
-  /// Opens a port raw, 8 bits, no parity. Failure where it cannot be opened now, or a baud rate is none.
+  /// Opens a port raw, 8 bits, no parity, for this program alone. Failure where it cannot be opened now, another program holds it (named
+  /// where that can be seen), or a baud rate is none.
   static Result<SerialLink> open(const std::string& port, unsigned baud, double reopenPause_s = 0.2);
   SerialLink(SerialLink&& other) noexcept;
   SerialLink& operator=(SerialLink&& other) noexcept;

@@ -34,6 +34,19 @@ void sleepUntil(double time_s) {
 
 void requestPunctualWakeUp() { prctl(PR_SET_TIMERSLACK, 1UL); }
 
+RealtimeWhile::RealtimeWhile(int priority) {
+  sched_param before{};
+  if (pthread_getschedparam(pthread_self(), &policyBefore_, &before) != 0) return;
+  priorityBefore_ = before.sched_priority;
+  granted_ = requestRealtime(priority);
+}
+
+RealtimeWhile::~RealtimeWhile() {
+  sched_param before{};
+  before.sched_priority = priorityBefore_;
+  if (granted_) pthread_setschedparam(pthread_self(), policyBefore_, &before);
+}
+
 bool requestRealtime(int priority) {
   sched_param parameters{};
   parameters.sched_priority = priority;

@@ -15,6 +15,19 @@ void sleepUntil(double time_s);
 /// whose work is due to 100 µs. Real-time threads are woken so anyway.
 void requestPunctualWakeUp();
 
+/// Real-time scheduling of the calling thread while it lives, where the machine grants it; then what it was before.
+class RealtimeWhile {
+ public:
+  explicit RealtimeWhile(int priority);
+  ~RealtimeWhile();
+  RealtimeWhile(const RealtimeWhile&) = delete;
+  RealtimeWhile& operator=(const RealtimeWhile&) = delete;
+
+ private:
+  int policyBefore_ = 0, priorityBefore_ = 0;
+  bool granted_ = false;
+};
+
 /// Asks for real-time scheduling of the calling thread (FIFO). False where the machine refuses; the caller
 /// goes on.
 bool requestRealtime(int priority);

@@ -28,6 +28,10 @@ struct ForceDeviceProfile {
   ForceGuide guide;  ///< present on three-axis devices
   /// Mass, friction, damping, delay and lag were measured on this device (detent-play identify-device); else they are a preset's.
   bool measured = false;
+  bool provesDirection =
+      false;  ///< wired by its user: motor and encoder are checked against each other before any force
+  bool watchesEncoder =
+      false;  ///< has an encoder that can break: one that does not count under force is given up
   /// >= 0; by how much a force may act later than `delay_s` says, without the law knowing it.
   double jitter_s = 0;
 

@@ -30,6 +30,10 @@ constexpr double noticedCrossing_N = 0.001;
 constexpr double mostFedShare = 0.02;
 // A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is about as drawn.
 constexpr double risenShare = 0.96;
+// The push before the first force: more than the friction of a preset, too little to hurt; of a measured device more than its friction.
+constexpr double largestPush_N = 0.1, pushedFrictions = 1.5, followedSteps = 4;
+// An encoder is watched under more force than this, and than so many times the friction.
+constexpr double leastWatched_N = 0.25, watchedFrictions = 5;
 
 Failure outOfRange(const Subject& value, Message place, Message problem, const Message& remedy) {
   return {FailureCode::wrongUsage, value, std::move(place), std::move(problem), remedy};
@@ -118,10 +122,28 @@ class ForcePreparation {
     if (refused_) return *std::move(refused_);
     setPlayRadius();
     setRest();
+    setChecks();
     return std::move(prepared_);
   }
 
  private:
+  /// Device and button data with which the guard distinguishes a fault from a press.
+  void setChecks() {
+    ForceProgram& p = prepared_.program;
+    p.limits.movedMass_kg = device_.mass_kg;
+    p.limits.travelEnd_mm = 0;
+    for (std::size_t s = 0; s < p.stateCount; ++s)
+      p.limits.travelEnd_mm = std::max(p.limits.travelEnd_mm, placeOf(p.states[s], p.states[s].rowCount - 1));
+    if (device_.watchesEncoder)
+      p.limits.deadCountAbove_N = std::max(leastWatched_N, watchedFrictions * device_.friction_N);
+    p.limits.deadCountFrom_mm = std::max(p.limits.deadCountFrom_mm, 2 * device_.step_mm);
+    // With less force than the push itself there is nothing to be afraid of.
+    p.proof.present = device_.provesDirection && p.limits.force_N > largestPush_N;
+    if (device_.measured) p.proof.push_N = std::max(p.proof.push_N, pushedFrictions * device_.friction_N);
+    p.proof.push_N = std::min(p.proof.push_N, p.limits.force_N);
+    p.proof.way_mm = std::max(p.proof.way_mm, followedSteps * device_.step_mm);
+  }
+
   /// Of several speeds the worst place tells for all.
   void remark(ForceRemarkKind kind, std::size_t state, double at_mm, double value, double limit) {
     std::vector<ForceRemark>& remarks = prepared_.summary.remarks;

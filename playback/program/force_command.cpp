@@ -137,18 +137,39 @@ double percentPunctual(const ForceStatus& s) {
   return s.steps == 0 ? 100 : 100 * static_cast<double>(s.within100us) / static_cast<double>(s.steps);
 }
 
+/// Reason why there is no force now, for the live line; empty if there is none.
+const char* keptAway(const ForceStatus& s) {
+  if (!s.connected) return "  DEVICE LOST, no force";
+  if (!s.fault.empty()) return "  NO FORCE: device in error; a arms";
+  switch (s.halt) {
+    case ForceHalt::stopped:
+      return "  STOPPED, no force; a arms";
+    case ForceHalt::reversed:
+      return "  NO FORCE: reversed polarity";
+    case ForceHalt::unmoved:
+      return "  NO FORCE: the handle does not move; let go, then a arms";
+    case ForceHalt::deadCount:
+      return "  NO FORCE: encoder dead; let go, then a arms";
+    case ForceHalt::runaway:
+      return "  NO FORCE: handle ran away; let go, then a arms";
+    case ForceHalt::dropOuts:
+      return "  NO FORCE: readings failed repeatedly; a arms";
+    case ForceHalt::displaced:
+      return "  NO FORCE: place lost; let go, then a arms";
+    case ForceHalt::notHeld:
+      return "  hold the space bar";
+    case ForceHalt::none:
+      break;
+  }
+  if (s.homing) return "  NO FORCE YET: move the handle all the way out and all the way in";
+  return s.last.proving ? "  checking the motor's direction: let go" : "";
+}
+
 std::string liveText(const ForceStatus& s, const Button& button) {
   char text[200];
   std::snprintf(text, sizeof text, "%8.3f mm %8.1f mm/s %7.3f N %8.3f mJ  %-10s %5.1f %% on time%s",
                 s.last.position_mm, s.last.velocity_mm_per_s, s.last.force_N, s.last.energy_mJ,
-                stateName(button, s.last.state).c_str(), percentPunctual(s),
-                !s.connected                     ? "  DEVICE LOST, no force"
-                : !s.fault.empty()               ? "  NO FORCE: device in error; a arms"
-                : s.halt == ForceHalt::stopped   ? "  STOPPED, no force; a arms"
-                : s.halt == ForceHalt::displaced ? "  NO FORCE: place lost; let go, then a arms"
-                : s.halt == ForceHalt::notHeld   ? "  hold the space bar"
-                : s.homing ? "  NO FORCE YET: move the handle all the way out and all the way in"
-                           : "");
+                stateName(button, s.last.state).c_str(), percentPunctual(s), keptAway(s));
   return text;
 }
 
@@ -219,6 +240,8 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
             {"frozen_readings", s.guard.frozen},
             {"fades", s.guard.faded},
             {"places_lost", s.guard.displaced},
+            {"stalls", s.guard.stalled},
+            {"encoder_probes", s.guard.probed},
             {"emergency_stops", s.guard.stopped},
             {"halt", codeOf(s.halt)},
             {"fault", s.fault},
@@ -227,6 +250,10 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
             {"slew_limited_steps", s.guard.slewLimited}}},
           {"link",
            {{"round_trip_ms", 1e3 * pace.roundTrip_s},
+            {"computer_ms", 1e3 * pace.computer_s},
+            {"late_by_computer", s.computerLate},
+            {"late_by_device", s.deviceLate},
+            {"withdrawn", s.withdrawn},
             {"late", s.lateAnswers},
             {"malformed", s.malformedAnswers},
             {"repeated", s.repeatedAnswers},
@@ -265,6 +292,12 @@ void printForceFigures(const ForceStatus& s, const RunFigures& runForce, const F
         static_cast<unsigned long long>(s.guard.tooFast),
         static_cast<unsigned long long>(s.guard.faded + s.guard.tooFast));
   }
+  if (s.deviceLate > 0)
+    std::fprintf(stderr, "the device was late: %llu answers did not come in steps that began on time\n",
+                 static_cast<unsigned long long>(s.deviceLate));
+  if (s.computerLate > 0)
+    std::fprintf(stderr, "this computer was late: %llu answers were missed in steps that began late\n",
+                 static_cast<unsigned long long>(s.computerLate));
 }
 
 // What keeps the force away at the end is told, however short the run was.
@@ -272,7 +305,9 @@ void printHalt(const ForceStatus& s) {
   if (!s.fault.empty()) std::fprintf(stderr, "no force: the device is in error: %s\n", s.fault.c_str());
   if (!s.clearedFault.empty())
     std::fprintf(stderr, "the device was in error, which was cleared: %s\n", s.clearedFault.c_str());
-  if (s.halt == ForceHalt::displaced || s.guard.displaced > 0) {
+  if (const std::string kept = sentenceOf(s.halt); !kept.empty())
+    std::fprintf(stderr, "no force at the end: %s.\n", kept.c_str());
+  if (s.halt != ForceHalt::displaced && s.guard.displaced > 0) {
     std::fprintf(stderr,
                  "place lost: the position jumped, or the device was away, %llu times; force comes back only "
                  "after the "

@@ -103,10 +103,52 @@ std::string codeOf(ForceHalt halt) {
       return "place_lost";
     case ForceHalt::notHeld:
       return "not_held";
+    case ForceHalt::reversed:
+      return "reversed_polarity";
+    case ForceHalt::unmoved:
+      return "handle_not_moving";
+    case ForceHalt::deadCount:
+      return "encoder_dead";
+    case ForceHalt::runaway:
+      return "runaway";
+    case ForceHalt::dropOuts:
+      return "repeated_drop_outs";
     case ForceHalt::none:
       break;
   }
   return "none";
+}
+
+std::string sentenceOf(ForceHalt halt) {
+  switch (halt) {
+    case ForceHalt::none:
+    case ForceHalt::stopped:
+    case ForceHalt::notHeld:
+      break;
+    case ForceHalt::displaced:
+      return "place lost: the position jumped, or the device was away or reset. Let the handle rest at 0, "
+             "then press a";
+    case ForceHalt::reversed:
+      return "reversed polarity: the handle moves against the force. Swap the motor's two wires or the "
+             "encoder's A and B (of an ODrive: calibrate motor and encoder anew)";
+    case ForceHalt::unmoved:
+      return "the handle does not follow a small push. Let go of it and see that it moves freely; turn it by "
+             "hand: a position that "
+             "stays the same means a dead encoder. Then press a";
+    case ForceHalt::deadCount:
+      return "encoder dead, place lost: it did not count one step under force. Check the encoder and its "
+             "wires, let the handle rest "
+             "at 0, then press a";
+    case ForceHalt::runaway:
+      return "runaway: the handle ran on against the whole force. It was pressed harder than --max-N, or "
+             "motor or encoder are "
+             "reversed (reversed polarity). Let go, then press a";
+    case ForceHalt::dropOuts:
+      return "repeated drop-outs: the readings failed again and again within a second. Check the cable and "
+             "what else runs on this "
+             "computer, then press a";
+  }
+  return {};
 }
 
 std::string codeOf(StabilityBound bound) {

@@ -24,6 +24,8 @@ ForceEngine::ForceEngine(const ForceProgram& program)
     : program_(&program),
       law_(program),
       test_(program),
+      proof_(program.proof, program.period_s),
+      proving_(program.proof.present),
       guard_(program.limits, program.period_s, program.step_mm),
       velocity_(program.velocity, program.period_s, program.step_mm),
       sidewaysVelocity_{velocity_, velocity_} {}
@@ -122,6 +124,8 @@ void ForceEngine::restartAt(const ForceReading& reading) {
 void ForceEngine::rearm() {
   guard_.rearm();
   running_ = false;
+  proof_ = DirectionProof(program_->proof, program_->period_s);
+  proving_ = program_->proof.present;
 }
 
 std::optional<double> ForceEngine::knownVelocity() const {
@@ -130,8 +134,22 @@ std::optional<double> ForceEngine::knownVelocity() const {
 }
 
 double ForceEngine::asked_N(double position_mm) {
-  return test_.present() ? test_.step_N(position_mm, last_.velocity_mm_per_s)
-                         : law_.step(position_mm, last_.velocity_mm_per_s);
+  if (!test_.present()) return law_.step(position_mm, last_.velocity_mm_per_s);
+  const double force_N = test_.step_N(position_mm, last_.velocity_mm_per_s);
+  if (test_.reversed()) guard_.latch(ForceHalt::reversed);
+  return force_N;
+}
+
+double ForceEngine::proving_N(double position_mm) {
+  const double push_N = proof_.step_N(position_mm);
+  const DirectionProof::Verdict verdict = proof_.verdict();
+  if (verdict == DirectionProof::Verdict::running) return push_N;
+  if (verdict == DirectionProof::Verdict::reversed) guard_.latch(ForceHalt::reversed);
+  if (verdict == DirectionProof::Verdict::unmoved) guard_.latch(ForceHalt::unmoved);
+  proving_ = false;
+  guard_.riseAnew();
+  law_.restart(position_mm);
+  return 0;
 }
 
 ForceCommand ForceEngine::step(const ForceReading& reading) {
@@ -145,6 +163,7 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
   if (reading.stopped) guard_.emergencyStop();
   const ReadingVerdict verdict = guard_.judge(reading.position_mm, reading.fresh, reading.periods);
   last_.good = verdict == ReadingVerdict::good;
+  last_.proving = proving_;
   if (!last_.good) {
     // The last force for a moment, then down to nothing.
     const ForceCommand command = send(guard_.limit(heldForce_N_, std::nullopt), {});
@@ -163,7 +182,8 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
     velocity_.update(position_mm - (position_mm - before_mm) * missed_ / (missedInAll + 1));
   last_.velocity_mm_per_s = velocity_.update(position_mm);
   if (sinceRestart_ < std::numeric_limits<std::uint32_t>::max()) ++sinceRestart_;
-  heldForce_N_ = controlled_N(exchanging_N(asked_N(position_mm)), last_.velocity_mm_per_s);
+  heldForce_N_ = proving_ ? proving_N(reading.position_mm)
+                          : controlled_N(exchanging_N(asked_N(position_mm)), last_.velocity_mm_per_s);
   last_.state = law_.state();
   last_.actuated = law_.actuated();
   return send(guard_.limit(heldForce_N_, knownVelocity()), guide(reading.sideways_mm));

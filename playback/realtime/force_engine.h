@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "playback/realtime/direction_proof.h"
 #include "playback/realtime/force_guard.h"
 #include "playback/realtime/force_law.h"
 #include "playback/realtime/force_program.h"
@@ -45,6 +46,8 @@ struct ForceStep {
   double time_s =
       0;  ///< of the reading, on that clock (playback/device/steady_clock.h); 0: the loop keeps none
   bool good = true;  ///< the reading was believed; else the position is the last that was
+  bool proving =
+      false;  ///< motor and encoder are being checked (direction_proof.h): the button's force has not begun
   double position_mm = 0, velocity_mm_per_s = 0, force_N = 0;
   double energy_mJ = 0;  ///< net work of the finger on the button since the start
   double balance_mJ =
@@ -90,12 +93,15 @@ class ForceEngine {
   ForceCommand send(double force_N, std::array<double, 2> sideways_N);
   double exchanging_N(double force_N);
   double asked_N(double position_mm);
+  double proving_N(double position_mm);
   double controlled_N(double force_N, double velocity_mm_per_s) const;
   std::array<double, 2> guide(const std::array<double, 2>& sideways_mm);
 
   const ForceProgram* program_;
   ForceLaw law_;
   TestForces test_;
+  DirectionProof proof_;
+  bool proving_;
   ForceGuard guard_;
   VelocityEstimator velocity_;
   std::array<VelocityEstimator, 2> sidewaysVelocity_;

@@ -23,12 +23,35 @@ constexpr double longestUnseen_mm = 10;
 constexpr double hasteOfPace = 1.5, reboundOfPace = 0.4, noiseSteps = 3;
 // An encoder that flickers is as bad as one that jumps: so many absurd readings within about this time.
 constexpr double mostJumps = 2.5, jumpMemory_s = 0.05;
-constexpr double longestHold_s = 0.003;
+
+// So many drop-outs within this time are no accident: a force that comes and goes shakes the hand.
+constexpr double dropOutWindow_s = 1, longAgo_s = -1e9;
+constexpr double longestStall = 4;  // periods, where that is more
+
+// Dead count: after so long without a step the force is lowered slowly. A handle that only sticks moves at once, because its friction
+// carries less than the force; the force then comes back before much is felt. One that does not move at all has no encoder.
+constexpr double uncountedFor_s = 0.2, probe_s = 0.11, probed_s = 0.02;
+
+// Runaway: a motor that works as it should takes energy out of a handle that moves against it. So much work, of which so much came back
+// as speed instead, or so far beyond the travel at the whole force without slowing down, or for so long.
+constexpr double wholeShare = 0.95, runawayWork_mJ = 0.7, leastResisting_N = 0.2;
+constexpr double leastGain_mJ =
+    1;  // where the limit lies below the button's force, a finger may press through it
+constexpr double gainedAtLimit = 0.4,
+                 gainedBeyond = 0.8;  // a strong finger may still gain speed just beyond the travel
+constexpr double farBeyond_mm = 2, slowing = 0.8, notSlowingFor_s = 0.0015, pinnedFor_s = 0.1,
+                 comingBack_mm_per_s = 10;
+
+double kinetic_mJ(double mass_kg, double speed_mm_per_s) {
+  return 0.5e-3 * mass_kg * speed_mm_per_s * speed_mm_per_s;
+}
 
 }  // namespace
 
 ForceGuard::ForceGuard(const ForceLimits& limits, double period_s, double step_mm)
-    : limits_(limits), period_s_(period_s), step_mm_(step_mm) {}
+    : limits_(limits), period_s_(period_s), step_mm_(step_mm) {
+  dropOuts_s_.fill(longAgo_s);
+}
 
 void ForceGuard::setLimits(const ForceLimits& limits, double period_s, double step_mm) {
   limits_ = limits;
@@ -43,7 +66,7 @@ bool ForceGuard::frozenAt(double position_mm) const {
 }
 
 std::uint32_t ForceGuard::held() const {
-  return std::min(limits_.heldReadings, static_cast<std::uint32_t>(longestHold_s / period_s_ + 1e-6));
+  return std::min(limits_.heldReadings, static_cast<std::uint32_t>(limits_.longestHold_s / period_s_ + 1e-6));
 }
 
 // A movement goes on with its pace, may gain speed as fast as the limit says, may stop at once, and turns no faster than it gains. Bad readings
@@ -125,12 +148,20 @@ void ForceGuard::followJumps(ReadingVerdict verdict, double position_mm, double 
 }
 
 ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods) {
+  elapsed_s_ = periods * period_s_;
+  time_s_ += elapsed_s_;
+  moved_mm_ = 0;
+  if (running_ && elapsed_s_ > std::max(limits_.stall_s, longestStall * period_s_)) {
+    ++counts_.stalled;
+    riseAnew();
+  }
   since_ += periods;
   unseen_ += std::max(0.0, periods - 1);  // a loop that was late saw nothing meanwhile
   const ReadingVerdict verdict = verdictOn(position_mm, fresh);
   count(verdict);
   if (verdict == ReadingVerdict::good) {
     if (started_ && since_ > 0) pace_mm_ = (position_mm - last_mm_) / since_;
+    if (started_) moved_mm_ = position_mm - last_mm_;
     follow(position_mm);
     since_ = unseen_ = 0;
     bad_ = 0;
@@ -161,22 +192,43 @@ void ForceGuard::displace() {
   displaced_ = true;
 }
 
-void ForceGuard::home() {
-  displaced_ = running_ = false;
+void ForceGuard::riseAnew() {
+  running_ = false;
   gain_ = output_N_ = 0;
   good_ = 0;
+}
+
+void ForceGuard::latch(ForceHalt reason) {
+  if (latched_ == ForceHalt::none) latched_ = reason;
+}
+
+void ForceGuard::home() {
+  displaced_ = false;
+  riseAnew();
   forgetPlace();
 }
 
 void ForceGuard::rearm() {
   home();
   stopped_ = false;
+  latched_ = ForceHalt::none;
+  uncounted_s_ = 0;
+  believed_ = 1;
+  resisting_ = false;
+  dropOuts_s_.fill(longAgo_s);
 }
 
 ForceHalt ForceGuard::halt() const {
   if (stopped_) return ForceHalt::stopped;
+  if (latched_ != ForceHalt::none) return latched_;
   if (displaced_) return ForceHalt::displaced;
   return held_ ? ForceHalt::none : ForceHalt::notHeld;
+}
+
+void ForceGuard::countDropOut() {
+  double& oldest_s = dropOuts_s_[counts_.faded % dropOuts_s_.size()];
+  if (time_s_ - oldest_s <= dropOutWindow_s) latch(ForceHalt::dropOuts);
+  oldest_s = time_s_;
 }
 
 bool ForceGuard::mayRise() const {
@@ -190,10 +242,59 @@ void ForceGuard::moveGain() {
     gain_ = std::min(1.0, gain_ + period_s_ / limits_.startRamp_s);
     return;
   }
-  if (running_ && (bad_ > held() || displaced_)) ++counts_.faded;
+  if (running_ && (bad_ > held() || displaced_)) {
+    ++counts_.faded;
+    countDropOut();
+  }
   running_ = false;
   gain_ -= period_s_ / (stopped_ || !held_ ? limits_.emergencyRamp_s : limits_.stopRamp_s);
   if (gain_ < 1e-9) gain_ = 0;
+}
+
+/// The force as far as the count is believed. A live encoder under a hand that holds still changes as soon as the force does.
+double ForceGuard::watchedCount(double force_N) {
+  const bool watched = std::abs(force_N) > limits_.deadCountAbove_N && last_mm_ > limits_.deadCountFrom_mm;
+  if (moved_mm_ != 0 || (!watched && believed_ == 1)) {
+    uncounted_s_ = 0;
+    believed_ = std::min(1.0, believed_ + elapsed_s_ / probed_s);
+    return believed_ * force_N;
+  }
+  const bool before = uncounted_s_ < uncountedFor_s;
+  uncounted_s_ += elapsed_s_;
+  if (uncounted_s_ < uncountedFor_s) return believed_ * force_N;
+  counts_.probed += before ? 1 : 0;
+  believed_ = std::max(0.0, believed_ - elapsed_s_ / probe_s);
+  if (believed_ == 0) latch(ForceHalt::deadCount);
+  return believed_ * force_N;
+}
+
+void ForceGuard::watchRunaway() {
+  const double most_N = gain_ * limits_.force_N, against = std::copysign(1.0, output_N_);
+  const bool whole = std::abs(output_N_) >= std::max(leastResisting_N, wholeShare * most_N);
+  const double beyond_mm = last_mm_ - limits_.travelEnd_mm;
+  if (!whole && !(beyond_mm > 0 && output_N_ > leastResisting_N)) {
+    resisting_ = false;
+    return;
+  }
+  const double speed_mm_per_s = elapsed_s_ > 0 ? against * moved_mm_ / elapsed_s_ : 0;
+  const double now_mJ = speed_mm_per_s > 0 ? kinetic_mJ(limits_.movedMass_kg, speed_mm_per_s) : 0;
+  if (!resisting_) {
+    resisting_ = true;
+    resisted_mJ_ = beyond_s_ = pinned_s_ = fastest_mm_per_s_ = 0;
+    entered_mJ_ = now_mJ;
+  }
+  resisted_mJ_ += output_N_ * moved_mm_;
+  fastest_mm_per_s_ = std::max(fastest_mm_per_s_, speed_mm_per_s);
+  const bool far = whole && output_N_ > 0 && beyond_mm > farBeyond_mm;
+  pinned_s_ = far && speed_mm_per_s > -comingBack_mm_per_s ? pinned_s_ + elapsed_s_ : 0;
+  beyond_s_ = far && speed_mm_per_s > slowing * fastest_mm_per_s_ ? beyond_s_ + elapsed_s_ : 0;
+  const double gained_mJ = now_mJ - entered_mJ_;
+  const bool gained = resisted_mJ_ >= runawayWork_mJ &&
+                      (whole ? gained_mJ >= std::max(leastGain_mJ, gainedAtLimit * resisted_mJ_)
+                             : gained_mJ >= gainedBeyond * resisted_mJ_);
+  if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
+  latch(ForceHalt::runaway);
+  riseAnew();  // at once: each millisecond of such a force adds speed
 }
 
 double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s) {
@@ -205,6 +306,7 @@ double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s
   } else if (tooFast_ && speed_mm_per_s < calmShare * limits_.speed_mm_per_s) {
     tooFast_ = false;
   }
+  if (bad_ == 0) watchRunaway();
   moveGain();
   if (gain_ == 0 || !std::isfinite(force_N)) return output_N_ = 0;
   if (std::abs(force_N) > limits_.force_N) {
@@ -212,6 +314,7 @@ double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s
     ++counts_.forceLimited;
   }
   double wanted_N = gain_ * force_N;
+  wanted_N = watchedCount(wanted_N);
   const double largestChange_N = limits_.slew_N_per_s * period_s_;
   const double change_N = wanted_N - output_N_;
   if (std::abs(change_N) > largestChange_N) {

@@ -2,6 +2,8 @@
 #pragma once
 // What stands between a force law and a person: judges every reading and limits every force. On by default, counted.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -23,6 +25,11 @@ enum class ReadingVerdict : std::uint8_t {
 enum class ForceHalt : std::uint8_t {
   none,
   stopped,    ///< emergency stop
+  reversed,   ///< the handle moves against the force: motor or encoder are connected the wrong way round
+  unmoved,    ///< the handle did not follow the push at arming: blocked, or the encoder does not count
+  deadCount,  ///< the encoder did not count one step under force, nor when the force was taken away
+  runaway,    ///< the handle ran on against the whole force: motor reversed, or pressed harder than the limit
+  dropOuts,   ///< readings failed again and again
   displaced,  ///< the position jumped, or the device was away or reset: where the handle is, is not known
   notHeld     ///< hold-to-run, and nobody holds
 };
@@ -34,7 +41,12 @@ struct ForceGuardCounts {
   std::uint64_t faded = 0;      ///< times the force fell to nothing because readings stayed bad
   std::uint64_t tooFast = 0;    ///< times it fell because the device moved too fast
   std::uint64_t forceLimited = 0, slewLimited = 0;  ///< steps
+  std::uint64_t stalled = 0;  ///< times the loop paused so long that the force began anew
+  std::uint64_t probed = 0;   ///< times the force was lowered to see whether a resting encoder still counts
 };
+
+/// More drop-outs than this within a second are a halt.
+inline constexpr std::size_t mostDropOuts = 3;
 
 /// Bad readings are bridged for `heldReadings` steps with the last force, then it falls to nothing within `stopRamp_s`; after
 /// as many good ones it rises again over `startRamp_s`, as at the start. A place that jumped is never believed again by itself:
@@ -63,6 +75,10 @@ class ForceGuard {
   void emergencyStop();
   /// The device does not know its place any more: as after a jump.
   void displace();
+  /// No force from now on, for this reason, until `rearm`. The first reason stays.
+  void latch(ForceHalt reason);
+  /// The force begins at nothing again and rises over `startRamp_s`.
+  void riseAnew();
   /// The device has found its zero anew: ends that, not an emergency stop.
   void home();
   /// A person's word: the stop is over and the place is what the next reading says. The force rises from nothing.
@@ -85,6 +101,9 @@ class ForceGuard {
   void follow(double position_mm);
   bool mayRise() const;
   void moveGain();
+  double watchedCount(double force_N);
+  void watchRunaway();
+  void countDropOut();
 
   ForceLimits limits_;
   double period_s_, step_mm_;
@@ -101,6 +120,17 @@ class ForceGuard {
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the place was taken on trust
   bool stopped_ = false, displaced_ = false, held_ = true, speedKnown_ = false;
+  ForceHalt latched_ = ForceHalt::none;
+  double time_s_ = 0;                              ///< since the start
+  std::array<double, mostDropOuts> dropOuts_s_{};  ///< the newest, a ring
+  double elapsed_s_ = 0;                           ///< between the last two judgements
+  double uncounted_s_ = 0;                         ///< without one step of the encoder under force
+  double believed_ = 1;     ///< 1..0: share of the force that a count without movement is given
+  double moved_mm_ = 0;     ///< between the last two good readings
+  bool resisting_ = false;  ///< the handle is where only the whole force or the end holds it
+  double resisted_mJ_ = 0;  ///< work that force has taken there
+  double entered_mJ_ = 0;   ///< kinetic energy with which the handle came there
+  double fastest_mm_per_s_ = 0, beyond_s_ = 0, pinned_s_ = 0;
 };
 
 }  // namespace detent::playback

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 namespace detent::playback {
@@ -76,8 +77,22 @@ struct ForceLimits {
   double startRamp_s = 0.2;        ///< > 0; force rises from nothing over this
   double stopRamp_s = 0.01;        ///< > 0; and falls to nothing over this
   double emergencyRamp_s = 0.005;  ///< > 0; or over this, at an emergency stop or where nobody holds
-  std::uint32_t heldReadings =
-      3;  ///< at most so many bad readings, and 3 ms, are bridged with the last force
+  std::uint32_t heldReadings = 3;  ///< at most so many bad readings are bridged with the last force
+  double longestHold_s = 0.0039;   ///< > 0; and for no longer than this
+  double stall_s =
+      0.012;  ///< > 0; a loop that paused for longer begins with no force: the device gave it up meanwhile
+  /// >= 0; an encoder that counts not one step under more force than this is probed, then given up; infinite: never.
+  double deadCountAbove_N = std::numeric_limits<double>::infinity();
+  double deadCountFrom_mm = 0.1;  ///< only farther in than this: a handle may rest at its stop for ever
+  double travelEnd_mm = std::numeric_limits<double>::infinity();  ///< where the button's travel ends
+  double movedMass_kg = 0.05;  ///< > 0; about; what a runaway handle's speed is judged by
+};
+
+/// A push before the first force: motor and encoder must agree on its direction.
+struct DirectionProofSettings {
+  bool present = false;
+  double push_N = 0.09;  ///< > 0; largest push
+  double way_mm = 0.05;  ///< > 0; the handle must follow each push this far
 };
 
 /// Sideways springs of a three-axis device: the motion stays on the axis of the button (Shrestha, Figure 3).
@@ -116,6 +131,7 @@ struct ForceProgram {
   ForceGuide guide;
   bool passivityController = false;  ///< else the observer is a meter only
   ForceExcitation excitation;        ///< plays in place of the states where it is one
+  DirectionProofSettings proof;      ///< before any other force, at the start and each time a person arms
   std::uint32_t stateCount = 0;
   std::array<ForceStateTable, maxForceStates> states{};
 };

@@ -12,6 +12,8 @@ namespace {
 
 // The relay's force grows so fast until the handle has gone so far, then by so much: what moves it at all hardly does.
 constexpr double growth_N_per_s = 0.8, movedBy_mm = 0.3, moreThanFriction = 3, least_N = 0.25;
+// Against the push it needs less to be sure.
+constexpr double opposedBy_mm = 0.05, opposedSteps = 4;
 // Speeds between the slowest and the fastest, in an order that mixes them.
 constexpr std::array<double, 5> speedShares{0.0, 1.0, 0.4, 0.1, 0.7};
 // A weak spring of this frequency keeps the chirp in the middle; it leads by this, so that its own lateness makes nothing swing.
@@ -35,6 +37,7 @@ double TestForces::step_N(double position_mm, double velocity_mm_per_s) {
   const double force_N = excitation_.kind == ForceExcitation::Kind::relay
                              ? relay_N(position_mm, velocity_mm_per_s)
                              : chirp_N(position_mm, velocity_mm_per_s);
+  if (reversed_) return 0;
   return std::clamp(force_N, -excitation_.largest_N, excitation_.largest_N);
 }
 
@@ -42,7 +45,9 @@ double TestForces::step_N(double position_mm, double velocity_mm_per_s) {
 double TestForces::throwing_N(double position_mm) {
   if (!moving_) {
     relay_N_ += growth_N_per_s * period_s_;
-    moving_ = std::abs(position_mm - from_mm_) > std::max(movedBy_mm, 0.1 * excitation_.half_mm);
+    const double followed_mm = direction_ * (position_mm - from_mm_);
+    reversed_ = reversed_ || followed_mm < -std::max(opposedBy_mm, opposedSteps * step_mm_);
+    moving_ = followed_mm > std::max(movedBy_mm, 0.1 * excitation_.half_mm);
     if (moving_) relay_N_ = std::max(moreThanFriction * relay_N_, least_N);
   }
   return std::min(relay_N_, excitation_.largest_N);

@@ -11,9 +11,12 @@ class TestForces {
   explicit TestForces(const ForceProgram& program)
       : excitation_(program.excitation),
         period_s_(program.period_s),
+        step_mm_(program.step_mm),
         fastest_mm_per_s_(program.excitation.fastest_mm_per_s) {}
 
   bool present() const { return excitation_.kind != ForceExcitation::Kind::none; }
+  /// The handle moved against the first push: motor or encoder are reversed, and there is no force any more.
+  bool reversed() const { return reversed_; }
   /// Against growing displacement, as all forces here; at most `largest_N`.
   double step_N(double position_mm, double velocity_mm_per_s);
 
@@ -24,8 +27,8 @@ class TestForces {
   void keepInside(double beyond_mm);
 
   ForceExcitation excitation_;
-  double period_s_;
-  bool begun_ = false, moving_ = false;
+  double period_s_, step_mm_;
+  bool begun_ = false, moving_ = false, reversed_ = false;
   double from_mm_ = 0;       ///< where the handle stood at first
   double relay_N_ = 0;       ///< strength: grows until the handle moves
   int direction_ = 1;        ///< 1: towards growing displacement

@@ -19,8 +19,8 @@
 #include "playback/device/signal_watch.h"
 #include "playback/device/steady_clock.h"
 #include "playback/prepare/prepare_force.h"
+#include "playback/prepare/spring_button.h"
 #include "tests/playback/realtime/callback_guard.h"
-#include "tests/playback/sample_buttons.h"
 
 namespace {
 
@@ -30,7 +30,9 @@ using namespace detent::playback;
 ForceProgram benchProgram() {
   ForceDeviceProfile device = voiceCoilRig();
   device.limits.force_N = 5;
-  const auto prepared = prepareForce(test::linearButton(), device);
+  const Result<Button> button = springButton("long spring", {{0.25}, {}, 40});
+  REQUIRE(button);
+  const auto prepared = prepareForce(*button, device);
   REQUIRE(prepared);
   return prepared->program;
 }

@@ -141,3 +141,50 @@ TEST_CASE("force guard: a handle that moves by itself is stopped by nobody, but 
   CHECK(force_N == 0);
   CHECK(guard.counts().tooFast == 1);
 }
+
+TEST_CASE("force guard: more than three drop-outs within a second are a halt until a person arms") {
+  ForceGuard guard = running();
+  const auto dropOut = [&] {
+    for (int i = 0; i < 14; ++i) guard.judge(1, false), guard.limit(1, 0);
+    for (int i = 0; i < 6; ++i) guard.judge(1, true), guard.limit(1, 0);
+  };
+  for (int i = 0; i < 3; ++i) dropOut();
+  CHECK(guard.halt() == ForceHalt::none);
+  dropOut();
+  CHECK(guard.halt() == ForceHalt::dropOuts);
+  for (int i = 0; i < 500; ++i) {
+    guard.judge(1, true);
+    CHECK(guard.limit(1, 0) == 0);
+  }
+  guard.rearm();
+  for (int i = 0; i < 300; ++i) guard.judge(1, true), guard.limit(1, 0);
+  CHECK(guard.gain() == 1);
+  // As many with time between them are none.
+  ForceGuard calm = running();
+  for (int k = 0; k < 8; ++k) {
+    for (int i = 0; i < 14; ++i) calm.judge(1, false), calm.limit(1, 0);
+    for (int i = 0; i < 400; ++i) calm.judge(1, true), calm.limit(1, 0);
+  }
+  CHECK(calm.halt() == ForceHalt::none);
+}
+
+TEST_CASE("force guard: after a pause longer than a device waits, the force begins at nothing") {
+  for (const double pause_periods : {13.0, 58.0}) {
+    ForceGuard guard = running();
+    CHECK(guard.limit(1, 0) == 1);
+    guard.judge(1, true, pause_periods);
+    double before_N = guard.limit(1, 0);
+    CHECK(before_N == 0);
+    for (int i = 0; i < 250; ++i) {
+      guard.judge(1, true);
+      const double force_N = guard.limit(1, 0);
+      CHECK(force_N - before_N <= period_s / 0.2 + 1e-12);
+      before_N = force_N;
+    }
+    CHECK(before_N == 1);
+    CHECK(guard.counts().stalled == 1);
+  }
+  ForceGuard brief = running();
+  brief.judge(1, true, 8);
+  CHECK(brief.limit(1, 0) == 1);
+}
