@@ -12,40 +12,59 @@ namespace detent::playback {
 namespace {
 
 constexpr double anyNumber = 1e9;
-constexpr double longestEvent_s = 30;    // of a continuous one
-constexpr std::size_t curvePoints = 16;  // of a parameter curve: Core Haptics leaves out what follows
-constexpr double course_s = 0.002;       // between points of a course that is no straight line
+constexpr double longestEvent_s = 30;  // of a continuous one
+constexpr double course_s = 0.002;     // between points of a course that is no straight line
 
-/// A value over time: what it is before the first point, straight between points, and kept after the last.
+/// A value over time: 1 or 0 before anything sets it. A curve or parameter holds from its first point on, until another begins:
+/// straight between the points of one curve, its last value behind them.
 class Control {
  public:
+  using Course = std::vector<std::pair<double, double>>;  // time in seconds, value
+
   explicit Control(double before) : before_(before) {}
 
-  bool silent() const { return points_.empty(); }
-  /// Points of one curve; what follows in time takes over where it begins.
-  void add(std::vector<std::pair<double, double>> curve) {
-    points_.insert(points_.end(), curve.begin(), curve.end());
-  }
+  bool silent() const { return courses_.empty(); }
+  /// Points by time, at least one.
+  void add(Course course) { courses_.push_back(std::move(course)); }
+  /// By the time at which they begin, whatever the file's order; to be called once, before `at`.
   void settle() {
-    std::stable_sort(points_.begin(), points_.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(courses_.begin(), courses_.end(),
+                     [](const auto& a, const auto& b) { return a.front().first < b.front().first; });
   }
   double at(double time_s) const {
-    const auto next = std::upper_bound(points_.begin(), points_.end(), time_s,
-                                       [](double t, const auto& point) { return t < point.first; });
-    if (next == points_.begin()) return before_;
-    const auto& [from_s, from] = *(next - 1);
-    if (next == points_.end()) return from;
-    return from + (next->second - from) * (time_s - from_s) / (next->first - from_s);
+    const auto later = std::upper_bound(courses_.begin(), courses_.end(), time_s,
+                                        [](double t, const auto& c) { return t < c.front().first; });
+    if (later == courses_.begin()) return before_;
+    const Course& course = *(later - 1);
+    return within(course, time_s,
+                  std::upper_bound(course.begin(), course.end(), time_s,
+                                   [](double t, const auto& point) { return t < point.first; }));
+  }
+  /// The value just before: another one than `at` where a step lies.
+  double justBefore(double time_s) const {
+    const auto notBefore = std::lower_bound(courses_.begin(), courses_.end(), time_s,
+                                            [](const auto& c, double t) { return c.front().first < t; });
+    if (notBefore == courses_.begin()) return before_;
+    const Course& course = *(notBefore - 1);
+    return within(course, time_s,
+                  std::lower_bound(course.begin(), course.end(), time_s,
+                                   [](const auto& point, double t) { return point.first < t; }));
   }
   void collectTimes(double from_s, double to_s, std::vector<double>& times) const {
-    for (const auto& [time_s, value] : points_)
-      if (time_s > from_s && time_s < to_s) times.push_back(time_s);
+    for (const auto& course : courses_)
+      for (const auto& [time_s, value] : course)
+        if (time_s > from_s && time_s < to_s) times.push_back(time_s);
   }
 
  private:
+  static double within(const Course& course, double time_s, Course::const_iterator next) {
+    const auto& [from_s, from] = *(next - 1);
+    if (next == course.end()) return from;
+    return from + (next->second - from) * (time_s - from_s) / (next->first - from_s);
+  }
+
   double before_;
-  std::vector<std::pair<double, double>> points_;
+  std::vector<Course> courses_;
 };
 
 struct Controls {
@@ -64,17 +83,16 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
   Control* const control = controls.named(parameter);
   if (control == nullptr) return result.note(Message("the parameter curve %1 is left out", parameter));
   const double from_s = timeOf(curve);
-  std::vector<std::pair<double, double>> points;
+  Control::Course points;
   const std::vector<JsonPlace> entries = curve.at("ParameterCurveControlPoints").elements();
-  // Times are the curve's own, from 0; Lofelt's and Meta's converters write the pattern's.
-  const bool patternTimes = from_s > 0 && !entries.empty() && timeOf(entries.front()) >= from_s;
+  if (entries.empty()) return;
+  if (from_s > 0 && timeOf(entries.front()) >= from_s)
+    result.note(Message(
+        "control points count from their curve's Time; the curve at %1 s seems to count them from the "
+        "pattern's beginning and is played later than meant",
+        from_s));
   for (const JsonPlace& point : entries) {
-    if (points.size() == curvePoints) {
-      result.note(Message("control points behind the %1th of a curve are left out, as Core Haptics does",
-                          curvePoints));
-      break;
-    }
-    const double time_s = timeOf(point) + (patternTimes ? 0 : from_s);
+    const double time_s = timeOf(point) + from_s;
     if (!points.empty() && time_s < points.back().first)
       point.refuse(Message("lies before the control point it follows"),
                    Message("Sort the curve's points by time"));
@@ -89,7 +107,7 @@ void readParameter(const JsonPlace& entry, Controls& controls, ReferenceWaves& r
   Control* const control = controls.named(parameter);
   if (control == nullptr) return result.note(Message("the parameter %1 is left out", parameter));
   const double value = entry.numberOr("ParameterValue", 0, -anyNumber, anyNumber);
-  control->add({{timeOf(entry), control->at(timeOf(entry))}, {timeOf(entry), value}});
+  control->add({{timeOf(entry), value}});
 }
 
 struct AhapEvent {
@@ -121,12 +139,18 @@ void readEvent(const JsonPlace& entry, std::vector<AhapEvent>& events, Reference
   events.push_back(event);
 }
 
+WavePoint pointOf(const AhapEvent& event, double time_s, double intensityControl, double sharpnessControl) {
+  const double intensity = event.intensity * std::clamp(intensityControl, 0.0, 1.0);
+  const double sharpness = event.sharpness + std::clamp(sharpnessControl, -1.0, 1.0);
+  return {time_s, intensity * intensity, frequencyOf(std::clamp(sharpness, 0.0, 1.0))};
+}
+
 WavePoint pointAt(const AhapEvent& event, const Controls& controls, double time_s) {
-  const double intensity = event.intensity * std::clamp(controls.intensity.at(time_s), 0.0, 1.0);
-  const double sharpness = event.sharpness + std::clamp(controls.sharpness.at(time_s), -1.0, 1.0);
-  const double falls = event.transient ? (event.to_s - time_s) / transient_s : 1;
-  return {time_s, intensity * intensity * std::clamp(falls, 0.0, 1.0),
-          frequencyOf(std::clamp(sharpness, 0.0, 1.0))};
+  return pointOf(event, time_s, controls.intensity.at(time_s), controls.sharpness.at(time_s));
+}
+
+WavePoint pointBefore(const AhapEvent& event, const Controls& controls, double time_s) {
+  return pointOf(event, time_s, controls.intensity.justBefore(time_s), controls.sharpness.justBefore(time_s));
 }
 
 PlayedWave waveOf(const AhapEvent& event, const Controls& controls) {
@@ -137,14 +161,22 @@ PlayedWave waveOf(const AhapEvent& event, const Controls& controls) {
     wave.points = {first, {event.to_s, 0, first.frequency_Hz}};
     return wave;
   }
-  std::vector<double> times{event.from_s, event.to_s};
+  std::vector<double> times;
   controls.intensity.collectTimes(event.from_s, event.to_s, times);
   controls.sharpness.collectTimes(event.from_s, event.to_s, times);
   // The amplitude is the square of a straight line.
   if (!controls.intensity.silent())
     for (double t = event.from_s + course_s; t < event.to_s; t += course_s) times.push_back(t);
   std::sort(times.begin(), times.end());
-  for (const double time_s : times) wave.points.push_back(pointAt(event, controls, time_s));
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  wave.points.push_back(pointAt(event, controls, event.from_s));
+  for (const double time_s : times) {
+    const WavePoint before = pointBefore(event, controls, time_s), from = pointAt(event, controls, time_s);
+    const bool step = before.amplitude != from.amplitude || before.frequency_Hz != from.frequency_Hz;
+    if (step) wave.points.push_back(before);
+    wave.points.push_back(from);
+  }
+  wave.points.push_back(pointBefore(event, controls, event.to_s));
   return wave;
 }
 
