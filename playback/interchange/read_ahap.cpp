@@ -13,58 +13,58 @@ namespace {
 
 constexpr double anyNumber = 1e9;
 constexpr double longestEvent_s = 30;  // of a continuous one
-constexpr double course_s = 0.002;     // between points of a course that is no straight line
+constexpr double curveStep_s = 0.002;  // between points where the amplitude is not linear
 
-/// A value over time: 1 or 0 before anything sets it. A curve or parameter holds from its first point on, until another begins:
-/// straight between the points of one curve, its last value behind them.
+/// Value of a dynamic parameter over time. Each curve or parameter applies from its first point until another one begins: linear between
+/// its points, constant after the last one.
 class Control {
  public:
-  using Course = std::vector<std::pair<double, double>>;  // time in seconds, value
+  using Segment = std::vector<std::pair<double, double>>;  // time in seconds, value
 
   explicit Control(double before) : before_(before) {}
 
-  bool silent() const { return courses_.empty(); }
-  /// Points by time, at least one.
-  void add(Course course) { courses_.push_back(std::move(course)); }
-  /// By the time at which they begin, whatever the file's order; to be called once, before `at`.
+  bool silent() const { return segments_.empty(); }
+  /// `segment`: at least one point, sorted by time.
+  void add(Segment segment) { segments_.push_back(std::move(segment)); }
+  /// Sorts the segments by start time; call once, before `at`.
   void settle() {
-    std::stable_sort(courses_.begin(), courses_.end(),
+    std::stable_sort(segments_.begin(), segments_.end(),
                      [](const auto& a, const auto& b) { return a.front().first < b.front().first; });
   }
   double at(double time_s) const {
-    const auto later = std::upper_bound(courses_.begin(), courses_.end(), time_s,
+    const auto later = std::upper_bound(segments_.begin(), segments_.end(), time_s,
                                         [](double t, const auto& c) { return t < c.front().first; });
-    if (later == courses_.begin()) return before_;
-    const Course& course = *(later - 1);
-    return within(course, time_s,
-                  std::upper_bound(course.begin(), course.end(), time_s,
+    if (later == segments_.begin()) return before_;
+    const Segment& segment = *(later - 1);
+    return within(segment, time_s,
+                  std::upper_bound(segment.begin(), segment.end(), time_s,
                                    [](double t, const auto& point) { return t < point.first; }));
   }
-  /// The value just before: another one than `at` where a step lies.
+  /// Limit from the left: differs from `at` at a step.
   double justBefore(double time_s) const {
-    const auto notBefore = std::lower_bound(courses_.begin(), courses_.end(), time_s,
+    const auto notBefore = std::lower_bound(segments_.begin(), segments_.end(), time_s,
                                             [](const auto& c, double t) { return c.front().first < t; });
-    if (notBefore == courses_.begin()) return before_;
-    const Course& course = *(notBefore - 1);
-    return within(course, time_s,
-                  std::lower_bound(course.begin(), course.end(), time_s,
+    if (notBefore == segments_.begin()) return before_;
+    const Segment& segment = *(notBefore - 1);
+    return within(segment, time_s,
+                  std::lower_bound(segment.begin(), segment.end(), time_s,
                                    [](const auto& point, double t) { return point.first < t; }));
   }
   void collectTimes(double from_s, double to_s, std::vector<double>& times) const {
-    for (const auto& course : courses_)
-      for (const auto& [time_s, value] : course)
+    for (const auto& segment : segments_)
+      for (const auto& [time_s, value] : segment)
         if (time_s > from_s && time_s < to_s) times.push_back(time_s);
   }
 
  private:
-  static double within(const Course& course, double time_s, Course::const_iterator next) {
+  static double within(const Segment& segment, double time_s, Segment::const_iterator next) {
     const auto& [from_s, from] = *(next - 1);
-    if (next == course.end()) return from;
+    if (next == segment.end()) return from;
     return from + (next->second - from) * (time_s - from_s) / (next->first - from_s);
   }
 
   double before_;
-  std::vector<Course> courses_;
+  std::vector<Segment> segments_;
 };
 
 struct Controls {
@@ -83,7 +83,7 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
   Control* const control = controls.named(parameter);
   if (control == nullptr) return result.note(Message("the parameter curve %1 is left out", parameter));
   const double from_s = timeOf(curve);
-  Control::Course points;
+  Control::Segment points;
   const std::vector<JsonPlace> entries = curve.at("ParameterCurveControlPoints").elements();
   if (entries.empty()) return;
   if (from_s > 0 && timeOf(entries.front()) >= from_s)
@@ -156,7 +156,7 @@ WavePoint pointBefore(const AhapEvent& event, const Controls& controls, double t
 PlayedWave waveOf(const AhapEvent& event, const Controls& controls) {
   PlayedWave wave;
   if (event.transient) {
-    // What a transient is, it is from its beginning.
+    // The controls act on a transient at its start only.
     const WavePoint first = pointAt(event, controls, event.from_s);
     wave.points = {first, {event.to_s, 0, first.frequency_Hz}};
     return wave;
@@ -166,7 +166,7 @@ PlayedWave waveOf(const AhapEvent& event, const Controls& controls) {
   controls.sharpness.collectTimes(event.from_s, event.to_s, times);
   // The amplitude is the square of a straight line.
   if (!controls.intensity.silent())
-    for (double t = event.from_s + course_s; t < event.to_s; t += course_s) times.push_back(t);
+    for (double t = event.from_s + curveStep_s; t < event.to_s; t += curveStep_s) times.push_back(t);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   wave.points.push_back(pointAt(event, controls, event.from_s));

@@ -93,7 +93,7 @@ std::uint64_t littleEndian(const Head& head, std::size_t at, std::size_t bytes) 
 }
 
 /// Size that a file's own header gives it; 0 where it gives none. 0 and the largest number stand in streams that did not know.
-std::uint64_t sizeTold(const Head& head) {
+std::uint64_t statedSize(const Head& head) {
   const std::string_view kind = wordOf(head, 0);
   constexpr std::uint64_t unknown = 0xFFFFFFFF, chunkHead = 8;
   const auto known = [](std::uint64_t size, std::uint64_t before) {
@@ -108,7 +108,7 @@ std::uint64_t sizeTold(const Head& head) {
 bool isCutOff(const Head& head, const std::filesystem::path& file) {
   std::error_code unknown;
   const std::uint64_t size = std::filesystem::file_size(file, unknown);
-  return !unknown && sizeTold(head) > size;
+  return !unknown && statedSize(head) > size;
 }
 
 Result<ReferenceSignal> soundReference(const Head& head, const std::filesystem::path& file) {
