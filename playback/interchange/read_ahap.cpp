@@ -12,8 +12,8 @@ namespace detent::playback {
 namespace {
 
 constexpr double anyNumber = 1e9;
-constexpr double longestEvent_s = 30;  // of a continuous one
-constexpr double curveStep_s = 0.002;  // between points where the amplitude is not linear
+constexpr double longestEvent_s = 30;   // of a continuous one
+constexpr double curveStep_s = 0.0005;  // between points where the amplitude is not linear
 
 /// Value of a dynamic parameter over time. Each curve or parameter applies from its first point until another one begins: linear between
 /// its points, constant after the last one.
