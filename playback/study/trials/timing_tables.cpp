@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t mostBytes = 64 << 20;
 constexpr double longest_s = 60;  ///< of intervals and windows, and how far from its cue a press may lie
 constexpr double percent = 100;
-constexpr std::array<std::string_view, 3> noPress{"", "NA", "null"};  // the words are R's and jsPsych's
+constexpr std::array<std::string_view, 3> emptyPressWords{"", "NA",
+                                                          "null"};  // the words are R's and jsPsych's
 
 /// Columns a task needs, in the order read.
 std::vector<std::string_view> columnsOf(TimingTask task) {
@@ -81,7 +82,7 @@ class Reader {
       (i == 2 ? trial.interval_s : trial.window_s) = *value;
     }
     const std::string_view press = row.fields()[columns[1]];
-    if (std::find(noPress.begin(), noPress.end(), press) == noPress.end()) {
+    if (std::find(emptyPressWords.begin(), emptyPressWords.end(), press) == emptyPressWords.end()) {
       trial.press_s = row.finite(columns[1]);
       const double least_s = task_ == TimingTask::tapping ? 0 : -longest_s;
       if (!trial.press_s || *trial.press_s <= least_s || *trial.press_s > longest_s)
