@@ -432,8 +432,7 @@ TEST_CASE("Pairs of .haptic and .ahap made by others say the same") {
   const char* const folder = std::getenv("DETENT_HAPTIC_PAIRS");
   if (folder == nullptr) return;
   std::size_t pairs = 0;
-  for (const char* name :
-       {"2_points", "3_points", "16_points", "17_points", "long_clip"}) {
+  for (const char* name : {"2_points", "3_points", "16_points", "17_points", "long_clip"}) {
     const auto text = [&](const char* ending) {
       return nlohmann::json::parse(readTextFile(std::string(folder) + "/" + name + ending).value());
     };
