@@ -37,6 +37,8 @@ test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
   git python3 python3-numpy python3-scipy python3-jsonschema mypy time
   python3-pandas python3-matplotlib python3-tqdm  # samples/notebooks
+  r-base-core                      # docs/guide/r.md
+  kotlin openjdk-17-jdk-headless   # an exported Kotlin file is compiled
   snakemake slurm-wlm munge parallel  # samples/cluster
   jackd2 puredata-core
   chromium chromium-driver         # a shared page is opened in it

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "model/text.h"
 
@@ -32,13 +33,84 @@ bool NumberTable::next() {
   do {
     if (rest_.empty()) return false;
     line_ = trimmed(nextPart(rest_, '\n'));
-    ++number_;
+    number_ = ++lines_;
   } while (line_.empty() || line_.front() == '#');
-  fields_.clear();
-  const auto commas = std::count(line_.begin(), line_.end(), ',');
-  std::string_view rest = line_;
-  for (auto field = 0; field <= commas; ++field) fields_.push_back(trimmed(nextPart(rest, ',')));
+  const bool quotes = line_.find('"') != std::string_view::npos;
+  badQuotes_ = quotes && !splitQuoted();
+  if (!quotes || badQuotes_) {
+    fields_.clear();
+    const auto commas = std::count(line_.begin(), line_.end(), ',');
+    std::string_view rest = line_;
+    for (auto field = 0; field <= commas; ++field) fields_.push_back(trimmed(nextPart(rest, ',')));
+  }
+  if (!std::exchange(begun_, true)) rowNames_ = fields_.size() > 1 && fields_.front().empty();
+  if (rowNames_) fields_.erase(fields_.begin());
   return true;
+}
+
+/// Splits a row with quoted fields (RFC 4180), including lines joined by a quoted line break. Returns false, and consumes nothing, if a
+/// quotation mark is not closed or text follows a closed one.
+bool NumberTable::splitQuoted() {
+  fields_.clear();
+  unescaped_.clear();
+  const char* at = line_.data();
+  const char* end = at + line_.size();
+  const char* const textEnd = rest_.data() + rest_.size();
+  const auto skipBlanks = [&] {
+    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
+  };
+  std::string_view rest = rest_;
+  std::size_t more = 0;  // lines
+  for (;;) {
+    skipBlanks();
+    if (at == end || *at != '"') {
+      const char* const comma = std::find(at, end, ',');
+      fields_.push_back(trimmed(std::string_view(at, static_cast<std::size_t>(comma - at))));
+      at = comma;
+    } else {
+      const char* const first = ++at;
+      bool doubled = false;
+      for (;;) {
+        at = std::find(at, textEnd, '"');
+        if (at == textEnd) return false;
+        if (at + 1 >= textEnd || at[1] != '"') break;
+        doubled = true;
+        at += 2;
+      }
+      std::string_view field(first, static_cast<std::size_t>(at - first));
+      while (at >= end) {  // the row continues after a quoted line break
+        const std::string_view line = nextPart(rest, '\n');
+        end = line.data() + line.size();
+        ++more;
+      }
+      ++at;
+      if (doubled) {
+        std::string& plain = unescaped_.emplace_back();
+        for (std::size_t i = 0; i < field.size(); ++i) {
+          plain += field[i];
+          if (field[i] == '"') ++i;
+        }
+        field = plain;
+      }
+      fields_.push_back(field);
+      skipBlanks();
+      if (at < end && *at != ',') return false;
+    }
+    if (at == end) break;
+    ++at;
+  }
+  line_ = std::string_view(line_.data(), static_cast<std::size_t>(end - line_.data()));
+  rest_ = rest;
+  lines_ += more;
+  return true;
+}
+
+std::string NumberTable::place() const {
+  return "line " + std::to_string(number_) + (badQuotes_ ? ", whose quotation marks do not match" : "");
+}
+
+bool NumberTable::is(std::initializer_list<std::string_view> fields) const {
+  return std::equal(fields_.begin(), fields_.end(), fields.begin(), fields.end());
 }
 
 std::optional<std::vector<std::size_t>> NumberTable::columns(

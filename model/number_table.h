@@ -3,6 +3,8 @@
 // Number tables as text: a header, then rows of comma-separated fields.
 
 #include <cstddef>
+#include <deque>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,27 +14,35 @@
 
 namespace detent {
 
-/// Iterates over the non-empty lines of a table; skips blank lines, lines that begin with #, and a byte order
-/// mark. Line ends are LF or CRLF. The text must outlive this object.
+/// Reads the programs' own tables row by row; skips blank lines, lines that begin with #, and a byte order mark. Line ends are LF or
+/// CRLF. Fields may be quoted (RFC 4180). Drops a first column without a name, where R's write.csv and pandas' to_csv number the rows.
+/// The text must outlive this object.
 class NumberTable {
  public:
   explicit NumberTable(std::string_view text);
 
-  /// Advances to the next line; returns false after the last one.
+  /// Advances to the next row; returns false after the last one.
   bool next();
   std::string_view line() const { return line_; }
-  const std::vector<std::string_view>& fields() const { return fields_; }
-  std::size_t number() const { return number_; }  ///< line number in the text, from 1
-  std::string place() const { return "line " + std::to_string(number_); }
+  const std::vector<std::string_view>& fields() const { return fields_; }  ///< valid until the next row
+  std::size_t number() const { return number_; }  ///< number of the row's first line in the text, from 1
+  /// "line 3", with a remark if the row's quotation marks do not match.
+  std::string place() const;
+  /// Returns true if the row consists of exactly these fields.
+  bool is(std::initializer_list<std::string_view> fields) const;
   /// Indices of the columns with these names; nullopt if one is missing.
   std::optional<std::vector<std::size_t>> columns(const std::vector<std::string_view>& names) const;
   /// A field of this line as a finite number; nullopt if it is none.
   std::optional<double> finite(std::size_t field) const;
 
  private:
+  bool splitQuoted();
+
   std::string_view rest_, line_;
   std::vector<std::string_view> fields_;
-  std::size_t number_ = 0;
+  std::deque<std::string> unescaped_;  ///< fields that contained doubled quotation marks
+  std::size_t number_ = 0, lines_ = 0;
+  bool begun_ = false, rowNames_ = false, badQuotes_ = false;
 };
 
 /// A complete field as a number with a decimal point, independent of the locale. Accepts "nan" and "inf";

@@ -534,6 +534,7 @@ class Player : public LivePlayer {
           pushDisplacement(m.value);
           return;
         case SignalKind::hold:
+        case SignalKind::none:
           return;
         case SignalKind::stop:
         case SignalKind::gain: {

@@ -48,14 +48,18 @@ Keys stillValid(const Keys& journal, const std::vector<std::string>& inputs, con
   return valid;
 }
 
-/// The report's lines of inputs that are done, in their order.
-std::string linesOf(const Keys& done, const std::string& path) {
-  std::string lines;
+/// The report's lines of the inputs for which `wanted` is true, in the order of `inputs`.
+template <typename Wanted>
+std::string linesInOrder(const std::string& path, const std::vector<std::string>& inputs,
+                         const Wanted& wanted) {
+  std::map<std::string, std::string> linesOf;
   std::ifstream report(path);
   for (std::string line; std::getline(report, line);) {
-    const auto json = nlohmann::json::parse(line, nullptr, false);
-    if (done.count(memberOf(json, "input"))) lines += line + "\n";
+    const std::string input = memberOf(nlohmann::json::parse(line, nullptr, false), "input");
+    if (wanted(input)) linesOf[input] += line + "\n";
   }
+  std::string lines;
+  for (const std::string& input : inputs) lines += std::exchange(linesOf[input], "");
   return lines;
 }
 
@@ -87,7 +91,9 @@ Result<BatchReport> BatchReport::open(const std::string& folder, const std::vect
     report.done_ = stillValid(journalIn(journal), inputs, options);
     // The journal shrinks first: what it names is in the report at any moment.
     if (!writeTextFileAtomically(journal, journalOf(report.done_)) ||
-        !writeTextFileAtomically(report.path_, linesOf(report.done_, report.path_)))
+        !writeTextFileAtomically(report.path_, linesInOrder(report.path_, inputs, [&](const auto& input) {
+                                   return report.has(input);
+                                 })))
       return unwritable(report.path_);
   }
   const auto mode = resume ? std::ios::app : std::ios::trunc;
@@ -109,6 +115,12 @@ Result<Done> BatchReport::add(const std::string& input, const std::string& key, 
   fs::resize_file(path_, size_, none);  // no half line stays
   return Failure{FailureCode::internalFault, path_, "", "the disk takes no more",
                  "Make room, then run it again with --resume"};
+}
+
+Result<Done> BatchReport::sortAs(const std::vector<std::string>& inputs) {
+  if (done_.empty()) return Done{};  // added in order
+  report_.close();
+  return writeTextFileAtomically(path_, linesInOrder(path_, inputs, [](const auto&) { return true; }));
 }
 
 }  // namespace detent::importer

@@ -33,6 +33,9 @@ class BatchReport {
   /// and no part of its lines stays. Nothing can be added after that.
   Result<Done> add(const std::string& input, const std::string& key, const std::string& lines);
 
+  /// Puts the lines in the order of `inputs`, where kept ones stand before those that were added. Nothing can be added after that.
+  Result<Done> sortAs(const std::vector<std::string>& inputs);
+
  private:
   std::string path_;
   std::map<std::string, std::string> done_;

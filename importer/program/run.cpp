@@ -451,6 +451,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
       runIsolated(inputs, a.batchOptions, handle, finished, [&] { return !kept || cancelled(); });
   if (!kept) return refuseBatch(kept.failure());
   if (!ran) return refuseBatch(ran.failure());
+  if (const auto sorted = report->sortAs(a.inputs); !sorted) return refuseBatch(sorted.failure());
   sayBatch(a, counts, *report, accepted);
   return 0;
 }

@@ -40,8 +40,8 @@ void appendRows(std::string& out, std::string_view stroke, const std::vector<Cur
 
 std::optional<Failure> appendRow(GraphPolylines& lines, const NumberTable& row, const std::string& subject) {
   const auto refuse = [&](Message problem, Remedies remedies) {
-    return csvFailure(FailureCode::unreadableInput, subject, row.number(), std::move(problem),
-                      std::move(remedies));
+    return Failure{FailureCode::unreadableInput, subject, row.place(), std::move(problem),
+                   std::move(remedies)};
   };
   if (row.fields().size() != 3)
     return refuse("does not have 3 fields: " + quotedBegin(row.line()),
@@ -101,7 +101,7 @@ std::string csvFrom(const ForceGraph& graph) {
 
 Result<GraphPolylines> polylinesFromCsv(std::string_view text, const std::string& subject) {
   NumberTable table(text);
-  if (!table.next() || table.line() != header)
+  if (!table.next() || !table.is({"stroke", "displacement_mm", "force_N"}))
     return csvFailure(FailureCode::unreadableInput, subject, std::max<std::size_t>(1, table.number()),
                       "is " + quotedBegin(table.line()) + ", not the header \"" + std::string(header) + "\"",
                       "Use detent-import for a force meter's own CSV");

@@ -31,7 +31,13 @@ bool isBurst(SignalKind kind) {
 bool build(SignalKind kind, const double* arguments, std::size_t count, SignalMessage& message) {
   message = SignalMessage{};
   message.kind = kind;
-  if (kind == SignalKind::stop || kind == SignalKind::hold) return true;
+  if (kind == SignalKind::stop) return true;
+  // Keys of controllers always send one number: 0 when they are let go.
+  if (count == 1 && (kind == SignalKind::grain || kind == SignalKind::hold)) {
+    if (arguments[0] == 0) message.kind = SignalKind::none;
+    count = 0;
+  }
+  if (message.kind == SignalKind::none || kind == SignalKind::hold) return true;
   if (!isBurst(kind)) {
     if (count != 1) return false;
     message.value = arguments[0];
@@ -113,7 +119,7 @@ void parseFudi(std::string_view packet, SignalCounts& counts,
     SignalMessage message;
     if (parseMessage(text, message)) {
       ++counts.messages;
-      onMessage(message);
+      if (message.kind != SignalKind::none) onMessage(message);
     } else {
       ++counts.malformed;
     }

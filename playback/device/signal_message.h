@@ -21,7 +21,8 @@ enum class SignalKind : std::uint8_t {
   displacement,
   gain,
   stop,  ///< emergency: of a force device no force, of a player silence. Whatever arguments it carries
-  hold   ///< somebody holds: for hold-to-run
+  hold,  ///< somebody holds: for hold-to-run
+  none  ///< a controller's key that was let go (`grain` or `hold` with 0): asks for nothing, reaches no receiver
 };
 
 /// One message. Bursts carry frequency, duration and amplitude; the rest one value.

@@ -95,17 +95,20 @@ void parseOsc(std::string_view packet, SignalCounts& counts, const Counted& onMe
   bool ok = count >= 0 && count <= static_cast<int>(mostArguments);
   for (int i = 0; ok && i < count; ++i) {
     const auto type = static_cast<lo_type>(lo_message_get_types(parsed)[i]);
-    ok = lo_is_numerical_type(type) != 0;
+    const bool isTrue = type == LO_TRUE || type == LO_INFINITUM;  // a toggle, an impulse
+    ok = isTrue || type == LO_FALSE || lo_is_numerical_type(type) != 0;
     if (ok)
       values[static_cast<std::size_t>(i)] =
-          static_cast<double>(lo_hires_val(type, lo_message_get_argv(parsed)[i]));
+          isTrue || type == LO_FALSE
+              ? (isTrue ? 1 : 0)
+              : static_cast<double>(lo_hires_val(type, lo_message_get_argv(parsed)[i]));
   }
   SignalMessage message;
   ok = ok && fromOsc(copy.data(), values.data(), static_cast<std::size_t>(count), message);
   if (parsed != nullptr) lo_message_free(parsed);
   ++counts.packets;
   ++(ok ? counts.messages : counts.malformed);
-  if (ok) onMessage(message);
+  if (ok && message.kind != SignalKind::none) onMessage(message);
 }
 
 class UdpServer : public SignalServer {

@@ -12,40 +12,59 @@ namespace detent::playback {
 namespace {
 
 constexpr double anyNumber = 1e9;
-constexpr double longestEvent_s = 30;    // of a continuous one
-constexpr std::size_t curvePoints = 16;  // of a parameter curve: Core Haptics leaves out what follows
-constexpr double course_s = 0.002;       // between points of a course that is no straight line
+constexpr double longestEvent_s = 30;   // of a continuous one
+constexpr double curveStep_s = 0.0005;  // between points where the amplitude is not linear
 
-/// A value over time: what it is before the first point, straight between points, and kept after the last.
+/// Value of a dynamic parameter over time. Each curve or parameter applies from its first point until another one begins: linear between
+/// its points, constant after the last one.
 class Control {
  public:
+  using Segment = std::vector<std::pair<double, double>>;  // time in seconds, value
+
   explicit Control(double before) : before_(before) {}
 
-  bool silent() const { return points_.empty(); }
-  /// Points of one curve; what follows in time takes over where it begins.
-  void add(std::vector<std::pair<double, double>> curve) {
-    points_.insert(points_.end(), curve.begin(), curve.end());
-  }
+  bool silent() const { return segments_.empty(); }
+  /// `segment`: at least one point, sorted by time.
+  void add(Segment segment) { segments_.push_back(std::move(segment)); }
+  /// Sorts the segments by start time; call once, before `at`.
   void settle() {
-    std::stable_sort(points_.begin(), points_.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(segments_.begin(), segments_.end(),
+                     [](const auto& a, const auto& b) { return a.front().first < b.front().first; });
   }
   double at(double time_s) const {
-    const auto next = std::upper_bound(points_.begin(), points_.end(), time_s,
-                                       [](double t, const auto& point) { return t < point.first; });
-    if (next == points_.begin()) return before_;
-    const auto& [from_s, from] = *(next - 1);
-    if (next == points_.end()) return from;
-    return from + (next->second - from) * (time_s - from_s) / (next->first - from_s);
+    const auto later = std::upper_bound(segments_.begin(), segments_.end(), time_s,
+                                        [](double t, const auto& c) { return t < c.front().first; });
+    if (later == segments_.begin()) return before_;
+    const Segment& segment = *(later - 1);
+    return within(segment, time_s,
+                  std::upper_bound(segment.begin(), segment.end(), time_s,
+                                   [](double t, const auto& point) { return t < point.first; }));
+  }
+  /// Limit from the left: differs from `at` at a step.
+  double justBefore(double time_s) const {
+    const auto notBefore = std::lower_bound(segments_.begin(), segments_.end(), time_s,
+                                            [](const auto& c, double t) { return c.front().first < t; });
+    if (notBefore == segments_.begin()) return before_;
+    const Segment& segment = *(notBefore - 1);
+    return within(segment, time_s,
+                  std::lower_bound(segment.begin(), segment.end(), time_s,
+                                   [](const auto& point, double t) { return point.first < t; }));
   }
   void collectTimes(double from_s, double to_s, std::vector<double>& times) const {
-    for (const auto& [time_s, value] : points_)
-      if (time_s > from_s && time_s < to_s) times.push_back(time_s);
+    for (const auto& segment : segments_)
+      for (const auto& [time_s, value] : segment)
+        if (time_s > from_s && time_s < to_s) times.push_back(time_s);
   }
 
  private:
+  static double within(const Segment& segment, double time_s, Segment::const_iterator next) {
+    const auto& [from_s, from] = *(next - 1);
+    if (next == segment.end()) return from;
+    return from + (next->second - from) * (time_s - from_s) / (next->first - from_s);
+  }
+
   double before_;
-  std::vector<std::pair<double, double>> points_;
+  std::vector<Segment> segments_;
 };
 
 struct Controls {
@@ -64,17 +83,16 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
   Control* const control = controls.named(parameter);
   if (control == nullptr) return result.note(Message("the parameter curve %1 is left out", parameter));
   const double from_s = timeOf(curve);
-  std::vector<std::pair<double, double>> points;
+  Control::Segment points;
   const std::vector<JsonPlace> entries = curve.at("ParameterCurveControlPoints").elements();
-  // Times are the curve's own, from 0; Lofelt's and Meta's converters write the pattern's.
-  const bool patternTimes = from_s > 0 && !entries.empty() && timeOf(entries.front()) >= from_s;
+  if (entries.empty()) return;
+  if (from_s > 0 && timeOf(entries.front()) >= from_s)
+    result.note(Message(
+        "control points count from their curve's Time; the curve at %1 s seems to count them from the "
+        "pattern's beginning and is played later than meant",
+        from_s));
   for (const JsonPlace& point : entries) {
-    if (points.size() == curvePoints) {
-      result.note(Message("control points behind the %1th of a curve are left out, as Core Haptics does",
-                          curvePoints));
-      break;
-    }
-    const double time_s = timeOf(point) + (patternTimes ? 0 : from_s);
+    const double time_s = timeOf(point) + from_s;
     if (!points.empty() && time_s < points.back().first)
       point.refuse(Message("lies before the control point it follows"),
                    Message("Sort the curve's points by time"));
@@ -89,7 +107,7 @@ void readParameter(const JsonPlace& entry, Controls& controls, ReferenceWaves& r
   Control* const control = controls.named(parameter);
   if (control == nullptr) return result.note(Message("the parameter %1 is left out", parameter));
   const double value = entry.numberOr("ParameterValue", 0, -anyNumber, anyNumber);
-  control->add({{timeOf(entry), control->at(timeOf(entry))}, {timeOf(entry), value}});
+  control->add({{timeOf(entry), value}});
 }
 
 struct ReadAhapEvent {
@@ -121,30 +139,45 @@ void readEvent(const JsonPlace& entry, std::vector<ReadAhapEvent>& events, Refer
   events.push_back(event);
 }
 
+WavePoint pointOf(const ReadAhapEvent& event, double time_s, double intensityControl,
+                  double sharpnessControl) {
+  const double intensity = event.intensity * std::clamp(intensityControl, 0.0, 1.0);
+  const double sharpness = event.sharpness + std::clamp(sharpnessControl, -1.0, 1.0);
+  return {time_s, intensity * intensity, frequencyOf(std::clamp(sharpness, 0.0, 1.0))};
+}
+
 WavePoint pointAt(const ReadAhapEvent& event, const Controls& controls, double time_s) {
-  const double intensity = event.intensity * std::clamp(controls.intensity.at(time_s), 0.0, 1.0);
-  const double sharpness = event.sharpness + std::clamp(controls.sharpness.at(time_s), -1.0, 1.0);
-  const double falls = event.transient ? (event.to_s - time_s) / transient_s : 1;
-  return {time_s, intensity * intensity * std::clamp(falls, 0.0, 1.0),
-          frequencyOf(std::clamp(sharpness, 0.0, 1.0))};
+  return pointOf(event, time_s, controls.intensity.at(time_s), controls.sharpness.at(time_s));
+}
+
+WavePoint pointBefore(const ReadAhapEvent& event, const Controls& controls, double time_s) {
+  return pointOf(event, time_s, controls.intensity.justBefore(time_s), controls.sharpness.justBefore(time_s));
 }
 
 PlayedWave waveOf(const ReadAhapEvent& event, const Controls& controls) {
   PlayedWave wave;
   if (event.transient) {
-    // What a transient is, it is from its beginning.
+    // The controls act on a transient at its start only.
     const WavePoint first = pointAt(event, controls, event.from_s);
     wave.points = {first, {event.to_s, 0, first.frequency_Hz}};
     return wave;
   }
-  std::vector<double> times{event.from_s, event.to_s};
+  std::vector<double> times;
   controls.intensity.collectTimes(event.from_s, event.to_s, times);
   controls.sharpness.collectTimes(event.from_s, event.to_s, times);
   // The amplitude is the square of a straight line.
   if (!controls.intensity.silent())
-    for (double t = event.from_s + course_s; t < event.to_s; t += course_s) times.push_back(t);
+    for (double t = event.from_s + curveStep_s; t < event.to_s; t += curveStep_s) times.push_back(t);
   std::sort(times.begin(), times.end());
-  for (const double time_s : times) wave.points.push_back(pointAt(event, controls, time_s));
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  wave.points.push_back(pointAt(event, controls, event.from_s));
+  for (const double time_s : times) {
+    const WavePoint before = pointBefore(event, controls, time_s), from = pointAt(event, controls, time_s);
+    const bool step = before.amplitude != from.amplitude || before.frequency_Hz != from.frequency_Hz;
+    if (step) wave.points.push_back(before);
+    wave.points.push_back(from);
+  }
+  wave.points.push_back(pointBefore(event, controls, event.to_s));
   return wave;
 }
 

@@ -23,7 +23,7 @@ Failure unreadable(const std::string& name, Message place, Message problem, cons
   return {FailureCode::unreadableInput, Subject(name), std::move(place), std::move(problem), remedy};
 }
 
-Message anyOfThem() { return Message("Give an AHAP, .haptic or HJIF file, or a WAV"); }
+Message anyOfThem() { return Message("Give an AHAP, .haptic or HJIF file, or a sound file such as a WAV"); }
 
 /// Notes are for people: a file's own words are kept short.
 std::string shortened(std::string text) {
@@ -71,30 +71,58 @@ Result<ReferenceSignal> played(const ReferenceWaves& read, ReferenceFormat forma
   return signal;
 }
 
-bool isSound(const std::array<char, 12>& head) {
-  const std::string_view first(head.data(), 4);
-  return first == "RIFF" || first == "RF64" || first == "fLaC" || first == "FORM" || first == "OggS";
+using Head = std::array<char, 24>;
+
+std::string_view wordOf(const Head& head, std::size_t at) { return {head.data() + at, 4}; }
+
+bool isSound(const Head& head) {
+  constexpr std::array kinds{"RIFF", "RIFX", "RF64", "riff", "fLaC", "FORM", "OggS", "caff", ".snd"};
+  return std::ranges::find(kinds, wordOf(head, 0)) != kinds.end();
 }
 
-/// A RIFF file says how long it is; 0 and the largest number are what streams write that did not know.
-bool isCutOff(const std::array<char, 12>& head, const std::filesystem::path& file) {
-  if (std::string_view(head.data(), 4) != "RIFF") return false;
-  std::uint64_t told = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    told |= static_cast<std::uint64_t>(static_cast<unsigned char>(head[4 + i])) << (8 * i);
+std::uint64_t bigEndian(const Head& head, std::size_t at, std::size_t bytes) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < bytes; ++i) value = value << 8 | static_cast<unsigned char>(head[at + i]);
+  return value;
+}
+
+std::uint64_t littleEndian(const Head& head, std::size_t at, std::size_t bytes) {
+  std::uint64_t value = 0;
+  for (std::size_t i = bytes; i-- > 0;) value = value << 8 | static_cast<unsigned char>(head[at + i]);
+  return value;
+}
+
+/// Size that a file's own header gives it; 0 where it gives none. 0 and the largest number stand in streams that did not know.
+std::uint64_t statedSize(const Head& head) {
+  const std::string_view kind = wordOf(head, 0);
+  constexpr std::uint64_t unknown = 0xFFFFFFFF, chunkHead = 8;
+  const auto known = [](std::uint64_t size, std::uint64_t before) {
+    return size == 0 || size == unknown ? 0 : size + before;
+  };
+  if (kind == "RIFF") return known(littleEndian(head, 4, 4), chunkHead);
+  if (kind == "RIFX" || kind == "FORM") return known(bigEndian(head, 4, 4), chunkHead);
+  if (kind == ".snd") return known(bigEndian(head, 8, 4), bigEndian(head, 4, 4));
+  return kind == "riff" ? littleEndian(head, 16, 8) : 0;
+}
+
+bool isCutOff(const Head& head, const std::filesystem::path& file) {
   std::error_code unknown;
   const std::uint64_t size = std::filesystem::file_size(file, unknown);
-  return !unknown && told != 0 && told != 0xFFFFFFFF && told + 8 > size;
+  return !unknown && statedSize(head) > size;
 }
 
-Result<ReferenceSignal> soundReference(const std::array<char, 12>& head, const std::filesystem::path& file) {
+Result<ReferenceSignal> soundReference(const Head& head, const std::filesystem::path& file) {
   if (isCutOff(head, file))
     return unreadable(file.string(), {}, Message("is cut off"), Message("Export or copy it again"));
   Result<SoundSamples> sound = readSoundFile(file, longestReference_s);
   if (!sound) return sound.failure();
   ReferenceSignal signal;
   signal.format = ReferenceFormat::sound;
-  if (sound->channels > 1)
+  if (sound->onlyChannel > 0)
+    signal.notes.emplace_back(Message("channel %1 of %2 alone is played: their mean would cancel out",
+                                      static_cast<std::size_t>(sound->onlyChannel),
+                                      static_cast<std::size_t>(sound->channels)));
+  else if (sound->channels > 1)
     signal.notes.emplace_back(
         Message("the mean of its %1 channels is played", static_cast<std::size_t>(sound->channels)));
   const std::vector<float> even = resampled(sound->samples, sound->sampleRate_Hz, referenceRate_Hz);
@@ -184,7 +212,7 @@ Result<ReferenceSignal> referenceFromText(std::string_view text, const std::stri
 }
 
 Result<ReferenceSignal> readReference(const std::filesystem::path& file) {
-  std::array<char, 12> head{};
+  Head head{};
   std::ifstream(file, std::ios::binary).read(head.data(), head.size());
   if (isSound(head)) return soundReference(head, file);
   Result<std::string> text = readTextFile(file.string());

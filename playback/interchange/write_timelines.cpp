@@ -363,25 +363,60 @@ PlayedWave waveOf(const AndroidPart& part, double sampleRate_Hz) {
   return wave;
 }
 
-std::string kotlinLevels(const TimedLevels& levels) {
-  std::string timings, amplitudes;
-  for (const auto& [time_ms, amplitude] : levels.levels) {
-    timings += (timings.empty() ? "" : ", ") + std::to_string(time_ms);
-    amplitudes += (amplitudes.empty() ? "" : ", ") + std::to_string(amplitude);
+/// Neighbours of one level as one. Where a jump begins the level rises, so none is lost.
+std::vector<TimedLevels::Level> withoutRepeats(const std::vector<TimedLevels::Level>& levels) {
+  std::vector<TimedLevels::Level> kept;
+  for (const TimedLevels::Level& level : levels) {
+    if (!kept.empty() && kept.back().level == level.level)
+      kept.back().duration_ms += level.duration_ms;
+    else
+      kept.push_back(level);
   }
-  return "VibrationEffect.createWaveform(\n            longArrayOf(" + timings +
-         "),\n            intArrayOf(" + amplitudes + "), -1)\n";
+  return kept;
+}
+
+struct KotlinWaveform {
+  std::string functions;  ///< that hold a part of a long list each
+  std::string call;
+};
+
+/// A method of the Java virtual machine has at most 64 KB of code, 8 bytes for each number of a list.
+KotlinWaveform kotlinLevels(const std::string& name, const TimedLevels& timed) {
+  constexpr std::size_t mostNumbers = 2000;  // of a list within one function
+  const std::vector<TimedLevels::Level> levels = withoutRepeats(timed.levels);
+  KotlinWaveform waveform;
+  const auto list = [&](const char* what, const char* arrayOf, const auto& numberOf) {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if (i % mostNumbers == 0) parts.emplace_back();
+      parts.back() += (parts.back().empty() ? "" : ", ") + std::to_string(numberOf(levels[i]));
+    }
+    if (parts.size() == 1) return arrayOf + ("(" + parts.front() + ")");
+    std::string sum;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string function = name + what + std::to_string(i + 1);
+      waveform.functions += "    private fun " + function + "() = " + arrayOf + "(" + parts[i] + ")\n";
+      sum += (i == 0 ? "" : " + ") + function + "()";
+    }
+    return sum;
+  };
+  const std::string timings = list("Timings", "longArrayOf", [](const auto& l) { return l.duration_ms; });
+  const std::string amplitudes = list("Amplitudes", "intArrayOf", [](const auto& l) { return l.level; });
+  waveform.call =
+      "VibrationEffect.createWaveform(\n            " + timings + ",\n            " + amplitudes + ", -1)\n";
+  return waveform;
 }
 
 std::string kotlinPart(const char* name, const AndroidPart& part) {
   const std::string function = "    fun " + std::string(name) + "(vibrator: Vibrator): VibrationEffect? =\n";
   if (part.levels.levels.empty()) return function + "        null  // nothing is felt here\n";
+  const KotlinWaveform waveform = kotlinLevels(name, part.levels);
   const std::vector<AndroidPoint>& points = part.envelope.points;
   if (points.empty())
     return function +
            "      // No envelope: its 16 points, 20 ms to 1 s apart, would move a jump or the bottom-out.\n  "
            "      " +
-           kotlinLevels(part.levels);
+           waveform.call + waveform.functions;
   const auto [low, high] = std::minmax_element(
       points.begin(), points.end(),
       [](const AndroidPoint& a, const AndroidPoint& b) { return a.frequency_Hz < b.frequency_Hz; });
@@ -393,7 +428,7 @@ std::string kotlinPart(const char* name, const AndroidPart& part) {
   for (const AndroidPoint& point : points)
     text += "            .addControlPoint(" + cFloat(point.amplitude) + ", " + cFloat(point.frequency_Hz) +
             ", " + std::to_string(point.duration_ms) + "L)\n";
-  return text + "            .build()\n      else\n        " + kotlinLevels(part.levels);
+  return text + "            .build()\n      else\n        " + waveform.call + waveform.functions;
 }
 
 std::string kotlinComment(std::string text) {

@@ -149,9 +149,9 @@ Result<std::vector<KnownWeight>> parseWeights(const std::string& text, const std
   };
   double unit_N = 1;
   if (!table.next()) return weights;
-  if (table.line() == "mass_g,raw")
+  if (table.is({"mass_g", "raw"}))
     unit_N = 1e-3 * standardGravity_m_per_s2;
-  else if (table.line() != "force_N,raw")
+  else if (!table.is({"force_N", "raw"}))
     return bad("the header is missing");
   while (table.next()) {
     const auto force = table.finite(0), raw = table.finite(1);

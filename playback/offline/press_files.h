@@ -33,11 +33,13 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
 /// One channel of sound.
 struct SoundSamples {
   double sampleRate_Hz = 0;
-  int channels = 1;            ///< of the file; `samples` is their mean
+  int channels = 1;  ///< of the file; `samples` is their mean
+  int onlyChannel =
+      0;  ///< from 1: the strongest, kept alone where channels of opposite sign cancel each other; else 0
   std::vector<float> samples;  ///< full scale is 1; at least one, all finite
 };
 
-/// WAV, FLAC and what else libsndfile reads, at 8000 to 192000 Hz, of at most `longest_s`. Failure unreadableInput: not there, no
+/// WAV, AIFF, AU, CAF, W64, FLAC, Ogg and what else libsndfile reads, at 8000 to 192000 Hz, of at most `longest_s`. Failure unreadableInput: not there, no
 /// sound, cut off, longer, or with a sample that is no number.
 Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s);
 

@@ -24,8 +24,8 @@ Result<PressTrace> parsePressTrace(const std::string& text, const std::string& n
   if (!table.next()) return badTrace(name, "", Message("is empty"));
   PressTrace trace;
   const std::vector<std::string_view>& fields = table.fields();
-  const bool inForce = table.line().ends_with("force_N");
-  if (fields.size() != 2 || fields[0] != "time_s" || fields[1] != (inForce ? "force_N" : "displacement_mm"))
+  const bool inForce = table.is({"time_s", "force_N"});
+  if (!inForce && !table.is({"time_s", "displacement_mm"}))
     return badTrace(name, table.place(), Message("the header is %1", quotedBegin(table.line())));
   trace.quantity = inForce ? PressTrace::Quantity::force_N : PressTrace::Quantity::displacement_mm;
   while (table.next()) {

@@ -151,6 +151,25 @@ Message whyNotRead() {
   return Message("is no sound file that can be read: %1", why);
 }
 
+constexpr double cancelledShare = 0.5;  // of the energy that the strongest channel alone would give the mean
+
+/// 0, or the number of the strongest channel where the channels' mean is weaker than that one alone would make it.
+int onlyChannelOf(const std::vector<float>& interleaved, std::size_t channels) {
+  std::vector<double> energies(channels, 0);
+  double ofMean = 0;
+  for (std::size_t i = 0; i < interleaved.size(); i += channels) {
+    double sum = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+      const auto sample = static_cast<double>(interleaved[i + c]);
+      sum += sample;
+      energies[c] += sample * sample;
+    }
+    ofMean += sum * sum;  // as often as there are channels, squared: so is what it is held against
+  }
+  const auto strongest = std::ranges::max_element(energies);
+  return ofMean < cancelledShare * *strongest ? static_cast<int>(strongest - energies.begin()) + 1 : 0;
+}
+
 }  // namespace
 
 Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s) {
@@ -173,15 +192,19 @@ Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double lon
                                  static_cast<std::size_t>(info.channels));
   if (sf_readf_float(in.get(), interleaved.data(), info.frames) != info.frames)
     return refuse(Message("is cut off"), Message("Export it again"));
-  SoundSamples sound{static_cast<double>(info.samplerate), info.channels, {}};
   const auto channels = static_cast<std::size_t>(info.channels);
+  for (std::size_t i = 0; i < interleaved.size(); ++i)
+    if (!(std::fabs(interleaved[i]) < 1e9F))
+      return refuse(Message("has a sample that is no number, the %1th", i / channels + 1),
+                    Message("Export it again"));
+  SoundSamples sound{
+      static_cast<double>(info.samplerate), info.channels, onlyChannelOf(interleaved, channels), {}};
   for (std::size_t i = 0; i < interleaved.size(); i += channels) {
     double sum = 0;
     for (std::size_t c = 0; c < channels; ++c) sum += static_cast<double>(interleaved[i + c]);
-    if (!(std::fabs(sum) < 1e9))
-      return refuse(Message("has a sample that is no number, the %1th", i / channels + 1),
-                    Message("Export it again"));
-    sound.samples.push_back(static_cast<float>(sum / static_cast<double>(channels)));
+    const float mean = static_cast<float>(sum / static_cast<double>(channels));
+    sound.samples.push_back(
+        sound.onlyChannel > 0 ? interleaved[i + static_cast<std::size_t>(sound.onlyChannel) - 1] : mean);
   }
   return sound;
 }

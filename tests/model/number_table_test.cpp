@@ -31,6 +31,50 @@ TEST_CASE(
   CHECK_FALSE(NumberTable("\n# nothing\n").next());
 }
 
+TEST_CASE("a table's fields may stand in quotation marks, as R's write.csv and jsPsych's csv() write them") {
+  using Fields = std::vector<std::string_view>;
+  NumberTable table(
+      "\"participant\",\"press_s\"\r\n\"P 1\",0.5\n\"a,b\" , \"say "
+      "\"\"no\"\"\"\n\"two\r\nlines\",\"\"\n5\",\"\n\"open,1\n\"x\"y,2\nz,3");
+  REQUIRE(table.next());
+  CHECK(table.is({"participant", "press_s"}));
+  CHECK_FALSE(table.is({"participant"}));
+  CHECK(table.columns({"press_s"}) == std::vector<std::size_t>{1});
+  REQUIRE(table.next());
+  CHECK(table.fields() == Fields{"P 1", "0.5"});
+  CHECK(table.finite(1) == 0.5);
+  REQUIRE(table.next());
+  CHECK(table.fields() == Fields{"a,b", "say \"no\""});
+  REQUIRE(table.next());
+  CHECK(table.fields() == Fields{"two\r\nlines", ""});
+  CHECK(table.number() == 4);
+  REQUIRE(table.next());  // "5," and a lone mark
+  CHECK(table.number() == 6);
+  CHECK(table.place() != "line 6");
+  REQUIRE(table.next());
+  CHECK(table.number() == 7);
+  CHECK(table.fields() == Fields{"\"open", "1"});
+  CHECK(table.place() != "line 7");
+  REQUIRE(table.next());
+  CHECK(table.place() != "line 8");
+  REQUIRE(table.next());
+  CHECK(table.place() == "line 9");
+  CHECK(table.fields() == Fields{"z", "3"});
+  CHECK_FALSE(table.next());
+}
+
+TEST_CASE("a first column without a name, where R and pandas number their rows, is left out") {
+  for (const char* text : {"\"\",\"time_s\",\"force_N\"\n\"1\",0,0.5\n", ",time_s,force_N\n0,0,0.5\n"}) {
+    NumberTable table(text);
+    REQUIRE(table.next());
+    CHECK(table.is({"time_s", "force_N"}));
+    REQUIRE(table.next());
+    CHECK(table.finite(0) == 0);
+    CHECK(table.finite(1) == 0.5);
+    CHECK(table.fields().size() == 2);
+  }
+}
+
 TEST_CASE("a field is a number as a whole or not at all") {
   CHECK(numberFrom(" -1e-3\r") == -1e-3);
   CHECK(std::isnan(*numberFrom("nan")));

@@ -2,6 +2,7 @@
 #include "playback/study/trials/timing_tables.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -20,6 +21,8 @@ namespace {
 constexpr std::size_t mostBytes = 64 << 20;
 constexpr double longest_s = 60;  ///< of intervals and windows, and how far from its cue a press may lie
 constexpr double timingPercent = 100;
+constexpr std::array<std::string_view, 3> emptyPressWords{"", "NA",
+                                                          "null"};  // the words are R's and jsPsych's
 
 /// Columns a task needs, in the order read.
 std::vector<std::string_view> columnsOf(TimingTask task) {
@@ -46,7 +49,7 @@ class Reader {
       std::string names;
       for (const std::string_view name : columnsOf(task_))
         names += (names.empty() ? "" : ",") + std::string(name);
-      return refused("line 1", "does not name the columns of this task", "Write " + names);
+      return refused(table.place(), "does not name the columns of this task", "Write " + names);
     }
     while (table.next())
       if (std::optional<Failure> failure = take(table, *columns)) return *std::move(failure);
@@ -78,7 +81,8 @@ class Reader {
                        "Give seconds above 0, 60 at most");
       (i == 2 ? trial.interval_s : trial.window_s) = *value;
     }
-    if (const std::string_view press = row.fields()[columns[1]]; !press.empty()) {
+    const std::string_view press = row.fields()[columns[1]];
+    if (std::find(emptyPressWords.begin(), emptyPressWords.end(), press) == emptyPressWords.end()) {
       trial.press_s = row.finite(columns[1]);
       const double least_s = task_ == TimingTask::tapping ? 0 : -longest_s;
       if (!trial.press_s || *trial.press_s <= least_s || *trial.press_s > longest_s)
@@ -139,7 +143,7 @@ struct TimingCell {
   std::map<std::string, double> within_s;  ///< by person: the median of how exactly their presses were timed
 };
 
-/// One person in one cell.
+/// One person in one timingCell.
 struct FittedPerson {
   std::string participant;
   std::size_t trials = 0, presses = 0, outside = 0;
@@ -159,7 +163,7 @@ std::vector<FittedPerson> fitted(const TimedPeople& presses) {
   return people;
 }
 
-/// How the rows of a table say which cell they are of: not at all, of a file that tells neither; by the title, where all are of one condition.
+/// How the rows of a table say which timingCell they are of: not at all, of a file that tells neither; by the title, where all are of one condition.
 struct Naming {
   bool button = false, condition = false;
   std::string title;  ///< behind a table's own

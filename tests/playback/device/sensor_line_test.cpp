@@ -108,6 +108,12 @@ TEST_CASE("signal messages: FUDI in and out, limits, rubbish") {
   parse(toFudi(m));
   REQUIRE(got.size() == 1);
   CHECK(got[0].burst.duration_s == 0.0335);
+  // Keys of controllers send a number along: 1 where they are pressed, 0 where they are let go.
+  parse("grain 1;grain 0;hold 1;hold 0;hold;grain 127;");
+  REQUIRE(got.size() == 4);
+  CHECK((got[0].kind == SignalKind::grain && got[0].bare));
+  CHECK((got[1].kind == SignalKind::hold && got[2].kind == SignalKind::hold));
+  CHECK(got[3].bare);
   const double arguments[3] = {390, 20, 0.5};
   CHECK(fromOsc("/detent/jump", arguments, 3, m));
   CHECK_FALSE(fromOsc("/detent/jump", arguments, 2, m));

@@ -76,8 +76,14 @@ TEST_CASE("OSC: messages of several number types arrive, others are counted") {
   lo_send(target, "/detent/jump", "fff", 390.0, 20.0, 0.5);
   lo_send(target, "/detent/force", "d", 1.25);
   lo_send(target, "/detent/bottom", "iif", 200, 30, 0.5);
+  lo_send(target, "/detent/grain", "F");  // a toggle that is let go: no grain
+  lo_send(target, "/detent/grain", "f", 0.0);
   lo_send(target, "/detent/grain", "");
-  CHECK(inbox.waitFor(4));
+  lo_send(target, "/detent/grain", "T");
+  lo_send(target, "/detent/grain", "i", 127);
+  CHECK(inbox.waitFor(6));
+  CHECK(inbox.messages.size() == 6);
+  CHECK((inbox.messages[4].bare && inbox.messages[5].bare));
   CHECK(inbox.messages[1].value == 1.25);
   CHECK(inbox.messages[2].burst.duration_s == Approx(0.030));
   lo_send(target, "/detent/jump", "s", "loud");

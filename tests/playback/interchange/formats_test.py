@@ -30,6 +30,25 @@ RATE = 48000
 BANDS = {"20_80_Hz": (20, 80), "80_230_Hz": (80, 230), "230_500_Hz": (230, 500)}
 
 
+# What of Android the export names.
+ANDROID = {
+    "Build": "public class Build { public static class VERSION { public static final int SDK_INT = 36; } }",
+    "Vibrator": """public class Vibrator {
+      public static class Profile { public float getMinFrequencyHz() { return 0; } public float getMaxFrequencyHz() { return 1; } }
+      public boolean areEnvelopeEffectsSupported() { return true; }
+      public Profile getFrequencyProfile() { return null; }
+    }""",
+    "VibrationEffect": """public class VibrationEffect {
+      public static VibrationEffect createWaveform(long[] timings, int[] amplitudes, int repeat) { return null; }
+      public static class WaveformEnvelopeBuilder {
+        public WaveformEnvelopeBuilder setInitialFrequencyHz(float hertz) { return this; }
+        public WaveformEnvelopeBuilder addControlPoint(float amplitude, float hertz, long milliseconds) { return this; }
+        public VibrationEffect build() { return null; }
+      }
+    }""",
+}
+
+
 def floats_of_wav(path):
     """32 bit float WAV, as `render` writes it."""
     data = Path(path).read_bytes()
@@ -414,6 +433,26 @@ class Formats(unittest.TestCase):
             self.assert_told(played, original, loss)
             self.assertLessEqual(self.onset_error_ms(button, starts), 1)
             self.assertLessEqual(loss["worst_timing_error_ms"], 1)
+
+    def test_a_long_android_press_compiles(self):
+        if not shutil.which("kotlinc"):
+            print("SKIPPED Kotlin: kotlinc is not installed")
+            return
+        folder = Path(self.folder, "kotlin")
+        for name, text in ANDROID.items():
+            (folder / "android/os").mkdir(parents=True, exist_ok=True)
+            (folder / f"android/os/{name}.java").write_text("package android.os;\n" + text)
+        press = folder / "press.csv"  # 28 s of presses, twice a second
+        press.write_text("time_s,force_N\n" + "".join(f"{i / 200:g},{1 - math.cos(2 * math.pi * i / 100):.5f}\n" for i in range(5600)))
+        (text,), _ = self.export("EF", "android", ".kt", "--press", press)
+        self.assertGreater(len(re.findall(r"longArrayOf", text)), 2)  # else it is no long one
+        for arrays in re.findall(r"ArrayOf\(([^)]*)\)", text):
+            self.assertLessEqual(arrays.count(","), 2000)
+        (folder / "Button.kt").write_text(text)
+        for command in (["javac", "-d", "classes", *folder.glob("android/os/*.java")], ["kotlinc", "-classpath", "classes", "Button.kt", "-d", "out"]):
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((folder / "out/DetentButton.class").exists())
 
     def test_header_compiles_as_c_and_cpp(self):
         compilers = [(shutil.which("gcc"), ["-std=c99", "-x", "c"]), (shutil.which("g++"), ["-std=c++11", "-x", "c++"])]

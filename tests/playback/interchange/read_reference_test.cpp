@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -96,17 +97,79 @@ TEST_CASE("An AHAP curve multiplies the intensity and is kept behind its last po
                     [](double t) { return 0.25 * (1 - (t - 0.5) / 0.022) * sine((t - 0.5) * 80); }) < 1e-6);
 }
 
+namespace {
+
+/// Four seconds at full intensity, shaped by what else the pattern holds.
+std::string shaped(const std::string& rest) {
+  return ahap(
+      R"({"Event": {"Time": 0, "EventType": "HapticContinuous", "EventDuration": 4, "EventParameters": [
+     {"ParameterID": "HapticIntensity", "ParameterValue": 1}, {"ParameterID": "HapticSharpness", "ParameterValue": 0.4}]}},)" +
+      rest);
+}
+std::string curveAt(double time_s, const std::vector<std::pair<double, double>>& points) {
+  std::string text;
+  for (const auto& [at_s, value] : points)
+    text += (text.empty() ? "" : ",") + std::string(R"({"Time": )") + std::to_string(at_s) +
+            R"(, "ParameterValue": )" + std::to_string(value) + "}";
+  return R"({"ParameterCurve": {"ParameterID": "HapticIntensityControl", "Time": )" + std::to_string(time_s) +
+         R"(, "ParameterCurveControlPoints": [)" + text + "]}}";
+}
+std::string parameterAt(double time_s, double value) {
+  return R"({"Parameter": {"ParameterID": "HapticIntensityControl", "Time": )" + std::to_string(time_s) +
+         R"(, "ParameterValue": )" + std::to_string(value) + "}}";
+}
+double worstLevel(const std::string& text, double (*intensity)(double time_s)) {
+  return worst(read(text), 0, 4,
+               [&](double t) { return std::pow(intensity(t), 2) * sine(t * (80 + 150 * 0.4)); });
+}
+
+}  // namespace
+
 TEST_CASE("Of AHAP, what is not played is told") {
-  std::string points;
-  for (int i = 0; i < 17; ++i)
-    points += (i ? "," : "") + std::string(R"({"Time": )") + std::to_string(i) + R"(, "ParameterValue": 1})";
   const ReferenceSignal signal =
-      read(ahap(continuous + R"(, {"Event": {"Time": 0, "EventType": "AudioCustom"}},
-    {"ParameterCurve": {"ParameterID": "HapticIntensityControl", "ParameterCurveControlPoints": [)" +
-                points + "]}}"));
-  REQUIRE(signal.notes.size() == 2);
+      read(ahap(continuous + R"(, {"Event": {"Time": 0, "EventType": "AudioCustom"}})"));
+  REQUIRE(signal.notes.size() == 1);
   CHECK(english(signal.notes[0]).find("AudioCustom") != std::string::npos);
-  CHECK(english(signal.notes[1]).find("16") != std::string::npos);
+}
+
+TEST_CASE("Between two AHAP curves the first one's last value stays") {
+  const auto falls = [](double t) { return t < 3 ? std::fmax(0.2, 1 - 0.8 * t) : 1; };
+  const std::string first = curveAt(0, {{0, 1}, {1, 0.2}}), second = curveAt(3, {{0, 1}, {1, 1}});
+  CHECK(worstLevel(shaped(first + "," + second), falls) < 1e-4);
+  CHECK(worstLevel(shaped(second + "," + first), falls) < 1e-4);  // the order of a pattern means nothing
+}
+
+TEST_CASE("AHAP parameters and curves take over by their times, not by their order in the file") {
+  const auto steps = [](double t) { return t < 1 ? 1 : t < 2 ? 0.2 : t < 3 ? 0.8 : 0.8 - 0.5 * (t - 3); };
+  const std::vector<std::string> entries{parameterAt(1, 0.2), parameterAt(2, 0.8),
+                                         curveAt(3, {{0, 0.8}, {1, 0.3}})};
+  std::vector<std::size_t> order{0, 1, 2};
+  do {
+    CAPTURE(order);
+    CHECK(worstLevel(shaped(entries[order[0]] + "," + entries[order[1]] + "," + entries[order[2]]), steps) <
+          1e-4);
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST_CASE("All points of an AHAP curve are played, however many") {
+  std::vector<std::pair<double, double>> zigzag;
+  for (int i = 0; i <= 400; ++i) zigzag.emplace_back(0.01 * i, i % 20 < 10 ? 1 - 0.09 * (i % 20) : 0.1);
+  const ReferenceSignal signal = read(shaped(curveAt(0, zigzag)));
+  CHECK(signal.notes.empty());
+  CHECK(worst(signal, 0, 4, [&](double t) {
+          const auto i = static_cast<std::size_t>(t / 0.01);
+          const double share = t / 0.01 - static_cast<double>(i);
+          return std::pow(zigzag[i].second + share * (zigzag[i + 1].second - zigzag[i].second), 2) *
+                 sine(t * 140);
+        }) < 1e-3);
+}
+
+TEST_CASE("AHAP control points count from their curve's time; a file that seems to mean another is told of") {
+  const ReferenceSignal plain = read(shaped(curveAt(1, {{0, 0.5}, {0.9, 0.5}})));
+  CHECK(plain.notes.empty());
+  const ReferenceSignal doubtful = read(shaped(curveAt(1, {{1.5, 0.5}, {1.9, 0.5}})));
+  REQUIRE(doubtful.notes.size() == 1);
+  CHECK(worst(doubtful, 0, 4, [](double t) { return (t < 2.5 ? 1 : 0.25) * sine(t * 140); }) < 1e-4);
 }
 
 TEST_CASE("A .haptic envelope runs straight; an emphasis ducks it and stands on it") {
@@ -277,7 +340,97 @@ TEST_CASE("A sound file is read at the reference's rate, several channels as the
   CHECK(readReference(path).failure().code == FailureCode::unreadableInput);
 }
 
-// NiceVibrations' own pairs (core/datamodel/src/test_data/ios): a .haptic and what its makers' converter made of it.
+namespace {
+
+std::string bigEndian(std::uint64_t value, int bytes) {
+  std::string text;
+  for (int i = bytes; i-- > 0;) text += static_cast<char>(value >> (8 * i) & 0xFF);
+  return text;
+}
+std::string littleEndian(std::uint64_t value, int bytes) {
+  const std::string text = bigEndian(value, bytes);
+  return {text.rbegin(), text.rend()};
+}
+
+/// A quarter of a second at 48000 Hz, 16 bits, big-endian; the second channel is `second` times the first one.
+std::string toneBytes(double second) {
+  std::string bytes;
+  for (int i = 0; i < 12000; ++i)
+    for (const double factor : {1.0, second})
+      bytes += bigEndian(
+          static_cast<std::uint64_t>(std::lround(16384 * factor * sine(200 * i / 48000.0))) & 0xFFFF, 2);
+  return bytes;
+}
+std::string swapped(std::string bytes) {
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
+  return bytes;
+}
+std::string auFile(const std::string& data) {
+  return ".snd" + bigEndian(24, 4) + bigEndian(data.size(), 4) + bigEndian(3, 4) + bigEndian(48000, 4) +
+         bigEndian(2, 4) + data;
+}
+std::string rifxFile(const std::string& data) {
+  return "RIFX" + bigEndian(36 + data.size(), 4) + "WAVEfmt " + bigEndian(16, 4) + bigEndian(1, 2) +
+         bigEndian(2, 2) + bigEndian(48000, 4) + bigEndian(192000, 4) + bigEndian(4, 2) + bigEndian(16, 2) +
+         "data" + bigEndian(data.size(), 4) + data;
+}
+std::string cafFile(const std::string& data) {
+  return "caff" + bigEndian(1, 2) + bigEndian(0, 2) + "desc" + bigEndian(32, 8) +
+         bigEndian(0x40E7700000000000, 8) + "lpcm" + bigEndian(0, 4) + bigEndian(4, 4) + bigEndian(1, 4) +
+         bigEndian(2, 4) + bigEndian(16, 4) + "data" + bigEndian(4 + data.size(), 8) + bigEndian(0, 4) + data;
+}
+std::string w64File(const std::string& data) {
+  const std::string tail("\xF3\xAC\xD3\x11\x8C\xD1\x00\xC0\x4F\x8E\xDB\x8A", 12);
+  const std::string riff("\x2E\x91\xCF\x11\xA5\xD6\x28\xDB\x04\xC1\x00\x00", 12);
+  const std::uint64_t size = 40 + 40 + 24 + data.size();
+  return "riff" + riff + littleEndian(size, 8) + "wave" + tail + "fmt " + tail + littleEndian(40, 8) +
+         littleEndian(1, 2) + littleEndian(2, 2) + littleEndian(48000, 4) + littleEndian(192000, 4) +
+         littleEndian(4, 2) + littleEndian(16, 2) + "data" + tail + littleEndian(24 + data.size(), 8) +
+         swapped(data);
+}
+
+}  // namespace
+
+TEST_CASE("Sound files of other containers are read, and refused where they are cut off") {
+  const auto path = std::filesystem::temp_directory_path() / "detent-reference-container";
+  const std::string data = toneBytes(1);
+  for (const std::string& bytes : {auFile(data), rifxFile(data), cafFile(data), w64File(data)}) {
+    INFO(bytes.substr(0, 4));
+    std::ofstream(path, std::ios::binary) << bytes;
+    Result<ReferenceSignal> signal = readReference(path);
+    INFO((signal ? std::string() : signal.failure().sentence()));
+    REQUIRE(signal.ok());
+    CHECK(signal->duration_s() == Approx(0.25));
+    CHECK(worst(*signal, 0, 0.25, [](double t) { return 0.5 * sine(200 * t); }) < 1e-4);
+    if (bytes.starts_with("caff")) continue;  // its data chunk is looked for by the library alone
+    std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+    CHECK_FALSE(readReference(path).ok());
+  }
+  std::filesystem::remove(path);
+}
+
+TEST_CASE("Channels that cancel each other are no silence: the strongest is played, and told") {
+  const auto path = std::filesystem::temp_directory_path() / "detent-reference-channels.au";
+  struct Case {
+    double second, level;
+    const char* note;
+  };
+  const Case cases[] = {{-1, 0.5, "channel 1"}, {-0.9, 0.5, "channel 1"}, {1, 0.5, "mean"},
+                        {0, 0.25, "mean"},      {-0.1, 0.225, "mean"},    {0.5, 0.375, "mean"}};
+  for (const Case& c : cases) {
+    CAPTURE(c.second);
+    std::ofstream(path, std::ios::binary) << auFile(toneBytes(c.second));
+    Result<ReferenceSignal> signal = readReference(path);
+    REQUIRE(signal.ok());
+    CHECK(worst(*signal, 0, 0.25, [&](double t) { return c.level * sine(200 * t); }) < 1e-4);
+    REQUIRE(signal->notes.size() == 1);
+    CHECK(english(signal->notes[0]).find(c.note) != std::string::npos);
+  }
+  std::filesystem::remove(path);
+}
+
+// Pairs of Meta's haptics SDK (core/haptic_data/test_files): a .haptic and what its makers' converter made of it. At the breakpoints
+// alone: between them the converter's curves run straight in the root of the amplitude, the makers' own renderer in the amplitude.
 TEST_CASE("Pairs of .haptic and .ahap made by others say the same") {
   const char* const folder = std::getenv("DETENT_HAPTIC_PAIRS");
   if (folder == nullptr) return;

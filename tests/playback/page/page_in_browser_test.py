@@ -314,6 +314,11 @@ class PageInBrowser(unittest.TestCase):
         self.assertGreater(start["allocations"], 0)  # it does count
         self.assertLessEqual(max(shares), 0.1)
 
+    def test_the_context_has_the_least_latency_that_the_browser_gives(self):
+        own, interactive = self.browser.run("const other = new AudioContext({ latencyHint: 'interactive' }); "
+                                            "return [detentNode.context.baseLatency, other.baseLatency]")
+        self.assertLess(own, interactive)
+
     def test_any_rate_of_the_context_plays_the_same(self):
         """The engine runs at the context's own rate: a second of the same press has the same energies in the felt bands."""
         found = {}
