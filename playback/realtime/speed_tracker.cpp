@@ -40,8 +40,10 @@ PressMarks placeMarks(const StateProgram& state) {
 }
 
 PressMarks forceMarks(const StateProgram& state) {
-  const double travel_mm = state.end_mm - state.start_mm,
-               strongest_N = strongestUpTo(state.press, state.end_mm);
+  const double travel_mm = state.end_mm - state.start_mm;
+  double strongest_N = 0;  // the top of a vertical bottom-out included
+  for (std::size_t i = 0; i < state.press.pointCount; ++i)
+    strongest_N = std::fmax(strongest_N, state.press.points[i].force_N);
   PressMarks marks{touchShare * strongest_N, fromShare * strongest_N,
                    strongestUpTo(state.press, state.start_mm + settledAt * travel_mm)};
   if (marks.to <= 0) marks.to = toShare * strongest_N;  // no force on the first half
