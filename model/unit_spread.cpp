@@ -16,7 +16,8 @@ constexpr std::size_t bandPoints = 201;
 constexpr double thinnedWithin = 1e-4;
 
 struct Moments {
-  double mean = 0, sd = 0;
+  double mean = 0;
+  std::optional<double> sd;  ///< none of a single value
 };
 
 Moments momentsOf(const std::vector<double>& values) {
@@ -66,7 +67,7 @@ ToleranceBand bandOf(const Curves& curves) {
   for (std::size_t i = 0; i < bandPoints; ++i) {
     const double at_mm = displacementIn(range, i);
     const Moments moments = momentsOf(forcesAt(curves, at_mm));
-    band.push_back({at_mm, moments.mean, moments.sd});
+    band.push_back({at_mm, moments.mean, moments.sd.value_or(0)});
   }
   return band;
 }

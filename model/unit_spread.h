@@ -3,6 +3,7 @@
 // Several units of one button: their mean, spread and outliers.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "model/button.h"
@@ -13,8 +14,9 @@ namespace detent {
 /// One key figure over the units that have it.
 struct FigureSpread {
   KeyFigure figure = KeyFigure::peakForce;
-  std::size_t units = 0;    ///< number of units with this figure, >= 1
-  double mean = 0, sd = 0;  ///< mm, N, N/mm, mJ, or a share; sd of a unit, n - 1; 0 for a single one
+  std::size_t units = 0;     ///< that have it, >= 1
+  double mean = 0;           ///< mm, N, N/mm, mJ, or a share
+  std::optional<double> sd;  ///< of a unit, n - 1; none where a single unit has the figure
   double least = 0, most = 0;
 };
 

@@ -10093,8 +10093,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Menschen unterscheiden diese nicht: %1</translation>
     </message>
     <message>
-        <source>whether people tell these apart cannot be said: %1</source>
-        <translation>ob Menschen diese unterscheiden, lässt sich nicht sagen: %1</translation>
+        <source>people probably tell these apart (%1): %2</source>
+        <translation>Menschen unterscheiden diese wahrscheinlich (%1): %2</translation>
+    </message>
+    <message>
+        <source>people probably do not tell these apart (%1): %2</source>
+        <translation>Menschen unterscheiden diese wahrscheinlich nicht (%1): %2</translation>
     </message>
     <message>
         <source>told apart: %1</source>
@@ -10105,8 +10109,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>nicht unterschieden: %1</translation>
     </message>
     <message>
-        <source>cannot be said: %1</source>
-        <translation>nicht zu sagen: %1</translation>
+        <source>probably told apart: %1</source>
+        <translation>wahrscheinlich unterschieden: %1</translation>
+    </message>
+    <message>
+        <source>probably not told apart: %1</source>
+        <translation>wahrscheinlich nicht unterschieden: %1</translation>
     </message>
     <message>
         <source>nothing differs</source>
@@ -10185,7 +10193,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>„%1“ (%2) fühlt sich mit mehr „%3“ gleich an</translation>
     </message>
     <message>
-        <source>Choose another quantity, mode or button</source>
+        <source>Choose another quantity, mode, button or feel</source>
         <translation>Eine andere Größe, Rückmeldung oder einen anderen Taster wählen</translation>
     </message>
     <message>

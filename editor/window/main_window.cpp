@@ -78,14 +78,14 @@ QString averageWords(const UnitSpread& spread, const QStringList& titles, const 
     if (figure.figure != KeyFigure::peakForce && figure.figure != KeyFigure::bottomOutForce &&
         figure.figure != KeyFigure::preTravel)
       continue;
-    if (figure.units == 1)
+    if (!figure.sd)
       sentences << AverageWords::tr("%1: %2, of one alone.")
                        .arg(termOf(figure.figure), quantityWithUnit(figure.mean, quantity, units, 4));
     else
       sentences << AverageWords::tr("%1: %2 ± %3.")
                        .arg(termOf(figure.figure),
-                            quantityText(figure.mean, quantity, units, digitsBeside(figure.mean, figure.sd)),
-                            quantityWithUnit(figure.sd, quantity, units, 2));
+                            quantityText(figure.mean, quantity, units, digitsBeside(figure.mean, *figure.sd)),
+                            quantityWithUnit(*figure.sd, quantity, units, 2));
   }
   QStringList far;
   for (const std::size_t unit : spread.outliers) far << titles[static_cast<qsizetype>(unit)];

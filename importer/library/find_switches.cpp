@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "importer/library/wanted_button.h"
+#include "model/text.h"
 
 namespace detent::importer {
 namespace {
@@ -75,12 +76,38 @@ Result<std::vector<std::pair<LibrarySwitch, double>>> distanceRows(const Library
   return rows;
 }
 
-Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindRequest& request) {
+/// Switches of the requested name and kind, rising; empty: no such request, all of them.
+using Wanted = std::optional<std::vector<SwitchId>>;
+
+Result<Wanted> wantedIn(const LibraryStore& store, const FindRequest& request) {
+  if (request.name.empty() && !request.kind) return Wanted{};
+  const auto names = store.names();
+  if (!names) return names.failure();
+  const std::string part = lowered(request.name);
+  std::vector<SwitchId> ids;
+  for (const auto& [id, name] : *names)
+    if (lowered(name).find(part) != std::string::npos) ids.push_back(id);
+  std::ranges::sort(ids);
+  if (!request.kind) return Wanted(std::move(ids));
+  const auto figures = store.figures();
+  if (!figures) return figures.failure();
+  std::vector<SwitchId> ofKind;
+  for (const auto& [id, each] : *figures)
+    if (kindOf(each) == *request.kind && std::ranges::binary_search(ids, id)) ofKind.push_back(id);
+  std::ranges::sort(ofKind);
+  return Wanted(std::move(ofKind));
+}
+
+bool holds(const Wanted& wanted, SwitchId id) { return !wanted || std::ranges::binary_search(*wanted, id); }
+
+Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindRequest& request,
+                                        const Wanted& wanted) {
   const auto all = store.figures();
   if (!all) return all.failure();
   std::vector<Ranked> ranked;
   for (const auto& [id, figures] : *all)
-    if (const auto miss = missOf(figures, request.ranges)) ranked.push_back({id, *miss});
+    if (const auto miss = missOf(figures, request.ranges); miss && holds(wanted, id))
+      ranked.push_back({id, *miss});
   auto rows = distanceRows(store, std::move(ranked), request.limit);
   if (!rows) return rows.failure();
   std::vector<NearMiss> nearest;
@@ -90,11 +117,12 @@ Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindReq
 
 /// Those that keep the ranges: nearest first where something is asked for, else by name. `fitting`: how many there are.
 Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRequest& request,
-                                         std::size_t& fitting) {
+                                         const Wanted& wanted, std::size_t& fitting) {
   std::vector<Ranked> ranked;
   if (request.like) {
-    const auto travels_mm = store.travels_mm(request.ranges);
+    auto travels_mm = store.travels_mm(request.ranges);
     if (!travels_mm) return travels_mm.failure();
+    std::erase_if(*travels_mm, [&](const auto& each) { return !holds(wanted, each.first); });
     fitting = travels_mm->size();
     if (request.limit == 0) return std::vector<FoundSwitch>{};
     auto nearest = rankedByFeel(store, FeelDistance(*request.like), *travels_mm, request.limit);
@@ -103,7 +131,8 @@ Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRe
   } else {
     const auto ids = store.idsByName(request.ranges);
     if (!ids) return ids.failure();
-    for (const SwitchId id : *ids) ranked.push_back({id, double(ranked.size())});
+    for (const SwitchId id : *ids)
+      if (holds(wanted, id)) ranked.push_back({id, double(ranked.size())});
     fitting = ranked.size();
   }
   auto rows = distanceRows(store, std::move(ranked), request.limit);
@@ -120,7 +149,9 @@ Result<FoundSwitches> findSwitches(const FindRequest& request) {
   const auto store = LibraryStore::openToRead(request.database);
   if (!store) return store.failure();
   FoundSwitches result;
-  auto found = foundIn(*store, request, result.fitting);
+  const auto wanted = wantedIn(*store, request);
+  if (!wanted) return wanted.failure();
+  auto found = foundIn(*store, request, *wanted, result.fitting);
   if (!found) return found.failure();
   result.found = std::move(*found);
   const auto ratings = store->ratings();
@@ -133,7 +164,7 @@ Result<FoundSwitches> findSwitches(const FindRequest& request) {
     each.spread = spreadOf(*records);
   }
   if (result.fitting == 0 && !request.ranges.empty()) {
-    auto nearest = nearestTo(*store, request);
+    auto nearest = nearestTo(*store, request, *wanted);
     if (!nearest) return nearest.failure();
     result.nearest = std::move(*nearest);
   }

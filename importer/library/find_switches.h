@@ -17,6 +17,8 @@ struct FindRequest {
   std::optional<FeltShape> like;    ///< nearest first; without: by name
   std::vector<FigureRange> ranges;  ///< all are kept
   std::size_t limit = 10;           ///< of those that are given
+  std::string name = {};            ///< the switch's name contains this, in any case; empty: any
+  std::optional<SwitchKind> kind = {};
 };
 
 struct FoundSwitch {

@@ -131,6 +131,7 @@ Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, 
     each.part = static_cast<int>(all.size()) + 1;
     each.figures = read.measured ? read.measured->figures : keyFiguresOf(read.state);
     if (read.measured) each.sigmas = read.measured->sigmas;
+    forgetContactBump(each.figures, each.sigmas, read.state.graph.press().start_mm());
     each.scaleDoubtful = read.scaleDoubtful;
     each.shape = std::move(*shape);
     all.push_back(std::move(each));

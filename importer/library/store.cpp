@@ -544,6 +544,15 @@ Result<Done> LibraryStore::shapesOf(const std::vector<SwitchId>& ids,
   });
 }
 
+Result<std::vector<std::pair<SwitchId, std::string>>> LibraryStore::names() const {
+  return impl_->guarded([&] {
+    Statement row(impl_->database, std::string("SELECT switch.id, name") + switchTables + whereWithin({}));
+    std::vector<std::pair<SwitchId, std::string>> all;
+    while (row.step()) all.emplace_back(row.integer(0), row.bytes(1));
+    return all;
+  });
+}
+
 Result<std::vector<std::pair<SwitchId, KeyFigures>>> LibraryStore::figures() const {
   return impl_->guarded([&] {
     Statement row(impl_->database, "SELECT switch.id" + figureColumns() + switchTables + whereWithin({}));

@@ -20,7 +20,7 @@
 namespace detent::importer {
 
 /// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
-inline constexpr int libraryVersion = 6;
+inline constexpr int libraryVersion = 7;
 
 /// Why a file is not in the library.
 struct RefusedFile {
@@ -100,6 +100,7 @@ class LibraryStore {
                         const std::function<bool(SwitchId, const FeltShape&)>& take) const;
   /// Of all files that are there, in no order.
   Result<std::vector<std::pair<SwitchId, KeyFigures>>> figures() const;
+  Result<std::vector<std::pair<SwitchId, std::string>>> names() const;
   /// Of the files that are there, in the order of the sheets.
   Result<std::vector<Rating>> ratings() const;
   /// Of the files that are there: those of one switch by one laboratory, by name and credit.

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -163,9 +165,18 @@ CLI::Option* addSearch(CLI::App* find, LibraryArguments& a) {
   find->add_option("--like-part", a.likePart, "of several switches or states in it, from 1")
       ->check(numberWithin<CLI::Validator>(1, 1e6))
       ->capture_default_str();
-  find->add_option("--limit", a.find.limit, "switches shown")
-      ->check(numberWithin<CLI::Validator>(1, 1e6))
-      ->capture_default_str();
+  CLI::Option* const limit = find->add_option("--limit", a.find.limit, "switches shown")
+                                 ->check(numberWithin<CLI::Validator>(1, 1e6))
+                                 ->capture_default_str();
+  find->add_flag_callback(
+          "--all", [&a] { a.find.limit = std::numeric_limits<std::size_t>::max(); }, "all that fit are shown")
+      ->excludes(limit);
+  find->add_option("--name", a.find.name, "part of the switch's name, in upper or lower case");
+  find->add_option("--kind", a.find.kind, "linear, between (a drop of 5 to 8 gf) or tactile")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, SwitchKind>{{"linear", SwitchKind::linear},
+                                                                    {"between", SwitchKind::between},
+                                                                    {"tactile", SwitchKind::tactile}}));
   find->add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
   addRanges(*find, a.find.ranges);
   return like;

@@ -43,8 +43,10 @@ std::string textOf(const StateSpread& state) {
   std::string text;
   for (const FigureSpread& each : state.figures) {
     const KeyFigureName& name = keyFigureNames()[static_cast<std::size_t>(each.figure)];
-    text += format("  %-24s %9.4g +- %.2g (%.4g to %.4g), %zu units\n", std::string(name.key).c_str(),
-                   each.mean, each.sd, each.least, each.most, each.units);
+    const std::string key(name.key);
+    text += each.sd ? format("  %-24s %9.4g +- %.2g (%.4g to %.4g), %zu units\n", key.c_str(), each.mean,
+                             *each.sd, each.least, each.most, each.units)
+                    : format("  %-24s %9.4g, 1 unit\n", key.c_str(), each.mean);
   }
   return text;
 }
@@ -55,7 +57,7 @@ ordered_json jsonOf(const StateSpread& state, const std::string& name) {
     figures[std::string(keyFigureNames()[static_cast<std::size_t>(each.figure)].key)] = {
         {"units", each.units},
         {"mean", each.mean},
-        {"sd", each.sd},
+        {"sd", each.sd ? ordered_json(*each.sd) : ordered_json(nullptr)},
         {"least", each.least},
         {"most", each.most}};
   const auto band = [](const ToleranceBand& points) {

@@ -49,6 +49,28 @@ std::string simulatedLine(const MagneticKeyForecast& f) {
   return line;
 }
 
+/// C that reads the table between its entries, in whole numbers.
+std::string placeFunction() {
+  const std::string last = std::to_string(travelTableEntries - 1);
+  return "/* Micrometres of a reading: straight between two entries. */\n"
+         "static inline uint32_t detent_travel_um_at(int32_t reading) {\n"
+         "  int64_t span = (int64_t)DETENT_READING_AT_END - DETENT_READING_AT_REST;\n"
+         "  int64_t way = ((int64_t)reading - DETENT_READING_AT_REST) * " +
+         last +
+         ";\n"
+         "  int entry;\n"
+         "  if (span < 0) { span = -span; way = -way; }\n"
+         "  if (way <= 0) return detent_travel_um[0];\n"
+         "  if (way >= span * " +
+         last + ") return detent_travel_um[" + last +
+         "];\n"
+         "  entry = (int)(way / span);\n"
+         "  return (uint32_t)(detent_travel_um[entry] +\n"
+         "                    ((int64_t)detent_travel_um[entry + 1] - (int64_t)detent_travel_um[entry]) * "
+         "(way % span) / span);\n"
+         "}\n";
+}
+
 std::string head(const Button& button, const MagneticSensor& sensor, const TravelTable& table,
                  const std::vector<MagneticKeyForecast>& simulated) {
   std::string text =
@@ -56,10 +78,16 @@ std::string head(const Button& button, const MagneticSensor& sensor, const Trave
   text += sensor.isAssumed() ? "   READINGS ARE ASSUMED (a magnet of the usual size): measure yours, pass "
                                "them with --readings.\n"
                              : "   Readings as measured.\n";
-  char line[160];
-  std::snprintf(line, sizeof line,
-                "   A place read from the table is off by up to %.4f mm; noise of %.3g counts.\n",
-                table.worst_mm, sensor.noise());
+  char line[240];
+  unsigned widest_um = 0;
+  for (std::size_t i = 1; i < table.travel_um.size(); ++i)
+    widest_um =
+        std::max(widest_um, table.travel_um[i] - std::min(table.travel_um[i], table.travel_um[i - 1]));
+  std::snprintf(
+      line, sizeof line,
+      "   A place between entries, as detent_travel_um_at() gives it, is off by up to %.4f mm; a plain "
+      "entry by up to %.4f mm.\n   Noise of %.3g counts.\n",
+      table.worst_mm, widest_um / um_per_mm, sensor.noise());
   text += line;
   text += "   Forecast for 64 simulated fingers, 1,024 presses, acting at the point below:\n";
   for (const MagneticKeyForecast& one : simulated) text += simulatedLine(one);
@@ -117,7 +145,8 @@ std::string keyHeaderFrom(const Button& button, const MagneticSensor& sensor,
   text += "static const uint32_t detent_travel_um[" + std::to_string(travelTableEntries) + "] = {";
   for (std::size_t i = 0; i < table.travel_um.size(); ++i)
     text += (i % 16 == 0 ? "\n  " : " ") + std::to_string(table.travel_um[i]) + "u,";
-  return text + "\n};\n\n#endif\n";
+  text += "\n};\n\n" + placeFunction();
+  return text + "\n#endif\n";
 }
 
 }  // namespace detent::playback

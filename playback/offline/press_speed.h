@@ -10,8 +10,7 @@
 
 namespace detent::playback {
 
-/// Of the first press in a trace that goes so far: mean from 10 to 90 % of the first state's travel. Forces become places as the engine has
-/// them. Empty where none does. Allocates.
+/// Speed of the finger in the first press of a trace that goes so far, by the marks of speed_tracker.h. Empty where none does.
 std::optional<double> pressSpeed_mm_per_s(const HapticProgram& program, const PressTrace& trace);
 
 /// A button as a press finds it.

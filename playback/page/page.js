@@ -315,8 +315,9 @@
     engine = detentInstance(module, numbers);
     window.detent = {
       buttons: data.buttons.map((b) => b.name),
-      async render(i) {
-        const count = engine.detent_render(i, 48000);
+      // At 48 kHz as `detent-play render` has it; at the context's own rate what the pad plays.
+      async render(i, rate = 48000) {
+        const count = engine.detent_render(i, rate);
         if (count < 0) throw new RangeError(`there is no button ${i}`);
         return new Float32Array(engine.memory.buffer, engine.detent_rendered(), count).slice();
       },

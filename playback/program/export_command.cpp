@@ -2,6 +2,7 @@
 #include "playback/program/export_command.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -50,6 +51,28 @@ Result<PressTrace> pressOf(const std::string& press, const HapticProgram& progra
   return namesPress(press) ? namedPress(press, program) : readPressTrace(press);
 }
 
+/// A program's text under another ending is not found by what should include it.
+void warnOfEnding(ExportFormat format, const std::string& file) {
+  const char* ending = nullptr;
+  switch (format) {
+    case ExportFormat::cHeader:
+    case ExportFormat::bos1921:
+    case ExportFormat::da728x:
+    case ExportFormat::drv2605:
+    case ExportFormat::pcm:
+      ending = ".h";
+      break;
+    case ExportFormat::android:
+      ending = ".kt";
+      break;
+    default:
+      return;
+  }
+  if (std::filesystem::path(file).extension() != ending)
+    std::fprintf(stderr, "warning: %s holds %s: give it the ending %s\n", file.c_str(),
+                 format == ExportFormat::android ? "Kotlin" : "C", ending);
+}
+
 int runExport(const ExportArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
   if (!profile) return fail(profile.failure());
@@ -73,6 +96,7 @@ int runExport(const ExportArguments& a, const Cancelled& cancelled) {
   Result<std::vector<std::string>> paths = writeExported(*exported, a.outputFile);
   if (!paths) return fail(paths.failure());
   for (const std::string& path : *paths) std::fprintf(stderr, "%s\n", path.c_str());
+  warnOfEnding(settings.format, a.outputFile);
   for (const std::string& line : linesOf(exported->loss)) std::fprintf(stderr, "  %s\n", line.c_str());
   if (a.json) {
     Json json = {{"status", "ok"},

@@ -17,7 +17,6 @@
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/performance_json.h"
-#include "playback/program/performance_limits.h"
 #include "playback/program/press_effects.h"
 
 namespace detent::playback {
@@ -27,15 +26,7 @@ namespace {
 struct PerformanceArguments {
   std::vector<std::string> buttons;
   std::optional<double> operateAt_mm;
-  std::string limitsFile;
   bool json = false;
-};
-
-/// A button and all that is said of it.
-struct Forecasted {
-  Button button;
-  PressForecast forecast;
-  std::vector<LimitFinding> limits;
 };
 
 Result<Button> namedButton(const std::string& file) {
@@ -93,23 +84,6 @@ void sayPerformance(const PressForecast& forecast) {
   }
 }
 
-void sayPerformance(const LimitFinding& finding) {
-  const Limit& limit = finding.limit;
-  const char* outcome = finding.outcome == LimitOutcome::pass   ? "passes"
-                        : finding.outcome == LimitOutcome::fail ? "fails"
-                                                                : "not decided within the tolerance";
-  const auto word = [](const std::optional<double>& bound) {
-    char text[32] = "any";
-    if (bound) std::snprintf(text, sizeof text, "%.4g", *bound);
-    return std::string(text);
-  };
-  std::fprintf(stderr, "  %s (%s%s%s), %s: %s %.4g of %s to %s, tolerance %.4g: %s\n", limit.standard.c_str(),
-               limit.edition.empty() ? "edition not known" : limit.edition.c_str(),
-               limit.clause.empty() ? "" : ", ", limit.clause.c_str(), limit.kind.c_str(),
-               keyOf(limit.figure), finding.value, word(limit.least).c_str(), word(limit.most).c_str(),
-               limit.tolerance, outcome);
-}
-
 void sayDifferences(const PressForecast& first, const PressForecast& second) {
   std::fprintf(stderr, "%s against %s, forecast; the same finger presses both:\n", second.name.c_str(),
                first.name.c_str());
@@ -129,42 +103,34 @@ void sayDifferences(const PressForecast& first, const PressForecast& second) {
   }
 }
 
-Json allDifferences(const std::vector<Forecasted>& all) {
+Json allDifferences(const std::vector<PressForecast>& all) {
   Json list = Json::array();
   for (std::size_t second = 1; second < all.size(); ++second) {
     for (std::size_t first = 0; first < second; ++first) {
-      sayDifferences(all[first].forecast, all[second].forecast);
-      list.push_back(differencesOf(all[first].forecast, all[second].forecast));
+      sayDifferences(all[first], all[second]);
+      list.push_back(differencesOf(all[first], all[second]));
     }
   }
   return list;
 }
 
 int runPerformance(const PerformanceArguments& a, const Cancelled& cancelled) {
-  std::vector<Limit> limits = knownLimits();
-  if (!a.limitsFile.empty()) {
-    Result<std::vector<Limit>> more = readLimits(a.limitsFile);
-    if (!more) return fail(more.failure());
-    limits.insert(limits.end(), more->begin(), more->end());
-  }
   std::vector<Button> buttons;
   for (const std::string& file : a.buttons) {
     Result<Button> button = namedButton(file);
     if (!button) return fail(button.failure());
     buttons.push_back(*std::move(button));
   }
-  std::vector<Forecasted> all;
+  std::vector<PressForecast> all;
   Json list = Json::array();
-  for (Button& button : buttons) {
+  for (const Button& button : buttons) {
     ForecastSettings settings;
     settings.operateAt_mm = a.operateAt_mm;
     std::optional<PressForecast> forecast = forecastPress(button, settings, cancelled);
     if (!forecast) return fail(Failure::cancelled("performance"));
-    std::vector<LimitFinding> findings = holdAgainst(limits, button);
-    all.push_back({std::move(button), *std::move(forecast), std::move(findings)});
-    sayPerformance(all.back().forecast);
-    for (const LimitFinding& finding : all.back().limits) sayPerformance(finding);
-    list.push_back(forecastJson(all.back().forecast, all.back().limits));
+    all.push_back(*std::move(forecast));
+    sayPerformance(all.back());
+    list.push_back(forecastJson(all.back()));
   }
   const Json differences = allDifferences(all);
   if (a.json)
@@ -177,21 +143,18 @@ int runPerformance(const PerformanceArguments& a, const Cancelled& cancelled) {
 
 }  // namespace
 
-std::string buttonJson(const PressForecast& forecast, const std::vector<LimitFinding>& findings) {
-  return jsonText(forecastJson(forecast, findings));
-}
+std::string buttonJson(const PressForecast& forecast) { return jsonText(forecastJson(forecast)); }
 
 void addPerformanceCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "performance",
-      "How fast, how surely, how hard will people press? A forecast (docs/reference/press-forecast.md)");
+      "Research: how fast, how surely, how hard will people press? 4 of 11 published effects are met "
+      "(docs/reference/press-forecast.md)");
   const auto a = std::make_shared<PerformanceArguments>();
   app->add_option("BUTTON", a->buttons, "*.button.json; several are compared")->required()->expected(1, 100);
   app->add_option("--operate-at", a->operateAt_mm,
                   "What if the contact closed here, mm; the reset point keeps its distance")
       ->check(numberWithin(0, 1e5));
-  app->add_option("--limits", a->limitsFile,
-                  "JSON table of further limits of standards (docs/reference/press-forecast.md)");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->footer(std::string("Only differences between buttons mean something: absolute numbers depend on the "
                           "body's parameters. "

@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "playback/performance/forecast.h"
-#include "playback/performance/limits.h"
 #include "playback/program/command.h"
 
 namespace detent::playback {
 
 void addPerformanceCommand(CLI::App& program, Action& chosen);
 
-/// What is foretold of one button and the limits it was held against, as scripts read it.
-std::string buttonJson(const PressForecast& forecast, const std::vector<LimitFinding>& findings);
+/// Forecast of one button as JSON.
+std::string buttonJson(const PressForecast& forecast);
 
 }  // namespace detent::playback

@@ -2,10 +2,7 @@
 #pragma once
 // A forecast of presses as JSON, in the shape that scripts rely on.
 
-#include <vector>
-
 #include "playback/performance/forecast.h"
-#include "playback/performance/limits.h"
 #include "playback/program/json_output.h"
 
 namespace detent::playback {
@@ -13,7 +10,7 @@ namespace detent::playback {
 /// "median", "low", "high": 5 to 95 % of the fingers.
 Json bandJson(const Band& band);
 
-/// What is said of one button, with the limits it was held against.
-Json forecastJson(const PressForecast& forecast, const std::vector<LimitFinding>& findings);
+/// Forecast of one button.
+Json forecastJson(const PressForecast& forecast);
 
 }  // namespace detent::playback

@@ -33,21 +33,35 @@ bool meets(const Crossings& crossings, CrossingKind kind) {
 
 }  // namespace
 
+PressMarks placeMarks(const StateProgram& state) {
+  const double travel_mm = state.end_mm - state.start_mm;
+  const auto placeOf = [&](double share) { return state.start_mm + share * travel_mm; };
+  return {placeOf(touchShare), placeOf(fromShare), placeOf(toShare), (toShare - fromShare) * travel_mm};
+}
+
+PressMarks forceMarks(const StateProgram& state) {
+  const double travel_mm = state.end_mm - state.start_mm;
+  double strongest_N = 0;  // the top of a vertical bottom-out included
+  for (std::size_t i = 0; i < state.press.pointCount; ++i)
+    strongest_N = std::fmax(strongest_N, state.press.points[i].force_N);
+  PressMarks marks{touchShare * strongest_N, fromShare * strongest_N,
+                   strongestUpTo(state.press, state.start_mm + settledAt * travel_mm)};
+  if (marks.to <= 0) marks.to = toShare * strongest_N;  // no force on the first half
+  marks.from = std::fmin(marks.from, marks.to / 2);     // a bottom-out makes all else small
+  marks.touch = std::fmin(marks.touch, marks.from / 2);
+  marks.way_mm = strongest_N > 0 ? travel_mm * (marks.to - marks.from) / strongest_N : 0;
+  return marks;
+}
+
 void PressPace::use(const HapticProgram& front) {
   interrupt();
   for (std::size_t s = 0; s < front.stateCount; ++s) {
-    const StateProgram& state = front.states[s];
-    StateMarks& m = marks_[s];
-    m.travel_mm = state.end_mm - state.start_mm;
-    const auto placeOf = [&](double share) { return state.start_mm + share * m.travel_mm; };
-    m.mm = {placeOf(touchShare), placeOf(fromShare), placeOf(toShare)};
-    m.N = {strongestUpTo(state.press, m.mm.touch), strongestUpTo(state.press, m.mm.from),
-           strongestUpTo(state.press, m.mm.to)};
+    marks_[s] = {placeMarks(front.states[s]), forceMarks(front.states[s])};
   }
 }
 
 bool PressPace::take(double value, bool isForce, std::uint8_t state, double time_s) {
-  const Marks& m = isForce ? marks_[state].N : marks_[state].mm;
+  const PressMarks& m = isForce ? marks_[state].N : marks_[state].mm;
   const double before = heard_ ? before_ : value, before_s = before_s_;
   heard_ = true, before_ = value, before_s_ = time_s;
   if (value < m.touch) begun_ = timed_ = false;
@@ -61,7 +75,7 @@ bool PressPace::take(double value, bool isForce, std::uint8_t state, double time
   const double from = asRender ? m.from : m.touch, since_s = asRender ? passed_s_ : touched_s_;
   if (!begun_ || !(value > from) || !(value > before) || !(time_s > since_s)) return false;
   const double takes_s = (time_s - since_s) * (m.to - m.from) / (value - from);
-  speed_ = std::fmin((toShare - fromShare) * marks_[state].travel_mm / takes_s, fastest_mm_per_s);
+  speed_ = std::fmin(m.way_mm / takes_s, fastest_mm_per_s);
   return true;
 }
 

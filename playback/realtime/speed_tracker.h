@@ -12,8 +12,18 @@
 
 namespace detent::playback {
 
-/// How fast a press is: what `render` measures from 10 to 90 % of the travel, foretold from the way so far. Of forces the way is that from
-/// the force at 10 % to the strongest up to 90 %, of the graph in front. Callback thread; no allocation.
+/// By which readings a press is timed, and how far the finger goes from `from` to `to`.
+struct PressMarks {
+  double touch = 0, from = 0, to = 0;  ///< N or mm, rising
+  double way_mm = 0;
+};
+/// Of places: from 10 to 90 % of the travel.
+PressMarks placeMarks(const StateProgram& state);
+/// Of forces: from 10 % of the strongest force of the press to the strongest of its first half, where a press is known at the latest. A
+/// finger goes as far as its force rises: the whole travel for the strongest force. Where the button jumps, the finger does not.
+PressMarks forceMarks(const StateProgram& state);
+
+/// How fast a press is, foretold from the way so far, by the marks of the graph in front. Callback thread; no allocation.
 class PressPace {
  public:
   void use(const HapticProgram& front);
@@ -26,13 +36,8 @@ class PressPace {
   void interrupt() { heard_ = begun_ = timed_ = false; }
 
  private:
-  /// Places and forces at shares of the travel.
-  struct Marks {
-    double touch = 0, from = 0, to = 0;
-  };
   struct StateMarks {
-    Marks mm, N;
-    double travel_mm = 0;
+    PressMarks mm, N;
   };
 
   std::array<StateMarks, maxStates> marks_{};

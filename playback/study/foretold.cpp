@@ -12,6 +12,7 @@ Result<std::vector<FeltButton>> feltIn(const Study& study, FeedbackMode mode) {
   PerceptionSettings settings;
   if (study.profile) settings.device = *study.profile;
   settings.playback.mode = mode;
+  settings.playback.feel = study.design.feel;
   std::vector<FeltButton> felt;
   for (const StudyButton& button : study.buttons) {
     Result<FeltButton> one = feel(button.button, settings);

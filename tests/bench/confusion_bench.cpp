@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forecast against K&L's noisy group (Table 2), beside three measures of others, and what tuning one
-// number would gain. Figures: docs/reference/predicted-confusion.md
+// The forecast against K&L's noisy group (Table 2), beside three measures of others; confusion_fit.py judges it. Figures: docs/reference/predicted-confusion.md
 
 #include <algorithm>
 #include <chrono>
@@ -28,7 +27,9 @@ Button sample(char name) {
   return *readButtonFile(std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json");
 }
 
-std::vector<FeltButton> feelAll(const PerceptionSettings& settings) {
+/// As K&L's participants felt them.
+std::vector<FeltButton> feelAll(PerceptionSettings settings) {
+  settings.playback.feel = Feel::paper;
   std::vector<FeltButton> felt;
   for (const char name : names) felt.push_back(*feel(sample(name), settings));
   return felt;
@@ -41,10 +42,11 @@ std::vector<std::string> pairNames() {
   return pairs;
 }
 
-std::vector<double> errorsOf(const std::vector<PredictedPair>& pairs) {
-  std::vector<double> errors;
-  for (const PredictedPair& pair : pairs) errors.push_back(pair.errorsPer90());
-  return errors;
+/// Larger where more errors are forecast: far-apart pairs differ in d' alone.
+std::vector<double> confusable(const std::vector<PredictedPair>& pairs) {
+  std::vector<double> order;
+  for (const PredictedPair& pair : pairs) order.push_back(-pair.dPrime);
+  return order;
 }
 
 void line(const char* what, const std::vector<double>& forecast) {
@@ -89,70 +91,15 @@ void printSteps() {
     double before = 0, largest = 0;
     for (int step = 1; step <= 60; ++step) {
       const FeltButton now = *feel(*scaleForce(button, 1 + 0.001 * step / strongest_N));
-      const double dPrime = predictConfusion(was, now).dPrime;
+      ConfusionSettings untuned;
+      untuned.sensitivity = 1;
+      const double dPrime = predictConfusion(was, now, untuned).dPrime;
       largest = std::max(largest, std::fabs(dPrime - before));
       before = dPrime;
     }
     std::printf("  %c %.3f", name, largest);
   }
   std::printf("\n");
-}
-
-/// Factor on d' that gives the fewest squared errors of counts, without the pair `leftOut`.
-double tunedSensitivity(const std::vector<FeltButton>& felt, std::size_t leftOut) {
-  double best = 1, least = 1e300;
-  for (double s = 0.3; s < 3; s *= 1.02) {
-    ConfusionSettings settings;
-    settings.sensitivity = s;
-    const std::vector<double> errors = errorsOf(predictAll(felt, {}, settings));
-    double sum = 0;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (i != leftOut) sum += (errors[i] - found[i]) * (errors[i] - found[i]);
-    if (sum < least) {
-      least = sum;
-      best = s;
-    }
-  }
-  return best;
-}
-
-/// What says the same of every pair: the mean of the others' errors, or of all.
-std::vector<double> sameForAll(bool leaveOneOut) {
-  double all = 0;
-  for (const double errors : found) all += errors;
-  std::vector<double> forecast;
-  for (const double own : found) {
-    const double pairs = static_cast<double>(found.size());
-    forecast.push_back(leaveOneOut ? (all - own) / (pairs - 1) : all / pairs);
-  }
-  return forecast;
-}
-
-/// Factor on d' at which a pair's forecast is what was found; no error found counts as half a one.
-double ownSensitivity(const std::vector<FeltButton>& felt, std::size_t pair) {
-  double low = 0.05, high = 20;
-  while (high > 1.0001 * low) {
-    ConfusionSettings settings;
-    settings.sensitivity = std::sqrt(low * high);
-    const double errors = errorsOf(predictAll(felt, {}, settings))[pair];
-    (errors > std::max(found[pair], 0.5) ? low : high) = settings.sensitivity;
-  }
-  return std::sqrt(low * high);
-}
-
-void printRange(const std::vector<FeltButton>& felt) {
-  std::vector<double> own;
-  for (std::size_t i = 0; i < found.size(); ++i) own.push_back(ownSensitivity(felt, i));
-  std::sort(own.begin(), own.end());
-  std::printf("sensitivities of single pairs:");
-  for (const double s : own) std::printf(" %.3f", s);
-  std::printf("\n");
-}
-
-double rms(const std::vector<double>& forecast) {
-  double sum = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) sum += (forecast[i] - found[i]) * (forecast[i] - found[i]);
-  return std::sqrt(sum / static_cast<double>(found.size()));
 }
 
 }  // namespace
@@ -171,24 +118,25 @@ int main() {
                 p.press.travel, p.release.strength, p.release.timing, p.release.travel);
   }
   std::printf("%.2f ms per pair once both are felt\n\n", each_ms);
-  line("forecast, untuned", errorsOf(pairs));
+  line("forecast", confusable(pairs));
   line("1 - ST-SIM", baseline(felt, stSimDistance));
   line("1 - SPQI", baseline(felt, spqiDistance));
   line("spectral distance", baseline(felt, spectralDistance_dB));
   printSimple(pairs);
   PerceptionSettings flat;
   flat.device = {};
-  line("forecast, flat device", errorsOf(predictAll(feelAll(flat))));
+  line("forecast, flat device", confusable(predictAll(feelAll(flat))));
   for (const double gain_dB : {6.0, 18.0}) {
     PerceptionSettings other;
     for (Resonance& r : other.device.resonances) r.gain_dB = gain_dB;
     line(("forecast, resonances of " + std::to_string(static_cast<int>(gain_dB)) + " dB").c_str(),
-         errorsOf(predictAll(feelAll(other))));
+         confusable(predictAll(feelAll(other))));
   }
   for (const double slope : {0.0, 0.5, 0.8}) {
     PerceptionSettings other;
     other.masking.slope = slope;
-    line(("forecast, masking slope " + std::to_string(slope)).c_str(), errorsOf(predictAll(feelAll(other))));
+    line(("forecast, masking slope " + std::to_string(slope)).c_str(),
+         confusable(predictAll(feelAll(other))));
   }
   for (int off = 0; off < 3; ++off) {
     ConfusionSettings without;
@@ -199,36 +147,20 @@ int main() {
     line(off == 0   ? "forecast without strength"
          : off == 1 ? "forecast without timing"
                     : "forecast without travel",
-         errorsOf(predictAll(felt, {}, without)));
+         confusable(predictAll(felt, {}, without)));
   }
   for (const double weber : {0.1, 0.2, 0.25, 0.4, 1e9}) {
     ConfusionSettings other;
     other.forceWeber = weber;
     line(("forecast, Weber fraction of force " + std::to_string(weber)).c_str(),
-         errorsOf(predictAll(felt, {}, other)));
+         confusable(predictAll(felt, {}, other)));
   }
   for (const double least_N : {0.0, 1.0, 1.5, 2.0, 2.5, 3.0}) {
     PerceptionSettings other;
     other.hand.least_N.fill(least_N);
     line(("forecast, a hand of " + std::to_string(least_N) + " N at any speed").c_str(),
-         errorsOf(predictAll(feelAll(other))));
+         confusable(predictAll(feelAll(other))));
   }
-  ConfusionSettings tuned;
-  tuned.sensitivity = tunedSensitivity(felt, found.size());
-  const std::vector<double> fitted = errorsOf(predictAll(felt, {}, tuned));
-  std::vector<double> leftOut;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    ConfusionSettings others;
-    others.sensitivity = tunedSensitivity(felt, i);
-    leftOut.push_back(errorsOf(predictAll(felt, {}, others))[i]);
-  }
-  line("one number tuned (sensitivity)", fitted);
-  line("the same, each pair left out", leftOut);
-  std::printf("sensitivity %.2f; rms of errors in 90: untuned %.2f, tuned %.2f, left out %.2f\n",
-              tuned.sensitivity, rms(errorsOf(pairs)), rms(fitted), rms(leftOut));
-  std::printf("the same number for every pair: rms %.2f, left out %.2f\n", rms(sameForAll(false)),
-              rms(sameForAll(true)));
-  printRange(felt);
   printSteps();
   return 0;
 }

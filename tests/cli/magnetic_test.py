@@ -23,6 +23,7 @@ int main(void) {
   while (scanf("%lf", &reading) == 1) {
     double place = (reading - DETENT_READING_AT_REST) * 255.0 / (DETENT_READING_AT_END - DETENT_READING_AT_REST);
     int i = place < 0 ? 0 : place > 254 ? 254 : (int)place;
+    printf("%u ", (unsigned)detent_travel_um_at((int32_t)reading));
     printf("%.6f\\n", detent_travel_um[i] + (place - i) * ((double)detent_travel_um[i + 1] - (double)detent_travel_um[i]));
   }
   return 0;
@@ -68,9 +69,12 @@ class Magnetic(unittest.TestCase):
                            check=True)
             places = [i / 97 * 4 for i in range(98)]
             told = subprocess.run([str(program)], input="\n".join(str(law(x)) for x in places), text=True,
-                                  capture_output=True, check=True).stdout.split()
-            for place, um in zip(places, told):
+                                  capture_output=True, check=True).stdout.splitlines()
+            for place, line in zip(places, told):
+                whole, um = line.split()
                 self.assertAlmostEqual(float(um) / 1000, place, delta=0.005)
+                # A reading cut to whole counts, and micrometres cut to whole ones; a plain entry is up to 32 micrometres off.
+                self.assertAlmostEqual(float(whole) / 1000, place, delta=0.005 + 1 / 400 + 0.001)
         self.assertNotIn("ASSUMED", out.read_text())
 
     def test_the_sensor_along_the_travel(self):

@@ -43,12 +43,23 @@ std::vector<Button> scattered(std::size_t count, unsigned seed) {
 
 }  // namespace
 
+TEST_CASE("what a single unit has is not known to scatter") {
+  std::vector<Button> units = scattered(3, 1);
+  units[0] = require(setOperatingPoint(units[0], 0, 1.5));
+  const UnitSpread spread = require(spreadOf(units));
+  const FigureSpread& operating = spreadIn(spread, KeyFigure::operatingForce);
+  CHECK(operating.units == 1);
+  CHECK_FALSE(operating.sd);
+  CHECK(spreadIn(spread, KeyFigure::peakForce).sd);
+}
+
 TEST_CASE("units become their mean, with the spread of each figure and a band") {
   const UnitSpread spread = require(spreadOf({unit(-0.05, 0), unit(0, 0.1), unit(0.05, -0.1)}));
   const FigureSpread& peak = spreadIn(spread, KeyFigure::peakForce);
   CHECK(peak.units == 3);
   CHECK(peak.mean == Approx(0.55));
-  CHECK(peak.sd == Approx(0.05));
+  REQUIRE(peak.sd);
+  CHECK(*peak.sd == Approx(0.05));
   CHECK(peak.least == Approx(0.50));
   CHECK(peak.most == Approx(0.60));
   const KeyFigures mean = keyFiguresOf(spread.mean.states().front());

@@ -68,11 +68,12 @@ std::string confusionOf(const std::vector<Button>& buttons, const Cancelled& can
   for (const Button& button : buttons) felt.push_back(valueOf(playback::feel(button, {}, cancelled)));
   const auto pairs = playback::predictAll(felt, [&](std::size_t, std::size_t) { return !cancelled(); });
   if (pairs.empty()) throw Refusal(Refused::from(Failure::cancelled("confusion")));
+  const auto ranks = playback::ranksOf(pairs);
   std::vector<std::string> list;
   std::size_t at = 0;
   for (std::size_t second = 1; second < felt.size(); ++second) {
     for (std::size_t first = 0; first < second; ++first, ++at) {
-      list.push_back(playback::pairJson(std::to_string(first), std::to_string(second), pairs[at]));
+      list.push_back(playback::pairJson(std::to_string(first), std::to_string(second), pairs[at], ranks[at]));
     }
   }
   return arrayOf(list);
@@ -87,7 +88,7 @@ std::string performanceOf(const std::vector<Button>& buttons, const std::optiona
   for (const Button& button : buttons) {
     const auto forecast = playback::forecastPress(button, settings, cancelled);
     if (!forecast) throw Refusal(Refused::from(Failure::cancelled("performance")));
-    list.push_back(playback::buttonJson(*forecast, playback::holdAgainst(playback::knownLimits(), button)));
+    list.push_back(playback::buttonJson(*forecast));
   }
   return arrayOf(list);
 }

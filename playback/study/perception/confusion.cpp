@@ -2,9 +2,12 @@
 #include "playback/study/perception/confusion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "playback/measurement/normal.h"
 #include "playback/study/statistics/abx_sensitivity.h"
 
 namespace detent::playback {
@@ -14,6 +17,10 @@ namespace {
 using Levels = std::vector<std::array<double, channelCount>>;
 
 constexpr double onset_dB = 6;  // above threshold: clearly felt
+
+constexpr double errorsAtBar = 0.1;  // K&L: at most one error in ten trials
+constexpr double surely = 0.9;       // probability of a verdict
+constexpr int rangeTrials = 90;      // as in Table 2: nine people, ten trials
 
 constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
 
@@ -127,7 +134,22 @@ void addTo(StrokeDifference& sum, const StrokeDifference& d, double share) {
   sum.force += share * d.force;
 }
 
-double shareWrong(double dPrime) { return 1 - shareCorrect(dPrime, AbxStrategy::differencing); }
+double shareWrong(double dPrime, const ConfusionSettings& settings) {
+  return settings.lapses / 2 + (1 - settings.lapses) * (1 - shareCorrect(dPrime, AbxStrategy::differencing));
+}
+
+/// d' that makes one error in ten.
+double dPrimeAtBar(const ConfusionSettings& settings) {
+  const double share = 1 - (errorsAtBar - settings.lapses / 2) / (1 - settings.lapses);
+  return dPrimeOf(share, AbxStrategy::differencing);
+}
+
+/// Probability that people confuse a pair of the smaller d' more than one of the larger.
+double probabilityMoreConfused(double smaller, double larger, const ConfusionSettings& settings) {
+  if (smaller == larger) return 0.5;
+  if (smaller <= 0) return 1;
+  return normalCdf(std::log(larger / smaller) / (std::sqrt(2.0) * settings.sensitivitySpread));
+}
 
 PredictedPair predictState(const FeltButton& a, const FeltButton& b, std::size_t state,
                            const ConfusionSettings& settings) {
@@ -142,10 +164,8 @@ PredictedPair predictState(const FeltButton& a, const FeltButton& b, std::size_t
     addTo(pair.press, press, share);
     addTo(pair.release, release, share);
     pair.dPrime += share * d;
-    pair.shareOfErrors += share * shareWrong(d);
-    pair.leastShareOfErrors += share * shareWrong(settings.range.most * d);
-    pair.mostShareOfErrors += share * shareWrong(settings.range.least * d);
   }
+  foretellErrors(pair, settings);
   pair.onPress = pair.press.largest() >= pair.release.largest();
   pair.cue = (pair.onPress ? pair.press : pair.release).cue();
   return pair;
@@ -163,9 +183,51 @@ Cue StrokeDifference::cue() const {
 }
 
 Verdict PredictedPair::verdict() const {
-  constexpr double bar = 0.1;  // K&L: at most one error in ten trials
-  if (mostShareOfErrors <= bar) return Verdict::toldApart;
-  return leastShareOfErrors > bar ? Verdict::notToldApart : Verdict::cannotBeSaid;
+  if (probabilityApart >= surely) return Verdict::toldApart;
+  return probabilityApart <= 1 - surely ? Verdict::notToldApart : Verdict::undecided;
+}
+
+void foretellErrors(PredictedPair& pair, const ConfusionSettings& settings) {
+  constexpr int kinds = 40;      // of pairs, equally frequent, by rising sensitivity
+  constexpr double tail = 0.05;  // left out at each end of the range
+  std::array<double, rangeTrials + 1> probability{};
+  for (int i = 0; i < kinds; ++i) {
+    const double z = normalQuantile((i + 0.5) / kinds);
+    const double wrong = shareWrong(pair.dPrime * std::exp(z * settings.sensitivitySpread), settings);
+    double exactly = std::pow(1 - wrong, rangeTrials);  // no error
+    for (int k = 0; k <= rangeTrials; ++k) {
+      probability[static_cast<std::size_t>(k)] += exactly / kinds;
+      exactly *= double(rangeTrials - k) / (k + 1) * wrong / (1 - wrong);
+    }
+  }
+  const auto shareAt = [&](double quantile) {
+    double below = 0;
+    int k = 0;
+    while (k < rangeTrials && (below += probability[static_cast<std::size_t>(k)]) < quantile) ++k;
+    return double(k) / rangeTrials;
+  };
+  pair.shareOfErrors = shareWrong(pair.dPrime, settings);
+  pair.leastShareOfErrors = shareAt(tail);
+  pair.mostShareOfErrors = shareAt(1 - tail);
+  pair.probabilityApart =
+      pair.dPrime > 0 ? normalCdf(std::log(pair.dPrime / dPrimeAtBar(settings)) / settings.sensitivitySpread)
+                      : 0;
+}
+
+std::vector<PairRank> ranksOf(const std::vector<PredictedPair>& pairs, const ConfusionSettings& settings) {
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return pairs[a].dPrime < pairs[b].dPrime; });
+  std::vector<PairRank> ranks(pairs.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    PairRank& rank = ranks[order[i]];
+    rank.rank = i + 1;
+    if (i + 1 == order.size()) break;
+    rank.moreConfusedThanNext =
+        probabilityMoreConfused(pairs[order[i]].dPrime, pairs[order[i + 1]].dPrime, settings);
+  }
+  return ranks;
 }
 
 PredictedPair predictConfusion(const FeltButton& a, const FeltButton& b, const ConfusionSettings& settings) {

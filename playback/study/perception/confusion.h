@@ -4,6 +4,7 @@
 // asked. docs/reference/predicted-confusion.md: sources, what it reaches on K&L's Table 2, and where it fails.
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "playback/study/perception/felt_button.h"
@@ -25,12 +26,6 @@ struct StrokeDifference {
   Cue cue() const;
 };
 
-/// Factors on d' that bring the untuned forecast of single pairs to what K&L's noisy group did (Table 2 (b)): the least and the most of
-/// the 15 pairs. A further pair like them lies within in 14 of 16 cases. `confusion_bench` prints them.
-struct SensitivityRange {
-  double least = 0.72, most = 5.8;
-};
-
 struct ConfusionSettings {
   /// Just noticeable differences of level: Weber fraction 0.58 at 10 Hz (RA), 0.20 at 125 Hz (P).
   std::array<double, channelCount> noticeable_dB{3.97, 1.58};
@@ -40,20 +35,23 @@ struct ConfusionSettings {
   /// Of the finger's own mean force in two presses of one's own: each varies by 0.2, and force is felt to 0.1 of it.
   double forceWeber = 0.32;
   double alignment_s = 0.02;  ///< time is warped by at most so much
-  double sensitivity = 1;     ///< factor on every d'; 1: not tuned
-  SensitivityRange range;     ///< further factors, for the range of errors
+  // From d' to errors, fitted to the 15 pairs of K&L's noisy group (Table 2 (b)) by confusion_fit.py, each pair with a sensitivity of
+  // its own: log-normal over pairs.
+  double sensitivity = 3.3;        ///< factor on every d'; 1: not tuned
+  double sensitivitySpread = 0.6;  ///< standard deviation of the factor's logarithm over pairs
+  double lapses = 0.05;  ///< share of trials answered by guessing, however far apart the buttons are; [0, 1)
 };
 
-/// What the range of a forecast bears: that people tell two buttons apart (at most one error in ten, the bar of K&L's test, at both of
-/// its ends), that they do not (more, at both), or neither.
-enum class Verdict : std::uint8_t { toldApart, notToldApart, cannotBeSaid };
+/// Answer to "do people tell these apart?" (at most one error in ten, as in K&L's test): yes from a probability of 0.9 on, no up to 0.1.
+enum class Verdict : std::uint8_t { toldApart, notToldApart, undecided };
 
-/// One forecast. "Errors" are those of an ABX test with mixed pairs.
+/// One forecast. "Errors" are those of an ABX test with mixed pairs; all follow from dPrime.
 struct PredictedPair {
-  double dPrime = 0;              ///< mean over quick and slow presses
-  double shareOfErrors = 0;       ///< [0, 0.5]
-  double leastShareOfErrors = 0,  ///< at the sensitivity range's ends
-      mostShareOfErrors = 0;
+  double dPrime = 0;                ///< mean over quick and slow presses
+  double shareOfErrors = 0.5;       ///< [0, 0.5]
+  double leastShareOfErrors = 0,    ///< counted in 90 trials: 5 % of pairs of this d' have fewer,
+      mostShareOfErrors = 0.5;      ///< and 5 % have more
+  double probabilityApart = 0;      ///< of at most one error in ten
   StrokeDifference press, release;  ///< mean over the presses
   bool onPress = true;              ///< which stroke says more
   Cue cue = Cue::strength;          ///< and by what
@@ -64,6 +62,17 @@ struct PredictedPair {
   Verdict verdict() const;
   bool toldApart() const { return verdict() == Verdict::toldApart; }
 };
+
+/// Sets the errors of a pair that follow from its dPrime.
+void foretellErrors(PredictedPair& pair, const ConfusionSettings& settings = {});
+
+/// Rank of a pair among several, the most confused first.
+struct PairRank {
+  std::size_t rank = 1;
+  std::optional<double> moreConfusedThanNext;  ///< probability, [0.5, 1]
+};
+std::vector<PairRank> ranksOf(const std::vector<PredictedPair>& pairs,
+                              const ConfusionSettings& settings = {});
 
 /// Symmetric; 0 for a button and itself. A few milliseconds. Any thread.
 PredictedPair predictConfusion(const FeltButton& a, const FeltButton& b,

@@ -53,7 +53,7 @@ DeviceProfile kimLeeApparatus();
 /// How a button is felt. Every number has its source in docs/reference/predicted-confusion.md; none is tuned.
 struct PerceptionSettings {
   DeviceProfile device = kimLeeApparatus();
-  PlaybackSettings playback;
+  PlaybackSettings playback = usualSettings();
   ThresholdSettings thresholds;
   MaskingSettings masking;
   Hand hand;

@@ -21,6 +21,9 @@ Message cueOf(const PredictedPair& pair) {
   return Message("how far it seems to yield");
 }
 
+/// In whole per cent.
+MessageValue percentOf(double probability) { return {std::round(100 * probability) / 100, Measure::share}; }
+
 }  // namespace
 
 Message errorsOf(const PredictedPair& pair) {
@@ -36,10 +39,13 @@ Message verdictOf(const PredictedPair& pair) {
       return Message("people tell these apart: %1", errorsOf(pair));
     case Verdict::notToldApart:
       return Message("people do not tell these apart: %1", errorsOf(pair));
-    case Verdict::cannotBeSaid:
+    case Verdict::undecided:
       break;
   }
-  return Message("whether people tell these apart cannot be said: %1", errorsOf(pair));
+  return pair.probabilityApart >= 0.5 ? Message("people probably tell these apart (%1): %2",
+                                                percentOf(pair.probabilityApart), errorsOf(pair))
+                                      : Message("people probably do not tell these apart (%1): %2",
+                                                percentOf(1 - pair.probabilityApart), errorsOf(pair));
 }
 
 Message shortVerdictOf(const PredictedPair& pair) {
@@ -48,10 +54,11 @@ Message shortVerdictOf(const PredictedPair& pair) {
       return Message("told apart: %1", errorsOf(pair));
     case Verdict::notToldApart:
       return Message("not told apart: %1", errorsOf(pair));
-    case Verdict::cannotBeSaid:
+    case Verdict::undecided:
       break;
   }
-  return Message("cannot be said: %1", errorsOf(pair));
+  return pair.probabilityApart >= 0.5 ? Message("probably told apart: %1", errorsOf(pair))
+                                      : Message("probably not told apart: %1", errorsOf(pair));
 }
 
 Message reasonOf(const PredictedPair& pair) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/study/program/confusion_command.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -50,10 +51,10 @@ Result<PerceptionSettings> perceptionOf(const ConfusionArguments& a) {
 
 const char* confusionWord(Verdict verdict) {
   if (verdict == Verdict::toldApart) return "told apart";
-  return verdict == Verdict::notToldApart ? "not told apart" : "cannot be said";
+  return verdict == Verdict::notToldApart ? "not told apart" : "undecided";
 }
 
-Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pair) {
+Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pair, const PairRank& rank) {
   return {{"a", a},
           {"b", b},
           {"d_prime", pair.dPrime},
@@ -61,12 +62,33 @@ Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pai
           {"errors_low", pair.leastErrorsPer90()},
           {"errors_high", pair.mostErrorsPer90()},
           {"verdict", confusionWord(pair.verdict())},
+          {"probability_apart", pair.probabilityApart},
+          {"rank", rank.rank},
+          {"more_confused_than_next",
+           rank.moreConfusedThanNext ? Json(*rank.moreConfusedThanNext) : Json(nullptr)},
           {"reason", english(reasonOf(pair))}};
 }
 
 void sayConfusion(const std::string& a, const std::string& b, const PredictedPair& pair) {
   std::fprintf(stderr, "%s | %s: %s; %s (d' %.1f)\n", a.c_str(), b.c_str(), english(verdictOf(pair)).c_str(),
                english(reasonOf(pair)).c_str(), pair.dPrime);
+}
+
+/// Pairs from the most confused to the least, each with the probability that it is more confused than the next.
+void sayOrder(const std::vector<FeltButton>& felt, const std::vector<PairRank>& ranks) {
+  if (ranks.size() < 2) return;
+  std::vector<std::string> lines(ranks.size());
+  std::size_t at = 0;
+  for (std::size_t second = 1; second < felt.size(); ++second)
+    for (std::size_t first = 0; first < second; ++first, ++at) {
+      std::string& line = lines[ranks[at].rank - 1] = felt[first].name + " | " + felt[second].name;
+      if (const auto& probability = ranks[at].moreConfusedThanNext)
+        line += " (" + std::to_string(std::lround(100 * *probability)) + " %)";
+    }
+  std::fprintf(
+      stderr,
+      "Most confused first; in brackets how likely it is that a pair is more confused than the next:\n");
+  for (const std::string& line : lines) std::fprintf(stderr, "  %s\n", line.c_str());
 }
 
 const char* confusionName(Lever lever) {
@@ -103,25 +125,28 @@ int runConfusion(const ConfusionArguments& a, const Cancelled& cancelled) {
       predictAll(felt, [&](std::size_t, std::size_t) { return !cancelled(); });
   if (pairs.empty())
     return fail({FailureCode::wrongUsage, "confusion", "", "was cancelled", "Start it again"});
+  const std::vector<PairRank> ranks = ranksOf(pairs);
   Json list = Json::array();
   std::size_t at = 0;
   for (std::size_t second = 1; second < felt.size(); ++second) {
     for (std::size_t first = 0; first < second; ++first, ++at) {
-      list.push_back(jsonOf(felt[first].name, felt[second].name, pairs[at]));
+      list.push_back(jsonOf(felt[first].name, felt[second].name, pairs[at], ranks[at]));
       sayConfusion(felt[first].name, felt[second].name, pairs[at]);
       if (!a.suggest || pairs[at].toldApart()) continue;
       if (const int code = suggest((*buttons)[second], (*buttons)[first], *settings, cancelled); code != 0)
         return code;
     }
   }
+  sayOrder(felt, ranks);
   if (a.json) print({{"pairs", list}});
   return 0;
 }
 
 }  // namespace
 
-std::string pairJson(const std::string& a, const std::string& b, const PredictedPair& pair) {
-  return jsonText(jsonOf(a, b, pair));
+std::string pairJson(const std::string& a, const std::string& b, const PredictedPair& pair,
+                     const PairRank& rank) {
+  return jsonText(jsonOf(a, b, pair, rank));
 }
 
 void addConfusionCommand(CLI::App& program, Action& chosen) {
@@ -132,7 +157,6 @@ void addConfusionCommand(CLI::App& program, Action& chosen) {
   app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required()->expected(2, 1000);
   app->add_flag("--suggest", a->suggest,
                 "For pairs not surely told apart: the smallest change after which they are");
-  a->feel.settings.feel = Feel::paper;  // the forecast was held against the paper's own presses
   addFeelOptions(*app, a->feel);
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback(

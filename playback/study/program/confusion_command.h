@@ -12,6 +12,7 @@ namespace detent::playback {
 void addConfusionCommand(CLI::App& program, Action& chosen);
 
 /// What is foretold of two buttons of these names, as scripts read it.
-std::string pairJson(const std::string& a, const std::string& b, const PredictedPair& pair);
+std::string pairJson(const std::string& a, const std::string& b, const PredictedPair& pair,
+                     const PairRank& rank);
 
 }  // namespace detent::playback

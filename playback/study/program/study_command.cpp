@@ -74,9 +74,9 @@ int runNew(NewArguments a) {
   }
   Result<Study> study = createStudy(a.folder, a.buttons, a.profileFile, a.design);
   if (!study) return fail(study.failure());
-  std::fprintf(stderr, "%s: %s, %zu buttons, %zu trials for each participant, seed %llu\n", a.folder.c_str(),
-               nameOf(study->design.kind), study->givenButtons(), countedTrials(*study),
-               static_cast<unsigned long long>(study->design.seed));
+  std::fprintf(stderr, "%s: %s, %zu buttons, %zu trials for each participant, feel %s, seed %llu\n",
+               a.folder.c_str(), nameOf(study->design.kind), study->givenButtons(), countedTrials(*study),
+               feels.word(study->design.feel), static_cast<unsigned long long>(study->design.seed));
   if (a.json) {
     Json labels = Json::array();
     for (std::size_t i = 0; i < study->givenButtons(); ++i) labels.push_back(study->buttons[i].label);
@@ -86,6 +86,7 @@ int runNew(NewArguments a) {
            {"buttons", labels},
            {"trials_per_participant", countedTrials(*study)},
            {"practice", study->design.practice},
+           {"feel", feels.word(study->design.feel)},
            {"seed", study->design.seed},
            {"sha256", study->sha256}});
   }
@@ -134,6 +135,9 @@ void addNew(CLI::App& parent, Action& chosen) {
   app->add_option("--modes", a->modes, "Base case: full, click-only, slope-only, separated by commas")
       ->delimiter(',')
       ->default_str("full");
+  addChoice(*app, "--feel", a->design.feel, feels,
+            "What is felt: what render, live, page and export play (clear), or the paper's own (paper)",
+            "clear");
   app->add_option("--seed", a->seed, "Of the shuffles; default: by chance, recorded");
   app->add_option("--practice", a->design.practice,
                   "Trials before the first that counts, " + range(0, mostPractice))
@@ -260,6 +264,44 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
 }
 
+// ---- merge
+
+struct MergeArguments {
+  std::vector<std::string> studies, sites;
+  std::string out;
+  bool json = false;
+};
+
+int runMerge(const MergeArguments& a) {
+  const Result<Study> study = mergeStudies({a.studies.begin(), a.studies.end()}, a.sites, a.out);
+  if (!study) return fail(study.failure());
+  const Result<std::vector<ParticipantRecord>> records = readParticipants(*study);
+  if (!records) return fail(records.failure());
+  std::fprintf(stderr, "%s: %zu sites, %zu participants\n", a.out.c_str(), study->sites.size(),
+               records->size());
+  if (a.json)
+    print({{"status", "ok"},
+           {"study", study->name},
+           {"sites", study->sites},
+           {"participants", records->size()},
+           {"sha256", study->sha256}});
+  return 0;
+}
+
+void addMerge(CLI::App& parent, Action& chosen) {
+  CLI::App* app = parent.add_subcommand(
+      "merge", "One study of copies that several laboratories ran; status and report read it as any other");
+  const auto a = std::make_shared<MergeArguments>();
+  app->add_option("DIR", a->studies, "Folders of the laboratories' studies, at least two")
+      ->required()
+      ->expected(2, 100);
+  app->add_option("-o,--output", a->out, "Folder to make; it holds all of them")->required();
+  app->add_option("--sites", a->sites, "A name for each, separated by commas; default: of its folder")
+      ->delimiter(',');
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runMerge(*a); }; });
+}
+
 // ---- status, report
 
 struct ReadArguments {
@@ -310,6 +352,7 @@ Result<std::string> statusWords(const Study& study) {
             "\n";
     for (const std::string& note : record.notes) text += "    " + note + "\n";
   }
+  for (const std::string& missing : missingParticipants(*records)) text += "  " + missing + "\n";
   if (records->empty()) text += "  no participant yet\n";
   if (const std::size_t declined = declinedIn(study.folder); declined > 0)
     text += "  " + std::to_string(declined) + " said \"no, thank you\"\n";
@@ -326,6 +369,7 @@ int printStatusJson(const Study& study) {
          {"kind", nameOf(study.design.kind)},
          {"trials_per_participant", countedTrials(study)},
          {"declined", declinedIn(study.folder)},
+         {"missing", missingParticipants(*records)},
          {"participants", list}});
   return 0;
 }
@@ -412,15 +456,20 @@ int runReport(const ReadArguments& a) {
 struct PlanArguments {
   std::string folder, htmlFile, listsFolder;
   std::size_t people = 12;
+  std::optional<Unfinished> unfinished;  ///< empty: as kept so far
   bool json = false;
 };
 
 int runPlan(const PlanArguments& a) {
   const Result<Study> study = openStudy(a.folder);
   if (!study) return fail(study.failure());
-  Preregistration plan{a.people, {}, powerTables(*study)};
+  Preregistration plan{a.people, {}, powerTables(*study), {}, a.unfinished.value_or(study->unfinished)};
+  if (a.unfinished)
+    if (Result<Done> ok = writeUnfinishedRule(*study, *a.unfinished); !ok) return fail(ok.failure());
   if (!a.listsFolder.empty()) {
-    Result<std::string> sha256 = writeLists(*study, usualPlaces(a.people), a.listsFolder);
+    PlannedPlaces lists = usualPlaces(a.people);
+    lists.unfinished = plan.unfinished;
+    Result<std::string> sha256 = writeLists(*study, lists, a.listsFolder);
     if (!sha256) return fail(sha256.failure());
     plan.listsSha256 = *std::move(sha256);
   }
@@ -443,6 +492,7 @@ int runPlan(const PlanArguments& a) {
            {"study", study->name},
            {"people", a.people},
            {"trials_per_participant", countedTrials(*study)},
+           {"unfinished", unfinishedRules.word(plan.unfinished)},
            {"lists_sha256", plan.listsSha256.empty() ? Json(nullptr) : Json(plan.listsSha256)},
            {"power", tables}});
   return 0;
@@ -458,6 +508,10 @@ void addPlan(CLI::App& parent, Action& chosen) {
       ->check(numberWithin(2, 999));
   app->add_option("-o,--output", a->htmlFile,
                   "One HTML page to preregister: hypotheses, design, power, tests, what was foretold");
+  addChoice(*app, "--unfinished", a->unfinished, unfinishedRules,
+            "Whoever has not answered all trials: left-out of the figures that come first, or counted; the "
+            "report shows both. Kept in the study; default: left-out",
+            "");
   app->add_option("--lists", a->listsFolder,
                   "Folder for one CSV of trials for each participant; the study keeps to them");
   app->add_flag("--json", a->json, "One JSON object on stdout");
@@ -559,6 +613,7 @@ void addStudyCommand(CLI::App& program, Action& chosen) {
   app->require_subcommand(1);
   addNew(*app, chosen);
   addPlan(*app, chosen);
+  addMerge(*app, chosen);
   addRun(*app, chosen);
   addReading(*app, chosen);
   addPresses(*app, chosen);

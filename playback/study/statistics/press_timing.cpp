@@ -139,7 +139,7 @@ LaboratoryTiming timingOver(TimingTask task, const std::vector<PersonTiming>& pe
   const MeanOverPeople place = meanOver(places, confidence), spread = meanOver(spreads, confidence);
   const auto back = [&](double value, bool logarithm) { return logarithm ? std::exp(value) : value; };
   LaboratoryTiming laboratory{{back(place.mean, ratio), std::exp(spread.mean)}, {}, {}};
-  if (people.size() < 2) return laboratory;
+  if (people.size() < fewestForInterval) return laboratory;
   laboratory.place = Interval{back(place.mean - place.half, ratio), back(place.mean + place.half, ratio)};
   laboratory.spread = Interval{std::exp(spread.mean - spread.half), std::exp(spread.mean + spread.half)};
   return laboratory;

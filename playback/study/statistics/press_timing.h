@@ -49,12 +49,13 @@ struct PersonTiming {
 
 /// Fewer presses than this say nothing of a person's spread.
 inline constexpr std::size_t leastPresses = 10;
+inline constexpr std::size_t fewestForInterval = 3;  ///< people: two say too little of how people scatter
 
 /// Nothing for fewer than leastPresses presses, or where they do not differ at all. Values within the ranges above (checked).
 std::optional<PersonTiming> timingOf(TimingTask task, const std::vector<TimedPress>& trials);
 
 /// A laboratory: the mean place and the geometric mean of the spreads over its people (of tapping geometric means both), each person
-/// counting alike, with Student's intervals over people; none for fewer than two.
+/// counting alike, with Student's intervals over people; none for fewer than three.
 struct LaboratoryTiming {
   PressTiming timing;
   std::optional<Interval> place, spread;

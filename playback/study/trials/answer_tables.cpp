@@ -22,7 +22,7 @@ constexpr double answerPercent = 100, confidence = 0.95;
 FigureCell cell(const std::optional<double>& value) { return value ? FigureCell(*value) : FigureCell(); }
 FigureCell count(std::size_t n) { return static_cast<double>(n); }
 
-/// A mean over participants with Student's interval; none for fewer than two.
+/// A mean over participants with Student's interval; none for fewer than fewestForInterval.
 struct MeanOverPeople {
   double mean = 0;
   std::optional<Interval> interval;
@@ -32,7 +32,7 @@ MeanOverPeople meanOver(const std::vector<double>& values) {
   MeanOverPeople result;
   const auto n = static_cast<double>(values.size());
   result.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  if (values.size() < 2) return result;
+  if (values.size() < fewestForInterval) return result;
   double squares = 0;
   for (const double v : values) squares += (v - result.mean) * (v - result.mean);
   const double half =
@@ -112,7 +112,7 @@ FigureTable personTable(const Study& study) {
 FigureTable overPeopleTable() {
   return {"thresholds_over_people",
           "Thresholds over participants",
-          "Geometric mean, with Student's 95 % interval of its logarithm.",
+          "Geometric mean, with Student's 95 % interval of its logarithm; none for two people.",
           {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
            {"button", "button", 0, "what it was compared with"},
            {"participants", "people", 0, "participants with any answer"},
@@ -180,12 +180,14 @@ FigureTable scoreTable(const Study& study) {
       magnitude  ? "Magnitude of each button"
       : pairwise ? "Preference of each button (Bradley-Terry)"
                  : "Preference of each button, 1 to 7",
-      magnitude  ? "Geometric mean over participants, each on the scale of all; Student's 95 % interval of "
-                   "the logarithm."
-      : pairwise ? "Log odds against the mean of all: a difference of 1 is preferred in 73 of 100. 95 %, "
-                   "persons independent; "
-                   "below six people trials are taken as independent, which is too narrow."
-                 : "Mean over participants with Student's 95 % interval.",
+      magnitude ? "Geometric mean over participants, each on the scale of all; Student's 95 % interval of "
+                  "the logarithm."
+      : pairwise
+          ? "Log odds against the mean of all: a difference of 1 is preferred in 73 of 100. 95 %, "
+            "persons independent; "
+            "below six people trials are taken as independent, which is too narrow; none for two people."
+          : "Mean over participants with Student's 95 % interval, cut off at the ends of the scale; none for "
+            "two people.",
       {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
        {"button", "button", 0, "what was rated"},
        {"participants", "people", 0, "participants that count"},
@@ -271,9 +273,11 @@ void addPairwise(const Study& study, const std::string& condition, const std::ve
     preferences.push_back({persons.at(c.person), c.trial().choices[c.answer().choice],
                            c.trial().choices[1 - c.answer().choice]});
   const PreferenceScores found = bradleyTerry(preferences, study.buttons.size(), confidence);
+  const bool known = persons.size() >= fewestForInterval;
   for (std::size_t i = 0; i < found.scores.size(); ++i)
     scores.rows.push_back({condition, study.buttons[i].label, count(persons.size()), found.scores[i],
-                           found.intervals[i].low, found.intervals[i].high});
+                           known ? FigureCell(found.intervals[i].low) : FigureCell(),
+                           known ? FigureCell(found.intervals[i].high) : FigureCell()});
   const PersonMeans shares = meansOf(answers, [](const Counted& c) {
     const auto [first, second] = std::minmax(c.trial().choices[0], c.trial().choices[1]);
     return std::pair{pairAt(first, second), c.trial().choices[c.answer().choice] == first ? 0.5 : -0.5};
@@ -294,7 +298,9 @@ void addScale(const Study& study, const std::string& condition, const std::vecto
   for (const auto& [button, people] : means) {
     const MeanOverPeople m = meanOver(valuesOf(people));
     const auto end = [&](double Interval::*side) {
-      return cell(m.interval ? std::optional(told(study.design.scale, (*m.interval).*side)) : std::nullopt);
+      if (!m.interval) return FigureCell();
+      const double at = told(study.design.scale, (*m.interval).*side);
+      return FigureCell(magnitude ? at : std::clamp(at, worstPreference, bestPreference));
     };
     scores.rows.push_back({condition, study.buttons[button].label, count(people.size()),
                            told(study.design.scale, m.mean), end(&Interval::low), end(&Interval::high)});

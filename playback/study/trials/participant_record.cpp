@@ -349,7 +349,29 @@ bool ratingFits(const Study& study, const std::optional<double>& rating) {
   return *rating >= 1 && *rating <= bestPreference && *rating == std::floor(*rating);
 }
 
+namespace {
+
+/// Of all sites, each with its name before the ids: P01 of two sites are two people.
+Result<std::vector<ParticipantRecord>> readSites(const Study& study) {
+  std::vector<ParticipantRecord> all;
+  for (const std::string& site : study.sites) {
+    const Result<Study> one = openStudy(siteFolder(study.folder, site));
+    if (!one) return one.failure();
+    Result<std::vector<ParticipantRecord>> records = readParticipants(*one);
+    if (!records) return records.failure();
+    for (ParticipantRecord& record : *records) {
+      record.participant = site + "-" + record.participant;
+      record.site = site;
+      all.push_back(std::move(record));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
+  if (!study.sites.empty()) return readSites(study);
   const std::filesystem::path folder = study.folder / "participants";
   std::error_code error;
   std::set<std::filesystem::path> files;

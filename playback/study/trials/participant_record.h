@@ -99,7 +99,8 @@ struct RecordedAnswer {
 
 /// The state of a participant: the replay of the journal.
 struct ParticipantRecord {
-  std::string participant;
+  std::string participant;                 ///< SITE-ID in a merged study
+  std::string site;                        ///< of a merged study; else empty
   std::string program;                     ///< that began it
   std::size_t begunBefore = 0;             ///< participants who began before
   std::size_t place = 0;                   ///< see planTrials: as planned (study_plan.h), else begunBefore

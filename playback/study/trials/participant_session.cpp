@@ -40,6 +40,10 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
 
 /// Journals of other participants. Failure: one of them has an id that sounds the same.
 Result<std::size_t> othersIn(const Study& study, const std::string& participant) {
+  if (!study.sites.empty())
+    return Failure{FailureCode::wrongUsage, study.folder.string(), "",
+                   Message("is the merged study of several sites: nobody answers in it"),
+                   Message("Run the study of one site, and merge anew")};
   std::size_t others = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(study.folder / "participants", error)) {

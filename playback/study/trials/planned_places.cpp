@@ -42,9 +42,15 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
     const Json json = Json::parse(*text);
     if (json.at("format") != "detent-study-plan" || json.at("version") != planVersion)
       return brokenPlan(file, Message("is not a plan this program knows"));
-    PlannedPlaces places;
-    for (const Json& id : json.at("participants")) places.participants.push_back(id.get<std::string>());
-    return places;
+    PlannedPlaces plan;
+    plan.listsSha256 = json.at("lists_sha256");
+    if (json.contains("unfinished")) {  // plans of version 1 before it was kept
+      const auto rule = unfinishedRules.value(json.at("unfinished").get<std::string>());
+      if (!rule) return brokenPlan(file, Message("has a rule for the unfinished that does not exist"));
+      plan.unfinished = *rule;
+    }
+    for (const Json& id : json.at("participants")) plan.participants.push_back(id.get<std::string>());
+    return plan;
   } catch (const Json::exception& fault) {
     return brokenPlan(file, Message("is broken (%1)", fault.what()));
   }
@@ -62,6 +68,7 @@ Result<Done> writePlaces(const fs::path& folder, const PlannedPlaces& places, co
                   {"version", planVersion},
                   {"study_sha256", studySha256},
                   {"lists_sha256", listsSha256},
+                  {"unfinished", unfinishedRules.word(places.unfinished)},
                   {"participants", places.participants}};
   return writeTextFileAtomically((folder / planFile).string(), jsonText(plan, 2) + "\n");
 }

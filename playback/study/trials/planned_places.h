@@ -3,17 +3,30 @@
 // Who gets which list of trials, fixed before the first person comes (study_plan.h). Any thread.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "model/named_values.h"
 #include "model/result.h"
 
 namespace detent::playback {
 
-/// Which list of trials a participant gets is a matter of their place. `plan.json` of the study's folder.
+/// Rule for participants who did not answer all trials. The report shows both results; this one comes first and is tested.
+enum class Unfinished : std::uint8_t {
+  leftOut,  ///< unless nobody has finished yet
+  counted
+};
+inline constexpr auto unfinishedRules =
+    named<Unfinished>({{"left-out", Unfinished::leftOut}, {"counted", Unfinished::counted}});
+
+/// Plan made before the first person comes: `plan.json` of the study's folder. Which list of trials a participant gets is a matter of
+/// their place.
 struct PlannedPlaces {
   std::vector<std::string> participants;  ///< by place
+  Unfinished unfinished = Unfinished::leftOut;
+  std::string listsSha256 = {};  ///< as read; empty where no lists were made
 };
 
 /// P01, P02, ... for so many people.

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int studyVersion = 2;  // 1: see planTrials
+constexpr int studyVersion = 3;  // 1: see planTrials; before 3 every study had the paper's feel
 constexpr double stimulusRate_Hz = 48000;
 constexpr const char* buttonEnding = ".button.json";
 
@@ -85,7 +85,7 @@ Result<Done> checkLevelsDiffer(const Study& study) {
             "--quantity",
             Message("\"%1\" (%2) feels the same with more of \"%3\"", study.buttons[level.reference].label,
                     Message::of(nameOf(mode), {}), Message::of(nameOf(study.design.quantity), {})),
-            Message("Choose another quantity, mode or button"));
+            Message("Choose another quantity, mode, button or feel"));
   return Done{};
 }
 
@@ -106,6 +106,7 @@ Json jsonOf(const Study& study) {
             {"kind", nameOf(d.kind)},
             {"targets", d.targets == TargetKind::physicalButton ? "physical" : "virtual"},
             {"modes", modes},
+            {"feel", feels.word(d.feel)},
             {"trials", d.trials},
             {"practice", d.practice},
             {"pairs_each", d.pairsEach},
@@ -185,6 +186,14 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
     else
       d.intervals_s = json.at("intervals_s").get<std::vector<double>>();
     if (d.task == TimingTask::window) d.windows_s = json.at("windows_s").get<std::vector<double>>();
+  }
+  d.feel = Feel::paper;
+  if (study.version > 2) {
+    const auto feel = feels.value(json.at("feel").get<std::string>());
+    if (!feel)
+      return unreadable(file, Message("knows a feel %1 that does not exist", jsonText(json.at("feel"))),
+                        Message("Restore the file as it was made"));
+    d.feel = *feel;
   }
   d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
   d.modes.clear();
@@ -429,6 +438,7 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode) {
   PlaybackSettings settings;
   settings.mode = mode;
+  settings.feel = study.design.feel;
   if (study.design.kind == StudyKind::threshold) {
     const StudyLevel* level = levelOf(study, button);
     settings = raised(settings, study.design.quantity, level != nullptr ? level->increase : 0);
@@ -488,6 +498,14 @@ Result<Study> openStudy(const fs::path& folder) {
                       Message("Make one with detent-play study new, or name its folder"));
   try {
     const Json json = Json::parse(*text);
+    if (json.at("format") == "detent-merged-study") {
+      if (json.at("version") != 1 || json.at("sites").empty())
+        return unreadable(file, Message("names no sites this program knows"),
+                          Message("Use the program that made it"));
+      Result<Study> merged = openSites(json.at("sites").get<std::vector<std::string>>(), folder);
+      if (merged) merged->sha256 = sha256Hex(*text);
+      return merged;
+    }
     Result<Study> study = studyFrom(json, file);
     if (!study) return study;
     study->folder = folder;
@@ -497,6 +515,9 @@ Result<Study> openStudy(const fs::path& folder) {
     if (Result<Done> ok = checkDesign(study->design, study->givenButtons()); !ok)
       return unreadable(file, Message("%1 %2", ok.failure().subject.name, ok.failure().problem),
                         Message("Restore the file as it was made"));
+    const Result<PlannedPlaces> plan = placesOf(folder);
+    if (!plan) return plan.failure();
+    study->unfinished = plan->unfinished;
     return study;
   } catch (const Json::exception& fault) {
     return unreadable(file, Message("is broken (%1)", fault.what()), Message("Restore it from a copy"));

@@ -17,6 +17,7 @@
 #include "playback/prepare/prepare_program.h"
 #include "playback/study/statistics/press_timing.h"
 #include "playback/study/trials/consent.h"
+#include "playback/study/trials/planned_places.h"
 
 namespace detent::playback {
 
@@ -64,7 +65,7 @@ inline constexpr auto ratingScales = named<RatingScale>({{"preference", RatingSc
                                                          {"magnitude", RatingScale::magnitude},
                                                          {"pairwise", RatingScale::pairwise}});
 inline const char* nameOf(RatingScale scale) { return ratingScales.word(scale); }
-inline constexpr double bestPreference = 7, greatestMagnitude = 1e6;
+inline constexpr double worstPreference = 1, bestPreference = 7, greatestMagnitude = 1e6;
 
 /// What X is made of. Physical: the experimenter hands over the real switch of that number.
 enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
@@ -80,6 +81,7 @@ struct StudyDesign {
   StudyKind kind = StudyKind::abx;
   TargetKind targets = TargetKind::virtualButton;       ///< physical: matching only
   std::vector<FeedbackMode> modes{FeedbackMode::full};  ///< each pair (or button) is tried in each; not off
+  Feel feel = usualSettings().feel;                     ///< what everything else plays, or the paper's
   LevelQuantity quantity = LevelQuantity::peakForce;    ///< threshold
   RatingScale scale = RatingScale::preference;          ///< rating
   TimingTask task = TimingTask::cue;                    ///< timing
@@ -132,6 +134,8 @@ struct Study {
   std::optional<DeviceProfile> profile;
   std::string profileSha256;  ///< empty without a profile
   std::vector<StudyStimulus> stimuli;
+  Unfinished unfinished = Unfinished::leftOut;  ///< as planned
+  std::vector<std::string> sites;               ///< of a merged study (below); else empty
 
   /// Buttons it was made of.
   std::size_t givenButtons() const { return buttons.size() - levels.size(); }
@@ -167,6 +171,18 @@ Result<Done> checkStimuli(const Study& study);
 
 /// What a participant feels for a button in a mode.
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode);
+
+// ---- one study that several laboratories ran (merged_study.cpp): a folder with a whole study of each below sites/NAME, and a study.json
+// that names them. Its participants are called NAME-ID.
+
+/// Copies studies into `folder`, whole or not at all. `sites`: one name for each, as of a participant; empty: the names of the folders.
+/// Failure wrongUsage: they differ in task or feel, in their rule for the unfinished, or two sites have one name.
+Result<Study> mergeStudies(const std::vector<std::filesystem::path>& studies, std::vector<std::string> sites,
+                           const std::filesystem::path& folder);
+/// Opens the study of these sites; not empty. Failures: those of openStudy, for each site, and of mergeStudies.
+Result<Study> openSites(const std::vector<std::string>& sites, const std::filesystem::path& folder);
+/// The folder of one site's study.
+std::filesystem::path siteFolder(const std::filesystem::path& folder, const std::string& site);
 
 // ---- levels of a threshold study: buttons with more of one quantity than the one they are compared with (study_levels.cpp)
 

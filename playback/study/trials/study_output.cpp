@@ -253,7 +253,7 @@ std::string eventsOf(const StudyResults& results, const std::string& participant
       "replays_x\tfirst_press\tcondition";
   const std::vector<KindColumn> more = kindColumns(results.kind);
   for (const KindColumn& column : more) text.append("\t").append(column.name);
-  text += "\n";
+  text += "\tfeel\n";
   for (const TrialRow& r : results.rows) {
     if (r.participant != participant) continue;
     text += seconds(r.onset_s) + "\t" + seconds(r.answer_s) + "\t" + nameOf(results.kind) + "\t" +
@@ -263,6 +263,7 @@ std::string eventsOf(const StudyResults& results, const std::string& participant
             std::to_string(r.replaysX) + "\t" + seconds(r.firstPress_s) + "\t" + tsvField(r.condition);
     for (const KindColumn& column : more)
       text += "\t" + (r.*column.value ? exact(*(r.*column.value)) : std::string("n/a"));
+    text += "\t" + tsvField(results.feel);
     text += "\n";
   }
   return text;
@@ -275,7 +276,7 @@ std::string resultsCsv(const StudyResults& results) {
       "study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,answer_s,condition";
   const std::vector<KindColumn> more = kindColumns(results.kind);
   for (const KindColumn& column : more) text.append(",").append(column.name);
-  text += "\n";
+  text += ",feel,finished,site\n";
   for (const TrialRow& r : results.rows) {
     for (const std::string& field :
          {results.study, r.participant, std::to_string(r.trial), r.pair, r.a, r.b, r.x, r.answer})
@@ -285,6 +286,7 @@ std::string resultsCsv(const StudyResults& results) {
             csvField(r.condition);
     for (const KindColumn& column : more)
       text += "," + (r.*column.value ? exact(*(r.*column.value)) : std::string());
+    text += "," + results.feel + (r.finished ? ",1," : ",0,") + csvField(r.site);
     text += "\n";
   }
   return text;
@@ -313,7 +315,7 @@ std::string bidsReadme(const StudyResults& results) {
   std::string text = results.study + ": answers of people who felt virtual buttons (" + nameOf(results.kind) +
                      "), written by Detent.\n\nButtons: ";
   for (std::size_t i = 0; i < results.labels.size(); ++i) text += (i > 0 ? ", " : "") + results.labels[i];
-  text += ".\n";
+  text += ".\nFeel: " + results.feel + ".\n";
   if (results.anySimulated) text += "\nSIMULATED: the program answered in place of people.\n";
   if (results.anyRehearsal) text += "\nREHEARSAL: there was no sound device; nothing was felt.\n";
   for (const std::string& warning : results.warnings) text += "\n" + wrapped(warning, "- ");
@@ -337,7 +339,8 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
                {"duration", {{"Description", "from there to the answer"}, {"Units", "s"}}},
                {"first_press", {{"Description", "from onset to the first press"}, {"Units", "s"}}},
                {"correct", {{"Description", "1: the answer is X"}}},
-               {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}}};
+               {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}},
+               {"feel", {{"Description", "how slopes, jumps and bottom-out were played: Detent's --feel"}}}};
   for (const auto& [column, words] :
        {std::pair{"trial_type", "kind of question: abx, matching, threshold, rating or timing"},
         {"trial", "number within the participant, from 1, practice not counted"},
@@ -352,7 +355,9 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
     columns[column] = {{"Description", words}};
   for (const KindColumn& column : kindColumns(results.kind))
     columns[column.name] = {{"Description", column.description}};
-  const Json people{{"study_id", {{"Description", "the participant's id in the study"}}}};
+  const Json people{{"study_id", {{"Description", "the participant's id in the study"}}},
+                    {"site", {{"Description", "laboratory, of studies that were merged"}}},
+                    {"finished", {{"Description", "1: all trials were answered"}}}};
   if (Result<Done> ok = writeTextFileAtomically((folder / "README").string(), bidsReadme(results)); !ok)
     return ok;
   if (Result<Done> ok =
@@ -370,10 +375,12 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
   std::vector<std::string> participants;
   for (const TrialRow& r : results.rows)
     if (participants.empty() || participants.back() != r.participant) participants.push_back(r.participant);
-  std::string list = "participant_id\tstudy_id\n";
+  std::string list = "participant_id\tstudy_id\tsite\tfinished\n";
   for (const std::string& id : participants) {
     const std::string sub = "sub-" + bidsId(id);
-    list.append(sub).append("\t").append(id).append("\n");
+    const TrialRow& any = *std::find_if(results.rows.begin(), results.rows.end(),
+                                        [&](const TrialRow& r) { return r.participant == id; });
+    list += sub + "\t" + id + "\t" + tsvField(any.site) + (any.finished ? "\t1\n" : "\t0\n");
     if (Result<Done> ok = makeFolder(folder / sub / "beh"); !ok) return ok;
     const std::string name = std::string(sub).append("_task-").append(task).append("_events.tsv");
     if (Result<Done> ok =
@@ -384,11 +391,23 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
   return writeTextFileAtomically((folder / "participants.tsv").string(), list);
 }
 
+StudyResults otherwise(const StudyResults& results) {
+  StudyResults other = results;
+  other.groups = results.otherGroups;
+  other.tables = results.otherTables;
+  return other;
+}
+
+std::string otherwiseTitle(const StudyResults& results) {
+  return results.unfinishedLeftOut ? "With those who did not finish" : "Without those who did not finish";
+}
+
 std::string resultsText(const StudyResults& results) {
   std::string text = results.study + "\n";
   if (results.anySimulated) text += "SIMULATED: the program answered in place of people.\n";
   if (results.anyRehearsal) text += "REHEARSAL: there was no sound device; nothing was felt.\n";
   if (!results.source.empty()) text += wrapped(results.source, "");
+  if (!results.feel.empty()) text += "Feel: " + results.feel + "\n";
   if (!results.groups.empty()) text += "\n" + table1(results);
   for (const FigureTable& table : results.tables) text += "\n" + tableText(table);
   for (const GroupResult& group : results.groups) {
@@ -396,6 +415,11 @@ std::string resultsText(const StudyResults& results) {
     if (!group.confusion.empty()) text += "\n" + confusionTable(results, group);
   }
   if (!results.comparisons.empty()) text += "\n" + comparisonLines(results);
+  if (const StudyResults other = otherwise(results); !other.groups.empty() || !other.tables.empty()) {
+    text += "\n" + otherwiseTitle(results) + "\n";
+    if (!other.groups.empty()) text += table1(other);
+    for (const FigureTable& table : other.tables) text += "\n" + tableText(table);
+  }
   if (results.kind == StudyKind::abx && results.rule.mostErrors)
     text += formatted("\nCan discriminate: at most %zu error%s in %zu (p = %.4f by guessing).\n",
                       *results.rule.mostErrors, *results.rule.mostErrors == 1 ? "" : "s",
@@ -409,6 +433,9 @@ std::string resultsJson(const StudyResults& results) {
   Json groups = Json::array(), comparisons = Json::array(), tables = Json::array();
   for (const FigureTable& table : results.tables) tables.push_back(Json::parse(tableJson(table)));
   for (const GroupResult& g : results.groups) groups.push_back(jsonOf(results, g));
+  Json otherGroups = Json::array(), otherTables = Json::array();
+  for (const FigureTable& table : results.otherTables) otherTables.push_back(Json::parse(tableJson(table)));
+  for (const GroupResult& g : results.otherGroups) otherGroups.push_back(jsonOf(results, g));
   for (const GroupComparison& c : results.comparisons)
     comparisons.push_back({{"first", c.first},
                            {"second", c.second},
@@ -423,6 +450,7 @@ std::string resultsJson(const StudyResults& results) {
       Json{{"status", "ok"},
            {"study", results.study},
            {"kind", nameOf(results.kind)},
+           {"feel", results.feel.empty() ? Json(nullptr) : Json(results.feel)},
            {"simulated", results.anySimulated},
            {"rehearsal", results.anyRehearsal},
            {"labels", results.labels},
@@ -435,6 +463,9 @@ std::string resultsJson(const StudyResults& results) {
            {"groups", groups},
            {"comparisons", comparisons},
            {"tables", tables},
+           {"unfinished_left_out", results.unfinishedLeftOut},
+           {"other_groups", otherGroups},
+           {"other_tables", otherTables},
            {"warnings", results.warnings}});
 }
 

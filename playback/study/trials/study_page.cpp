@@ -9,6 +9,7 @@
 #include "model/file/markup.h"
 #include "model/version.h"
 #include "playback/study/statistics/rank_correlation.h"
+#include "playback/study/trials/study_output.h"
 
 namespace detent::playback {
 
@@ -71,7 +72,7 @@ std::string table1Html(const StudyResults& results) {
   text += row("Wilson 95 %", results, [](const GroupResult& g) { return interval(g.wilson); });
   text +=
       row("Clopper–Pearson 95 %", results, [](const GroupResult& g) { return interval(g.clopperPearson); });
-  text += row("Participants resampled (BCa) 95 %", results,
+  text += row("Participants resampled (BCa, tails by Student's t) 95 %", results,
               [](const GroupResult& g) { return g.bootstrap ? interval(*g.bootstrap) : std::string("–"); });
   text += row("ABX tests failed / total", results, [](const GroupResult& g) { return countText(g.fails); });
   return text +
@@ -329,6 +330,7 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
                                                        ? results.labels[i]
                                                        : results.labels[i] + " (" + name + ")");
   }
+  if (!results.feel.empty()) text += "; feel " + results.feel;
   text += ". " + escapedForMarkup(results.source) + " Detent " + version() + "</p>\n";
   text += notes(results);
   if (!results.groups.empty()) text += table1Html(results);
@@ -341,6 +343,11 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
     if (!group.participants.empty() && !group.pairs.empty()) text += participantTable(results, group);
   }
   text += comparisons(results);
+  if (const StudyResults other = otherwise(results); !other.groups.empty() || !other.tables.empty()) {
+    text += "<h2>" + otherwiseTitle(results) + "</h2>\n";
+    if (!other.groups.empty()) text += table1(other);
+    for (const FigureTable& table : other.tables) text += tableMarkup(table);
+  }
   if (!warning.empty()) text += "</td></tr></tbody></table>\n";
   return text + "</body></html>\n";
 }

@@ -414,7 +414,7 @@ std::vector<std::string> analysis(const Study& study) {
   }
   all.push_back(
       "Error rates by pair and condition with Wilson and Clopper–Pearson intervals; over participants a BCa "
-      "bootstrap of whole persons from six people on.");
+      "bootstrap of whole persons with tails by Student's t (Hesterberg 2015), from six people on.");
   all.push_back(
       "Conditions with the same people: signs of whole persons flipped, exactly up to 20 people, two-sided; "
       "Holm over conditions, and over pairs and conditions. alpha = 0.05.");
@@ -438,7 +438,8 @@ std::string designSection(const Study& study, const Preregistration& plan) {
   return section(
       "Design",
       paragraph(taskOf(study)) +
-          list({"Within participants; modes: " + modesOf(study) +
+          list({std::string("Feel: ") + feels.word(d.feel) + " (study.json).",
+                "Within participants; modes: " + modesOf(study) +
                     (d.modes.size() > 1
                          ? ", in blocks, their order counterbalanced over participants, a rest between."
                          : "."),
@@ -507,12 +508,29 @@ std::string listCsv(const Study& study, const std::string& participant, std::siz
   return text;
 }
 
-Result<std::string> writeLists(const Study& study, const PlannedPlaces& places, const fs::path& folder) {
+namespace {
+
+Result<Done> checkNobodyBegan(const Study& study) {
   std::error_code error;
-  if (!fs::is_empty(study.folder / "participants", error) && !error)
-    return Failure{FailureCode::wrongUsage, study.folder.string(), "",
-                   Message("has a participant already: lists made now could not be kept to"),
-                   Message("Plan before the first person comes, or make a new study")};
+  if (study.sites.empty() && (fs::is_empty(study.folder / "participants", error) || error)) return Done{};
+  return Failure{FailureCode::wrongUsage, study.folder.string(), "",
+                 Message("has a participant already: a plan made now could not be kept to"),
+                 Message("Plan before the first person comes, or make a new study")};
+}
+
+}  // namespace
+
+Result<Done> writeUnfinishedRule(const Study& study, Unfinished rule) {
+  if (Result<Done> ok = checkNobodyBegan(study); !ok) return ok;
+  Result<PlannedPlaces> plan = placesOf(study.folder);
+  if (!plan) return plan.failure();
+  plan->unfinished = rule;
+  return writePlaces(study.folder, *plan, study.sha256, plan->listsSha256);
+}
+
+Result<std::string> writeLists(const Study& study, const PlannedPlaces& places, const fs::path& folder) {
+  if (Result<Done> ok = checkNobodyBegan(study); !ok) return ok.failure();
+  std::error_code error;
   fs::create_directories(folder, error);
   if (error)
     return Failure{FailureCode::unreadableInput, folder.string(), "",
@@ -565,12 +583,17 @@ std::string preregistrationPage(const Study& study, const Preregistration& plan)
                        "end and let go while the devices worked; else the trial begins anew and is "
                        "marked repeated."})) +
          section("Analysis", list(analysis(study))) +
-         section("Who is left out, and when it ends",
-                 list({"Nobody is left out for their answers. Who stops early counts with the tests they "
-                       "completed.",
-                       "Rehearsals, simulations and practice never count.",
-                       "It ends with " + std::to_string(plan.people) + " complete participants."}) +
-                     blank("Other reasons to leave somebody out, fixed now")) +
+         section(
+             "Who is left out, and when it ends",
+             list({"Nobody is left out for their answers.",
+                   plan.unfinished == Unfinished::leftOut
+                       ? "Whoever has not answered all trials is left out of the figures that are tested; "
+                         "the report shows the figures with them as well."
+                       : "Whoever has not answered all trials counts with what they answered; the report "
+                         "shows the figures without them as well.",
+                   "Rehearsals, simulations and practice never count.",
+                   "It ends with " + std::to_string(plan.people) + " complete participants."}) +
+                 blank("Other reasons to leave somebody out, fixed now")) +
          "</body></html>\n";
 }
 

@@ -17,10 +17,12 @@ namespace detent::playback {
 /// the choice that has more. Timing adds interval_s,window_s.
 std::string listCsv(const Study& study, const std::string& participant, std::size_t place);
 
-/// Writes ID.csv for everybody into `folder`, and the places into the study, which keeps to them. Gives the SHA-256 over all lists in order.
+/// Writes ID.csv for everybody into `folder`, and the plan into the study, which keeps to it. Gives the SHA-256 over all lists in order.
 /// Failure wrongUsage: somebody has begun already.
 Result<std::string> writeLists(const Study& study, const PlannedPlaces& places,
                                const std::filesystem::path& folder);
+/// The rule for the unfinished alone; lists made before stay. Failure wrongUsage: somebody has begun already.
+Result<Done> writeUnfinishedRule(const Study& study, Unfinished rule);
 
 /// What each number of people and trials finds how often; some seconds for many people.
 std::vector<FigureTable> powerTables(const Study& study);
@@ -31,6 +33,7 @@ struct Preregistration {
   std::string listsSha256;               ///< empty: no lists were made
   std::vector<FigureTable> power;        ///< powerTables()
   std::vector<ForetoldPair> foretold{};  ///< may be empty
+  Unfinished unfinished = Unfinished::leftOut;
 };
 
 /// One HTML page: hypotheses, design, stimuli, people, randomisation, measures, tests, exclusions; blanks where only the researcher knows.

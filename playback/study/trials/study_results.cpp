@@ -82,6 +82,8 @@ TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::si
   row.listening = recorded.listening;
   row.interruptions = recorded.interruptions;
   row.condition = conditionOf(study, row) + (row.interruptions > 0 ? "/repeated" : "");
+  row.finished = participant.complete();
+  row.site = participant.site;
   return row;
 }
 
@@ -189,7 +191,7 @@ void addConfusion(GroupResult& group, std::size_t buttons, const Rows& rows) {
   for (const TrialRow* row : rows) ++group.confusion[row->first][row->answered];
 }
 
-GroupResult groupOf(const Study& study, const StudyResults& results, const Rows& rows) {
+GroupResult groupOf(const Study& study, const DiscriminationRule& rule, const Rows& rows) {
   GroupResult group;
   const TrialRow& any = *rows.front();
   group.condition = conditionOf(study, any);
@@ -201,7 +203,7 @@ GroupResult groupOf(const Study& study, const StudyResults& results, const Rows&
   if (study.design.kind == StudyKind::matching) {
     addConfusion(group, study.buttons.size(), rows);
   } else {
-    addPairs(group, study, rows, results.rule);
+    addPairs(group, study, rows, rule);
   }
   return group;
 }
@@ -283,23 +285,8 @@ std::vector<GroupComparison> comparisonsOf(const Study& study, const std::vector
   return whole;
 }
 
-/// Every journal tells how many there were when it was begun: one that was taken out of the folder with its head is missed.
-void warnOfMissing(StudyResults& results, const std::vector<ParticipantRecord>& participants) {
-  std::size_t most = 0;
-  const ParticipantRecord* latest = nullptr;
-  for (const ParticipantRecord& p : participants) {
-    if (p.damage || p.begunBefore < most) continue;
-    most = p.begunBefore;
-    latest = &p;
-  }
-  if (latest != nullptr && most + 1 > participants.size())
-    results.warnings.push_back(std::to_string(most + 1 - participants.size()) + " who began before " +
-                               latest->participant +
-                               " are no longer in the folder: their journals were taken out");
-}
-
 void warn(StudyResults& results, const Study& study, const std::vector<ParticipantRecord>& participants) {
-  warnOfMissing(results, participants);
+  results.warnings = missingParticipants(participants);
   for (const ParticipantRecord& p : participants) {
     if (p.damage) {
       results.warnings.push_back(p.participant + " is left out: " + p.damage->sentence());
@@ -309,7 +296,8 @@ void warn(StudyResults& results, const Study& study, const std::vector<Participa
     if (!p.complete())
       results.warnings.push_back(p.participant + ": " + std::to_string(p.answers.size()) + " of " +
                                  std::to_string(p.plan.size()) + " trials" +
-                                 (p.endedEarly ? ", ended early (" + p.endReason + ")" : ", not finished"));
+                                 (p.endedEarly ? ", ended early (" + p.endReason + ")" : ", not finished") +
+                                 (results.unfinishedLeftOut ? "; left out of the figures" : ""));
     if (!p.program.empty() && p.program != study.program)
       results.warnings.push_back(p.participant + ": answered with version " + p.program +
                                  ", the study is of " + study.program);
@@ -319,6 +307,10 @@ void warn(StudyResults& results, const Study& study, const std::vector<Participa
         std::to_string(study.design.trials) +
         " trials of a pair are too few for a test: guessing gets them all right in more than 5 % of runs; "
         "five are the fewest");
+  const bool nobody = std::none_of(participants.begin(), participants.end(),
+                                   [](const ParticipantRecord& p) { return p.complete(); });
+  if (nobody && !results.rows.empty())
+    results.warnings.emplace_back("nobody has answered all trials yet: everybody counts so far");
   if (results.rows.empty()) results.warnings.push_back("no answer yet: there is nothing to report");
 }
 
@@ -335,6 +327,30 @@ std::vector<FigureTable> tablesOf(const Study& study, const std::vector<Particip
       return timingTables(study, participants);
   }
   return {};
+}
+
+/// Figures of some participants.
+struct Figures {
+  std::vector<GroupResult> groups;
+  std::vector<GroupComparison> comparisons;
+  std::vector<FigureTable> tables;
+};
+
+Figures figuresOf(const Study& study, const DiscriminationRule& rule,
+                  const std::vector<ParticipantRecord>& participants) {
+  Figures figures;
+  const std::vector<TrialRow> rows = rowsOf(study, participants);
+  if (rows.empty()) return figures;
+  if (!asksForX(study.design.kind)) {
+    figures.tables = tablesOf(study, participants);
+    return figures;
+  }
+  std::map<std::string, Rows> groups;
+  for (const TrialRow& row : rows) groups[conditionOf(study, row)].push_back(&row);
+  for (const auto& [condition, all] : groups) figures.groups.push_back(groupOf(study, rule, all));
+  adjustTests(figures.groups);
+  figures.comparisons = comparisonsOf(study, figures.groups, groups);
+  return figures;
 }
 
 }  // namespace
@@ -412,10 +428,34 @@ PairResult pairResult(std::size_t first, std::size_t second, const Count& errors
   return {first, second, errors, wilson(errors), clopperPearson(errors), sensitivityOf(errors), {}, {}};
 }
 
+/// Every journal tells how many there were when it was begun. Whoever began last is missed by nobody.
+std::vector<std::string> missingParticipants(const std::vector<ParticipantRecord>& participants) {
+  struct Site {
+    std::size_t people = 0, most = 0;
+    const ParticipantRecord* latest = nullptr;
+  };
+  std::map<std::string, Site> sites;
+  for (const ParticipantRecord& p : participants) {
+    Site& site = sites[p.site];
+    ++site.people;
+    if (p.damage || p.begunBefore < site.most) continue;
+    site.most = p.begunBefore;
+    site.latest = &p;
+  }
+  std::vector<std::string> missing;
+  for (const auto& [name, site] : sites)
+    if (site.latest != nullptr && site.most + 1 > site.people)
+      missing.push_back(std::to_string(site.most + 1 - site.people) + " who began before " +
+                        site.latest->participant +
+                        " are no longer in the folder: their journals were taken out");
+  return missing;
+}
+
 StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
   StudyResults results;
   results.study = study.name;
   results.kind = study.design.kind;
+  results.feel = feels.word(study.design.feel);
   for (std::size_t i = 0; i < study.givenButtons(); ++i) {
     results.labels.push_back(study.buttons[i].label);
     results.names.push_back(study.buttons[i].button.name());
@@ -423,18 +463,24 @@ StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>&
   results.trialsPerTest = study.design.trials;
   if (asksForX(study.design.kind)) results.rule = discriminationRule(study.design.trials);
   results.rows = rowsOf(study, participants);
-  std::map<std::string, Rows> groups;
   for (const TrialRow& row : results.rows) {
-    groups[conditionOf(study, row)].push_back(&row);
     results.anySimulated |= row.kind == SessionKind::simulated;
     results.anyRehearsal |= row.kind == SessionKind::rehearsal;
   }
-  if (asksForX(study.design.kind)) {
-    for (const auto& [condition, rows] : groups) results.groups.push_back(groupOf(study, results, rows));
-    adjustTests(results.groups);
-    results.comparisons = comparisonsOf(study, results.groups, groups);
-  } else if (!results.rows.empty()) {
-    results.tables = tablesOf(study, participants);
+  std::vector<ParticipantRecord> finished;
+  for (const ParticipantRecord& p : participants)
+    if (p.complete()) finished.push_back(p);
+  const bool differ = !finished.empty() && std::any_of(results.rows.begin(), results.rows.end(),
+                                                       [](const TrialRow& row) { return !row.finished; });
+  results.unfinishedLeftOut = differ && study.unfinished == Unfinished::leftOut;
+  Figures first = figuresOf(study, results.rule, results.unfinishedLeftOut ? finished : participants);
+  results.groups = std::move(first.groups);
+  results.comparisons = std::move(first.comparisons);
+  results.tables = std::move(first.tables);
+  if (differ) {
+    Figures other = figuresOf(study, results.rule, results.unfinishedLeftOut ? participants : finished);
+    results.otherGroups = std::move(other.groups);
+    results.otherTables = std::move(other.tables);
   }
   warn(results, study, participants);
   return results;

@@ -37,6 +37,8 @@ struct TrialRow {
   /// "quiet", "masked/click-only", "quiet/simulated", "quiet/rehearsal/repeated": listening; mode where the
   /// study has several; what is not a real answer; repeated after the device was lost.
   std::string condition;
+  bool finished = false;  ///< the participant has answered all trials
+  std::string site;       ///< of a merged study; else empty
 };
 
 /// The condition of an answer, without "repeated".
@@ -95,7 +97,7 @@ struct GroupResult {
   std::vector<Count> perParticipant;
   Count errors;
   Interval wilson, clopperPearson;
-  std::optional<Interval> bootstrap;                ///< BCa over participants
+  std::optional<Interval> bootstrap;                ///< BCa over participants, widened (resampling.h)
   double meanTime_min = 0, sdTime_min = 0;          ///< per participant, sum of the answers' times
   std::vector<PairResult> pairs;                    ///< abx
   std::vector<std::vector<std::size_t>> confusion;  ///< matching: [x][answer]
@@ -118,11 +120,16 @@ struct StudyResults {
   std::string study;
   std::string source;  ///< of printed counts: where they stand
   StudyKind kind = StudyKind::abx;
-  std::vector<std::string> labels, names;  ///< of the buttons
-  std::vector<TrialRow> rows;
+  std::string feel;                          ///< "clear", "paper"; empty: printed counts do not tell
+  std::vector<std::string> labels, names;    ///< of the buttons
+  std::vector<TrialRow> rows;                ///< of all participants
   std::vector<GroupResult> groups;           ///< abx, matching
   std::vector<GroupComparison> comparisons;  ///< abx, matching
   std::vector<FigureTable> tables;           ///< threshold, rating, timing
+  bool unfinishedLeftOut = false;            ///< of groups, comparisons and tables
+  /// The same with the unfinished where they are left out, without them where they count; empty where there are none.
+  std::vector<GroupResult> otherGroups;
+  std::vector<FigureTable> otherTables;
   DiscriminationRule rule;
   std::size_t trialsPerTest = 0;
   std::vector<std::string> warnings;  ///< what a reader must know before believing a figure
@@ -134,6 +141,9 @@ std::string pairName(const std::vector<std::string>& labels, std::size_t first, 
 
 /// Labels of at most `width` bytes (4 or more) that still differ: those that would come out alike get a number, "Long~2".
 std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width);
+
+/// Participants of a study whose journals were taken out of the folder, as far as later journals tell, in words.
+std::vector<std::string> missingParticipants(const std::vector<ParticipantRecord>& participants);
 
 StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants);
 

@@ -381,6 +381,39 @@ TEST_CASE("what a person said of a switch stands beside it, credited, and moves 
   for (const FoundSwitch& each : found({database, {}, {}, 9})) CHECK(each.ratings.empty());
 }
 
+TEST_CASE("a bump where a linear switch is first touched is no tactile point; name and kind find it") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  const auto touched = [](double at_mm, double drop_gf) {
+    std::string text = "force,displacement,judge,name\n";
+    for (int i = 0; i <= 380; ++i) {
+      const double x_mm = 0.01 * i;
+      const double bump = drop_gf * std::exp(-(x_mm - at_mm) * (x_mm - at_mm) / 0.002);
+      text += std::to_string(force_gf(x_mm, 30, 0) + bump) + "," + std::to_string(x_mm) + ",0,switch\n";
+    }
+    return text;
+  };
+  folder.write("s/Jelly Black.csv", touched(0.15, 4));
+  folder.write("s/Jelly Brown.csv", tidyCsv(30, 25));
+  folder.write("s/Early Clear.csv", touched(0.15, 12));
+  indexed(folder, database);
+  const auto named = [&](const std::string& name, std::optional<SwitchKind> kind) {
+    FindRequest request{database, {}, {}, 9};
+    request.name = name;
+    request.kind = kind;
+    std::vector<std::string> names;
+    for (const FoundSwitch& each : found(request)) names.push_back(each.entry.name);
+    return names;
+  };
+  CHECK(named("jelly", {}) == std::vector<std::string>{"Jelly Black", "Jelly Brown"});
+  CHECK(named("", SwitchKind::linear) == std::vector<std::string>{"Jelly Black"});
+  CHECK(named("JELLY", SwitchKind::tactile) == std::vector<std::string>{"Jelly Brown"});
+  CHECK(named("nobody", {}).empty());
+  CHECK(found({database, {}, {FigureRange{KeyFigure::peakForce, 0, 10}}, 9}).size() == 2);
+  for (const FoundSwitch& each : found({database, {}, {}, 9}))
+    CHECK(each.entry.figures[KeyFigure::peakForce].has_value() == (each.entry.name != "Jelly Black"));
+}
+
 TEST_CASE("a tester whose forces lie well off others' is told with each switch") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();

@@ -9,7 +9,6 @@
 #include "model/templates.h"
 #include "playback/performance/elementary.h"
 #include "playback/performance/forecast.h"
-#include "playback/performance/limits.h"
 #include "playback/performance/timed_press.h"
 
 namespace detent::test {
@@ -149,15 +148,6 @@ TEST_CASE("press forecast: what cannot be forecast is said") {
   ForecastSettings deep;
   deep.operateAt_mm = 9;
   CHECK(refusedFor(*forecastPress(scaled(1), deep), PressFigure::misses, NoForecast::operatingPointOutside));
-}
-
-TEST_CASE("limits of standards: pass, fail, and within the tolerance neither") {
-  Limit limit{"House rule", "1", "2", "required", LimitedFigure::travel, 2, 3.9, 0.2};
-  CHECK(holdAgainst({limit}, scaled(1)).front().outcome == LimitOutcome::withinTolerance);
-  limit.tolerance = 0.05;
-  CHECK(holdAgainst({limit}, scaled(1)).front().outcome == LimitOutcome::fail);
-  limit.most = 4.5;
-  CHECK(holdAgainst({limit}, scaled(1)).front().outcome == LimitOutcome::pass);
 }
 
 }  // namespace detent::test

@@ -173,11 +173,11 @@ class Live(unittest.TestCase):
             np.testing.assert_array_equal(felt[felt[:, 0] > known_s], same[same[:, 0] > known_s], f"{speed} mm/s")
 
     def speed_of(self, front_press, t, f):
-        """From the force at 10 % of the travel to the strongest up to 90 %."""
-        strongest = np.maximum.accumulate(front_press)
-        from_N, to_N = strongest[400], strongest[3600]
+        """From 10 % of the strongest force to the strongest of the first half; 4 mm for the strongest."""
+        strongest = front_press.max()
+        from_N, to_N = 0.1 * strongest, front_press[:2001].max()
         top = np.argmax(f)
-        return 3.2 / (np.interp(to_N, f[:top + 1], t[:top + 1]) - np.interp(from_N, f[:top + 1], t[:top + 1]))
+        return 4 * (to_N - from_N) / strongest / (np.interp(to_N, f[:top + 1], t[:top + 1]) - np.interp(from_N, f[:top + 1], t[:top + 1]))
 
     def test_a_persons_press_jumps_when_the_graph_of_its_speed_does(self):
         worst = []
@@ -211,6 +211,17 @@ class Live(unittest.TestCase):
             late = np.array(worst)
             print("jump against render, ms: median %.2f, worst %.2f; place, mm: %.3f, %.3f" % (
                 1e3 * np.median(late[:, 0]), 1e3 * np.max(late[:, 0]), np.median(late[:, 1]), np.max(late[:, 1])))
+
+    def test_the_speed_of_a_force_is_the_fingers_however_far_the_button_jumps(self):
+        """A rising force says as little of a jump as a finger on glass: a dome and a spring of the same strongest force tell the same."""
+        for press_s in (0.12, 1.0):
+            told = []
+            for one in (dome(0.6, 0.3), dome(1.1, 0.3), linear(1.2)):
+                button = self.button({5.0: one, 200.0: one}, 5.0)
+                _, speed = self.rendered(button, self.trace(*self.press_of_force(1.5, press_s), "force_N"))
+                told.append(speed * press_s / 4)
+            # A quarter more force than the travel takes, in press_s; in its middle a gentle press is up to 1.875 times as fast as its mean.
+            self.assertTrue(np.all((np.array(told) > 1.25) & (np.array(told) < 1.25 * 1.875)), told)
 
     def test_each_press_has_its_own_speed(self):
         family = FAMILIES["moving"]

@@ -64,7 +64,13 @@ const SessionStart person{SessionKind::real, Listening::quiet, "test", "", 1000}
 TEST_CASE("every quantity has levels, and each of them feels otherwise") {
   for (const auto& [word, quantity] : levelQuantities.all) {
     INFO(word);
-    const StudyFolder folder(thresholds(quantity), {"C", "D"});
+    StudyDesign design = thresholds(quantity);
+    // With the usual feel the slope's level follows from the weakest jump, whatever the grains' strength.
+    if (quantity == LevelQuantity::grainStrength) {
+      CHECK_THROWS_WITH(StudyFolder(design, {"C"}), Catch::Contains("feels the same"));
+      design.feel = Feel::paper;
+    }
+    const StudyFolder folder(design, {"C", "D"});
     const Study& study = *folder.study;
     CHECK(study.givenButtons() == 2);
     for (std::size_t reference = 0; reference < 2; ++reference) {
@@ -146,7 +152,7 @@ TEST_CASE("a threshold comes back, in text, JSON, CSV, BIDS and on the page") {
   CHECK_THAT(resultsPage(results, {}), Catch::Contains("Thresholds over participants"));
   const std::string csv = resultsCsv(results);
   CHECK_THAT(csv, Catch::StartsWith("study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,"
-                                    "replays_x,answer_s,condition,level\n"));
+                                    "replays_x,answer_s,condition,level,feel,finished,site\n"));
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 451);
   REQUIRE(writeBids(results, folder.folder() / "bids"));
   const Result<std::string> described =
@@ -221,6 +227,33 @@ TEST_CASE("magnitudes of people with numbers of their own come to one scale") {
   CHECK(number(differences, 0, "difference") == Approx(0.5));  // A over B
 }
 
+TEST_CASE("an interval stays on its scale, and two people have none") {
+  const StudyFolder folder(ratings(RatingScale::preference), {"A", "B"});
+  const auto rate = [&](const std::string& id, double a, double b) {
+    Result<ParticipantSession> session = ParticipantSession::open(*folder.study, id, simulatedStart);
+    REQUIRE(session);
+    while (const Trial* trial = session->trial()) {
+      Answer given = simulatedAnswer(*folder.study, id, *trial, {});
+      given.rating = trial->choices[0] == 0 ? a : b;
+      REQUIRE(session->record(given));
+    }
+  };
+  const auto cellAt = [&](std::size_t row, std::size_t column) {
+    return resultsIn(*folder.study).tables.at(0).rows.at(row).at(column);
+  };
+  constexpr std::size_t low = 4, high = 5;
+  rate("P1", 1, 7);
+  rate("P2", 2, 6);
+  CHECK(std::holds_alternative<std::monostate>(cellAt(0, low)));
+  CHECK(std::holds_alternative<std::monostate>(cellAt(1, high)));
+  rate("P3", 1, 7);
+  // 4/3 and 20/3, Student's t of 2 degrees of freedom 4.3027, standard error 1/3
+  CHECK(std::get<double>(cellAt(0, low)) == 1);
+  CHECK(std::get<double>(cellAt(0, high)) == Approx(4.0 / 3 + 4.302653 / 3));
+  CHECK(std::get<double>(cellAt(1, low)) == Approx(20.0 / 3 - 4.302653 / 3));
+  CHECK(std::get<double>(cellAt(1, high)) == 7);
+}
+
 TEST_CASE("preferences come back as scores, and persons' signs are flipped") {
   const StudyFolder folder(ratings(RatingScale::pairwise), {"A", "B", "C"});
   for (const char* id : {"P1", "P2", "P3", "P4", "P5", "P6"}) answer(*folder.study, id, "errors=0.3", 100);
@@ -231,7 +264,7 @@ TEST_CASE("preferences come back as scores, and persons' signs are flipped") {
   CHECK(number(differences, 0, "difference") < 50);
   CHECK(number(differences, 0, "p") == Approx(2.0 / 64));  // six people of one mind
   CHECK(number(differences, 0, "p_holm") >= number(differences, 0, "p"));
-  CHECK_THAT(resultsCsv(results), Catch::Contains("condition,rating\n"));
+  CHECK_THAT(resultsCsv(results), Catch::Contains("condition,rating,feel,finished,site\n"));
 }
 
 TEST_CASE("answers off their list or scale are refused when a journal is read") {

@@ -201,7 +201,8 @@ TEST_CASE("simulated people come back, in every format") {
     CHECK_THAT(resultsJson(results), Catch::Contains("\"spread_low_percent\""));
     CHECK_THAT(resultsPage(results, {}), Catch::Contains("Buttons against each other"));
     const std::string csv = resultsCsv(results);
-    CHECK_THAT(csv, Catch::Contains("condition,interval_s,window_s,press_s,press_within_s\n"));
+    CHECK_THAT(csv,
+               Catch::Contains("condition,interval_s,window_s,press_s,press_within_s,feel,finished,site\n"));
     REQUIRE(writeBids(results, folder.folder() / "bids"));
     // What a study writes is what a file is read from: one button of it gives the same figures.
     const std::string file = (folder.folder() / "one.csv").string();

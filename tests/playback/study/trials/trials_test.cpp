@@ -15,12 +15,14 @@
 
 #include "model/file/text_file.h"
 #include "model/sha256.h"
+#include "playback/offline/standard_press.h"
 #include "playback/realtime/press_counter.h"
 #include "playback/study/statistics/shuffle.h"
 #include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/printed_counts.h"
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
+#include "playback/study/trials/study_plan.h"
 #include "playback/study/trials/trial_desk.h"
 #include "tests/playback/study/trials/study_folder.h"
 
@@ -236,8 +238,8 @@ TEST_CASE("a study with a changed, missing or foreign part is refused by name") 
   }
   {
     const StudyFolder made;
-    edit(made.folder() / "study.json", "\"version\": 2", "\"version\": 3");
-    CHECK(openStudy(made.folder()).failure().sentence().find("version 3") != std::string::npos);
+    edit(made.folder() / "study.json", "\"version\": 3", "\"version\": 4");
+    CHECK(openStudy(made.folder()).failure().sentence().find("version 4") != std::string::npos);
   }
   {
     const StudyFolder made;
@@ -250,6 +252,139 @@ TEST_CASE("a study with a changed, missing or foreign part is refused by name") 
     CHECK(openStudy(made.folder()).failure().exitCode() == 3);
   }
   CHECK(openStudy("/nonexistent").failure().exitCode() == 3);
+}
+
+TEST_CASE("unfinished: who did not answer all trials is left out, and both results are shown") {
+  StudyDesign design;
+  design.trials = 6;
+  const StudyFolder made(design, {"A", "B"});
+  const auto results = [&] {
+    const Result<Study> study = openStudy(made.folder());
+    REQUIRE(study);
+    return resultsOf(*study, *readParticipants(*study));
+  };
+  answer(*made.study, "P01", "errors=1", 2);
+  CHECK(results().groups.at(0).participantCount == 1);  // nobody has finished yet
+  CHECK(results().otherGroups.empty());
+  for (const char* id : {"P02", "P03"}) answer(*made.study, id, "perfect", 100);
+  const StudyResults left = results();
+  CHECK(left.unfinishedLeftOut);
+  CHECK(left.groups.at(0).participantCount == 2);
+  CHECK(left.groups.at(0).errors == Count{0, 12});
+  CHECK(left.otherGroups.at(0).participantCount == 3);
+  CHECK(left.otherGroups.at(0).errors == Count{2, 14});
+  REQUIRE(left.rows.size() == 14);
+  CHECK_FALSE(left.rows.front().finished);
+  CHECK(left.rows.back().finished);
+  CHECK_THAT(resultsText(left), Catch::Contains("With those who did not finish"));
+  CHECK_THAT(resultsPage(left, {}), Catch::Contains("With those who did not finish"));
+  CHECK_THAT(resultsCsv(left), Catch::Contains(",0,\n") && Catch::EndsWith(",1,\n"));
+  CHECK_FALSE(writeUnfinishedRule(*made.study, Unfinished::counted));  // people have begun
+}
+
+TEST_CASE("merge: laboratories become one study, and P01 of two are two people") {
+  StudyDesign design;
+  design.trials = 6;
+  design.seed = 1;
+  const StudyFolder berlin(design, {"A", "B"});
+  design.seed = 2;
+  const StudyFolder kyoto(design, {"A", "B"});
+  answer(*berlin.study, "P01", "perfect", 100);
+  answer(*berlin.study, "P02", "perfect", 100);
+  answer(*kyoto.study, "P01", "errors=1", 100);
+  const fs::path out = berlin.folder().parent_path() / "merged";
+  CHECK_FALSE(mergeStudies({berlin.folder(), kyoto.folder()}, {}, out));  // both folders are called "study"
+  CHECK_FALSE(mergeStudies({berlin.folder(), kyoto.folder()}, {"one"}, out));
+  const Result<Study> study = mergeStudies({berlin.folder(), kyoto.folder()}, {"berlin", "kyoto"}, out);
+  REQUIRE(study);
+  const auto records = readParticipants(*study);
+  REQUIRE(records);
+  REQUIRE(records->size() == 3);
+  CHECK(records->at(0).participant == "berlin-P01");
+  CHECK(records->at(2).participant == "kyoto-P01");
+  const StudyResults results = resultsOf(*study, *records);
+  CHECK(results.groups.at(0).participantCount == 3);
+  CHECK(results.groups.at(0).errors == Count{6, 18});
+  CHECK(results.warnings.empty());
+  CHECK_THAT(resultsCsv(results), Catch::Contains("kyoto-P01") && Catch::EndsWith(",kyoto\n"));
+  REQUIRE(writeBids(results, out / "bids"));
+  CHECK_THAT(*readTextFile((out / "bids/participants.tsv").string()),
+             Catch::Contains("sub-kyotoP01\tkyoto-P01\tkyoto\t1\n"));
+  CHECK_FALSE(ParticipantSession::open(*study, "P03", simulatedStart));  // at a site
+  CHECK_FALSE(writeUnfinishedRule(*study, Unfinished::counted));
+  fs::remove(siteFolder(out, "berlin") / "participants/P01.jsonl");  // with its head: missed at its site
+  fs::remove(siteFolder(out, "berlin") / "participants/P01.head");
+  CHECK(missingParticipants(*readParticipants(*openStudy(out))).size() == 1);
+}
+
+TEST_CASE("merge: studies that ask for other answers are not merged, and nothing is left behind") {
+  StudyDesign design;
+  const StudyFolder one(design, {"A", "B"});
+  design.feel = Feel::paper;
+  const StudyFolder other(design, {"A", "B"});
+  const StudyFolder buttons({}, {"A", "C"});
+  const fs::path out = one.folder().parent_path() / "merged";
+  CHECK_FALSE(mergeStudies({one.folder(), other.folder()}, {"a", "b"}, out));
+  CHECK_FALSE(mergeStudies({one.folder(), buttons.folder()}, {"a", "b"}, out));
+  CHECK_FALSE(mergeStudies({one.folder(), "/nonexistent"}, {"a", "b"}, out));
+  CHECK_FALSE(fs::exists(out));
+  CHECK_FALSE(fs::exists(out.string() + ".part"));
+}
+
+TEST_CASE("unfinished: the rule is chosen before the first person and kept") {
+  StudyDesign design;
+  design.trials = 6;
+  const StudyFolder made(design, {"A", "B"});
+  REQUIRE(writeUnfinishedRule(*made.study, Unfinished::counted));
+  CHECK(placesOf(made.folder())->unfinished == Unfinished::counted);
+  answer(*made.study, "P01", "errors=1", 2);
+  answer(*made.study, "P02", "perfect", 100);
+  const Result<Study> study = openStudy(made.folder());
+  const StudyResults counted = resultsOf(*study, *readParticipants(*study));
+  CHECK_FALSE(counted.unfinishedLeftOut);
+  CHECK(counted.groups.at(0).participantCount == 2);
+  CHECK(counted.otherGroups.at(0).participantCount == 1);
+  CHECK_THAT(resultsText(counted), Catch::Contains("Without those who did not finish"));
+}
+
+TEST_CASE(
+    "feel: a study plays what everything else plays unless the paper's is asked for; its files say which") {
+  for (const Feel feel : {usualSettings().feel, Feel::paper}) {
+    StudyDesign design;
+    design.feel = feel;
+    const StudyFolder made(design);
+    CHECK(openStudy(made.folder())->design.feel == feel);
+    PlaybackSettings settings;
+    settings.feel = feel;
+    for (std::size_t b = 0; b < made.study->buttons.size(); ++b) {
+      const auto played = programFor(*made.study, b, FeedbackMode::full);
+      const auto elsewhere = prepareProgram(made.study->buttons[b].button, {}, settings);
+      REQUIRE(played);
+      REQUIRE(elsewhere);
+      CHECK(renderStandardPress(played->program, 48000)->samples ==
+            renderStandardPress(elsewhere->program, 48000)->samples);
+    }
+    answer(*made.study, "P01", "perfect", 1);
+    const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+    const std::string word = feels.word(feel);
+    CHECK_THAT(resultsCsv(results), Catch::EndsWith("," + word + ",0,\n"));
+    CHECK_THAT(resultsText(results), Catch::Contains("Feel: " + word));
+    CHECK_THAT(resultsJson(results), Catch::Contains("\"feel\":\"" + word + "\""));
+    CHECK_THAT(resultsPage(results, {}), Catch::Contains("feel " + word));
+  }
+  CHECK(StudyDesign{}.feel == Feel::clear);
+}
+
+TEST_CASE("feel: a study made before the feel was kept has the paper's") {
+  StudyDesign design;
+  design.feel = Feel::paper;
+  const StudyFolder made(design);
+  edit(made.folder() / "study.json", "\"version\": 3", "\"version\": 2");
+  edit(made.folder() / "study.json", "  \"feel\": \"paper\",\n", "");
+  const Result<Study> old = openStudy(made.folder());
+  REQUIRE(old);
+  CHECK(old->design.feel == Feel::paper);
+  CHECK(checkStimuli(*old));
 }
 
 TEST_CASE("stimuli: what would feel different now is refused before anyone answers") {
@@ -531,7 +666,7 @@ TEST_CASE("session: an early end keeps the columns; stopping is told") {
   const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
   const std::string csv = resultsCsv(results);
   CHECK(csv.rfind("study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,answer_s,"
-                  "condition\n",
+                  "condition,feel,finished,site\n",
                   0) == 0);
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 2);
   CHECK(std::any_of(results.warnings.begin(), results.warnings.end(),
