@@ -375,7 +375,7 @@ std::string cTable(const char* name, std::size_t state, const StrokeTable& table
   if (table.pointCount == 0) return {};
   const auto column = [&](const char* what, auto member) {
     std::string text = "static const float detent_" + std::string(name) + "_" + what + "_" +
-                       std::to_string(state) + "[] = {";
+                       std::to_string(state) + "[] DETENT_FLASH = {";
     std::vector<double> numbers;
     for (std::uint32_t i = 0; i < table.pointCount; ++i) numbers.push_back(table.points[i].*member);
     return text + rows(numbers, cFloat) + "};\n";
@@ -384,7 +384,8 @@ std::string cTable(const char* name, std::size_t state, const StrokeTable& table
 }
 
 std::string cTriggers(std::size_t index, const StatePackage& state, const HapticProgram& program) {
-  std::string text = "static const detent_trigger detent_triggers_" + std::to_string(index) + "[] = {\n";
+  std::string text =
+      "static const detent_trigger detent_triggers_" + std::to_string(index) + "[] DETENT_FLASH = {\n";
   for (const Trigger& t : state.triggers)
     text += "  {" + std::string(t.release ? "1" : "0") + ", " +
             (std::string_view(t.kind) == "jump" ? "0" : "1") + ", " + cFloat(t.at_N) + ", " +
@@ -399,7 +400,7 @@ std::string cTriggers(std::size_t index, const StatePackage& state, const Haptic
 std::string cSlopes(const char* name, std::size_t state, const std::vector<SlopePiece>& slopes) {
   if (slopes.empty()) return {};
   std::string text = "static const detent_slope detent_" + std::string(name) + "_slopes_" +
-                     std::to_string(state) + "[] = {\n";
+                     std::to_string(state) + "[] DETENT_FLASH = {\n";
   for (const SlopePiece& slope : slopes)
     text += "  {" + cFloat(slope.from_mm) + ", " + cFloat(slope.to_mm) + ", " + cFloat(slope.level) + "},\n";
   return text + "};\n";
@@ -415,19 +416,40 @@ std::string cState(std::size_t index, const StatePackage& state, const StateProg
     return (pieces.empty() ? "0" : "detent_" + std::string(name) + "_slopes_" + n) + ", " +
            std::to_string(pieces.size()) + "u, ";
   };
-  return "  {" + cString(state.name) + ", " + number(state.press_N) + ", " + number(state.release_N) + ", " +
+  const auto triggers = "detent_triggers_" + n + ", " + std::to_string(state.triggers.size()) + "u";
+  return "  {detent_name_" + n + ", " + number(state.press_N) + ", " + number(state.release_N) + ", " +
          number(state.operating_N) + ", " + number(state.reset_N) + ", " + cFloat(state.settled_N) + ", " +
          number(state.operating_mm) + ", " + number(state.reset_mm) + ", " + cFloat(program.start_mm) + ", " +
-         cFloat(program.rest_mm) + ", " + slopes("press", state.pressSlopes) +
-         slopes("release", state.releaseSlopes) + "detent_triggers_" + n + ", " +
-         std::to_string(state.triggers.size()) + "u, " + column("press", program.press, "mm") + ", " +
-         column("press", program.press, "N") + ", " + std::to_string(program.press.pointCount) + "u, " +
-         column("release", program.release, "mm") + ", " + column("release", program.release, "N") + ", " +
-         std::to_string(program.release.pointCount) + "u},\n";
+         cFloat(program.rest_mm) + ", " + triggers + "\n   DETENT_CURVES(" +
+         slopes("press", state.pressSlopes) + slopes("release", state.releaseSlopes) +
+         column("press", program.press, "mm") + ", " + column("press", program.press, "N") + ", " +
+         std::to_string(program.press.pointCount) + "u, " + column("release", program.release, "mm") + ", " +
+         column("release", program.release, "N") + ", " + std::to_string(program.release.pointCount) +
+         "u)},\n";
 }
 
 constexpr const char* cTypes = R"(#ifndef DETENT_BUTTON_H
 #define DETENT_BUTTON_H
+
+/* Arrays of constants stay in flash, where an AVR reaches them by these two alone: a number, and a whole structure. What a
+   structure points to is in flash as well. Single numbers and detent_grain are read as they are. */
+#if defined(__AVR__)
+#include <avr/pgmspace.h>
+#define DETENT_FLASH PROGMEM
+#define DETENT_NUMBER(place) pgm_read_float(&(place))
+#define DETENT_COPY(to, place) memcpy_P(&(to), &(place), sizeof(to))
+#else
+#define DETENT_FLASH
+#define DETENT_NUMBER(place) (place)
+#define DETENT_COPY(to, place) ((to) = (place))
+#endif
+
+/* Define DETENT_TRIGGERS_ONLY before this file is included to leave the curves and slopes out: they are most of it. */
+#if defined(DETENT_TRIGGERS_ONLY)
+#define DETENT_CURVES(...)
+#else
+#define DETENT_CURVES(...) , __VA_ARGS__
+#endif
 
 /* A sine of frequency_Hz for duration_ms whose amplitude (share of full scale) rises over rise_ms and falls over fall_ms. */
 typedef struct { float frequency_Hz, duration_ms, amplitude, rise_ms, fall_ms; } detent_wave;
@@ -454,16 +476,18 @@ typedef struct {
   const char* name;
   float press_threshold_N, release_threshold_N, operating_N, reset_N, settled_N;
   float operating_mm, reset_mm, start_mm, rest_mm;
+  const detent_trigger* triggers;
+  unsigned trigger_count;
+#if !defined(DETENT_TRIGGERS_ONLY)
   const detent_slope* press_slopes;
   unsigned press_slope_count;
   const detent_slope* release_slopes;
   unsigned release_slope_count;
-  const detent_trigger* triggers;
-  unsigned trigger_count;
   const float *press_mm, *press_N;
   unsigned press_points;
   const float *release_mm, *release_N;
   unsigned release_points;
+#endif
 } detent_state;
 
 )";
@@ -496,13 +520,15 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
   std::string tables, list;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const StateProgram& program = source.program.states[i];
-    tables += cTriggers(i, states[i], source.program) + cSlopes("press", i, states[i].pressSlopes) +
-              cSlopes("release", i, states[i].releaseSlopes) + cTable("press", i, program.press) +
-              cTable("release", i, program.release);
+    tables += "static const char detent_name_" + std::to_string(i) +
+              "[] DETENT_FLASH = " + cString(states[i].name) + ";\n" +
+              cTriggers(i, states[i], source.program) + "#if !defined(DETENT_TRIGGERS_ONLY)\n" +
+              cSlopes("press", i, states[i].pressSlopes) + cSlopes("release", i, states[i].releaseSlopes) +
+              cTable("press", i, program.press) + cTable("release", i, program.release) + "#endif\n";
     list += cState(i, states[i], program);
   }
   return cComment(headLines(source, loss)) + cTypes + tables +
-         "\nstatic const detent_state detent_states[] = {\n" + list +
+         "\nstatic const detent_state detent_states[] DETENT_FLASH = {\n" + list +
          "};\nstatic const unsigned detent_state_count = " + std::to_string(states.size()) +
          "u;\n\n/* The slope: a grain where a press comes to detent_grain_origin_mm + a multiple of "
          "1/detent_grains_per_mm, and where a release\n   leaves one. It takes the place of the last" +

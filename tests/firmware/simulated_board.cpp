@@ -189,6 +189,8 @@ std::uint32_t SimulatedBoard::addressOf(const std::string& name) const {
   throw std::runtime_error("the sketch has no '" + name + "'");
 }
 
+std::uint8_t SimulatedBoard::byteAt(std::uint16_t address) const { return avr_->data[address]; }
+
 std::uint32_t SimulatedBoard::variable(const std::string& name, int bytes) const {
   std::uint32_t value = 0;
   for (int i = 0; i < bytes; ++i)

@@ -60,6 +60,7 @@ class SimulatedBoard {
   /// The same share as the timer's registers hold it; 0 where the pin is not joined to the timer. Costs no time.
   double duty() const;
 
+  std::uint8_t byteAt(std::uint16_t address) const;  ///< of the data space
   std::uint32_t variable(const std::string& name, int bytes) const;
   void setVariable(const std::string& name, int bytes, std::uint32_t value);
   /// Runs some 15 ms, after which micros() wraps in `before_us` (timer 0 overflows every 1,024 us).

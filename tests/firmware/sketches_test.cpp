@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -154,7 +155,7 @@ TEST_CASE("force1d: gives no force after a reset, before a limit, and after a re
     CHECK(board.duty() == 0);
     CHECK_FALSE(board.pinIsHigh(kind->direction));
     struct Row {
-      const char* asked;
+      const char* line;
       const char* answer;
     };
     const Row rows[] = {
@@ -168,8 +169,8 @@ TEST_CASE("force1d: gives no force after a reset, before a limit, and after a re
         {"L,3000000,5000000,2000000,200,x", "N,limit"},
     };
     for (const Row& row : rows) {
-      INFO(row.asked);
-      CHECK(board.ask(row.asked) == row.answer);
+      INFO(row.line);
+      CHECK(board.ask(row.line) == row.answer);
       CHECK(stateOf(board.ask("F,1,2000000")) == "2");
       CHECK(board.duty() == 0);
     }
@@ -183,7 +184,7 @@ TEST_CASE("force1d: gives no force after a reset, before a limit, and after a re
 
 TEST_CASE("force1d: holds to its limit, at 20 kHz") {
   ForceBoard board(mega);
-  // Asked for more silence than it bears, or more force than the motor has: it says what it holds to.
+  // More force or silence than the device allows: it answers with its own limits.
   CHECK(board.ask("L,9000000,5000000,2000000,200,400") == "L,5000000,5000000,2000000,200,50");
   REQUIRE(board.ask(limits3N) == limits3N);
   struct Row {
@@ -498,4 +499,38 @@ TEST_CASE("force1d: a Leonardo starts without force") {
   }
   CHECK(board.variable("rowCount", 2) == 0);
   CHECK(board.stackUsed() < 450);
+}
+
+TEST_CASE("triggered: an exported header plays its clicks on 8 bit boards") {
+  struct Row {
+    const char* program;
+    const BoardKind& kind;
+    std::uint16_t dutyRegister;  // data address of OCR2B
+  };
+  for (const Row& row : {Row{"triggered_minimal", uno, 0xB4}, Row{"triggered", mega, 0xB4}}) {
+    INFO(row.program << " " << row.kind.name);
+    SimulatedBoard board(row.kind, sketch(row.program, row.kind));
+    board.setAnalog_mV(0, 0);
+    board.run_us(50000);
+    // B's press jump is at about 0.55 N, its bottom-out behind it: 1 V here are 1 N.
+    const auto loudest = [&](int from_mV, int to_mV, int ms) {
+      int most = 0;
+      for (int i = 0; i < ms; ++i) {
+        board.setAnalog_mV(0, static_cast<unsigned>(from_mV + (to_mV - from_mV) * i / ms));
+        board.run_us(1000);
+        most = std::max(most, std::abs(static_cast<int>(board.byteAt(row.dutyRegister)) - 128));
+      }
+      return most;
+    };
+    const int before = loudest(0, 450, 50), click = loudest(450, 700, 50),
+              rest = (loudest(700, 700, 150), loudest(700, 700, 50)), release = loudest(700, 0, 80);
+    if (std::string(row.program) == "triggered_minimal") CHECK(before == 0);
+    CHECK(click > 20);
+    CHECK(rest <= 1);
+    CHECK(release > 10);
+    CHECK(board.stackUsed() + 100 < board.stackAvailable());
+    std::cout << row.program << " " << row.kind.name << ": longest step "
+              << board.variable("longestStep_us", 2) << " us, stack " << board.stackUsed() << " of "
+              << board.stackAvailable() << " bytes\n";
+  }
 }

@@ -10,24 +10,27 @@
 float board_force_N(void);
 void board_play(float sample);
 
-typedef struct { const detent_wave* wave; float level; long age; int jump; } voice; /* age in steps; below 0 it waits */
+typedef struct { detent_wave wave; float level; long age; int jump; } voice; /* age in steps; below 0 it waits */
 
 static voice voices[12], grain;
 static float rate_Hz, x_mm, extreme_N;      /* where the finger is; the furthest force of this stroke */
 static int begun, releasing, actuated;
 static unsigned state, piece;               /* piece of the stroke's curve that x_mm is on */
+static detent_state current;                /* of `state`: the header's arrays may be in flash that is not read like RAM */
 static char played[65];                     /* of each trigger: not armed; a header has at most 65 of them */
 static long carrier, sinceGrain = 1000000, untilNext, untilJumpEnds; /* in steps */
 
 static long steps(float ms) { return (long)(ms * rate_Hz / 1000 + 0.5f); }
-static int sounds(const voice* v) { return v->wave && v->age < steps(v->wave->duration_ms); }
+static int sounds(const voice* v) { return v->age < steps(v->wave.duration_ms); }
 static float limited(float value, float low, float high) { return value < low ? low : value > high ? high : value; }
+
+static detent_trigger triggerAt(const detent_state* s, unsigned i) { detent_trigger t; DETENT_COPY(t, s->triggers[i]); return t; }
 
 static float sampleOf(voice* v, long cycleAge) {
   if (!sounds(v) || v->age++ < 0) return 0;
-  const float ms = 1000 * (float)(v->age - 1) / rate_Hz, left_ms = v->wave->duration_ms - ms;
-  const float level = ms < v->wave->rise_ms ? ms / v->wave->rise_ms : left_ms < v->wave->fall_ms ? left_ms / v->wave->fall_ms : 1;
-  return v->level * v->wave->amplitude * level * sinf(6.2831853f * fmodf((float)cycleAge * (v->wave->frequency_Hz / rate_Hz), 1));
+  const float ms = 1000 * (float)(v->age - 1) / rate_Hz, left_ms = v->wave.duration_ms - ms;
+  const float level = ms < v->wave.rise_ms ? ms / v->wave.rise_ms : left_ms < v->wave.fall_ms ? left_ms / v->wave.fall_ms : 1;
+  return v->level * v->wave.amplitude * level * sinf(6.2831853f * fmodf((float)cycleAge * (v->wave.frequency_Hz / rate_Hz), 1));
 }
 
 static void beginGrain(float level) {
@@ -37,7 +40,7 @@ static void beginGrain(float level) {
   for (unsigned i = 0; i < sizeof voices / sizeof *voices; ++i)
     if (voices[i].jump && voices[i].age >= 0 && sounds(&voices[i])) { level *= detent_slope_under_jump; break; }
   if (!sounds(&grain)) carrier = 0;
-  grain.wave = &detent_grain, grain.level = level, grain.age = sinceGrain = 0;
+  grain.wave = detent_grain, grain.level = level, grain.age = sinceGrain = 0;
 }
 
 /* In its turn: a bottom-out lets the jump before it end, and none begins right after another. */
@@ -49,7 +52,7 @@ static void begin(const detent_trigger* t) {
   if (!t->kind) untilJumpEnds = wait + steps(t->wave.duration_ms);
   unsigned i = 0;
   while (i + 1 < sizeof voices / sizeof *voices && sounds(&voices[i])) ++i;
-  voices[i].wave = &t->wave, voices[i].level = 1, voices[i].age = -wait, voices[i].jump = !t->kind;
+  voices[i].wave = t->wave, voices[i].level = 1, voices[i].age = -wait, voices[i].jump = !t->kind;
 }
 
 static long cellOf(float mm) { return (long)floorf((mm - detent_grain_origin_mm) * detent_grains_per_mm + 1e-4f); }
@@ -59,8 +62,11 @@ static void passGrains(const detent_slope* slopes, unsigned count, float to_mm) 
   long k = cellOf(x_mm);
   for (const long end = cellOf(to_mm); k != end; k += releasing ? -1 : 1) {
     const float at_mm = detent_grain_origin_mm + (float)(releasing ? k : k + 1) / detent_grains_per_mm;
-    for (unsigned i = 0; i < count; ++i)
-      if (at_mm > slopes[i].from_mm - half_mm && at_mm < slopes[i].to_mm + half_mm) { beginGrain(slopes[i].level); break; }
+    for (unsigned i = 0; i < count; ++i) {
+      detent_slope slope;
+      DETENT_COPY(slope, slopes[i]);
+      if (at_mm > slope.from_mm - half_mm && at_mm < slope.to_mm + half_mm) { beginGrain(slope.level); break; }
+    }
   }
   x_mm = to_mm;
 }
@@ -70,11 +76,11 @@ static void travel(const detent_state* s, float to_mm) {
   const detent_slope* slopes = releasing ? s->release_slopes : s->press_slopes;
   const unsigned count = detent_grains_per_mm > 0 ? releasing ? s->release_slope_count : s->press_slope_count : 0;
   for (unsigned i = 0; i < s->trigger_count; ++i) {
-    const detent_trigger* t = &s->triggers[i];
-    const float ahead = sign * (t->displacement_mm - x_mm), left = sign * (to_mm - t->displacement_mm);
-    if (t->release != releasing || (t->kind ? ahead <= 0 || left < 0 : ahead < 0 || left <= 0)) continue;
-    passGrains(slopes, count, t->displacement_mm);
-    if (!played[i]) begin(t);
+    const detent_trigger t = triggerAt(s, i);
+    const float ahead = sign * (t.displacement_mm - x_mm), left = sign * (to_mm - t.displacement_mm);
+    if (t.release != releasing || (t.kind ? ahead <= 0 || left < 0 : ahead < 0 || left <= 0)) continue;
+    passGrains(slopes, count, t.displacement_mm);
+    if (!played[i]) begin(&t);
     played[i] = 1;
   }
   passGrains(slopes, count, to_mm);
@@ -88,11 +94,12 @@ static void follow(const detent_state* s, float force_N, float end_mm) {
   const unsigned n = releasing ? s->release_points : s->press_points;
   for (; piece + 1 < n && sign * x_mm < sign * end_mm; ++piece) {
     const unsigned a = releasing ? n - 1 - piece : piece, b = releasing ? a - 1 : a + 1;
-    if (sign * mm[b] < sign * x_mm) continue;
-    const float here_N = mm[a] == mm[b] ? N[a] : N[a] + (N[b] - N[a]) * (x_mm - mm[a]) / (mm[b] - mm[a]);
+    const float a_mm = DETENT_NUMBER(mm[a]), b_mm = DETENT_NUMBER(mm[b]), a_N = DETENT_NUMBER(N[a]), b_N = DETENT_NUMBER(N[b]);
+    if (sign * b_mm < sign * x_mm) continue;
+    const float here_N = a_mm == b_mm ? a_N : a_N + (b_N - a_N) * (x_mm - a_mm) / (b_mm - a_mm);
     if (sign * here_N > sign * force_N) return;
-    const int stops = sign * N[b] > sign * force_N;
-    const float to_mm = stops ? x_mm + (mm[b] - x_mm) * (force_N - here_N) / (N[b] - here_N) : mm[b];
+    const int stops = sign * b_N > sign * force_N;
+    const float to_mm = stops ? x_mm + (b_mm - x_mm) * (force_N - here_N) / (b_N - here_N) : b_mm;
     travel(s, sign * to_mm > sign * end_mm ? end_mm : to_mm);
     if (stops) return;
   }
@@ -102,9 +109,13 @@ static void turn(int release, float force_N) { releasing = release, extreme_N = 
 
 void step(float steps_per_s) {
   const float force_N = board_force_N();
-  const detent_state* s = &detent_states[state];
+  const detent_state* s = &current;
   const int atRest = force_N <= detent_rest_N;
-  if (!begun) begun = 1, x_mm = s->start_mm;
+  if (!begun) {
+    begun = 1;
+    DETENT_COPY(current, detent_states[state]);
+    x_mm = s->start_mm;
+  }
   rate_Hz = steps_per_s;
   const float end_mm = actuated ? s->rest_mm : s->start_mm; /* of a release */
   if (!releasing) {
@@ -117,11 +128,13 @@ void step(float steps_per_s) {
   if (releasing || !atRest) follow(s, force_N, releasing ? end_mm : 1e30f);
   if (!releasing && detent_state_count > 1 && x_mm >= s->operating_mm) actuated = 1;
   for (unsigned i = 0; i < s->trigger_count; ++i) {
-    const detent_trigger* t = &s->triggers[i];
-    if (t->release ? x_mm >= t->rearm_displacement_mm : x_mm <= t->rearm_displacement_mm) played[i] = 0;
+    const detent_trigger t = triggerAt(s, i);
+    if (t.release ? x_mm >= t.rearm_displacement_mm : x_mm <= t.rearm_displacement_mm) played[i] = 0;
   }
   if (releasing && actuated && x_mm <= end_mm) { /* the next state of a self-locking button answers */
-    actuated = 0, piece = 0, state = (state + 1) % detent_state_count, x_mm = detent_states[state].start_mm;
+    actuated = 0, piece = 0, state = (state + 1) % detent_state_count;
+    DETENT_COPY(current, detent_states[state]);
+    x_mm = s->start_mm;
     for (unsigned i = 0; i < sizeof played; ++i) played[i] = 0;
   }
   float sum = 0;
