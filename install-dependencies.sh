@@ -20,6 +20,7 @@ import_packages=(
   libeigen3-dev libceres-dev
   libmupdf-dev                     # static: its own libraries are not pulled in by the package
   libharfbuzz-dev libfreetype-dev libopenjp2-7-dev libjbig2dec0-dev libmujs-dev libgumbo-dev zlib1g-dev
+  librsvg2-dev libcairo2-dev libfontconfig-dev libxml2-dev fonts-liberation  # detent-svg-worker
   libpng-dev libjpeg-dev libtiff-dev libwebp-dev libgif-dev
   libtesseract-dev libleptonica-dev tesseract-ocr-eng tesseract-ocr-deu tesseract-ocr-chi-sim
   nlohmann-json3-dev libcli11-dev

@@ -94,7 +94,14 @@ class Collector {
     VectorPath out;
     if (!begin(context, path, matrix, paint, out)) return control_->stop == CollectStop::none;
     out.fill = paint.color;
+    noteFilled(out.polylines, paint);
     return store(std::move(out));
+  }
+
+  void letter(const SetLetter& letter, double alpha, bool drawn) {
+    const Point middle = letter.box.middle();
+    const bool inSight = clips_.back().contains(middle) && bounds_.contains(middle);
+    page_->visibility.letter(letter, drawn && inSight && !hidden(alpha));
   }
 
   bool stroke(fz_context* context, const fz_path* path, const fz_stroke_state* state, const fz_matrix& matrix,
@@ -122,27 +129,42 @@ class Collector {
     placement.image = {box, image->w, image->h};
     placement.pixelsToPage = map.after({1.0 / image->w, 0, 0, 1.0 / image->h, 0, 0});
     page_->images.push_back(placement);
+    const bool upright = (map.b == 0 && map.c == 0) || (map.a == 0 && map.d == 0);
+    const bool hides = upright && image->mask == nullptr && !image->imagemask && !image->use_colorkey;
+    page_->visibility.cover(seen, CoverKind::picture, {}, hides && covers(alpha), page_->paths);
     return true;
   }
 
-  void pushClip(const Box& box) { clips_.push_back(clips_.back().common(box)); }
+  /// `exact`: the clip is this box, not only inside of it.
+  void pushClip(const Box& box, bool exact) {
+    clips_.push_back(clips_.back().common(box));
+    exactClips_.push_back(exactClips_.back() && exact);
+  }
   bool pushClipOfPath(fz_context* context, const fz_path* path, double grow, const fz_matrix& matrix) {
     PathFlattener flattener(toAffine(matrix), flatness);
     fz_walk_path(context, path, &flattenWalker, &flattener);
     const auto polylines = flattener.takePolylines();
     if (!drawnInTime(polylines)) return halt(CollectStop::tooDense);
     const Bounds bounds = boundsOf(polylines);
-    pushClip(bounds.finite ? bounds.box.grown(grow, grow) : clips_.back());
+    pushClip(bounds.finite ? bounds.box.grown(grow, grow) : clips_.back(),
+             grow == 0 && uprightRectangle(polylines));
     return true;
   }
-  void pushUnknownClip() { clips_.push_back(clips_.back()); }
+  void pushUnknownClip() { pushClip(clips_.back(), false); }
   void popClip() {
-    if (clips_.size() > 1) clips_.pop_back();
+    if (clips_.size() == 1) return;
+    clips_.pop_back();
+    exactClips_.pop_back();
   }
 
-  void beginGroup(double alpha) { alphas_.push_back(alphas_.back() * alpha); }
+  void beginGroup(double alpha, bool blends) {
+    alphas_.push_back(alphas_.back() * alpha);
+    blends_.push_back(blends_.back() || blends);
+  }
   void endGroup() {
-    if (alphas_.size() > 1) alphas_.pop_back();
+    if (alphas_.size() == 1) return;
+    alphas_.pop_back();
+    blends_.pop_back();
   }
 
   /// What is drawn between begin and end only shapes a mask.
@@ -188,6 +210,23 @@ class Collector {
 
   bool hidden(double alpha) const {
     return maskDepth_ > 0 || alpha * alphas_.back() < leastVisibleAlpha || clips_.back().empty();
+  }
+
+  /// Returns true if a fill is opaque and the clip is exactly its box.
+  bool covers(double alpha) const {
+    constexpr double opaque = 0.99;  // share of the colour
+    return tiles_.empty() && exactClips_.back() && !blends_.back() && alpha * alphas_.back() > opaque;
+  }
+
+  void noteFilled(const std::vector<std::vector<Point>>& polylines, const Paint& paint) {
+    constexpr double leastSide = 6;  // page units: smaller areas are no background of a letter
+    const auto rectangle = uprightRectangle(polylines);
+    const Bounds bounds = boundsOf(polylines);
+    const Box box = (rectangle ? *rectangle : bounds.box).common(clips_.back());
+    if (!bounds.finite || std::min(box.width(), box.height()) < leastSide) return;
+    const bool hides = rectangle && covers(paint.alpha);
+    page_->visibility.cover(box, hides ? CoverKind::rectangle : CoverKind::shape, paint.color, hides,
+                            page_->paths);
   }
 
   /// What is hidden is drawn all the same, where no clip keeps it out.
@@ -281,7 +320,9 @@ class Collector {
   CollectControl* control_;
   Box bounds_;  ///< of the page
   std::vector<Box> clips_;
+  std::vector<bool> exactClips_{true};
   std::vector<double> alphas_;
+  std::vector<bool> blends_{false};
   std::vector<Tile> tiles_;
   int maskDepth_ = 0;
   std::size_t operations_ = 0;
@@ -362,33 +403,58 @@ bool unknownClip(Collector& c) {
   return true;
 }
 
+/// Notes the letters of a text as they stand on the page. `color` of what clips is not known: grey.
+void noteLetters(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
+                 const Paint& paint, bool drawn) {
+  constexpr float below_em = -0.1f, above_em = 0.75f;
+  for (const fz_text_span* span = text->head; span != nullptr; span = span->next)
+    for (int i = 0; i < span->len; ++i) {
+      const fz_text_item& item = span->items[i];
+      if (item.ucs < 0 || item.gid < 0) continue;
+      const float advance_em = fz_advance_glyph(context, span->font, item.gid, static_cast<int>(span->wmode));
+      fz_matrix place = span->trm;
+      place.e = item.x;
+      place.f = item.y;
+      place = fz_concat(place, matrix);
+      const fz_point begin = fz_transform_point_xy(item.x, item.y, matrix);
+      const fz_rect box = fz_transform_rect(fz_make_rect(0, below_em, advance_em, above_em), place);
+      const double size = expansion(toAffine(place));
+      const SetLetter letter{item.ucs, begin.x, begin.y, toBox(box), size, size * advance_em, paint.color};
+      inCollector(context, device, [&](Collector& c) { return c.letter(letter, paint.alpha, drawn), true; });
+    }
+}
+
+constexpr Paint notKnown{{128, 128, 128}, 1};
+
 void fillText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
               fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
-  inCollector(context, device, nothingToNote);
+  noteLetters(context, device, text, matrix, toPaint(context, space, color, alpha, params), true);
   fz_fill_text(context, self(device).recorder, text, matrix, space, color, alpha, params);
 }
 
 void strokeText(fz_context* context, fz_device* device, const fz_text* text, const fz_stroke_state* state,
                 fz_matrix matrix, fz_colorspace* space, const float* color, float alpha,
                 fz_color_params params) {
-  inCollector(context, device, nothingToNote);
+  noteLetters(context, device, text, matrix, toPaint(context, space, color, alpha, params), true);
   fz_stroke_text(context, self(device).recorder, text, state, matrix, space, color, alpha, params);
 }
 
 void clipText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
               fz_rect scissor) {
+  noteLetters(context, device, text, matrix, notKnown, true);
   inCollector(context, device, unknownClip);
   fz_clip_text(context, self(device).recorder, text, matrix, scissor);
 }
 
 void clipStrokeText(fz_context* context, fz_device* device, const fz_text* text, const fz_stroke_state* state,
                     fz_matrix matrix, fz_rect scissor) {
+  noteLetters(context, device, text, matrix, notKnown, true);
   inCollector(context, device, unknownClip);
   fz_clip_stroke_text(context, self(device).recorder, text, state, matrix, scissor);
 }
 
 void ignoreText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix) {
-  inCollector(context, device, nothingToNote);
+  noteLetters(context, device, text, matrix, notKnown, false);
   fz_ignore_text(context, self(device).recorder, text, matrix);
 }
 
@@ -415,7 +481,7 @@ void clipImageMask(fz_context* context, fz_device* device, fz_image* image, fz_m
   const Box box = unitSquareUnder(toAffine(matrix));
   inCollector(context, device, [&](Collector& c) {
     if (!c.image(image, matrix, 0)) return false;  // only its size is of interest here
-    c.pushClip(box);
+    c.pushClip(box, false);
     return true;
   });
   fz_clip_image_mask(context, self(device).recorder, image, matrix, scissor);
@@ -439,7 +505,7 @@ void endMask(fz_context* context, fz_device* device) {
 
 void beginGroup(fz_context* context, fz_device* device, fz_rect area, fz_colorspace* space, int isolated,
                 int knockout, int blendMode, float alpha) {
-  inCollector(context, device, [&](Collector& c) { return c.beginGroup(alpha), true; });
+  inCollector(context, device, [&](Collector& c) { return c.beginGroup(alpha, blendMode != 0), true; });
   fz_begin_group(context, self(device).recorder, area, space, isolated, knockout, blendMode, alpha);
 }
 

@@ -7,6 +7,7 @@
 
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page.h"
+#include "importer/page/seen_text.h"
 
 namespace detent::importer {
 
@@ -20,6 +21,7 @@ struct ImagePlacement {
 struct CollectedPage {
   std::vector<VectorPath> paths;
   std::vector<ImagePlacement> images;
+  Visibility visibility;  ///< of its letters
 };
 
 enum class CollectStop {

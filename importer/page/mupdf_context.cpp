@@ -5,7 +5,7 @@
 #include <cstring>
 
 // What fz_register_document_handlers() would add besides (books, web pages, archives) is neither offered nor linked.
-extern "C" fz_document_handler pdf_document_handler, svg_document_handler;
+extern "C" fz_document_handler pdf_document_handler;
 
 namespace detent::importer {
 namespace {
@@ -26,10 +26,8 @@ MupdfContext::MupdfContext(std::size_t maxBytes)
   fz_set_warning_callback(context_, &ignoreRemark, nullptr);
   fz_set_error_callback(context_, &ignoreRemark, nullptr);
   std::string ignored;
-  const bool registered = guarded(context_, ignored, [this] {
-    fz_register_document_handler(context_, &pdf_document_handler);
-    fz_register_document_handler(context_, &svg_document_handler);
-  });
+  const bool registered =
+      guarded(context_, ignored, [this] { fz_register_document_handler(context_, &pdf_document_handler); });
   if (!registered) {
     fz_drop_context(context_);
     context_ = nullptr;

@@ -9,6 +9,8 @@
 #include <mupdf/fitz.h>
 #include <mupdf/ucdn.h>
 
+#include "importer/page/embedded_fonts.h"
+
 // A font's bytes have the names that MuPDF's build gives them.
 #define MUPDF_FONT(name, file)                                                                    \
   extern "C" const unsigned char name##Begin[] __asm__("_binary_resources_fonts_" file "_start"); \
@@ -133,3 +135,11 @@ const unsigned char* fz_lookup_noto_music_font(fz_context*, int* size) { return 
 const unsigned char* fz_lookup_noto_symbol1_font(fz_context*, int* size) { return symbols.bytes(size); }
 const unsigned char* fz_lookup_noto_symbol2_font(fz_context*, int* size) { return moreSymbols.bytes(size); }
 const unsigned char* fz_lookup_noto_emoji_font(fz_context*, int* size) { return EmbeddedFont{}.bytes(size); }
+
+std::vector<std::span<const unsigned char>> detent::importer::scriptFonts() {
+  std::vector<std::span<const unsigned char>> files;
+  for (const EmbeddedFont& font :
+       {european, arabic, hebrew, thai, devanagari, mathematics, symbols, moreSymbols, eastAsian})
+    files.emplace_back(font.begin, font.end);
+  return files;
+}

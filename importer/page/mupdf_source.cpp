@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PDF and SVG. A page is recorded once as a display list; texts and renders are made from the list.
+// PDF. A page is recorded once as a display list; texts and renders are made from the list.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page_source.h"
 #include "importer/page/picture_header.h"
-#include "importer/page/prepare_svg.h"
 #include "importer/page/stoppable_run.h"
 #include "importer/page/text_boxes.h"
 #include "importer/page/view_grid.h"
@@ -49,9 +48,8 @@ struct RecordedPage {
 
 class MupdfSource : public PageSource {
  public:
-  MupdfSource(SourceFile file, const char* magic)
+  explicit MupdfSource(SourceFile file)
       : file_(std::move(file)),
-        magic_(magic),
         context_(static_cast<std::size_t>(std::max(16.0, file_.limits.maxDocumentMegabytes) * 1024 * 1024)) {}
 
   ~MupdfSource() override {
@@ -70,7 +68,9 @@ class MupdfSource : public PageSource {
                         const Homography&, const Progress& progress) override;
 
  private:
-  std::string kind() const { return magic_ == std::string_view("application/pdf") ? "PDF" : "SVG"; }
+  std::string kind() const { return file_.pdfUnits > 0 ? "SVG" : "PDF"; }
+  /// From a page's units in the file to those of Page.
+  double scale() const { return file_.pdfUnits > 0 ? 1 / file_.pdfUnits : 1; }
   std::string placeOf(int number) const { return "page " + std::to_string(number); }
   Failure damaged(const std::string& place, const std::string& error) const;
   std::optional<Failure> refusal(const CollectControl& control, int number) const;
@@ -86,13 +86,12 @@ class MupdfSource : public PageSource {
                    std::string& error);
   std::optional<Failure> drawn(const RecordedPage& page, const Progress& progress,
                                const std::function<void(fz_cookie&)>& draw);
-  Result<std::vector<TextBox>> textsOf(const RecordedPage& page, const Progress& progress);
+  Result<std::vector<TextBox>> textsOf(const RecordedPage& page, LetterKeys seen, const Progress& progress);
   Result<Raster> render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits,
                         const Progress& progress);
   std::vector<Remark> remarksFor(int number) const;
 
   SourceFile file_;
-  const char* magic_;
   MupdfContext context_;
   fz_document* document_ = nullptr;
   int pageCount_ = 0;
@@ -127,7 +126,7 @@ std::optional<Failure> MupdfSource::open() {
   bool locked = false;
   const bool opened = guarded(context, error, [&] {
     fz_stream* stream = fz_open_memory(context, file_.bytes->data(), file_.bytes->size());
-    fz_try(context) document_ = fz_open_document_with_stream(context, magic_, stream);
+    fz_try(context) document_ = fz_open_document_with_stream(context, "application/pdf", stream);
     fz_always(context) fz_drop_stream(context, stream);
     fz_catch(context) fz_rethrow(context);
     locked = fz_needs_password(context, document_) && !fz_authenticate_password(context, document_, "");
@@ -186,8 +185,8 @@ std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int n
 bool MupdfSource::measure(RecordedPage& page, fz_page* loaded, std::string& error) {
   fz_rect bounds = fz_empty_rect;
   if (!guarded(context_.get(), error, [&] { bounds = fz_bound_page(context_.get(), loaded); })) return false;
-  page.width = static_cast<double>(bounds.x1) - bounds.x0;
-  page.height = static_cast<double>(bounds.y1) - bounds.y0;
+  page.width = scale() * (static_cast<double>(bounds.x1) - bounds.x0);
+  page.height = scale() * (static_cast<double>(bounds.y1) - bounds.y0);
   constexpr double largestSide = 1e6;  // points; 350 m
   if (page.width > 0 && page.height > 0 && page.width < largestSide && page.height < largestSide) return true;
   error = "its page has no usable size";
@@ -208,10 +207,13 @@ bool MupdfSource::runIntoList(RecordedPage& page, fz_page* loaded, CollectContro
     fz_var(device);
     fz_try(context) {
       const fz_rect box = fz_bound_page(context, loaded);
-      page.list = fz_new_display_list(context, fz_make_rect(0, 0, box.x1 - box.x0, box.y1 - box.y0));
+      page.list = fz_new_display_list(
+          context, fz_make_rect(0, 0, static_cast<float>(page.width), static_cast<float>(page.height)));
       recorder = fz_new_list_device(context, page.list);
       device = newCollectDevice(context, recorder, bounds, &page.collected, &control);
-      fz_run_page(context, loaded, device, fz_translate(-box.x0, -box.y0), &cookie);
+      const auto toPage = static_cast<float>(scale());
+      fz_run_page(context, loaded, device,
+                  fz_make_matrix(toPage, 0, 0, toPage, -toPage * box.x0, -toPage * box.y0), &cookie);
       fz_close_device(context, device);
     }
     fz_always(context) {
@@ -252,6 +254,7 @@ Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Prog
   fz_drop_page(context, loaded);
   if (auto failure = refusal(control, number)) return *failure;
   if (!done) return damaged(placeOf(number), error);
+  dropRepeats(page->collected.paths);
   return Result<std::unique_ptr<RecordedPage>>(std::move(page));
 }
 
@@ -285,20 +288,27 @@ std::optional<Failure> MupdfSource::drawn(const RecordedPage& page, const Progre
   return std::nullopt;
 }
 
-Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, const Progress& progress) {
+Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, LetterKeys seen,
+                                                  const Progress& progress) {
   fz_context* context = context_.get();
   fz_stext_page* text = nullptr;
   const auto failure = drawn(page, progress, [&](fz_cookie& cookie) {
+    fz_device* reader = nullptr;
     fz_device* device = nullptr;
+    fz_var(reader);
     fz_var(device);
     fz_try(context) {
       const fz_rect box = fz_make_rect(0, 0, static_cast<float>(page.width), static_cast<float>(page.height));
       text = fz_new_stext_page(context, box);
-      device = fz_new_stext_device(context, text, nullptr);
+      reader = fz_new_stext_device(context, text, nullptr);
+      device = newSeenTextDevice(context, reader, &seen);
       fz_run_display_list(context, page.list, device, fz_identity, fz_infinite_rect, &cookie);
       fz_close_device(context, device);
     }
-    fz_always(context) fz_drop_device(context, device);
+    fz_always(context) {
+      fz_drop_device(context, device);
+      fz_drop_device(context, reader);
+    }
     fz_catch(context) fz_rethrow(context);
   });
   if (failure) {
@@ -313,6 +323,19 @@ Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, cons
     fz_drop_stext_page(context, text);
     throw;
   }
+}
+
+/// Returns true if something is drawn in a box of a picture.
+bool hasContrast(const Raster& picture, const Box& box) {
+  constexpr int leastContrast = 60;  // levels of green, which is most of brightness
+  int darkest = 255, brightest = 0;
+  for (int y = std::max(0, static_cast<int>(box.y0)); y <= box.y1 && y < picture.height_px; ++y)
+    for (int x = std::max(0, static_cast<int>(box.x0)); x <= box.x1 && x < picture.width_px; ++x) {
+      const int level = picture.at(x, y)[1];
+      darkest = std::min(darkest, level);
+      brightest = std::max(brightest, level);
+    }
+  return brightest - darkest >= leastContrast;
 }
 
 /// MuPDF's rows may be padded and its pixels may have other channels; the renders here are plain RGB.
@@ -377,11 +400,14 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
   auto found = recorded(number, progress);
   if (!found) return found.failure();
   RecordedPage& source = **found;
-  auto texts = textsOf(source, progress);
-  if (!texts) return texts.failure();
   const ViewGrid grid = overviewGrid(source.width, source.height, overviewDpi / 72, overviewMaxSide_px);
   auto overview = render(source, grid, overviewAntialiasBits, progress);
   if (!overview) return overview.failure();
+  const Affine toOverview = grid.viewToPage(0).inverse();
+  const LetterKeys seen = source.collected.visibility.seen(
+      [&](const Box& letter) { return hasContrast(*overview, toOverview.boxOf(letter)); });
+  auto texts = textsOf(source, seen, progress);
+  if (!texts) return texts.failure();
 
   Page page;
   page.source = file_.name;
@@ -424,30 +450,12 @@ Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quar
   return view;
 }
 
-OpenedSource openWith(const SourceFile& file, const char* magic) {
-  auto source = std::make_unique<MupdfSource>(file, magic);
-  if (auto failure = source->open()) return *failure;
-  return OpenedSource(std::move(source));
-}
-
 }  // namespace
 
-OpenedSource openPdfSource(const SourceFile& file) { return openWith(file, "application/pdf"); }
-
-OpenedSource openSvgSource(const SourceFile& file) {
-  const std::string_view svg(reinterpret_cast<const char*>(file.bytes->data()), file.bytes->size());
-  const PreparedSvg prepared = prepareSvg(svg, file.limits.maxPathPoints);
-  if (prepared.truncated)
-    return unreadable(file.name, Message("end of file"),
-                      Message("the %1 is truncated", kindName(FileKind::svg)),
-                      Message("Copy or download the file again"));
-  if (!prepared.problem.empty())
-    return unreadable(
-        file.name, "", Message("the SVG cannot be drawn: %1", prepared.problem),
-        Message("Export the drawing as a PDF or as a picture of at least 300 dpi and import that"));
-  SourceFile changed = file;
-  changed.bytes = std::make_shared<const Bytes>(prepared.text.begin(), prepared.text.end());
-  return openWith(changed, "image/svg+xml");
+OpenedSource openPdfSource(const SourceFile& file) {
+  auto source = std::make_unique<MupdfSource>(file);
+  if (auto failure = source->open()) return *failure;
+  return OpenedSource(std::move(source));
 }
 
 }  // namespace detent::importer

@@ -31,6 +31,8 @@ struct SourceFile {
   std::shared_ptr<const Bytes> bytes;
   std::string name;
   PageLimits limits;
+  double pdfUnits =
+      0;  ///< of a PDF that an SVG was drawn as: its units per page unit; 0: it is the file itself
 };
 
 using OpenedSource = Result<std::unique_ptr<PageSource>>;

@@ -305,17 +305,20 @@ PictureHeader webpHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
+/// The root element may have a prefix and follow an XML declaration, a comment and a document type with entities.
 bool looksLikeSvg(std::span<const unsigned char> bytes) {
-  // The root element may follow an XML declaration, a comment and a document type with entities.
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
-                              std::min<std::size_t>(bytes.size(), 65536));
-  const std::size_t first = text.find_first_not_of("\xef\xbb\xbf \t\r\n");
-  if (first == std::string_view::npos || text[first] != '<') return false;
-  for (std::size_t at = text.find("<svg"); at != std::string_view::npos; at = text.find("<svg", at + 1)) {
-    const char after = at + 4 < text.size() ? text[at + 4] : '>';
-    if (std::isspace(static_cast<unsigned char>(after)) || after == '>' || after == '/') return true;
+  constexpr std::size_t most = 65536;
+  std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), most)));
+  const bool utf16 = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  if (utf16) std::erase(text, '\0');
+  const std::size_t first = text.find_first_not_of("\xef\xbb\xbf\xfe\xff \t\r\n");
+  if (first == std::string::npos || text[first] != '<') return false;
+  for (std::size_t at = first; at != std::string::npos; at = text.find('<', at + 1)) {
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n/>", at + 2), text.size());
+    const std::size_t prefix = text.find(':', at) < end ? text.find(':', at) : at;
+    if (std::string_view(text).substr(prefix + 1, end - prefix - 1) == "svg") return true;
   }
-  return text.find("<svg:svg") != std::string_view::npos;
+  return false;
 }
 
 }  // namespace

@@ -476,3 +476,14 @@ TEST_CASE("Two inputs of one name get results of their own") {
   CHECK_FALSE(folder.read("out/a-p.button.json").empty());
   CHECK_FALSE(folder.read("out/b-p.button.json").empty());
 }
+
+TEST_CASE("an SVG without the program that draws it is refused by that program's name") {
+  const ProgramFolder folder("import_without_worker");
+  const std::string alone = (folder.path() / "detent-import").string();
+  std::filesystem::copy_file(DETENT_IMPORT, alone);
+  std::filesystem::copy_file(plots + "black-inch-ounce.svg", folder.path() / "plot.svg");
+  const ProgramResult run = folder.run(alone, {"plot.svg", "--json"});
+  CHECK(run.exitCode == 3);
+  CHECK_THAT(run.err, Catch::Contains("detent-svg-worker"));
+  CHECK(import(folder, {"plot.svg", "--json"}).exitCode == 0);
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/page/seen_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "importer/page/polyline.h"
+#include "importer/page/same_ink.h"
+
+namespace detent::importer {
+
+bool Visibility::mayCompare(std::size_t things) {
+  constexpr std::size_t most = 100000000;  // about a third of a second
+  comparisons_ += things;
+  return comparisons_ <= most;
+}
+
+const Visibility::Cover* Visibility::coverUnder(Point place) const {
+  const auto last = std::find_if(covers_.rbegin(), covers_.rend(),
+                                 [&](const Cover& cover) { return cover.box.contains(place); });
+  return last == covers_.rend() ? nullptr : &*last;
+}
+
+void Visibility::letter(const SetLetter& letter, bool drawn) {
+  constexpr double unseen = 30;  // colour levels between a letter and its background
+  constexpr Rgb paper{255, 255, 255};
+  Sight sight = Sight::seen;
+  if (mayCompare(covers_.size())) {
+    const Cover* const background = coverUnder(letter.box.middle());
+    const bool onPicture = background != nullptr && background->kind == CoverKind::picture;
+    const bool onColor = background == nullptr || background->kind == CoverKind::rectangle;
+    if (!drawn)
+      sight = onPicture ? Sight::ofPicture : Sight::hidden;
+    else if (onColor &&
+             colorDistance(letter.color, background != nullptr ? background->color : paper) < unseen)
+      sight = Sight::hidden;
+  }
+  letters_.push_back({letter, sight});
+}
+
+void Visibility::cover(const Box& box, CoverKind kind, Rgb color, bool hides,
+                       std::vector<VectorPath>& paths) {
+  covers_.push_back({box, kind, color});
+  if (!hides || !mayCompare(letters_.size() + paths.size())) return;
+  for (Noted& noted : letters_)
+    if (noted.sight != Sight::hidden && box.contains(noted.letter.box.middle()))
+      noted.sight = kind == CoverKind::picture ? Sight::ofPicture : Sight::hidden;
+  std::erase_if(paths, [&](const VectorPath& path) {
+    return box.contains(path.clip ? path.box.common(*path.clip) : path.box);
+  });
+}
+
+std::vector<bool> Visibility::seenOnce() const {
+  constexpr double nearly = 0.3;     // of a letter's size: copies of it stand within
+  constexpr double ofAdvance = 0.6;  // the same letter twice in a word stands a whole advance apart
+  std::vector<bool> once(letters_.size(), false);
+  std::map<int, std::vector<std::size_t>> byCode;  // of each code, by x
+  for (std::size_t i = 0; i < letters_.size(); ++i)
+    if (letters_[i].sight != Sight::hidden) byCode[letters_[i].letter.unicode].push_back(i);
+  const auto isCopy = [&](std::size_t i, std::size_t k) {
+    const SetLetter &a = letters_[i].letter, &b = letters_[k].letter;
+    const bool neighbours = i + 1 == k || k + 1 == i;
+    const double within = neighbours ? std::min(nearly * a.size, ofAdvance * a.advance) : nearly * a.size;
+    return std::hypot(a.x - b.x, a.y - b.y) < within;
+  };
+  for (auto& [unicode, indices] : byCode) {
+    std::ranges::sort(indices, {}, [&](std::size_t i) { return letters_[i].letter.x; });
+    std::vector<std::size_t> kept;
+    for (const std::size_t i : indices) {
+      bool copy = false;
+      for (std::size_t k = kept.size(); k-- > 0 && !copy;) {
+        if (letters_[i].letter.x - letters_[kept[k]].letter.x > nearly * letters_[i].letter.size) break;
+        copy = isCopy(i, kept[k]);
+        if (copy && letters_[kept[k]].sight == Sight::ofPicture) kept[k] = i;  // what is drawn counts
+      }
+      if (!copy) kept.push_back(i);
+    }
+    for (const std::size_t i : kept) once[i] = true;
+  }
+  return once;
+}
+
+std::optional<Box> uprightRectangle(const std::vector<std::vector<Point>>& polylines) {
+  if (polylines.size() != 1) return {};
+  const std::vector<Point>& ring = polylines.front();
+  if (ring.size() < 4 || ring.size() > 5 || (ring.size() == 5 && ring.front() != ring.back())) return {};
+  const Box box = boundsOf(ring);
+  const double slack = 1e-3 * (box.width() + box.height());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % 4];
+    const bool level = std::abs(a.y - b.y) < slack, upright = std::abs(a.x - b.x) < slack;
+    if (level == upright) return {};
+  }
+  return box;
+}
+
+void dropRepeats(std::vector<VectorPath>& paths) {
+  constexpr double nearly = 0.75;  // page units; or as much of the line's width
+  constexpr double cell = 4;       // page units
+  constexpr int mostPlaces = 64;   // in one cell: more is a texture
+  struct Place {
+    std::size_t points = 0;
+    long column = 0, row = 0;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::map<Place, std::vector<std::size_t>> known;
+  std::vector<bool> repeated(paths.size(), false);
+  const auto pointsOf = [](const VectorPath& path) {
+    std::size_t points = 0;
+    for (const auto& line : path.polylines) points += line.size();
+    return points;
+  };
+  const auto repeats = [&](const VectorPath& a, const VectorPath& b) {
+    if (a.stroke != b.stroke || a.fill != b.fill || a.dashed != b.dashed ||
+        a.polylines.size() != b.polylines.size())
+      return false;
+    const double within = std::max(nearly, nearly * std::min(a.strokeWidth, b.strokeWidth));
+    for (std::size_t l = 0; l < a.polylines.size(); ++l) {
+      if (a.polylines[l].size() != b.polylines[l].size()) return false;
+      for (std::size_t i = 0; i < a.polylines[l].size(); ++i)
+        if (std::hypot(a.polylines[l][i].x - b.polylines[l][i].x, a.polylines[l][i].y - b.polylines[l][i].y) >
+            within)
+          return false;
+    }
+    return true;
+  };
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (paths[i].polylines.empty() || paths[i].polylines.front().empty()) continue;
+    const Point first = paths[i].polylines.front().front();
+    const Place place{pointsOf(paths[i]), std::lround(std::floor(std::clamp(first.x, -1e6, 1e6) / cell)),
+                      std::lround(std::floor(std::clamp(first.y, -1e6, 1e6) / cell))};
+    for (long dx = -1; dx <= 1 && !repeated[i]; ++dx)
+      for (long dy = -1; dy <= 1 && !repeated[i]; ++dy)
+        if (const auto near = known.find({place.points, place.column + dx, place.row + dy});
+            near != known.end())
+          repeated[i] =
+              std::ranges::any_of(near->second, [&](std::size_t k) { return repeats(paths[i], paths[k]); });
+    if (auto& here = known[place]; !repeated[i] && here.size() < mostPlaces) here.push_back(i);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (!repeated[i]) {
+      if (kept != i) paths[kept] = std::move(paths[i]);
+      ++kept;
+    }
+  paths.resize(kept);
+}
+
+namespace {
+
+struct SeenTextDevice {
+  fz_device base;
+  fz_device* target;
+  LetterKeys* seen;
+};
+
+SeenTextDevice& ofSeenText(fz_device* device) { return *reinterpret_cast<SeenTextDevice*>(device); }
+
+/// The letters of `text` that are seen; the caller drops it. A part of a letter without a code goes with the letter before.
+fz_text* seenPart(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix) {
+  LetterKeys& seen = *ofSeenText(device).seen;
+  fz_text* part = fz_new_text(context);
+  fz_try(context) {
+    bool keep = false;
+    for (const fz_text_span* span = text->head; span != nullptr; span = span->next)
+      for (int i = 0; i < span->len; ++i) {
+        const fz_text_item& item = span->items[i];
+        fz_matrix place = span->trm;
+        place.e = item.x;
+        place.f = item.y;
+        const fz_point begin = fz_transform_point_xy(item.x, item.y, matrix);
+        if (item.ucs >= 0 && item.gid >= 0) {
+          const auto known = seen.find({item.ucs, begin.x, begin.y});
+          keep = known != seen.end() && known->second-- == 0;
+        }
+        if (keep)
+          fz_show_glyph(context, part, span->font, place, item.gid, item.ucs, static_cast<int>(span->wmode),
+                        static_cast<int>(span->bidi_level), static_cast<fz_bidi_direction>(span->markup_dir),
+                        static_cast<fz_text_language>(span->language));
+      }
+  }
+  fz_catch(context) {
+    fz_drop_text(context, part);
+    fz_rethrow(context);
+  }
+  return part;
+}
+
+/// Filled, stroked, clipping or invisible: all the same to who reads.
+void forwardText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix) {
+  fz_text* const part = seenPart(context, device, text, matrix);
+  fz_try(context) fz_ignore_text(context, ofSeenText(device).target, part, matrix);
+  fz_always(context) fz_drop_text(context, part);
+  fz_catch(context) fz_rethrow(context);
+}
+
+}  // namespace
+
+fz_device* newSeenTextDevice(fz_context* context, fz_device* target, LetterKeys* seen) {
+  auto* device = reinterpret_cast<SeenTextDevice*>(fz_new_device_of_size(context, sizeof(SeenTextDevice)));
+  device->target = fz_keep_device(context, target);
+  device->seen = seen;
+  fz_device& base = device->base;
+  base.close_device = [](fz_context* c, fz_device* d) { fz_close_device(c, ofSeenText(d).target); };
+  base.drop_device = [](fz_context* c, fz_device* d) { fz_drop_device(c, ofSeenText(d).target); };
+  base.fill_text = [](fz_context* c, fz_device* d, const fz_text* text, fz_matrix matrix, fz_colorspace*,
+                      const float*, float, fz_color_params) { forwardText(c, d, text, matrix); };
+  base.stroke_text = [](fz_context* c, fz_device* d, const fz_text* text, const fz_stroke_state*,
+                        fz_matrix matrix, fz_colorspace*, const float*, float,
+                        fz_color_params) { forwardText(c, d, text, matrix); };
+  base.clip_text = [](fz_context* c, fz_device* d, const fz_text* text, fz_matrix matrix, fz_rect) {
+    forwardText(c, d, text, matrix);
+  };
+  base.clip_stroke_text = [](fz_context* c, fz_device* d, const fz_text* text, const fz_stroke_state*,
+                             fz_matrix matrix, fz_rect) { forwardText(c, d, text, matrix); };
+  base.ignore_text = forwardText;
+  return &base;
+}
+
+}  // namespace detent::importer

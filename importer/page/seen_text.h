@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Which letters and lines of a page a person sees, and each of them once: fake bold, shadows and halos set a label
+// several times, and edited pages cover the old one. Private to importer/page.
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "importer/page/mupdf_context.h"
+#include "importer/page/page.h"
+
+namespace detent::importer {
+
+/// One letter as it is set. In page units.
+struct SetLetter {
+  int unicode = 0;
+  float x = 0, y = 0;  ///< where it begins on its baseline, exactly as MuPDF says
+  Box box;             ///< advance by height of the font
+  double size = 0;     ///< height of the font
+  double advance = 0;
+  Rgb color;
+};
+
+/// Letters by code and place, and how many letters of that code were set in that place before the one that is seen.
+using LetterKeys = std::map<std::tuple<int, float, float>, int>;
+
+enum class CoverKind {
+  rectangle,  ///< upright, of one colour
+  picture,
+  shape  ///< any other area, whose colour at a place is not known
+};
+
+enum class Sight {
+  seen,
+  ofPicture,  ///< set invisibly on a picture, or under it: the text of a scan, if the picture shows it
+  hidden
+};
+
+/// Follows a page in the order it is drawn.
+class Visibility {
+ public:
+  /// `drawn`: false for what is set invisibly, as the text of scans is.
+  void letter(const SetLetter& letter, bool drawn);
+  /// An area that is filled. `hides`: nothing under it is seen, which takes it out of `paths` too.
+  void cover(const Box& box, CoverKind kind, Rgb color, bool hides, std::vector<VectorPath>& paths);
+
+  /// The letters that are seen, each once; of a picture's text what no other letter stands on and `isShown` confirms.
+  template <class IsShown>
+  LetterKeys seen(const IsShown& isShown) const {
+    LetterKeys keys, before;
+    const std::vector<bool> once = seenOnce();
+    for (std::size_t i = 0; i < letters_.size(); ++i) {
+      const SetLetter& letter = letters_[i].letter;
+      const std::tuple key(letter.unicode, letter.x, letter.y);
+      const int earlier = before[key]++;
+      if (once[i] && (letters_[i].sight == Sight::seen || isShown(letter.box))) keys.emplace(key, earlier);
+    }
+    return keys;
+  }
+
+ private:
+  struct Noted {
+    SetLetter letter;
+    Sight sight = Sight::seen;
+  };
+  struct Cover {
+    Box box;
+    CoverKind kind = CoverKind::shape;
+    Rgb color;
+  };
+
+  const Cover* coverUnder(Point place) const;
+  bool mayCompare(std::size_t things);
+  std::vector<bool> seenOnce() const;
+
+  std::vector<Noted> letters_;
+  std::vector<Cover> covers_;
+  std::size_t comparisons_ = 0;
+};
+
+/// The box of an upright rectangle; nothing if the path is anything else.
+std::optional<Box> uprightRectangle(const std::vector<std::vector<Point>>& polylines);
+
+/// Leaves one of lines that have one colour and form and stand nearly in one place.
+void dropRepeats(std::vector<VectorPath>& paths);
+
+/// Device that hands the letters of `seen` on to `target` (kept), each once, and nothing else of a page. It counts in `seen`,
+/// which outlives the device.
+fz_device* newSeenTextDevice(fz_context* context, fz_device* target, LetterKeys* seen);
+
+}  // namespace detent::importer

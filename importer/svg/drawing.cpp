@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/svg/drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include <libxml/parser.h>
+#include <libxml/parserInternals.h>
+#include <libxml/tree.h>
+
+#include "importer/svg/plain_styles.h"
+#include "model/text.h"
+
+namespace detent::importer::svg {
+namespace {
+
+constexpr const char* svgNamespace = "http://www.w3.org/2000/svg";
+constexpr const char* replacementCharacter = "\xef\xbf\xbd";  // U+FFFD
+
+struct ParserEnd {
+  void operator()(xmlParserCtxt* parser) const { xmlFreeParserCtxt(parser); }
+};
+struct DocumentEnd {
+  void operator()(xmlDoc* document) const { xmlFreeDoc(document); }
+};
+using Document = std::unique_ptr<xmlDoc, DocumentEnd>;
+
+std::string_view viewOf(const xmlChar* text) {
+  return text == nullptr ? std::string_view() : std::string_view(reinterpret_cast<const char*>(text));
+}
+const xmlChar* xmlText(const std::string& text) { return reinterpret_cast<const xmlChar*>(text.c_str()); }
+
+std::string takeText(xmlChar* text) {
+  const std::string copy(viewOf(text));
+  xmlFree(text);
+  return copy;
+}
+
+bool isElement(const xmlNode* node) { return node->type == XML_ELEMENT_NODE; }
+bool isNamed(const xmlNode* node, std::string_view name) {
+  return isElement(node) && viewOf(node->name) == name;
+}
+
+/// Document order; never below a node that `enter` refuses.
+template <class Enter>
+void forEachNode(xmlNode* root, const Enter& enter) {
+  for (xmlNode* node = root; node != nullptr;) {
+    const bool below = enter(node) && isElement(node) && node->children != nullptr;
+    xmlNode* next = below ? node->children : nullptr;
+    while (next == nullptr && node != root && node != nullptr) {
+      next = node->next;
+      if (next == nullptr) node = node->parent;
+    }
+    if (node == root && !below) return;
+    node = next;
+  }
+}
+
+/// Returns true if an error of the parser may mean that the rest of the file is missing.
+bool isOfMissingEnd(int code) {
+  constexpr std::array codes{
+      XML_ERR_DOCUMENT_END,         XML_ERR_TAG_NOT_FINISHED,       XML_ERR_GT_REQUIRED,
+      XML_ERR_LTSLASH_REQUIRED,     XML_ERR_ATTRIBUTE_NOT_FINISHED, XML_ERR_ATTRIBUTE_WITHOUT_VALUE,
+      XML_ERR_COMMENT_NOT_FINISHED, XML_ERR_CDATA_NOT_FINISHED,     XML_ERR_NAME_REQUIRED,
+      XML_ERR_TAG_NAME_MISMATCH};
+  return std::ranges::find(codes, code) != codes.end();
+}
+
+/// Returns true if the last thing in the file closes an element called svg.
+bool endsDrawing(std::string_view bytes) {
+  constexpr std::size_t tail = 256;
+  std::string end(bytes.substr(bytes.size() - std::min(bytes.size(), tail)));
+  std::erase(end, '\0');  // UTF-16
+  return trimmed(end).ends_with("svg>");
+}
+
+Document parse(std::string_view bytes, Drawing& drawing) {
+  xmlSetExternalEntityLoader(
+      [](const char*, const char*, xmlParserCtxt*) -> xmlParserInput* { return nullptr; });
+  const std::unique_ptr<xmlParserCtxt, ParserEnd> parser(xmlNewParserCtxt());
+  if (!parser || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    drawing.problem = "it is too large";
+    return {};
+  }
+  constexpr int options =
+      XML_PARSE_NOENT | XML_PARSE_DTDATTR | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
+  Document document(xmlCtxtReadMemory(parser.get(), bytes.data(), static_cast<int>(bytes.size()), nullptr,
+                                      nullptr, options));
+  if (document) return document;
+  const xmlError* const error = xmlCtxtGetLastError(parser.get());
+  drawing.truncated = error != nullptr && isOfMissingEnd(error->code) && !endsDrawing(bytes);
+  drawing.problem = error != nullptr && error->message != nullptr ? trimmed(error->message) : "it is no XML";
+  if (error != nullptr && error->code == XML_ERR_INTERNAL_ERROR &&
+      error->int1 == static_cast<int>(xmlParserMaxDepth))
+    drawing.problem = "it nests elements more than " + std::to_string(xmlParserMaxDepth) + " deep";
+  return {};
+}
+
+/// A list of points up to its first error, where browsers end it too; librsvg leaves the element out.
+std::string soundPoints(std::string_view points) {
+  std::string sound;
+  const char *at = points.data(), *const end = at + points.size();
+  while (true) {
+    while (at != end && (isBlank(*at) || *at == ',')) ++at;
+    if (at != end && *at == '+') ++at;
+    double number = 0;
+    const auto [past, error] = std::from_chars(at, end, number);
+    if (error != std::errc() || !std::isfinite(number)) return sound;
+    sound.append(at, past).append(1, ' ');
+    at = past;
+  }
+}
+
+/// The factor by which a transform list scales lengths on the average; 1 where it cannot be read.
+double scaleOf(std::string_view transform) {
+  double area = 1;
+  for (std::size_t open = transform.find('('); open != std::string_view::npos;
+       open = transform.find('(', open + 1)) {
+    const std::string_view name = trimmed(transform.substr(0, open));
+    std::array<double, 6> values{};
+    std::size_t count = 0;
+    std::string list(transform.substr(open + 1, transform.find(')', open) - open - 1));
+    std::ranges::replace(list, ',', ' ');
+    const char* at = list.c_str();
+    for (char* past = nullptr; count < values.size(); at = past) {
+      values[count] = std::strtod(at, &past);
+      if (past == at) break;
+      ++count;
+    }
+    if (name.ends_with("matrix") && count == values.size())
+      area *= values[0] * values[3] - values[1] * values[2];
+    else if (name.ends_with("scale") && count > 0)
+      area *= values[0] * (count > 1 ? values[1] : values[0]);
+  }
+  const double scale = std::sqrt(std::abs(area));
+  return scale > 0 && std::isfinite(scale) ? scale : 1;
+}
+
+class Reader {
+ public:
+  Reader(xmlDoc* document, Drawing& drawing, const std::function<bool(char32_t)>& hasFont)
+      : document_(document), drawing_(drawing), hasFont_(hasFont) {}
+
+  void run() {
+    xmlNode* const root = xmlDocGetRootElement(document_);
+    nameSpaces(root);
+    for (const xmlNode* node = document_->children; node != nullptr; node = node->next)
+      drawing_.leftOut += node->type == XML_PI_NODE && viewOf(node->name) == "xml-stylesheet";
+    forEachNode(root, [&](xmlNode* node) { return collect(node); });
+    forEachNode(root, [&](xmlNode* node) { return rewrite(node); });
+    paintBackground(root);
+    if (xmlDtd* const type = xmlGetIntSubset(document_)) {
+      xmlUnlinkNode(reinterpret_cast<xmlNode*>(type));
+      xmlFreeDtd(type);
+    }
+  }
+
+ private:
+  /// Drawings cut out of a web page have no name space.
+  static void nameSpaces(xmlNode* root) {
+    if (root->ns != nullptr) return;
+    xmlNs* const own = xmlNewNs(root, reinterpret_cast<const xmlChar*>(svgNamespace), nullptr);
+    forEachNode(root, [&](xmlNode* node) {
+      if (isElement(node) && node->ns == nullptr) xmlSetNs(node, own);
+      return true;
+    });
+  }
+
+  /// Browsers fill the page with the root's background; librsvg does not.
+  static void paintBackground(xmlNode* root) {
+    std::string color = propertyOf(root, "background-color");
+    if (color.empty()) color = propertyOf(root, "background");
+    if (color.empty() || color.find("url(") != std::string::npos) return;
+    xmlNode* const page = xmlNewNode(root->ns, xmlText("rect"));
+    std::string_view box = "0 0";
+    const std::string stated = takeText(xmlGetNoNsProp(root, xmlText("viewBox")));
+    if (!stated.empty()) box = trimmed(stated);
+    char* past = nullptr;
+    const std::string corner(box);
+    const double x = std::strtod(corner.c_str(), &past), y = std::strtod(past + (*past == ','), nullptr);
+    for (const auto& [name, value] : {std::pair<std::string, std::string>("x", std::to_string(x)),
+                                      {"y", std::to_string(y)},
+                                      {"width", "100%"},
+                                      {"height", "100%"},
+                                      {"stroke", "none"},
+                                      {"style", "fill:" + color}})
+      xmlNewProp(page, xmlText(name), xmlText(value));
+    if (root->children != nullptr)
+      xmlAddPrevSibling(root->children, page);
+    else
+      xmlAddChild(root, page);
+  }
+
+  /// Style sheets become plain and variables are learnt.
+  bool collect(xmlNode* node) {
+    if (isNamed(node, "style")) {
+      const std::string media = takeText(xmlGetNoNsProp(node, xmlText("media")));
+      PlainStyles plain;
+      if (mediaApply(media)) plain = plainStyles(takeText(xmlNodeGetContent(node)));
+      drawing_.leftOut += plain.imports;
+      addVariables(plain.css, variables_);
+      noteRasters(plain.css);
+      setContent(node, plain.css);
+      return false;
+    }
+    if (!isElement(node)) return false;
+    if (const std::string style = takeText(xmlGetNoNsProp(node, xmlText("style"))); !style.empty())
+      addVariables(style, variables_);
+    return true;
+  }
+
+  bool rewrite(xmlNode* node) {
+    if (node->type == XML_TEXT_NODE || node->type == XML_CDATA_SECTION_NODE) {
+      markMissingLetters(node);
+      return false;
+    }
+    if (!isElement(node)) return false;
+    const std::string_view name = viewOf(node->name);
+    if (name == "style") {
+      setContent(node, withoutFilters(withValues(takeText(xmlNodeGetContent(node)), variables_)));
+      return false;
+    }
+    if (name == "foreignObject" && !isNamed(node->parent, "switch")) ++drawing_.leftOut;
+    if (name == "a") dropAttributes(node, "href");
+    dropAttributes(node, "filter");
+    for (xmlAttr* attribute = node->properties; attribute != nullptr; attribute = attribute->next)
+      rewriteAttribute(node, attribute);
+    keepWidth(node);
+    aroundOrigin(node);
+    if (name == "text") onBaseline(node);
+    return name != "foreignObject" && name != "script" && name != "metadata" && name != "title" &&
+           name != "desc";
+  }
+
+  /// Cairo refuses some links, and with them the page; filters turn lines into pixels.
+  static void dropAttributes(xmlNode* node, std::string_view name) {
+    for (xmlAttr* attribute = node->properties; attribute != nullptr;) {
+      xmlAttr* const next = attribute->next;
+      if (viewOf(attribute->name) == name) xmlRemoveProp(attribute);
+      attribute = next;
+    }
+  }
+
+  void noteRasters(std::string_view css) {
+    drawing_.rasters = drawing_.rasters || css.find("mask:") != std::string_view::npos;
+  }
+
+  /// Shadows and glows would turn lines into pixels: a property of another name does nothing.
+  static std::string withoutFilters(std::string css) {
+    constexpr std::string_view property = "filter:";
+    for (std::size_t at = css.find(property); at != std::string::npos;
+         at = css.find(property, at + property.size() + 2))
+      css.insert(at, "x-");
+    return css;
+  }
+
+  void rewriteAttribute(xmlNode* node, xmlAttr* attribute) {
+    const std::string value = takeText(xmlNodeListGetString(document_, attribute->children, 1));
+    if (viewOf(attribute->name) == "href") {
+      const std::string_view target = trimmed(value);
+      if (!target.empty() && target.front() != '#' && !target.starts_with("data:")) ++drawing_.leftOut;
+    }
+    if (viewOf(attribute->name) == "points") {
+      setAttribute(node, attribute, soundPoints(value));
+      return;
+    }
+    if (viewOf(attribute->name) == "mask")
+      drawing_.rasters = drawing_.rasters || value.find("url(") != std::string::npos;
+    if (viewOf(attribute->name) == "style") noteRasters(value);
+    std::string plain = withoutFilters(withValues(value, variables_));
+    if (plain != value) setAttribute(node, attribute, plain);
+  }
+
+  /// A line that is as wide as it says however its plane is scaled: librsvg 2.54 scales it.
+  void keepWidth(xmlNode* node) {
+    if (propertyOf(node, "vector-effect") != "non-scaling-stroke") return;
+    double scale = 1;
+    std::string width;
+    for (xmlNode* each = node; each != nullptr && isElement(each); each = each->parent) {
+      scale *= scaleOf(propertyOf(each, "transform"));
+      if (width.empty()) width = propertyOf(each, "stroke-width");
+    }
+    const double own = width.empty() ? 1 : std::strtod(width.c_str(), nullptr);
+    const std::string style = takeText(xmlGetNoNsProp(node, xmlText("style")));
+    xmlSetNsProp(node, nullptr, xmlText("style"),
+                 xmlText(style + ";stroke-width:" + std::to_string(own / scale)));
+  }
+
+  /// librsvg 2.54 sets text on its alphabetic baseline only.
+  static void onBaseline(xmlNode* node) {
+    std::string baseline;
+    for (xmlNode* each = node; baseline.empty() && each != nullptr && isElement(each); each = each->parent)
+      baseline = propertyOf(each, "dominant-baseline");
+    const char* down = nullptr;  // as far as Arial's letters reach above their baseline there
+    if (baseline == "central" || baseline == "middle") down = "0.35em";
+    if (baseline == "hanging") down = "0.73em";
+    if (baseline == "text-before-edge" || baseline == "text-top") down = "0.9em";
+    if (down != nullptr && takeText(xmlGetNoNsProp(node, xmlText("dy"))).empty())
+      xmlSetNsProp(node, nullptr, xmlText("dy"), xmlText(down));
+  }
+
+  /// librsvg 2.54 turns about the corner whatever the origin is.
+  void aroundOrigin(xmlNode* node) {
+    const std::string origin = propertyOf(node, "transform-origin"), turn = propertyOf(node, "transform");
+    if (origin.empty() || turn.empty()) return;
+    char* end = nullptr;
+    const double x = std::strtod(origin.c_str(), &end);
+    if (end == origin.c_str()) return;
+    if (std::string_view(end).starts_with("px")) end += 2;
+    char* last = nullptr;
+    const double y = std::strtod(end, &last);
+    if (last == end) return;
+    const auto shift = [](double dx, double dy) {
+      return "translate(" + std::to_string(dx) + "," + std::to_string(dy) + ")";
+    };
+    xmlSetNsProp(node, nullptr, xmlText("transform"),
+                 xmlText(shift(x, y) + " " + turn + " " + shift(-x, -y)));
+  }
+
+  /// As the style attribute states it, else the attribute of that name.
+  static std::string propertyOf(xmlNode* node, const std::string& name) {
+    const std::string style = takeText(xmlGetNoNsProp(node, xmlText("style")));
+    for (std::string_view rest = style; !rest.empty();) {
+      const std::size_t end = std::min(rest.find(';'), rest.size());
+      const std::string_view one = rest.substr(0, end);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+      const std::size_t colon = one.find(':');
+      if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name)
+        return std::string(trimmed(one.substr(colon + 1)));
+    }
+    return takeText(xmlGetNoNsProp(node, xmlText(name)));
+  }
+
+  void markMissingLetters(xmlNode* node) {
+    const std::string_view text = viewOf(node->content);
+    std::string shown;
+    bool missing = false;
+    for (std::size_t at = 0; at < text.size();) {
+      int length = static_cast<int>(text.size() - at);
+      const int letter = xmlGetUTF8Char(node->content + at, &length);
+      if (letter < 0 || length <= 0) return;
+      const std::string own(text.substr(at, static_cast<std::size_t>(length)));
+      at += static_cast<std::size_t>(length);
+      const bool ascii = letter < 0x80;
+      if (ascii || hasFont_(static_cast<char32_t>(letter))) {
+        shown += own;
+        continue;
+      }
+      missing = true;
+      shown += replacementCharacter;
+      constexpr std::size_t mostNamed = 8;
+      if (named_.size() < mostNamed && named_.insert(letter).second) drawing_.withoutFont += own;
+    }
+    if (missing) setContent(node, shown);
+  }
+
+  static void setContent(xmlNode* node, const std::string& text) {
+    if (isElement(node)) {
+      xmlNodeSetContent(node, nullptr);
+      xmlNodeAddContent(node, xmlText(text));
+    } else {
+      xmlNodeSetContent(node, nullptr);
+      xmlNodeAddContentLen(node, xmlText(text), static_cast<int>(text.size()));
+    }
+  }
+
+  static void setAttribute(xmlNode* node, xmlAttr* attribute, const std::string& value) {
+    xmlSetNsProp(node, attribute->ns, attribute->name, xmlText(value));
+  }
+
+  xmlDoc* document_;
+  Drawing& drawing_;
+  const std::function<bool(char32_t)>& hasFont_;
+  Variables variables_;
+  std::set<int> named_;
+};
+
+}  // namespace
+
+Drawing readDrawing(std::string_view bytes, const std::function<bool(char32_t)>& hasFont) {
+  Drawing drawing;
+  const Document document = parse(bytes, drawing);
+  if (!document) return drawing;
+  const xmlNode* const root = xmlDocGetRootElement(document.get());
+  if (!isNamed(root, "svg")) {
+    drawing.problem = "its root is <" + std::string(viewOf(root->name)) + ">, not <svg>";
+    return drawing;
+  }
+  Reader(document.get(), drawing, hasFont).run();
+  xmlChar* text = nullptr;
+  int size = 0;
+  xmlDocDumpMemoryEnc(document.get(), &text, &size, "UTF-8");
+  drawing.xml.assign(reinterpret_cast<const char*>(text), static_cast<std::size_t>(std::max(size, 0)));
+  xmlFree(text);
+  return drawing;
+}
+
+}  // namespace detent::importer::svg
