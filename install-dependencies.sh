@@ -24,6 +24,7 @@ import_packages=(
   libpng-dev libjpeg-dev libtiff-dev libwebp-dev libgif-dev
   libtesseract-dev libleptonica-dev tesseract-ocr-eng tesseract-ocr-deu tesseract-ocr-chi-sim
   nlohmann-json3-dev libcli11-dev
+  libzip-dev libpugixml-dev        # spreadsheets
   jq                               # samples/demo.sh reads --json with it
 )
 build_packages=(

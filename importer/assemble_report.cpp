@@ -168,6 +168,15 @@ std::vector<std::string> givenByHand(const ImportHints& hints) {
   if (!hints.trace.masks_px.empty()) given.emplace_back("--mask");
   if (hints.strokes.swap) given.emplace_back("--swap-strokes");
   if (!hints.strokes.curve.empty()) given.emplace_back("--curve " + hints.strokes.curve);
+  const ColumnHints& columns = hints.columns;
+  const auto column = [&](const char* option, const std::string& name) {
+    if (!name.empty()) given.emplace_back(std::string(option) + " " + name);
+  };
+  column("--displacement-column", columns.displacement), column("--force-column", columns.force);
+  column("--release-displacement-column", columns.releaseDisplacement);
+  column("--release-force-column", columns.releaseForce);
+  column("--stroke-column", columns.stroke), column("--cycle-column", columns.cycle);
+  if (!hints.releasePath.empty()) given.emplace_back("--pair");
   if (!hints.drawn.press.empty()) given.emplace_back("--press-line");
   if (!hints.drawn.release.empty()) given.emplace_back("--release-line");
   if (hints.dpi) given.emplace_back("--dpi");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <list>
+#include <sstream>
 #include <tuple>
 
 #include "importer/assemble_report.h"
@@ -699,7 +700,11 @@ struct ImportSession::Impl {
   Result<Choice> chosen(const ImportRequest& request, const Look& look, const Progress& progress);
   Failure tookTooLong(const TimeLimit& limit) const;
   ImportAttempt withDoubtsJudged(ImportAttempt attempt, const ImportRequest& request) const;
-  Result<ImportReport> importLog(const ImportRequest& request, const Progress& progress);
+  ImportAttempt importLog(const ImportRequest& request, const Progress& progress);
+  Result<ImportReport> reportOfLog(Result<ForceLog> log, const std::optional<Question>& question,
+                                   const ImportRequest& request);
+  std::optional<Question> tried(const Question& question, const ImportRequest& request,
+                                const Progress& progress);
 };
 
 Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportRequest& request,
@@ -920,6 +925,8 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   return {std::move(report), std::move(evidence)};
 }
 
+namespace {
+
 /// The contact points a log keeps, as a page would call them out.
 std::vector<Callout> contactsOf(const ForceLog& log) {
   std::vector<Callout> contacts;
@@ -929,15 +936,100 @@ std::vector<Callout> contactsOf(const ForceLog& log) {
   return contacts;
 }
 
-Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request, const Progress& progress) {
+LogHints logHintsOf(const ImportHints& hints) {
+  return {hints.axes.xUnit,    hints.axes.yUnit, hints.strokes.swap,
+          hints.strokes.curve, hints.columns,    hints.releasePath};
+}
+
+/// Mean distance of a stroke's samples from its fit along force, as a share of its force span.
+double misfitOf(const StrokePoints& stroke, const StrokeCurve& fitted) {
+  if (stroke.points.size() < 2) return 0;
+  const auto [lowest, highest] = std::ranges::minmax(stroke.points, {}, &CurvePoint::force_N);
+  const double span_N = highest.force_N - lowest.force_N;
+  if (!(span_N > 0)) return 0;
+  const std::size_t every = std::max<std::size_t>(1, stroke.points.size() / 1000);
+  double sum_N = 0, count = 0;
+  for (std::size_t i = 0; i < stroke.points.size(); i += every) {
+    const CurvePoint& p = stroke.points[i];
+    if (p.displacement_mm < fitted.start_mm() || p.displacement_mm > fitted.end_mm()) continue;
+    // At a jump either side is right.
+    sum_N += std::min(std::abs(fitted.force_N(p.displacement_mm) - p.force_N),
+                      std::abs(fitted.forceBefore_N(p.displacement_mm) - p.force_N));
+    count += 1;
+  }
+  return count > 0 ? sum_N / count / span_N : 1;
+}
+
+/// Misfit as a factor of the confidence: 1 up to a hundredth of the span, 0 from a twentieth on.
+double fitConfidence(const StrokePair& strokes, const FittedStrokes& fitted) {
+  constexpr double right = 0.01, wrong = 0.05;  // of the force span
+  double misfit = misfitOf(strokes.press, fitted.press.curve);
+  if (strokes.release && fitted.release)
+    misfit = std::max(misfit, misfitOf(*strokes.release, fitted.release->curve));
+  return std::clamp((wrong - misfit) / (wrong - right), 0.0, 1.0);
+}
+
+}  // namespace
+
+bool takeUp(const Choice& choice, ImportHints& hints) {
+  std::istringstream words(choice.option);
+  for (std::string name, value; words >> name;) {
+    if (!(words >> value)) return false;
+    if (name == "--record")
+      hints.strokes.curve = value;
+    else if (name == "--x-unit")
+      hints.axes.xUnit = lengthUnitFrom(value);
+    else if (name == "--y-unit")
+      hints.axes.yUnit = forceUnitFrom(value);
+    else if (name == "--displacement-column")
+      hints.columns.displacement = value;
+    else if (name == "--force-column")
+      hints.columns.force = value;
+    else if (name == "--release-displacement-column")
+      hints.columns.releaseDisplacement = value;
+    else if (name == "--release-force-column")
+      hints.columns.releaseForce = value;
+    else
+      return false;
+  }
+  return true;
+}
+
+ImportAttempt ImportSession::Impl::importLog(const ImportRequest& request, const Progress& progress) {
   seconds.clear();
-  auto log = [&] {
+  LogReading reading = [&] {
     StepClock time(seconds, ImportStep::read);
-    return readForceLog(path,
-                        {request.hints.axes.xUnit, request.hints.axes.yUnit, request.hints.strokes.swap,
-                         request.hints.strokes.curve},
-                        progress);
+    return readLog(path, logHintsOf(request.hints), progress);
   }();
+  ImportAttempt attempt{
+      reportOfLog(std::move(reading.log), reading.question, request), {}, {}, std::move(reading.best)};
+  const bool unsettled = attempt.report ? attempt.report->doubt.has_value()
+                                        : attempt.report.failure().code == FailureCode::notCertain;
+  if (unsettled && reading.question && !progress.isCancelled())
+    attempt.question = tried(*reading.question, request, progress);
+  return attempt;
+}
+
+/// The choices of a question that lead to an accepted result; nullopt: none does.
+std::optional<Question> ImportSession::Impl::tried(const Question& question, const ImportRequest& request,
+                                                   const Progress& progress) {
+  Question left{question.what, {}};
+  const std::map<ImportStep, double> before = seconds;
+  for (const auto& choice : question.choices) {
+    ImportRequest answered = request;
+    answered.acceptDoubt = false, answered.quality = Quality::draft;
+    if (progress.isCancelled()) return {};
+    if (!takeUp(choice, answered.hints)) continue;
+    LogReading reading = readLog(path, logHintsOf(answered.hints), progress);
+    if (reportOfLog(std::move(reading.log), reading.question, answered)) left.choices.push_back(choice);
+  }
+  seconds = before;
+  return left.choices.empty() ? std::nullopt : std::optional(std::move(left));
+}
+
+Result<ImportReport> ImportSession::Impl::reportOfLog(Result<ForceLog> log,
+                                                      const std::optional<Question>& question,
+                                                      const ImportRequest& request) {
   if (!log) return log.failure();
   const QualitySettings settings = settingsFor(request.quality);
   const FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
@@ -953,9 +1045,15 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   Provenance provenance;
   provenance.sourceFile = name();
   provenance.quality = nameOf(request.quality);
-  provenance.confidence = 1;
+  provenance.confidence = log->confidence * fitConfidence(log->strokes, *fitted);
   provenance.given = givenByHand(request.hints);
   std::optional<Doubt> gravest;
+  if (provenance.confidence < request.sure) {
+    const Message what = question && log->confidence < request.sure
+                             ? Message("the table can be read in several ways: %1", question->what)
+                             : Message("the fitted curve leaves the samples");
+    gravest = Doubt{DoubtCode::assumed, {what}, Message("Pass one of the choices")};
+  }
   for (const WeighedDoubt& each : doubtsOfLog(log->strokes, *fitted, request.hints)) {
     if (each.confidence < request.sure && each.confidence < provenance.confidence) gravest = each.doubt;
     if (each.confidence >= request.sure)
@@ -1021,6 +1119,15 @@ Result<const Page*> ImportSession::page(int number, const Progress& progress) {
   return impl_->page(number, progress);
 }
 
+Result<std::vector<ListedRecord>> ImportSession::records(const ImportHints& hints, const Progress& progress) {
+  if (!isForceLog())
+    return impl_->failure(FailureCode::wrongUsage, "", Message("a page has no records"),
+                          Message("List its graphs"));
+  LogReading reading = readLog(impl_->path, logHintsOf(hints), progress);
+  if (reading.records.empty() && !reading.log) return reading.log.failure();
+  return std::move(reading.records);
+}
+
 Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, const ImportHints& hints,
                                       const Progress& progress) {
   if (isForceLog()) {
@@ -1066,8 +1173,8 @@ Result<std::vector<PlotSwitch>> ImportSession::switches(const ListedGraph& graph
 }
 
 ImportAttempt ImportSession::attempt(const ImportRequest& request, const Progress& progress) {
-  ImportAttempt made = isForceLog() ? ImportAttempt{impl_->importLog(request, progress), {}}
-                                    : impl_->importPlot(request, progress);
+  ImportAttempt made =
+      isForceLog() ? impl_->importLog(request, progress) : impl_->importPlot(request, progress);
   const auto restOf = [&](Remedies& remedies) { remedies = leftToTry(remedies, request.hints); };
   if (!made.report && !made.report.failure().reason.empty()) {
     Failure doubted = made.report.failure();

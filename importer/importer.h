@@ -50,6 +50,8 @@ struct ImportHints {
   TraceHints trace;  ///< masks here in page units
   StrokeHints strokes;
   DrawnStrokes drawn;
+  ColumnHints columns;        ///< of a table
+  std::string releasePath;    ///< a second file with the release of the first one's press; empty: none
   std::optional<double> dpi;  ///< render documents at this resolution; (0, 1200]
 
   bool operator==(const ImportHints&) const = default;
@@ -180,12 +182,18 @@ struct ImportReport {
   std::string brief() const;                            ///< one line for people
 };
 
+/// Takes up a choice of a question: its option as hints. Returns false if the option is none that a question offers.
+bool takeUp(const Choice& choice, ImportHints& hints);
+
 /// An import, and what it looked at even where it failed.
 struct ImportAttempt {
   Result<ImportReport> report;
   /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no frame
   /// was found and for force logs.
   std::shared_ptr<const GraphEvidence> evidence;
+  /// Of a force log that is not certain: what its readings differ in. Each choice was tried and leads to an accepted result.
+  std::optional<Question> question = {};
+  std::vector<ExplainedInterpretation> interpretations = {};  ///< of a force log, the best three
 };
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
@@ -203,6 +211,8 @@ class ImportSession {
   bool isForceLog() const;
   /// Valid until the next call of any function: the pages used last are kept.
   Result<const Page*> page(int number, const Progress& progress = {});
+  /// Of a force log: its records, for choosing one by StrokeHints::curve.
+  Result<std::vector<ListedRecord>> records(const ImportHints& hints = {}, const Progress& progress = {});
   /// Graphs of one page, or of all without a number.
   Result<GraphList> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                          const ImportHints& hints = {}, const Progress& progress = {});

@@ -109,7 +109,7 @@ Answer ImportAnswers::imported(const ImportOne& query, const importer::Progress&
   request.hints = query.hints;
   request.acceptDoubt = true;
   ImportedGraph answer{query.graph, {}, {}, {}, {}};
-  auto [report, evidence] = session_->attempt(request, progress);
+  auto [report, evidence, question, interpretations] = session_->attempt(request, progress);
   answer.evidence = std::move(evidence);
   if (report)
     answer.report = std::make_shared<const importer::ImportReport>(std::move(report).value());

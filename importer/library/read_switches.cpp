@@ -10,7 +10,6 @@
 #include "importer/importer.h"
 #include "importer/library/measured_figures.h"
 #include "importer/library/switch_name.h"
-#include "importer/log/recorded_switches.h"
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
 #include "model/sha256.h"
@@ -46,10 +45,13 @@ void addStates(const Button& button, const std::string& name, std::vector<ReadSt
     all.push_back({state, state.name.empty() ? name : name + " (" + state.name + ")", button.provenance()});
 }
 
-/// "" for the only switch of a file, else one word for each, as `StrokeHints::curve` takes it.
-Result<std::vector<RecordedSwitch>> switchesIn(const std::string& path) {
-  if (!holdsRecordedSwitches(path)) return std::vector<RecordedSwitch>(1);
-  return recordedSwitches(path);
+/// The names of the switches that are each a record of a file; one empty name for a file of one.
+std::vector<std::string> switchesIn(const std::string& path) {
+  std::vector<std::string> names = recordNames(path);
+  // Cycles of one switch have no names of their own.
+  if (names.size() < 2 || std::ranges::any_of(names, [](const std::string& each) { return each.empty(); }))
+    return {""};
+  return names;
 }
 
 KeyFigures peakErrorsOf(const ImportReport& report) {
@@ -93,20 +95,19 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
     if (!buttons) return buttons.failure();
     return statesOfPage(*buttons, path);
   }
-  const auto recorded = switchesIn(path);
-  if (!recorded) return recorded.failure();
+  const std::vector<std::string> recorded = switchesIn(path);
   auto session = ImportSession::open(path);
   if (!session) return session.failure();
   ImportRequest request;
   request.path = path;
   request.quality = quality;
-  for (std::size_t i = 0; i < recorded->size(); ++i) {
-    if (recorded->size() > 1) request.hints.strokes.curve = std::to_string(i + 1);
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    if (recorded.size() > 1) request.hints.strokes.curve = std::to_string(i + 1);
     const auto report = session->importGraph(request);
     if (!report) return report.failure();
-    const std::string& own = (*recorded)[i].name;
+    const std::string& own = recorded[i];
     addStates(report->button,
-              recorded->size() == 1 ? fileName : fileName + " " + (own.empty() ? std::to_string(i + 1) : own),
+              recorded.size() == 1 ? fileName : fileName + " " + (own.empty() ? std::to_string(i + 1) : own),
               all);
     if (errors) all.back().measured = measuredFiguresOf(*report);
     all.back().scaleDoubtful = hasDoubtfulScale(*report);
@@ -141,7 +142,10 @@ Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, 
 
 }  // namespace
 
-bool isLibraryFile(const std::filesystem::path& path) { return isForceLogPath(path.string()); }
+bool isLibraryFile(const std::filesystem::path& path) {
+  constexpr std::array<std::string_view, 6> endings{".csv", ".tsv", ".xlsx", ".ods", ".json", ".tar"};
+  return std::ranges::find(endings, lowered(path.extension().string())) != endings.end();
+}
 
 Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors) {
   const auto states = readStates(path, forFigures, errors);

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "importer/log/form_records.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -192,23 +193,6 @@ double meanForce(const std::vector<CurvePoint>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// Points of both strokes sorted by displacement, as automatic extraction leaves them: the force goes to and fro.
-bool holdsBothStrokes(const std::vector<CurvePoint>& points) {
-  constexpr std::size_t fewest = 12;
-  constexpr double mostTurns = 0.4;  // of all points; a traced stroke has a handful
-  if (points.size() < fewest) return false;
-  const auto [low, high] = std::ranges::minmax(points, {}, [](const CurvePoint& p) { return p.force_N; });
-  const double least = 0.01 * (high.force_N - low.force_N);
-  std::size_t turns = 0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    if (points[i + 1].displacement_mm < points[i].displacement_mm) return false;
-    const double before = points[i].force_N - points[i - 1].force_N,
-                 after = points[i + 1].force_N - points[i].force_N;
-    if (before * after < 0 && std::min(std::abs(before), std::abs(after)) > least) ++turns;
-  }
-  return static_cast<double>(turns) > mostTurns * static_cast<double>(points.size());
-}
-
 template <typename Unit>
 std::optional<Unit> unitIn(const std::string& text, std::optional<Unit> (*from)(std::string_view)) {
   std::optional<Unit> found;
@@ -297,7 +281,7 @@ Result<std::vector<RecordedSwitch>> switchesOfProject(const Json& document, cons
     return noGraph(subject, Message("no data set on xy axes holds two points"),
                    Message("Trace each stroke as a data set, then save the project"));
   for (const TracedSet& set : sets)
-    if (holdsBothStrokes(set.points))
+    if (holdsSortedLoop(set.points))
       return Failure{FailureCode::notCertain, subject, Message("data set \"%1\"", set.name),
                      Message("its points jump between two curves"),
                      Message("Give press and release a data set each, named so")};

@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The other way in: a force meter's CSV. Columns and units as instruments write them; strokes split at the
-// turning point. Spreadsheets and JSON that keep strokes apart: recorded_switches.h.
+// The other way in: tables of a force meter, whatever they are kept in. Which columns are what is decided between
+// interpretations (interpret_columns.h). JSON and projects that keep strokes apart: recorded_switches.h.
 
 #include <string>
 #include <vector>
 
+#include "importer/evidence/evidence.h"
 #include "importer/page/progress.h"
 #include "importer/strokes/stroke_pair.h"
 
 namespace detent::importer {
 
+/// Columns of a table by the words of their titles or by number, from 1; empty: found.
+struct ColumnHints {
+  std::string displacement, force, releaseDisplacement, releaseForce, stroke, cycle;
+  bool operator==(const ColumnHints&) const = default;
+};
+
 struct LogHints {
   std::optional<LengthUnit> xUnit;
   std::optional<ForceUnit> yUnit;
   bool swapStrokes = false;
-  std::string curve = {};  ///< of several switches in a file: name, or number from 1
+  std::string curve = {};  ///< of several records or switches in a file: name, number from 1, or "mean"
+  ColumnHints columns = {};
+  std::string releasePath = {};  ///< a second file, of the release alone; empty: none
 };
 
 /// How fast a recorded stroke was travelled: mean from 10 to 90 % of the travel, and how much faster one half of that was than the other.
@@ -33,14 +42,36 @@ struct ForceLog {
   /// Of the first press and of the release after it; empty without a column of times.
   std::optional<StrokeSpeed> pressSpeed, releaseSpeed;
   long rowsRead = 0, rowsSkipped = 0;
+  double confidence = 1;  ///< margin to the best other reading that gives a different button
   std::vector<Remark> remarks;
 };
 
-/// Whether the importer takes a path for a force log, by its ending: .csv, .ods, .json, .tar.
+/// One record of a file, for --list.
+struct ListedRecord {
+  std::string name;  ///< may be empty
+  double travel_mm = 0, highest_N = 0;
+  bool release = false;
+};
+
+/// Result of reading a log.
+struct LogReading {
+  Result<ForceLog> log;
+  std::vector<ListedRecord> records;               ///< of the best interpretation
+  std::vector<ExplainedInterpretation> best = {};  ///< at most three
+  std::optional<Question> question =
+      {};  ///< where `log` is a Failure notCertain; its choices are not tried here
+};
+
+/// Returns true if a file is a table, a spreadsheet, JSON or TAR by its content; by its ending where it cannot be read.
 bool isForceLogPath(const std::string& path);
 
-/// Failure notCertain: the file holds several switches and `curve` names none of them.
+LogReading readLog(const std::string& path, const LogHints& hints = {}, const Progress& progress = {});
+
+/// The log of readLog alone.
 Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints = {},
                               const Progress& progress = {});
+
+/// Names of the records of a file, as `curve` takes their numbers; empty ones where it gives none, none where it is no log.
+std::vector<std::string> recordNames(const std::string& path);
 
 }  // namespace detent::importer

@@ -1,378 +1,563 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <iterator>
+#include <fstream>
 #include <limits>
 
+#include <nlohmann/json.hpp>
+
 #include "importer/log/force_log.h"
-#include "importer/log/log_columns.h"
+#include "importer/log/form_records.h"
+#include "importer/log/interpret_columns.h"
 #include "importer/log/recorded_switches.h"
 #include "importer/log/split_strokes.h"
-#include "importer/log/text_lines.h"
-#include "importer/strokes/calmed_points.h"
 #include "model/number_table.h"
 #include "model/text.h"
 
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t sniffedLines = 400;
+constexpr std::size_t kMostText_bytes = std::size_t{256} << 20;
+constexpr std::size_t kMostArchive_bytes = std::size_t{32} << 20;
+constexpr std::size_t kMostSamples = std::size_t{1} << 20;
+constexpr double kSameButton = 0.01;    // of the span: readings that differ by less give one button
+constexpr double kSurestTable = 0.995;  // confidence: of 200 tables read so surely one may be wrong
+constexpr double kUnitUnsaid = 0.89;    // the same, where a unit is guessed by sizes
+constexpr double kLeastLog = 1;  // log-likelihood of a table of unknown columns being a log, at even odds
 
-/// A run of samples that never takes more than a fixed amount of memory: when it is full, neighbours are
-/// averaged and from then on every sample stands for twice as many rows.
-class BoundedRun {
- public:
-  void add(CurvePoint p) {
-    sum_.displacement_mm += p.displacement_mm;
-    sum_.force_N += p.force_N;
-    if (++inSum_ < perSample_) return;
-    flush();
-    if (samples_.size() >= most) halve();
+std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+/// Half as many samples, each the mean of two.
+void halve(std::vector<CurvePoint>& samples) {
+  for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
+    const CurvePoint &a = samples[i], &b = samples[i + 1];
+    samples[i / 2] = {0.5 * (a.displacement_mm + b.displacement_mm), 0.5 * (a.force_N + b.force_N)};
   }
-  void flush() {
-    if (inSum_ == 0) return;
-    const double n = static_cast<double>(inSum_);
-    samples_.push_back({sum_.displacement_mm / n, sum_.force_N / n});
-    sum_ = {};
-    inSum_ = 0;
-  }
-  std::vector<CurvePoint>& samples() { return samples_; }
-  std::size_t rowsPerSample() const { return perSample_; }
-
- private:
-  static constexpr std::size_t most = 1 << 20;
-
-  void halve() {
-    for (std::size_t i = 0; i + 1 < samples_.size(); i += 2) {
-      const CurvePoint &a = samples_[i], &b = samples_[i + 1];
-      samples_[i / 2] = {0.5 * (a.displacement_mm + b.displacement_mm), 0.5 * (a.force_N + b.force_N)};
-    }
-    samples_.resize(samples_.size() / 2);
-    perSample_ *= 2;
-  }
-
-  std::vector<CurvePoint> samples_;
-  CurvePoint sum_;
-  std::size_t inSum_ = 0, perSample_ = 1;
-};
-
-/// Mean force over the last twentieth of the range of displacements, less that over the first.
-double forceAtEnds_N(const std::vector<CurvePoint>& samples) {
-  constexpr double endShare = 0.05;
-  const auto [least, most] = std::ranges::minmax(samples, {}, &CurvePoint::displacement_mm);
-  const double end_mm = endShare * (most.displacement_mm - least.displacement_mm);
-  const auto mean_N = [&](double from_mm, double to_mm) {
-    double sum_N = 0, count = 0;
-    for (const CurvePoint& p : samples)
-      if (p.displacement_mm >= from_mm && p.displacement_mm <= to_mm) sum_N += p.force_N, ++count;
-    return sum_N / std::max(1.0, count);
-  };
-  return mean_N(most.displacement_mm - end_mm, most.displacement_mm) -
-         mean_N(least.displacement_mm, least.displacement_mm + end_mm);
+  samples.resize(samples.size() / 2);
 }
 
-/// All numbers of a file in columns' units: one run, or press and release apart where the file says so.
-struct LogRows {
-  BoundedRun run, press, release;
-  BoundedRun clock;  ///< times instead of forces' places: (s, as the displacements are written)
-  bool isSplit = false;
-  long rows = 0, skipped = 0;
-  long firstSkippedLine = 0;
-  std::string firstSkippedText;
-};
+/// JSON whose records are objects with numbers, or lists of numbers under names, as a table. nullopt: it is neither.
+std::optional<Table> tableOfJson(const nlohmann::json& json) {
+  Table table;
+  const auto unitIn = [&](const std::string& key) -> std::string {
+    if (!json.is_object()) return {};
+    for (const char* units : {"units", "unit"})
+      if (json.contains(units) && json[units].is_object() && json[units].contains(key) &&
+          json[units][key].is_string())
+        return " (" + json[units][key].get<std::string>() + ")";
+    return {};
+  };
+  const auto cellText = [](const nlohmann::json& cell) {
+    return cell.is_number()    ? shortestText(cell.get<double>())
+           : cell.is_string()  ? cell.get<std::string>()
+           : cell.is_boolean() ? std::string(cell.get<bool>() ? "1" : "0")
+                               : std::string();
+  };
+  const nlohmann::json* records = json.is_array() ? &json : nullptr;
+  if (json.is_object())
+    for (const auto& [key, value] : json.items())
+      if (value.is_array() && value.size() >= 2 && value.front().is_object() &&
+          (!records || value.size() > records->size()))
+        records = &value;
+  if (records && records->size() >= 2 && records->front().is_object()) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : records->front().items()) keys.push_back(key);
+    table.beginRow(1);
+    for (const std::string& key : keys) table.addOwnCell(key + unitIn(key));
+    long line = 1;
+    for (const nlohmann::json& record : *records) {
+      table.beginRow(++line);
+      for (const std::string& key : keys)
+        table.addOwnCell(record.is_object() && record.contains(key) ? cellText(record[key]) : "");
+    }
+    return table;
+  }
+  if (!json.is_object()) return {};
+  std::vector<std::pair<std::string, const nlohmann::json*>> lists;
+  std::size_t longest = 0;
+  for (const auto& [key, value] : json.items())
+    if (value.is_array() && value.size() >= 2 && value.front().is_number())
+      lists.emplace_back(key, &value), longest = std::max(longest, value.size());
+  if (lists.size() < 2) return {};
+  table.beginRow(1);
+  for (const auto& [key, list] : lists) table.addOwnCell(key + unitIn(key));
+  for (std::size_t i = 0; i < longest; ++i) {
+    table.beginRow(static_cast<long>(i) + 2);
+    for (const auto& [key, list] : lists) table.addOwnCell(i < list->size() ? cellText((*list)[i]) : "");
+  }
+  return table;
+}
 
-std::string nameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+/// A file's records, before one is chosen.
+struct FileRecords {
+  std::vector<LogRecord> records;
+  // Of tables:
+  std::optional<Table> table;
+  std::optional<DataTable> data;
+  std::vector<LogInterpretation> best;
+  // Of files that keep strokes apart:
+  std::vector<RecordedSwitch> switches;
+  AssumedUnit xUnit, yUnit;
+};
 
 class LogReader {
  public:
   LogReader(const std::string& path, const LogHints& hints, const Progress& progress)
       : path_(path), hints_(hints), progress_(progress) {}
 
-  Result<ForceLog> read() {
-    if (const auto failure = holdsRecordedSwitches(path_) ? readRecorded() : readRows()) return *failure;
-    if (const auto failure = settleUnits()) return *failure;
-    if (const auto failure = formStrokes()) return *failure;
-    removePreload();
-    placeContacts();
-    tellSpeeds();
-    noteRows();
-    return std::move(log_);
+  LogReading read() {
+    auto found = recordsOf(path_, false);
+    if (!found) return ended(found.failure());
+    reading_.best = explained(*found);
+    for (const LogRecord& each : found->records) reading_.records.push_back(listed(each));
+    auto record = chosen(*found);
+    if (!record) return ended(record.failure());
+    if (!hints_.releasePath.empty())
+      if (auto fault = addRelease(*record)) return ended(*fault);
+    if (auto fault = finish(*found, std::move(*record))) return ended(*fault);
+    rate(*found);
+    reading_.log = std::move(log_);
+    return std::move(reading_);
   }
 
  private:
+  LogReading ended(Failure failure) {
+    reading_.log = std::move(failure);
+    return std::move(reading_);
+  }
+
   Failure failure(FailureCode code, Message place, Message problem, Remedies remedies) const {
-    return {code, nameOf(path_), std::move(place), std::move(problem), std::move(remedies)};
+    return {code, fileNameOf(path_), std::move(place), std::move(problem), std::move(remedies)};
   }
 
-  /// The one of several switches that is asked for.
-  Result<const RecordedSwitch*> chosen(const std::vector<RecordedSwitch>& switches) const {
-    if (switches.size() == 1 && hints_.curve.empty()) return &switches.front();
-    std::string all;
-    for (std::size_t i = 0; i < switches.size(); ++i) {
-      if (!hints_.curve.empty() &&
-          (hints_.curve == std::to_string(i + 1) || lowered(hints_.curve) == lowered(switches[i].name)))
-        return &switches[i];
-      all += (i > 0 ? ", " : "") + std::to_string(i + 1) +
-             (switches[i].name.empty() ? "" : " \"" + switches[i].name + "\"");
-    }
-    return failure(hints_.curve.empty() ? FailureCode::notCertain : FailureCode::wrongUsage, "",
-                   Message("it holds %1 switches: %2", switches.size(), all),
-                   Message("Pass --curve NAME|N for one of them"));
+  void remark(Message words) { log_.remarks.push_back({RemarkCode::doubted, {std::move(words)}}); }
+
+  static ListedRecord listed(const LogRecord& record) {
+    ListedRecord entry{record.name, 0, 0, !record.release.empty()};
+    const auto [low, high] = std::ranges::minmax(record.press, {}, &CurvePoint::displacement_mm);
+    entry.travel_mm = high.displacement_mm - low.displacement_mm;
+    for (const CurvePoint& p : record.press) entry.highest_N = std::max(entry.highest_N, p.force_N);
+    return entry;
   }
 
-  std::optional<Failure> readRecorded() {
-    const auto switches = recordedSwitches(path_);
-    if (!switches) return switches.failure();
-    const auto one = chosen(*switches);
-    if (!one) return one.failure();
-    const RecordedSwitch& recorded = **one;
-    for (const CurvePoint& p : recorded.press) rows_.press.add(p);
-    for (const CurvePoint& p : recorded.release) rows_.release.add(p);
-    for (const CurvePoint& p : recorded.run) rows_.run.add(p);
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) run->flush();
-    rows_.isSplit = recorded.run.empty();
-    rows_.rows = static_cast<long>(recorded.press.size() + recorded.release.size() + recorded.run.size());
-    columns_.xUnit = recorded.xUnit, columns_.yUnit = recorded.yUnit;
-    log_.operatingPoint_mm = recorded.operatingPoint, log_.resetPoint_mm = recorded.resetPoint;
-    if (recorded.scaleDoubtful) log_.remarks.push_back({RemarkCode::forceScaleDoubtful});
-    return {};
+  static std::vector<ExplainedInterpretation> explained(const FileRecords& found) {
+    std::vector<ExplainedInterpretation> best;
+    constexpr std::size_t shown = 3;
+    for (std::size_t i = 0; i < std::min(shown, found.best.size()); ++i)
+      best.push_back({found.best[i].reading(*found.data), found.best[i].evidence});
+    return best;
   }
 
-  std::optional<Failure> readRows() {
-    Result<LineReader> opened = LineReader::open(path_);
-    if (!opened) return opened.failure();
-    LineReader& reader = *opened;
-    std::vector<std::string> lines;
-    std::string_view line;
-    while (lines.size() < sniffedLines && reader.next(line)) lines.emplace_back(line);
-    format_ = formatOf(lines);
-    const auto columns = columnsOf(lines, format_);
-    if (!columns) {
-      if (reader.isBroken())
-        return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
-                       Message("the line does not end"),
-                       Message("Give a force meter's CSV file with one sample per line"));
-      return failure(
-          FailureCode::noForceGraph, "first " + std::to_string(lines.size()) + " lines",
-          Message("no two columns of numbers were found"),
-          Message(
-              "Give a CSV with a displacement and a force column, for example \"displacement_mm,force_N\""));
-    }
-    columns_ = *columns;
-    rows_.isSplit = columns_.pairs.size() == 2 || columns_.label.has_value();
-    for (std::size_t i = columns_.firstRow; i < lines.size(); ++i)
-      takeRow(lines[i], static_cast<long>(i + 1));
-    while (reader.next(line)) {
-      takeRow(line, reader.lineNumber());
-      if ((reader.lineNumber() & 0xFFFF) != 0) continue;
-      if (progress_.report) progress_.report(0.5 * reader.fractionRead(), ImportStep::read);
-      if (progress_.isCancelled()) return Failure::cancelled(nameOf(path_));
-    }
-    if (reader.isBroken())
-      return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
-                     Message("the file cannot be read further"), "Export the measurement again");
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release, &rows_.clock}) run->flush();
-    return {};
-  }
+  // -- the file -------------------------------------------------------------------------------------------------
 
-  void takeRow(std::string_view line, long number) {
-    splitCells(line, format_.delimiter, cells_);
-    if (std::all_of(cells_.begin(), cells_.end(), [](std::string_view c) { return c.empty(); })) return;
-    bool taken = false;
-    for (std::size_t i = 0; i < columns_.pairs.size(); ++i) {
-      const ColumnPair& pair = columns_.pairs[i];
-      const auto x = numberAt(pair.displacement), f = numberAt(pair.force);
-      if (!x || !f) continue;
-      BoundedRun* run = runFor(pair);
-      if (!run) continue;
-      run->add({*x, *f});
-      if (const auto time = columns_.time ? numberAt(*columns_.time) : std::nullopt; time && !taken)
-        rows_.clock.add({*time * columns_.secondsPerTime, *x});
-      taken = true;
-    }
-    ++rows_.rows;
-    if (taken) return;
-    if (rows_.skipped++ == 0) {
-      rows_.firstSkippedLine = number;
-      rows_.firstSkippedText = std::string(line.substr(0, 40));
-    }
-  }
-
-  std::optional<double> numberAt(std::size_t column) const {
-    if (column >= cells_.size()) return std::nullopt;
-    const auto value = wholeNumberIn(cells_[column], format_.decimalSign);
-    return value && std::isfinite(*value) ? value : std::nullopt;
-  }
-
-  BoundedRun* runFor(const ColumnPair& pair) {
-    if (!rows_.isSplit) return &rows_.run;
-    const auto stroke =
-        columns_.label
-            ? (*columns_.label < cells_.size() ? strokeNamed(cells_[*columns_.label]) : std::nullopt)
-            : pair.stroke;
-    if (!stroke) return nullptr;
-    return *stroke == Stroke::press ? &rows_.press : &rows_.release;
-  }
-
-  std::optional<Failure> settleUnits() {
-    const std::size_t samples =
-        rows_.run.samples().size() + rows_.press.samples().size() + rows_.release.samples().size();
-    if (samples == 0)
-      return failure(FailureCode::noForceGraph, skippedPlace(),
-                     Message("no row holds a finite displacement and force"),
-                     Message("Check the export: each row needs two numbers"));
-    LengthUnit xUnit = LengthUnit::millimetre;
-    if (hints_.xUnit)
-      xUnit = *hints_.xUnit;
-    else if (columns_.xUnit)
-      xUnit = *columns_.xUnit;
-    else
-      log_.remarks.push_back({RemarkCode::displacementUnitAssumed,
-                              {symbolOf(xUnit)},
-                              {{RemedyKind::giveXUnit, "if it is another"}}});
-    ForceUnit yUnit = ForceUnit::newton;
-    if (hints_.yUnit) {
-      yUnit = *hints_.yUnit;
-    } else if (columns_.yUnit) {
-      yUnit = *columns_.yUnit;
-    } else {
-      // Buttons press with 0.1 to 10 N; written in gf the same forces are 10 to 1000.
-      yUnit = greatestForce() > 12 ? ForceUnit::gramForce : ForceUnit::newton;
-      log_.remarks.push_back(
-          {RemarkCode::forceUnitAssumed, {symbolOf(yUnit)}, {{RemedyKind::giveYUnit, "if it is another"}}});
-    }
-    log_.xUnit = symbolOf(xUnit);
-    log_.yUnit = symbolOf(yUnit);
-    const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
-      for (CurvePoint& p : run->samples()) p.displacement_mm *= mm, p.force_N *= newton;
-    for (CurvePoint& p : rows_.clock.samples()) p.force_N *= mm;
-    for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
-      if (*contact_mm) **contact_mm *= mm;
-    return {};
-  }
-
-  double greatestForce() {
-    double greatest = 0;
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
-      for (const CurvePoint& p : run->samples()) greatest = std::max(greatest, std::abs(p.force_N));
-    return greatest;
-  }
-
-  std::string skippedPlace() const {
-    return rows_.skipped > 0 ? "line " + std::to_string(rows_.firstSkippedLine) : std::string();
-  }
-
-  std::optional<Failure> formStrokes() {
-    settleSigns();
-    std::vector<CurvePoint> press, release;
-    if (rows_.isSplit) {
-      press = std::move(rows_.press.samples());
-      release = std::move(rows_.release.samples());
-    } else if (auto fault = splitRun(press, release)) {
-      return fault;
-    }
-    if (hints_.swapStrokes) std::swap(press, release);
-    if (auto fault = faultOf(press, "press")) return fault;
-    if (!release.empty())
-      if (auto fault = faultOf(release, "release")) return fault;
-    orient(press, Stroke::press);
-    orient(release, Stroke::release);
-    estimateNoise(press, release);
-    endBeforeDwell(press, log_.noise_mm, log_.noise_N);
-    startAtZero(press, release);
-    log_.strokes.press.points = bridged(press);
-    if (!release.empty()) log_.strokes.release = StrokePoints{bridged(release), {}, false};
-    return {};
-  }
-
-  std::optional<Failure> faultOf(const std::vector<CurvePoint>& stroke, const std::string& name) const {
-    if (stroke.size() < 2)
-      return failure(FailureCode::noForceGraph, name + " stroke",
-                     stroke.empty() ? Message("it has no sample") : Message("it has one sample"),
-                     Message("A stroke needs at least two samples at different displacements; check the rows "
-                             "and the split"));
-    const auto [least, most] = std::minmax_element(
-        stroke.begin(), stroke.end(),
-        [](const CurvePoint& a, const CurvePoint& b) { return a.displacement_mm < b.displacement_mm; });
-    if (!(most->displacement_mm > least->displacement_mm))
-      return failure(FailureCode::noForceGraph, name + " stroke", Message("its displacement never changes"),
-                     Message("Check which column holds the displacement"));
-    return {};
-  }
-
-  /// Compression counts up and pushes with positive force, whatever the instrument's signs are. Single wild samples have no say.
-  void settleSigns() {
-    std::vector<CurvePoint> calm;
-    // A table of a handful of rows was written by hand or thinned out: each of them counts.
-    constexpr std::size_t handful = 16;
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) {
-      const std::vector<CurvePoint>& samples = run->samples();
-      std::ranges::copy(samples.size() < handful ? samples : calmed(samples), std::back_inserter(calm));
-    }
-    const auto [lowest, highest] = std::ranges::minmax(calm, {}, &CurvePoint::force_N);
-    const bool turned = -lowest.force_N > 1.5 * std::max(highest.force_N, 0.0);
-    if (turned) log_.remarks.push_back({RemarkCode::forcesTurned});
-    CurvePoint mean;
-    const double n = static_cast<double>(calm.size());
-    for (const CurvePoint& p : calm)
-      mean.displacement_mm += p.displacement_mm / n, mean.force_N += p.force_N / n;
-    double together = 0;
-    for (const CurvePoint& p : calm)
-      together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
-    const double sign = turned ? -1 : 1;
-    // A dome that collapses has most of its force in the first half of its travel: only what ends softer than it began runs backwards.
-    const bool reversed = sign * together < 0 && sign * forceAtEnds_N(calm) < 0;
-    if (reversed) log_.remarks.push_back({RemarkCode::displacementTurned});
-    for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
-      if (reversed && *contact_mm) **contact_mm = -**contact_mm;
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
-      for (CurvePoint& p : run->samples()) {
-        if (turned) p.force_N = -p.force_N;
-        if (reversed) p.displacement_mm = -p.displacement_mm;
-      }
-    for (CurvePoint& p : rows_.clock.samples())
-      if (reversed) p.force_N = -p.force_N;
-  }
-
-  std::optional<Failure> splitRun(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
-    const std::vector<CurvePoint>& samples = rows_.run.samples();
-    if (auto fault = faultOf(samples, "only")) return fault;
-    std::vector<double> x;
-    x.reserve(samples.size());
-    for (const CurvePoint& p : samples) x.push_back(p.displacement_mm);
-    const auto [least, most] = std::minmax_element(x.begin(), x.end());
-    const double range = *most - *least;
-    const std::vector<StrokeSpan> spans =
-        spansOf(samples, std::max(0.05 * range, std::min(0.3 * range, 8 * noiseOf(x))));
-    const FirstCycle cycle = firstCycleOf(spans, samples);
-    const auto copy = [&](const StrokeSpan& span) {
-      return std::vector<CurvePoint>(samples.begin() + static_cast<std::ptrdiff_t>(span.from),
-                                     samples.begin() + static_cast<std::ptrdiff_t>(span.to) + 1);
+  Result<std::string> bytesOf(const std::string& path) const {
+    const auto unreadable = [&](Message problem, const Message& remedy) {
+      return Failure{FailureCode::unreadableInput, fileNameOf(path), {}, std::move(problem), remedy};
     };
-    if (!cycle.press && hints_.swapStrokes && !spans.empty()) {
-      release = copy(spans.front());
-      return {};
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+      return unreadable(Message("it is missing"), "Check the path and its rights");
+    if (std::filesystem::is_directory(path, error))
+      return unreadable(Message("it is a folder"), "Give a file");
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes;
+    std::vector<char> piece(std::size_t{1} << 20);
+    while (file) {
+      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      bytes.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+      if (bytes.size() > kMostText_bytes)
+        return unreadable(Message("it is larger than 256 MB"),
+                          Message("Export one press with its release, or fewer rows"));
+      if (progress_.isCancelled()) return Failure::cancelled(fileNameOf(path));
     }
-    if (!cycle.press)
-      return failure(FailureCode::noForceGraph, "", Message("it holds a release stroke but no press"),
-                     {{RemedyKind::swapStrokes, "if this is one"},
-                      {RemedyKind::advice, Message("Else record the press too")}});
-    press = copy(*cycle.press);
-    if (cycle.release) release = copy(*cycle.release);
-    if (cycle.cycles > 1) log_.remarks.push_back({RemarkCode::severalPresses, {cycle.cycles}});
+    if (file.bad() || (bytes.empty() && !file.eof()))
+      return unreadable(Message("it cannot be read"), "Check the path and its rights");
+    if (bytes.empty()) return unreadable(Message("it is empty"), "Export the measurement again");
+    return bytes;
+  }
+
+  Result<FileRecords> recordsOf(const std::string& path, bool eitherStroke) {
+    auto bytes = bytesOf(path);
+    if (!bytes) return bytes.failure();
+    const std::string subject = fileNameOf(path);
+    const auto unreadable = [&](Message problem, const Message& remedy) {
+      return Failure{FailureCode::unreadableInput, subject, {}, std::move(problem), remedy};
+    };
+    switch (contentOf(*bytes)) {
+      case FileContent::oldSpreadsheet:
+        return unreadable(Message("it is a spreadsheet of Excel 97 to 2003"),
+                          Message("Save it as xlsx, ODS or CSV"));
+      case FileContent::tar: {
+        if (bytes->size() > kMostArchive_bytes)
+          return unreadable(Message("it is larger than 32 MB"),
+                            Message("Export fewer switches into one file"));
+        const auto switches = switchesOfArchive(*bytes, subject);
+        if (!switches) return switches.failure();
+        return fromSwitches(*switches);
+      }
+      case FileContent::spreadsheet: {
+        if (bytes->size() > kMostArchive_bytes)
+          return unreadable(Message("it is larger than 32 MB"),
+                            Message("Export fewer switches into one file"));
+        auto sheets = tablesOfSpreadsheet(*bytes, subject);
+        if (!sheets) return sheets.failure();
+        return fromSheets(std::move(*sheets), subject, eitherStroke);
+      }
+      default:
+        break;
+    }
+    const std::string ending = lowered(std::filesystem::path(path).extension().string());
+    if (ending == ".ods" || ending == ".xlsx")
+      return unreadable(Message("it is no spreadsheet, or a damaged one"),
+                        Message("Save the spreadsheet again"));
+    if (ending == ".tar")
+      return unreadable(Message("it is no TAR archive"),
+                        Message("Save the project once more in WebPlotDigitizer"));
+    auto text = utf8From(std::move(*bytes));
+    if (!text)
+      return unreadable(Message("its content is no text"),
+                        Message("Export the measurement as CSV, xlsx or ODS"));
+    const std::string_view start = trimmed(std::string_view(*text).substr(0, 4096));
+    if (ending == ".json" || start.starts_with('{') || start.starts_with("[{")) {
+      const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
+      if (keepsStrokesApart(json)) {
+        const auto switches = switchesOfJson(*text, subject);
+        if (!switches) return switches.failure();
+        return fromSwitches(*switches);
+      }
+      if (auto table = json.is_discarded() ? std::nullopt : tableOfJson(json))
+        return fromTable(std::move(*table), subject, eitherStroke);
+      if (ending == ".json") {
+        const auto why = switchesOfJson(*text, subject);
+        if (!why) return why.failure();
+      }
+    }
+    auto table = tableOfText(std::move(*text), subject, progress_);
+    if (!table) return table.failure();
+    return fromTable(std::move(*table), subject, eitherStroke);
+  }
+
+  Result<FileRecords> fromSwitches(std::vector<RecordedSwitch> switches) const {
+    FileRecords found;
+    found.switches = std::move(switches);
+    const RecordedSwitch& first = found.switches.front();
+    found.xUnit =
+        hints_.xUnit ? AssumedUnit{std::string(symbolOf(*hints_.xUnit)), millimetresPer(*hints_.xUnit), false}
+        : first.xUnit ? AssumedUnit{std::string(symbolOf(*first.xUnit)), millimetresPer(*first.xUnit), false}
+                      : AssumedUnit{"mm", 1, true};
+    double greatest = 0;
+    for (const RecordedSwitch& each : found.switches)
+      for (const auto* points : {&each.press, &each.release, &each.run})
+        for (const CurvePoint& p : *points) greatest = std::max(greatest, std::abs(p.force_N));
+    // Buttons press with 0.1 to 10 N; written in gf the same forces are 10 to 1000.
+    constexpr double mostNewtons_N = 18;
+    const ForceUnit guessed = greatest > mostNewtons_N ? ForceUnit::gramForce : ForceUnit::newton;
+    const ForceUnit y = hints_.yUnit ? *hints_.yUnit : first.yUnit.value_or(guessed);
+    found.yUnit = {std::string(symbolOf(y)), newtonsPer(y), !hints_.yUnit && !first.yUnit};
+    for (RecordedSwitch& each : found.switches) {
+      const double mm = hints_.xUnit ? found.xUnit.size
+                        : each.xUnit ? millimetresPer(*each.xUnit)
+                                     : found.xUnit.size;
+      LogRecord record{each.name, each.press, each.release};
+      if (!each.run.empty()) record = fromRun(each);
+      if (hints_.swapStrokes) {
+        std::swap(record.press, record.release);
+        std::ranges::reverse(record.press), std::ranges::reverse(record.release);
+      }
+      for (auto* stroke : {&record.press, &record.release}) {
+        if (!stroke->empty() &&
+            (stroke->back().displacement_mm < stroke->front().displacement_mm) == (stroke == &record.press))
+          std::ranges::reverse(*stroke);
+        for (CurvePoint& p : *stroke) p.displacement_mm *= mm, p.force_N *= found.yUnit.size;
+      }
+      for (std::optional<double>* contact : {&each.operatingPoint, &each.resetPoint})
+        if (*contact) **contact *= mm;
+      found.records.push_back(std::move(record));
+    }
+    for (const LogRecord& each : found.records)
+      if (each.press.size() < 2) return strokeless("press stroke", each.press.size());
+    return found;
+  }
+
+  /// One run of a file that keeps no strokes apart.
+  LogRecord fromRun(const RecordedSwitch& each) const {
+    DataTable data;
+    Table table;
+    DataColumn x, f;
+    x.unit.kind = ColumnUnit::Kind::displacement, f.unit.kind = ColumnUnit::Kind::force;
+    for (const CurvePoint& p : each.run) {
+      data.rowOf.push_back(table.rows());
+      table.beginRow(static_cast<long>(table.rows()) + 1);
+      x.values.push_back(p.displacement_mm), f.values.push_back(p.force_N);
+    }
+    data.columns = {std::move(x), std::move(f)};
+    LogInterpretation made;
+    made.groups = {{0, 1, {}, ""}};
+    RecordRequest request;
+    request.table = &table, request.data = &data, request.eitherStroke = true;
+    static_cast<void>(formRecords(request, made));
+    LogRecord record = made.records.empty() ? LogRecord{} : made.records.front();
+    record.name = each.name;
+    return record;
+  }
+
+  Result<FileRecords> fromSheets(std::vector<Table> sheets, const std::string& subject, bool eitherStroke) {
+    std::vector<FileRecords> read;
+    std::optional<Failure> why;
+    for (Table& sheet : sheets) {
+      const std::string name = sheet.name;
+      const std::vector<RecordedSwitch> switches =
+          hasColumnHints() ? std::vector<RecordedSwitch>{} : switchesOfSheet(sheet);
+      auto found =
+          switches.empty() ? fromTable(std::move(sheet), subject, eitherStroke) : fromSwitches(switches);
+      if (!found) {
+        if (!why || found.failure().code == FailureCode::notCertain) why = found.failure();
+        continue;
+      }
+      for (LogRecord& record : found->records)
+        if (sheets.size() > 1) record.name = name + (record.name.empty() ? "" : " " + record.name);
+      read.push_back(std::move(*found));
+    }
+    if (read.empty())
+      return why ? *why
+                 : Failure{FailureCode::noForceGraph,
+                           subject,
+                           {},
+                           Message("the spreadsheet holds no table of numbers"),
+                           Message("Give a sheet with a column of displacement and one of force")};
+    // A sheet of titled columns is the log; sheets of numbers beside it are notes.
+    const auto isSure = [](const FileRecords& each) {
+      return each.best.empty() || (each.best.front().evidence.total() > 8);
+    };
+    if (std::ranges::any_of(read, isSure))
+      std::erase_if(read, [&](const FileRecords& each) { return !isSure(each); });
+    for (std::size_t i = 1; i < read.size(); ++i)
+      read.front().records.insert(read.front().records.end(), read[i].records.begin(), read[i].records.end());
+    if (read.size() > 1) read.front().switches.clear();
+    return std::move(read.front());
+  }
+
+  bool hasColumnHints() const { return hints_.columns != ColumnHints{}; }
+
+  Failure strokeless(const char* stroke, std::size_t samples) const {
+    return failure(
+        FailureCode::noForceGraph, Message(std::string(stroke)),
+        samples == 0 ? Message("it has no sample") : Message("it has one sample"),
+        Message(
+            "A stroke needs at least two samples at different displacements; check the rows and the split"));
+  }
+
+  static std::string titlesOf(const DataTable& data) {
+    std::string all;
+    constexpr std::size_t most = 6;
+    for (std::size_t i = 0; i < data.columns.size(); ++i)
+      if (i < most) all += (all.empty() ? "" : ", ") + data.columns[i].label();
+    return data.columns.size() > most ? all + ", ..." : all;
+  }
+
+  Result<FileRecords> fromTable(Table table, const std::string& subject, bool eitherStroke) {
+    const auto refuse = [&](FailureCode code, Message place, Message problem, const Remedies& remedies) {
+      return Failure{code, subject, std::move(place), std::move(problem), remedies};
+    };
+    FileRecords found;
+    found.data = dataIn(table);
+    if (!found.data)
+      return refuse(FailureCode::noForceGraph, {}, Message("it holds no two columns of numbers"),
+                    Message("Give a table with a column of displacement and one of force, for example "
+                            "\"displacement_mm,force_N\""));
+    found.table = std::move(table);
+    const DataTable& data = *found.data;
+    if (data.rows() < 2) return strokeless("press stroke", data.rows());
+    ColumnReading read = interpretColumns(*found.table, data, hints_, eitherStroke);
+    if (read.badColumn)
+      return refuse(FailureCode::wrongUsage, {}, Message("no column is \"%1\"", *read.badColumn),
+                    Message("Its columns are %1", titlesOf(data)));
+    if (read.best.empty()) return lacking(read, data, refuse);
+    if (!read.unknownUnit.empty() &&
+        !(read.unknownUnitOfForce ? hints_.yUnit.has_value() : hints_.xUnit.has_value()) &&
+        usesUnknownUnit(read.best.front(), data)) {
+      const bool force = read.unknownUnitOfForce;
+      reading_.question = Question{force ? "the unit of force" : "the unit of displacement", {}};
+      for (const char* unit :
+           force ? std::initializer_list<const char*>{"N", "gf", "mN", "cN", "kgf", "lbf", "ozf"}
+                 : std::initializer_list<const char*>{"mm", "um", "in", "mil", "cm"})
+        reading_.question->choices.push_back({unit, std::string(force ? "--y-unit " : "--x-unit ") + unit});
+      return refuse(
+          FailureCode::notCertain, {},
+          Message("its unit of %1, \"%2\", is not known", force ? "force" : "displacement", read.unknownUnit),
+          force ? Remedies(RemedyKind::giveYUnit) : Remedies(RemedyKind::giveXUnit));
+    }
+    found.best = std::move(read.best);
+    found.records = found.best.front().records;
+    found.xUnit = found.best.front().xUnit, found.yUnit = found.best.front().yUnit;
+    return found;
+  }
+
+  static bool usesUnknownUnit(const LogInterpretation& made, const DataTable& data) {
+    return std::ranges::any_of(made.groups, [&](const ColumnGroup& g) {
+      return data.columns[g.force].unit.kind == ColumnUnit::Kind::unknown ||
+             data.columns[g.force].unit.kind == ColumnUnit::Kind::other ||
+             data.columns[g.displacement].unit.kind == ColumnUnit::Kind::unknown;
+    });
+  }
+
+  template <class Refuse>
+  static Failure lacking(const ColumnReading& read, const DataTable& data, const Refuse& refuse) {
+    const std::string titles = titlesOf(data);
+    const Message nameThem("If one of them is it: --displacement-column NAME|N, --force-column NAME|N");
+    switch (read.lack) {
+      case TableLack::displacement:
+        return refuse(FailureCode::noForceGraph, {},
+                      Message("no column is a displacement; its columns are %1", titles), nameThem);
+      case TableLack::force:
+        return refuse(FailureCode::noForceGraph, {},
+                      Message("no column is a force; its columns are %1", titles), nameThem);
+      case TableLack::columns:
+        return refuse(FailureCode::noForceGraph, {},
+                      Message("no column is a displacement and none is a force; its columns are %1", titles),
+                      nameThem);
+      case TableLack::movement:
+        return refuse(
+            FailureCode::noForceGraph, {},
+            Message("its displacement does not change by more than its noise; its columns are %1", titles),
+            Message("Give the log of a press"));
+      case TableLack::sortedLoop:
+        return refuse(
+            FailureCode::noForceGraph, {},
+            Message("press and release are sorted by displacement into one, and cannot be told apart"),
+            Message("Export the points in the order travelled, or each stroke as a column of its own"));
+      default:
+        return refuse(FailureCode::noForceGraph, {}, Message("it holds a release stroke but no press"),
+                      {{RemedyKind::swapStrokes, "if this is one"},
+                       {RemedyKind::advice, Message("Else record the press too")}});
+    }
+  }
+
+  // -- one of several records -----------------------------------------------------------------------------------
+
+  static std::string namesOf(const std::vector<LogRecord>& records) {
+    std::string all;
+    constexpr std::size_t most = 12;
+    for (std::size_t i = 0; i < records.size(); ++i)
+      if (i < most)
+        all += (i > 0 ? ", " : "") + std::to_string(i + 1) +
+               (records[i].name.empty() ? "" : " \"" + records[i].name + "\"");
+    return records.size() > most ? all + ", ..." : all;
+  }
+
+  Result<LogRecord> chosen(const FileRecords& found) {
+    const std::vector<LogRecord>& records = found.records;
+    if (hints_.curve.empty() && records.size() == 1) return records.front();
+    const std::string wanted = lowered(hints_.curve);
+    const bool namedMean =
+        std::ranges::any_of(records, [&](const LogRecord& each) { return lowered(each.name) == wanted; });
+    if (wanted == "mean" && !namedMean) {
+      if (records.size() > 1) remark(Message("the mean of %1 records was taken", records.size()));
+      return records.size() > 1 ? meanOf(records) : records.front();
+    }
+    for (std::size_t i = 0; i < records.size() && !wanted.empty(); ++i)
+      if (wanted == lowered(records[i].name)) return taken(records, i);
+    for (std::size_t i = 0; i < records.size() && !wanted.empty(); ++i)
+      if (wanted == std::to_string(i + 1)) return taken(records, i);
+    if (wanted.empty()) {
+      // Cycles of one switch that differ by less than what makes another button are one.
+      const bool alike = std::ranges::all_of(
+          records, [&](const LogRecord& each) { return differenceOf(records.front(), each) < kSameButton; });
+      if (alike) {
+        log_.remarks.push_back({RemarkCode::severalPresses, {records.size()}});
+        return records.front();
+      }
+    }
+    Question question{"which of the records", {}};
+    for (std::size_t i = 0; i < records.size(); ++i)
+      question.choices.push_back({records[i].name.empty() ? std::to_string(i + 1) : records[i].name,
+                                  "--record " + std::to_string(i + 1)});
+    question.choices.push_back({"their mean", "--record mean"});
+    if (wanted.empty()) reading_.question = std::move(question);
+    return failure(wanted.empty() ? FailureCode::notCertain : FailureCode::wrongUsage, "",
+                   Message("it holds %1 records: %2", records.size(), namesOf(records)),
+                   Message("Pass --record NAME|N for one of them, or --record mean"));
+  }
+
+  Result<LogRecord> taken(const std::vector<LogRecord>& records, std::size_t i) {
+    chosenIndex_ = i;
+    return records[i];
+  }
+
+  /// The release of a second file.
+  std::optional<Failure> addRelease(LogRecord& record) {
+    auto second = recordsOf(hints_.releasePath, true);
+    if (!second) return second.failure();
+    if (second->records.size() != 1 || !second->records.front().release.empty() || !record.release.empty())
+      return Failure{FailureCode::wrongUsage,
+                     fileNameOf(hints_.releasePath),
+                     {},
+                     Message("a pair is one press and one release, each in its file"),
+                     Message("Give the file of the press first, then that of the release")};
+    record.release = std::move(second->records.front().press);
+    std::ranges::reverse(record.release);
     return {};
   }
 
-  static void orient(std::vector<CurvePoint>& stroke, Stroke kind) {
-    if (stroke.empty()) return;
-    const bool grows = stroke.back().displacement_mm >= stroke.front().displacement_mm;
-    if (grows != (kind == Stroke::press)) std::reverse(stroke.begin(), stroke.end());
+  // -- from a record to strokes ---------------------------------------------------------------------------------
+
+  std::optional<Failure> finish(const FileRecords& found, LogRecord record) {
+    std::vector<CurvePoint>&press = record.press, &release = record.release;
+    log_.xUnit = found.xUnit.symbol, log_.yUnit = found.yUnit.symbol;
+    if (found.xUnit.isAssumed)
+      log_.remarks.push_back(
+          {RemarkCode::displacementUnitAssumed, {log_.xUnit}, {{RemedyKind::giveXUnit, "if it is another"}}});
+    if (found.yUnit.isAssumed)
+      log_.remarks.push_back(
+          {RemarkCode::forceUnitAssumed, {log_.yUnit}, {{RemedyKind::giveYUnit, "if it is another"}}});
+    if (press.size() < 2) return strokeless("press stroke", press.size());
+    const auto [least, most] = std::ranges::minmax(press, {}, &CurvePoint::displacement_mm);
+    if (!(most.displacement_mm > least.displacement_mm))
+      return failure(FailureCode::noForceGraph, "press stroke", Message("its displacement never changes"),
+                     Message("Check which column holds the displacement"));
+    std::size_t together = 1;
+    while (std::max(press.size(), release.size()) > kMostSamples) {
+      halve(press), halve(release);
+      together *= 2;
+    }
+    if (!found.best.empty()) {
+      const LogInterpretation& made = found.best.front();
+      if (made.forcesTurned) log_.remarks.push_back({RemarkCode::forcesTurned});
+      if (made.displacementTurned) log_.remarks.push_back({RemarkCode::displacementTurned});
+      if (made.joined)
+        remark(Message("the press was taken back in part and resumed: its beginning was joined to it"));
+      estimateNoise(press, release, lastDigit(found, true), lastDigit(found, false));
+      readContacts(found, made);
+      tellSpeeds(found, made);
+    } else {
+      estimateNoise(press, release, std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::infinity());
+      if (!found.switches.empty()) {
+        const RecordedSwitch& one = found.switches[std::min(chosenIndex_, found.switches.size() - 1)];
+        log_.operatingPoint_mm = one.operatingPoint, log_.resetPoint_mm = one.resetPoint;
+        if (one.scaleDoubtful) log_.remarks.push_back({RemarkCode::forceScaleDoubtful});
+      }
+    }
+    endBeforeDwell(press, log_.noise_mm, log_.noise_N);
+    beginAtContact(press, release);
+    log_.strokes.press.points = bridged(press);
+    if (release.size() >= 2) log_.strokes.release = StrokePoints{bridged(release), {}, false};
+    placeContacts();
+    if (together > 1) log_.remarks.push_back({RemarkCode::rowsAveraged, {together}});
+    noteRows(found);
+    return {};
   }
 
-  void estimateNoise(const std::vector<CurvePoint>& press, const std::vector<CurvePoint>& release) {
+  static double lastDigit(const FileRecords& found, bool displacement) {
+    const ColumnGroup& group = found.best.front().groups.front();
+    const DataColumn& column = found.data->columns[displacement ? group.displacement : group.force];
+    return std::pow(10.0, -column.decimals) * (displacement ? found.xUnit.size : found.yUnit.size);
+  }
+
+  void estimateNoise(const std::vector<CurvePoint>& press, const std::vector<CurvePoint>& release,
+                     double digit_mm, double digit_N) {
     double greatest = 0;
     for (const std::vector<CurvePoint>* stroke : {&press, &release}) {
       std::vector<double> x, f;
@@ -380,37 +565,118 @@ class LogReader {
         x.push_back(p.displacement_mm), f.push_back(p.force_N);
         greatest = std::max(greatest, std::abs(p.force_N));
       }
-      log_.noise_mm = std::max(log_.noise_mm, noiseOf(x));
-      log_.noise_N = std::max(log_.noise_N, noiseOf(f));
+      log_.noise_mm = std::max(log_.noise_mm, noiseOf(x, digit_mm));
+      log_.noise_N = std::max(log_.noise_N, noiseOf(f, digit_N));
     }
-    // A log without visible noise (computed, or flat) still needs a yardstick; a millionth of the span is far
-    // below any.
+    // A log without visible noise (computed, or flat) still needs a yardstick; a millionth of the span is far below any.
     const double travel = std::abs(press.back().displacement_mm - press.front().displacement_mm);
     constexpr double least = std::numeric_limits<double>::min();
     log_.noise_mm = std::max({log_.noise_mm, 1e-6 * travel, least});
     log_.noise_N = std::max({log_.noise_N, 1e-6 * greatest, least});
   }
 
-  void startAtZero(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const CurvePoint& p : press) least = std::min(least, p.displacement_mm);
-    if (least >= 0) return;
+  /// Displacement counts from contact, force from the unloaded gauge.
+  void beginAtContact(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
+    const double start_mm = press.front().displacement_mm;
+    const double travel_mm = press.back().displacement_mm - start_mm;
+    double highest_N = 0;
+    for (const CurvePoint& p : press) highest_N = std::max(highest_N, p.force_N);
+    double shift_mm = 0;
+    if (const auto before = beforeContact(press, log_.noise_N)) {
+      if (std::abs(before->force_N) >= log_.noise_N) {
+        log_.preload_N = before->force_N;
+        for (std::vector<CurvePoint>* stroke : {&press, &release})
+          for (CurvePoint& p : *stroke) p.force_N -= before->force_N;
+        log_.remarks.push_back({RemarkCode::preloadTakenOff, {{before->force_N, Measure::force_N}}});
+      }
+      const double air_mm = before->contact_mm - start_mm;
+      constexpr double leastShare = 0.01;  // of the travel
+      if (air_mm > leastShare * travel_mm) {
+        cutBefore(press, before->contact_mm, true);
+        cutBefore(release, before->contact_mm, false);
+        shift_mm = before->contact_mm;
+        remark(Message("an approach of %1 through air was cut off; contact is certain to %2",
+                       millimetres(air_mm), millimetres(before->uncertainty_mm)));
+      }
+    }
+    if (shift_mm == 0) {
+      // A stage's place is no travel; a press that starts at rest starts at zero.
+      constexpr double farShare = 0.5, nearShare = 0.005,
+                       restShare = 0.06;  // of the travel, of the highest force
+      const bool atRest = std::abs(press.front().force_N) < restShare * highest_N;
+      if (start_mm < 0 || start_mm > farShare * travel_mm || (start_mm > nearShare * travel_mm && atRest)) {
+        shift_mm = start_mm;
+        log_.remarks.push_back({RemarkCode::displacementShifted, {{start_mm, Measure::displacement_mm}}});
+      }
+    }
+    if (shift_mm == 0) return;
     for (std::vector<CurvePoint>* stroke : {&press, &release})
-      for (CurvePoint& p : *stroke) p.displacement_mm -= least;
+      for (CurvePoint& p : *stroke) p.displacement_mm -= shift_mm;
     for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
-      if (*contact_mm) **contact_mm -= least;
-    log_.remarks.push_back({RemarkCode::displacementShifted, {{least, Measure::displacement_mm}}});
+      if (*contact_mm) **contact_mm -= shift_mm;
   }
 
-  void removePreload() {
-    std::vector<CurvePoint>& press = log_.strokes.press.points;
-    const auto offset = forceBeforeContact(press, log_.noise_N);
-    if (!offset || std::abs(*offset) < log_.noise_N) return;
-    log_.preload_N = *offset;
-    for (CurvePoint& p : press) p.force_N -= *offset;
-    if (log_.strokes.release)
-      for (CurvePoint& p : log_.strokes.release->points) p.force_N -= *offset;
-    log_.remarks.push_back({RemarkCode::preloadTakenOff, {{*offset, Measure::force_N}}});
+  /// Takes off what lies before a place; a press begins there without force.
+  static void cutBefore(std::vector<CurvePoint>& stroke, double place_mm, bool isPress) {
+    if (stroke.empty()) return;
+    std::vector<CurvePoint> kept;
+    for (const CurvePoint& p : stroke)
+      if (p.displacement_mm > place_mm) kept.push_back(p);
+    if (kept.size() < 2) return;
+    if (isPress)
+      kept.insert(kept.begin(), {place_mm, 0});
+    else if (stroke.back().displacement_mm <= place_mm) {
+      const auto below =
+          std::ranges::find_if(stroke, [&](const CurvePoint& p) { return p.displacement_mm <= place_mm; });
+      kept.push_back({place_mm, below->force_N});
+    }
+    stroke = std::move(kept);
+  }
+
+  /// Where a column of contact or voltage changes on the way down and back on the way up.
+  void readContacts(const FileRecords& found, const LogInterpretation& made) {
+    const DataTable& data = *found.data;
+    const auto columnOf = [&](Stroke stroke) -> const DataColumn* {
+      const DataColumn* any = nullptr;
+      for (const DataColumn& each : data.columns) {
+        if (each.isText || each.isConstant() || !each.has(ColumnWord::contact)) continue;
+        if (each.displacement > 0 || each.force > 0) continue;
+        const bool press = each.has(ColumnWord::press) && each.title.find("ctuat") != 0,
+                   release = each.has(ColumnWord::release);
+        if (stroke == Stroke::release ? release : press && !release) return &each;
+        if (!release || stroke == Stroke::release) any = any ? any : &each;
+      }
+      return any;
+    };
+    const std::size_t sets = made.groups.size();
+    for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+      const DataColumn* contact = columnOf(stroke);
+      if (!contact) continue;
+      const ColumnGroup& group =
+          made.groups[stroke == Stroke::release && made.groups.front().stroke && sets > 1 ? 1 : 0];
+      const std::vector<double>& x = data.columns[group.displacement].values;
+      std::vector<std::pair<double, bool>> states;  // in the order travelled
+      const double middle = 0.5 * (contact->low + contact->high);
+      for (std::size_t row = 0; row < data.rows(); ++row)
+        if (!std::isnan(x[row]) && !std::isnan(contact->values[row]))
+          states.emplace_back(x[row], contact->values[row] > middle);
+      if (states.size() < 2) continue;
+      const double sign = made.displacementTurned ? -1 : 1;
+      const bool apart = made.groups.front().stroke.has_value();
+      if (apart)
+        std::ranges::stable_sort(states, [&](const auto& a, const auto& b) {
+          return stroke == Stroke::press ? sign * a.first < sign * b.first : sign * a.first > sign * b.first;
+        });
+      std::optional<double>& place = stroke == Stroke::press ? log_.operatingPoint_mm : log_.resetPoint_mm;
+      std::size_t changes = 0;
+      for (std::size_t i = 1; i < states.size(); ++i) {
+        if (states[i].second == states[i - 1].second) continue;
+        ++changes;
+        if (!apart && stroke == Stroke::release && changes < 2) continue;
+        place = sign * found.xUnit.size * std::midpoint(states[i].first, states[i - 1].first);
+        break;
+      }
+    }
   }
 
   /// A contact outside of its stroke's travel is none.
@@ -426,8 +692,21 @@ class LogReader {
   }
 
   /// From the first way down that is complete, and the way back after it.
-  void tellSpeeds() {
-    const std::vector<CurvePoint>& clock = rows_.clock.samples();
+  void tellSpeeds(const FileRecords& found, const LogInterpretation& made) {
+    const DataTable& data = *found.data;
+    const DataColumn* time = nullptr;
+    for (const DataColumn& each : data.columns)
+      if (!time && !each.isText &&
+          (each.quantity == ColumnQuantity::time || each.unit.kind == ColumnUnit::Kind::time))
+        time = &each;
+    if (!time || !made.fromRun) return;
+    const std::vector<double>& x = data.columns[made.groups.front().displacement].values;
+    std::vector<CurvePoint> clock;  // s and mm
+    const double seconds = time->unit.kind == ColumnUnit::Kind::time ? time->unit.size : 1;
+    const double mm = found.xUnit.size * (made.displacementTurned ? -1 : 1);
+    for (std::size_t row = 0; row < data.rows(); ++row)
+      if (!std::isnan(x[row]) && !std::isnan(time->values[row]))
+        clock.push_back({time->values[row] * seconds, x[row] * mm});
     if (clock.size() < 8) return;
     const auto [least, most] = std::ranges::minmax(clock, {}, &CurvePoint::force_N);
     const double range_mm = most.force_N - least.force_N;
@@ -459,36 +738,130 @@ class LogReader {
     if (log_.pressSpeed) log_.releaseSpeed = stroke(false);
   }
 
-  void noteRows() {
-    log_.rowsRead = rows_.rows;
-    log_.rowsSkipped = rows_.skipped;
-    const std::size_t together =
-        std::max({rows_.run.rowsPerSample(), rows_.press.rowsPerSample(), rows_.release.rowsPerSample()});
-    if (together > 1) log_.remarks.push_back({RemarkCode::rowsAveraged, {together}});
-    if (rows_.skipped > 0)
-      log_.remarks.push_back({RemarkCode::rowsLeftOut,
-                              {rows_.skipped, rows_.rows, rows_.firstSkippedLine, rows_.firstSkippedText}});
+  void noteRows(const FileRecords& found) {
+    if (found.data) {
+      log_.rowsRead = static_cast<long>(found.data->rows()) + found.data->leftOut;
+      log_.rowsSkipped = found.data->leftOut;
+    }
     if (!log_.strokes.release) log_.remarks.push_back({RemarkCode::noRelease});
+    if (log_.rowsSkipped > 0)
+      log_.remarks.push_back(
+          {RemarkCode::rowsLeftOut,
+           {log_.rowsSkipped, log_.rowsRead, found.data->firstLeftOutLine, found.data->firstLeftOutText}});
+  }
+
+  // -- confidence -----------------------------------------------------------------------------------------------
+
+  /// The margin to the best other reading that gives a different button, and the question that parts the two.
+  void rate(const FileRecords& found) {
+    log_.confidence =
+        found.best.empty()
+            ? kSurestTable
+            : std::min(kSurestTable, confidenceOfMargin(found.best.front().evidence.total() - kLeastLog));
+    if (found.xUnit.isAssumed || found.yUnit.isAssumed)
+      log_.confidence = std::min(log_.confidence, kUnitUnsaid);
+    for (std::size_t i = 1; i < found.best.size(); ++i) {
+      const LogInterpretation &best = found.best.front(), &rival = found.best[i];
+      const std::size_t k = std::min(chosenIndex_, std::min(best.records.size(), rival.records.size()) - 1);
+      if (best.records.size() == rival.records.size() &&
+          differenceOf(best.records[k], rival.records[k]) < kSameButton &&
+          sameScale(best.records[k], rival.records[k]))
+        continue;
+      const double sure = confidenceOfMargin(best.evidence.total() - rival.evidence.total());
+      if (sure < log_.confidence) {
+        log_.confidence = sure;
+        reading_.question = between(best, rival, *found.data);
+      }
+      break;
+    }
+  }
+
+  static bool sameScale(const LogRecord& a, const LogRecord& b) {
+    const ListedRecord p = listed(a), q = listed(b);
+    return std::abs(p.travel_mm - q.travel_mm) < kSameButton * p.travel_mm &&
+           std::abs(p.highest_N - q.highest_N) < kSameButton * p.highest_N;
+  }
+
+  static std::optional<Question> between(const LogInterpretation& a, const LogInterpretation& b,
+                                         const DataTable& data) {
+    const ColumnGroup &p = a.groups.front(), &q = b.groups.front();
+    const auto number = [&](std::size_t c) { return std::to_string(data.columns[c].index + 1); };
+    const auto columnChoice = [&](const char* option, std::size_t c) {
+      return Choice{data.columns[c].label(), option + number(c)};
+    };
+    if (p.force != q.force && p.displacement != q.displacement)
+      return Question{
+          "which columns are displacement and force",
+          {{data.columns[p.displacement].label() + ", " + data.columns[p.force].label(),
+            "--displacement-column " + number(p.displacement) + " --force-column " + number(p.force)},
+           {data.columns[q.displacement].label() + ", " + data.columns[q.force].label(),
+            "--displacement-column " + number(q.displacement) + " --force-column " + number(q.force)}}};
+    if (p.force != q.force)
+      return Question{"which column is the force",
+                      {columnChoice("--force-column ", p.force), columnChoice("--force-column ", q.force)}};
+    if (p.displacement != q.displacement)
+      return Question{"which column is the displacement",
+                      {columnChoice("--displacement-column ", p.displacement),
+                       columnChoice("--displacement-column ", q.displacement)}};
+    if (a.yUnit.symbol != b.yUnit.symbol)
+      return Question{
+          "the unit of force",
+          {{a.yUnit.symbol, "--y-unit " + a.yUnit.symbol}, {b.yUnit.symbol, "--y-unit " + b.yUnit.symbol}}};
+    if (a.xUnit.symbol != b.xUnit.symbol)
+      return Question{
+          "the unit of displacement",
+          {{a.xUnit.symbol, "--x-unit " + a.xUnit.symbol}, {b.xUnit.symbol, "--x-unit " + b.xUnit.symbol}}};
+    const LogInterpretation& beside = a.groups.size() > b.groups.size() || a.groups.front().stroke ? a : b;
+    if (beside.groups.size() < 2) return {};
+    return Question{"whether a second column of force is the release",
+                    {{"it is the release", "--force-column " + number(p.force) + " --release-force-column " +
+                                               number(beside.groups[1].force)},
+                     {"it is another record", "--force-column " + number(p.force)}}};
   }
 
   const std::string& path_;
   const LogHints& hints_;
   const Progress& progress_;
-  TableFormat format_;
-  LogColumns columns_;
-  LogRows rows_;
-  std::vector<std::string_view> cells_;
+  std::size_t chosenIndex_ = 0;
   ForceLog log_;
+  LogReading reading_{Failure{}, {}, {}, {}};
 };
 
 }  // namespace
 
 bool isForceLogPath(const std::string& path) {
-  return holdsRecordedSwitches(path) || lowered(std::filesystem::path(path).extension().string()) == ".csv";
+  const std::string ending = lowered(std::filesystem::path(path).extension().string());
+  for (const char* known : {".csv", ".ods", ".json", ".tar", ".tsv", ".xlsx"})
+    if (ending == known) return true;
+  for (const char* other :
+       {".pdf", ".svg", ".svgz", ".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff", ".webp"})
+    if (ending == other) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(4096, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  if (head.empty()) return false;
+  if (contentOf(head) != FileContent::text) return true;
+  const auto text = utf8From(std::move(head));
+  if (!text) return false;
+  const std::string_view start = trimmed(*text);
+  return !start.starts_with("%PDF") && !start.starts_with("%!PS") &&
+         !(start.starts_with('<') && start.find("svg") != std::string_view::npos) &&
+         !start.starts_with("<?xml");
+}
+
+LogReading readLog(const std::string& path, const LogHints& hints, const Progress& progress) {
+  return LogReader(path, hints, progress).read();
 }
 
 Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints, const Progress& progress) {
-  return LogReader(path, hints, progress).read();
+  return readLog(path, hints, progress).log;
+}
+
+std::vector<std::string> recordNames(const std::string& path) {
+  std::vector<std::string> names;
+  for (const ListedRecord& each : readLog(path).records) names.push_back(each.name);
+  return names;
 }
 
 }  // namespace detent::importer

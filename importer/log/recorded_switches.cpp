@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <numeric>
 #include <string_view>
@@ -13,36 +11,13 @@
 
 #include "importer/log/digitizer_project.h"
 #include "importer/log/sheet_columns.h"
-#include "importer/log/zip_member.h"
 #include "model/text.h"
 
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t largestFile_bytes = std::size_t{32} << 20, largestSheet_bytes = std::size_t{64} << 20;
-
-std::string endingOf(const std::string& path) {
-  return lowered(std::filesystem::path(path).extension().string());
-}
-
 Failure without(const std::string& subject, Message problem, Remedies remedies = {}) {
   return {FailureCode::noForceGraph, subject, {}, std::move(problem), std::move(remedies)};
-}
-
-Result<std::string> bytesOf(const std::string& path, const std::string& subject) {
-  const auto unreadable = [&](Message problem, const Message& remedy) {
-    return Failure{FailureCode::unreadableInput, subject, {}, std::move(problem), remedy};
-  };
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    return unreadable(Message("it is missing or no file"), "Check the path and its rights");
-  if (std::filesystem::file_size(path, error) > largestFile_bytes || error)
-    return unreadable(Message("it is larger than 32 MB"), Message("Export fewer switches into one file"));
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad())
-    return unreadable(Message("it cannot be read"), "Check the path and its rights");
-  return bytes;
 }
 
 // -- spreadsheets ------------------------------------------------------------------------------------------------
@@ -177,8 +152,10 @@ std::vector<RecordedSwitch> rawRunsOf(const std::vector<SheetColumn>& sheet,
   return runs.size() > 1 ? lastOfEachName(std::move(runs)) : runs;
 }
 
-Result<std::vector<RecordedSwitch>> switchesOfSheet(const std::vector<SheetColumn>& sheet,
-                                                    const std::string& subject) {
+}  // namespace
+
+std::vector<RecordedSwitch> switchesOfSheet(const Table& table) {
+  const std::vector<SheetColumn> sheet = sheetColumns(table);
   std::vector<NamedColumn> columns;
   std::ranges::transform(sheet, std::back_inserter(columns), named);
   std::vector<RecordedSwitch> switches;
@@ -198,11 +175,10 @@ Result<std::vector<RecordedSwitch>> switchesOfSheet(const std::vector<SheetColum
   }
   std::erase_if(switches, [](const RecordedSwitch& each) { return each.press.size() < 2; });
   if (switches.empty()) switches = rawRunsOf(sheet, columns);
-  if (switches.empty())
-    return without(subject, Message("no columns are headed as a switch's downstroke"),
-                   Message("Export the columns of one switch as CSV: \"displacement_mm,force_N\""));
   return switches;
 }
+
+namespace {
 
 // -- JSON --------------------------------------------------------------------------------------------------------
 
@@ -225,6 +201,13 @@ std::vector<CurvePoint> paired(const std::vector<double>& x, const std::vector<d
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
     if (std::isfinite(x[i]) && std::isfinite(y[i])) points.push_back({x[i], y[i]});
   return points;
+}
+
+}  // namespace
+
+bool keepsStrokesApart(const nlohmann::json& json) {
+  return isDigitizerProject(json) ||
+         (json.is_object() && (json.contains("resources") || json.contains("down_x")));
 }
 
 Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, const std::string& subject) {
@@ -254,35 +237,17 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, cons
   return std::vector{std::move(one)};
 }
 
-}  // namespace
-
-bool holdsRecordedSwitches(const std::string& path) {
-  const std::string ending = endingOf(path);
-  return ending == ".ods" || ending == ".json" || ending == ".tar";
-}
-
-Result<std::vector<RecordedSwitch>> recordedSwitches(const std::string& path) {
-  const std::string subject = std::filesystem::path(path).filename().string();
-  auto bytes = bytesOf(path, subject);
-  if (!bytes) return bytes.failure();
-  if (endingOf(path) == ".tar") {
-    const auto project = projectInArchive(*bytes, subject);
-    if (!project) return project.failure();
-    const nlohmann::json json = nlohmann::json::parse(*project, nullptr, false);
-    if (isDigitizerProject(json)) return switchesOfProject(json, subject);
-    return Failure{FailureCode::unreadableInput,
-                   subject,
-                   {},
-                   json.is_discarded() ? Message("its wpd.json is no JSON")
-                                       : Message("its wpd.json is no project of WebPlotDigitizer"),
-                   Message("Save the project once more in WebPlotDigitizer")};
-  }
-  if (endingOf(path) == ".json") return switchesOfJson(*bytes, subject);
-  auto xml = zipMember(*bytes, "content.xml", largestSheet_bytes, subject);
-  if (!xml) return xml.failure();
-  auto sheet = sheetColumns(*xml, subject);
-  if (!sheet) return sheet.failure();
-  return switchesOfSheet(*sheet, subject);
+Result<std::vector<RecordedSwitch>> switchesOfArchive(const std::string& bytes, const std::string& subject) {
+  const auto project = projectInArchive(bytes, subject);
+  if (!project) return project.failure();
+  const nlohmann::json json = nlohmann::json::parse(*project, nullptr, false);
+  if (isDigitizerProject(json)) return switchesOfProject(json, subject);
+  return Failure{FailureCode::unreadableInput,
+                 subject,
+                 {},
+                 json.is_discarded() ? Message("its wpd.json is no JSON")
+                                     : Message("its wpd.json is no project of WebPlotDigitizer"),
+                 Message("Save the project once more in WebPlotDigitizer")};
 }
 
 }  // namespace detent::importer

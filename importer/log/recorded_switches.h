@@ -7,16 +7,23 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "importer/log/recorded_switch.h"
+#include "importer/log/table.h"
 #include "model/result.h"
 
 namespace detent::importer {
 
-/// Whether a path ends like a file that this reads: .ods, .json, .tar.
-bool holdsRecordedSwitches(const std::string& path);
+/// Switches of a curve meter's sheet; empty where no columns are headed as a switch's downstroke.
+std::vector<RecordedSwitch> switchesOfSheet(const Table& sheet);
 
-/// In the order of the file, at least one. Failure unreadableInput: missing, damaged, more than 32 MB (unpacked: 64 MB);
-/// noForceGraph: no strokes in it. Any thread.
-Result<std::vector<RecordedSwitch>> recordedSwitches(const std::string& path);
+/// Switches of a JSON file that keeps strokes apart, or of a WebPlotDigitizer project in JSON or TAR. In the order of the file, at
+/// least one. Failure unreadableInput: damaged; noForceGraph: no strokes in it.
+Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, const std::string& subject);
+Result<std::vector<RecordedSwitch>> switchesOfArchive(const std::string& bytes, const std::string& subject);
+
+/// Returns true if a JSON document is of a kind that switchesOfJson knows.
+bool keepsStrokesApart(const nlohmann::json& document);
 
 }  // namespace detent::importer

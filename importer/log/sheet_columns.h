@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A spreadsheet's first table as columns of numbers under their headings.
+// A spreadsheet's table as columns of numbers under their headings, as curve meters' sheets have them.
 
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "model/result.h"
+#include "importer/log/table.h"
 
 namespace detent::importer {
 
@@ -17,9 +16,8 @@ struct SheetColumn {
   std::vector<double> values;  ///< NaN where a cell holds no number
 };
 
-/// Columns of the first table of an OpenDocument spreadsheet, from the XML in its archive. The heading is what stands above the
-/// first row of three numbers or more, and no fewer numbers than texts. What repeats is bounded: at most 256 columns and 2^20 rows. Failure noForceGraph about `subject`:
-/// no such row. Any thread.
-Result<std::vector<SheetColumn>> sheetColumns(std::string_view xml, const std::string& subject);
+/// Columns of a sheet; none where no row has three numbers or more, and no fewer numbers than texts. The heading is what
+/// stands above the first such row.
+std::vector<SheetColumn> sheetColumns(const Table& sheet);
 
 }  // namespace detent::importer

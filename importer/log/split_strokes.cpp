@@ -9,14 +9,6 @@
 #include "importer/page/quantile.h"
 
 namespace detent::importer {
-namespace {
-
-double travelOf(const StrokeSpan& span, const std::vector<CurvePoint>& samples) {
-  return std::abs(samples[span.to].displacement_mm - samples[span.from].displacement_mm);
-}
-
-}  // namespace
-
 std::vector<StrokeSpan> spansOf(const std::vector<CurvePoint>& samples, double least_mm) {
   std::vector<StrokeSpan> spans;
   if (samples.size() < 2) return spans;
@@ -46,28 +38,6 @@ std::vector<StrokeSpan> spansOf(const std::vector<CurvePoint>& samples, double l
   if (way > 0) spans.push_back({begin, highest, Stroke::press});
   if (way < 0) spans.push_back({begin, lowest, Stroke::release});
   return spans;
-}
-
-FirstCycle firstCycleOf(const std::vector<StrokeSpan>& spans, const std::vector<CurvePoint>& samples) {
-  constexpr double most = 0.6;  // of the longest stroke: an aborted press or a twitch is none
-  double longest = 0;
-  for (const StrokeSpan& span : spans) longest = std::max(longest, travelOf(span, samples));
-  FirstCycle cycle;
-  const auto isWhole = [&](const StrokeSpan& span) { return travelOf(span, samples) >= most * longest; };
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    if (spans[i].stroke != Stroke::press || !isWhole(spans[i])) continue;
-    ++cycle.cycles;
-    const bool releases = i + 1 < spans.size() && isWhole(spans[i + 1]);
-    if (!cycle.press || (!cycle.release && releases)) {
-      cycle.press = spans[i];
-      if (releases) cycle.release = spans[i + 1];
-    }
-  }
-  // A run that begins at the bottom: the release before the only press.
-  if (cycle.press && !cycle.release)
-    for (const StrokeSpan& span : spans)
-      if (span.stroke == Stroke::release && isWhole(span)) cycle.release = span;
-  return cycle;
 }
 
 void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double noise_N) {
@@ -111,7 +81,7 @@ std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke) {
   return filled;
 }
 
-double noiseOf(const std::vector<double>& values) {
+double noiseOf(const std::vector<double>& values, double lastDigit) {
   std::vector<double> bends;
   double resolution = std::numeric_limits<double>::infinity();
   double greatest = 0;
@@ -126,32 +96,67 @@ double noiseOf(const std::vector<double>& values) {
   double noise = 0;
   if (values.size() < fewest) return noise;
   if (!bends.empty()) noise = 1.4826 * medianOf(std::move(bends)) / std::sqrt(6.0);
+  resolution = std::min(resolution, lastDigit);
   if (std::isfinite(resolution)) noise = std::max(noise, resolution / std::sqrt(12.0));
   return noise;
 }
 
-std::optional<double> forceBeforeContact(const std::vector<CurvePoint>& press, double noise_N) {
+std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press, double noise_N) {
+  constexpr std::size_t fewest = 5;
   if (press.size() < 8) return std::nullopt;
   const std::size_t few = std::max<std::size_t>(3, press.size() / 200);
   std::vector<double> start;
   for (std::size_t i = 0; i < few; ++i) start.push_back(press[i].force_N);
-  double highest = press[0].force_N, lowest = press[0].force_N;
-  for (const CurvePoint& p : press)
-    highest = std::max(highest, p.force_N), lowest = std::min(lowest, p.force_N);
-  const double first = medianOf(start), span = highest - lowest;
-  const double band = std::max(5 * noise_N, 2e-3 * span);
+  const auto [lowest, highest] = std::ranges::minmax(press, {}, &CurvePoint::force_N);
+  const double first = medianOf(start), span = highest.force_N - lowest.force_N;
+  const double band = std::max(4 * noise_N, 2e-3 * span);
   std::size_t end = 0;
-  while (end < press.size() && std::abs(press[end].force_N - first) <= band) ++end;
+  // Single readings off the band are noise; two in a row are the key.
+  while (end < press.size() && (std::abs(press[end].force_N - first) <= band ||
+                                (end + 1 < press.size() && std::abs(press[end + 1].force_N - first) <= band)))
+    ++end;
   const double travel = press.back().displacement_mm - press.front().displacement_mm;
   const double flat = end > 0 ? press[end - 1].displacement_mm - press.front().displacement_mm : 0;
-  // Short of this it is the foot of the rise; beyond half it is the button's own force.
-  if (end < 5 || flat < 0.01 * travel || flat > 0.5 * travel) return std::nullopt;
+  // Short of this it is the beginning of the rise; beyond most of the travel it is the button's own force.
+  constexpr double leastFlat = 0.01, mostFlat = 0.9;  // of the travel
+  if (end < fewest || flat < leastFlat * travel || flat > mostFlat * travel) return std::nullopt;
+  // On a slope it is the foot of the rise: the last readings of the stretch are left out, the rise begins among them.
+  const std::size_t judged = std::max(fewest, end - end / 5);
   std::vector<double> before;
-  for (std::size_t i = 0; i < end; ++i) before.push_back(press[i].force_N);
-  const double offset = medianOf(before);
+  double mean_mm = 0, mean_N = 0;
+  const double n = static_cast<double>(judged);
+  for (std::size_t i = 0; i < judged; ++i) {
+    before.push_back(press[i].force_N);
+    mean_mm += press[i].displacement_mm / n, mean_N += press[i].force_N / n;
+  }
+  double xx = 0, xf = 0, ff = 0;
+  for (std::size_t i = 0; i < judged; ++i) {
+    const double x = press[i].displacement_mm - mean_mm, f = press[i].force_N - mean_N;
+    xx += x * x, xf += x * f, ff += f * f;
+  }
+  if (!(xx > 0)) return std::nullopt;
+  const double slope = xf / xx, scatter = std::sqrt(std::max(0.0, ff - slope * xf) / std::max(1.0, n - 2));
+  const double rise = slope * (press[judged - 1].displacement_mm - press.front().displacement_mm);
+  constexpr double mostRise = 0.004;  // of the force span: drift of a gauge
+  if (rise > std::max(3 * std::sqrt(12.0 / n) * scatter, mostRise * span)) return std::nullopt;
+  BeforeContact found;
+  found.force_N = medianOf(before);
   // An offset is small against the forces it is an offset of; a plateau at working force is not.
-  if (std::abs(offset) > 0.1 * span) return std::nullopt;
-  return offset;
+  constexpr double mostOffset = 0.06;  // of the span
+  if (std::abs(found.force_N) > mostOffset * span) return std::nullopt;
+  // Contact: where a line through the first readings of the rise meets the level before it.
+  const std::size_t rising = std::min(press.size(), end + 4);
+  if (rising <= end) return std::nullopt;
+  const CurvePoint a = press[end], b = press[rising - 1];
+  const double steep = (b.force_N - a.force_N) / std::max(1e-12, b.displacement_mm - a.displacement_mm);
+  found.contact_mm = press[end].displacement_mm;
+  if (steep > 0) {
+    found.contact_mm -= (a.force_N - found.force_N) / steep;
+    found.uncertainty_mm = band / 4 / steep;
+  }
+  found.contact_mm =
+      std::clamp(found.contact_mm, press[judged - 1].displacement_mm, press[end].displacement_mm);
+  return found;
 }
 
 }  // namespace detent::importer

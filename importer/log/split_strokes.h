@@ -2,6 +2,7 @@
 #pragma once
 // One run of samples cut at its turning points into strokes.
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,13 +20,6 @@ struct StrokeSpan {
 /// `least_mm`.
 std::vector<StrokeSpan> spansOf(const std::vector<CurvePoint>& samples, double least_mm);
 
-/// The first complete cycle: a press over most of the travel and the release that follows it.
-struct FirstCycle {
-  std::optional<StrokeSpan> press, release;
-  int cycles = 0;  ///< presses over most of the travel in the whole run
-};
-FirstCycle firstCycleOf(const std::vector<StrokeSpan>& spans, const std::vector<CurvePoint>& samples);
-
 /// Takes the dwell off the end of a press: where the handle stands at its deepest place (within 3 noises) and the force
 /// relaxes, or falls over to the release, the stroke ends with its strongest sample there. Kept, the fall would read as a
 /// tactile point at the end of the travel.
@@ -35,12 +29,18 @@ void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double nois
 /// thinned out keep only the ends of a straight piece, and a curve that is free between them bulges.
 std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke);
 
-/// Standard deviation of white noise from second differences (median absolute deviation: steps and corners do
-/// not count); at least what the smallest step between samples, read as the instrument's resolution, makes. Fewer than 16
-/// values cannot tell noise from shape: they count as written.
-double noiseOf(const std::vector<double>& values);
+/// Standard deviation of white noise from second differences (median absolute deviation: steps and corners do not count); at
+/// least what the instrument's resolution makes: the smallest step between samples, or `lastDigit` where that is finer (rows in
+/// even steps are no rounding). Fewer than 16 values cannot tell noise from shape: they count as written.
+double noiseOf(const std::vector<double>& values, double lastDigit = std::numeric_limits<double>::infinity());
 
-/// Force before contact: the median of a flat stretch at the start of a press, if there is one.
-std::optional<double> forceBeforeContact(const std::vector<CurvePoint>& press, double noise_N);
+/// What is recorded before the key is touched.
+struct BeforeContact {
+  double force_N = 0;         ///< of the unloaded gauge
+  double contact_mm = 0;      ///< place of contact
+  double uncertainty_mm = 0;  ///< standard error of it
+};
+/// The flat stretch at the start of a press, if there is one: five readings or more of one small force, on no slope.
+std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press, double noise_N);
 
 }  // namespace detent::importer

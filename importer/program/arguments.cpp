@@ -96,9 +96,10 @@ struct RawOptions {
 };
 
 void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
-  app.add_option("INPUT", a.inputs,
-                 "png, jpg, bmp, tiff, webp, gif, pdf, svg, svgz, a force meter's csv, ods or json, or a "
-                 "WebPlotDigitizer project (json, tar)")
+  app.add_option(
+         "INPUT", a.inputs,
+         "png, jpg, bmp, tiff, webp, gif, pdf, svg, svgz, a force meter's table (csv, tsv, txt, xlsx, "
+         "ods, json and others, told by content), or a WebPlotDigitizer project (json, tar)")
       ->required();
   app.add_option("--page", raw.page, "page, from 1 (default: the page of the most certain graph)")
       ->check(within(1, 1000000));
@@ -109,6 +110,15 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
       "--curve", a.request.hints.strokes.curve,
       "NAME|N: of several switches in one plot the one to import, by its name in the legend or by its "
       "number; --list shows both");
+  app.add_option(
+         "--record", a.request.hints.strokes.curve,
+         "NAME|N|mean: of several records in a table (cycles, specimens, switches) the one to import, or "
+         "their mean; --list shows them")
+      ->excludes("--curve");
+  app.add_flag("--pair", a.pair, "two INPUTs are the press and the release of one button, a table each");
+  app.add_flag("--ask", a.ask,
+               "on a terminal: put what is not certain as a question and go on with the answer");
+  app.add_flag("--explain", a.explain, "print the evidence of the best three readings of a table");
   app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
   app.add_flag(
       "--family", a.family,
@@ -163,6 +173,15 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
       ->allow_extra_args(false);
   group->add_option("--dpi", raw.dpi, "render documents at this resolution (default: by --quality)")
       ->check(within(10.0, 1200.0));
+  ColumnHints& columns = a.request.hints.columns;
+  group->add_option("--displacement-column", columns.displacement,
+                    "NAME|N: column of a table, by title or from 1");
+  group->add_option("--force-column", columns.force, "NAME|N");
+  group->add_option("--release-displacement-column", columns.releaseDisplacement,
+                    "NAME|N: where the release has a column of its own");
+  group->add_option("--release-force-column", columns.releaseForce, "NAME|N");
+  group->add_option("--stroke-column", columns.stroke, "NAME|N: its cells say press or release");
+  group->add_option("--cycle-column", columns.cycle, "NAME|N: its cells number cycles or name specimens");
   group->add_flag("--swap-strokes", a.request.hints.strokes.swap, "press and release the other way round");
 }
 
@@ -296,6 +315,13 @@ void settle(const RawOptions& raw, Arguments& a) {
       (a.batch || a.all || a.list || !a.csvPath.empty() || !a.tracePath.empty() || !a.overlayPath.empty()))
     throw CLI::ValidationError(
         "--family", "cannot be combined with --batch, --all, --list, --csv, --trace-csv, --overlay");
+  if (a.pair) {
+    if (a.inputs.size() != 2 || a.batch || a.family || a.all)
+      throw CLI::ValidationError("--pair",
+                                 "needs two INPUTs, the press first, and no --batch, --family, --all");
+    hints.releasePath = a.inputs.back();
+    a.inputs.pop_back();
+  }
   if (!a.batch && !a.family && a.inputs.size() != 1) {
     throw CLI::ValidationError("INPUT",
                                "one input at a time; pass --batch with --out-dir DIR for several, --family "

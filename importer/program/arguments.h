@@ -18,6 +18,9 @@ struct Arguments {
   bool list = false;
   bool all = false;
   bool json = false;
+  bool pair = false;  ///< the release's file is in the hints, no longer among `inputs`
+  bool ask = false;
+  bool explain = false;
   bool jsonLines = false;                                   ///< with it json
   std::string buttonPath, csvPath, tracePath, overlayPath;  ///< empty: not asked for
 

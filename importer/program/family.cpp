@@ -114,7 +114,7 @@ Result<Family> importFamily(const std::vector<std::string>& inputs, const Import
                      "Import it alone and state the speeds: detent-graph family A B --speeds V,W -o OUT"};
     ImportRequest one = request;
     one.path = input;
-    const auto [report, evidence] = session->attempt(one, progress);
+    const auto [report, evidence, question, interpretations] = session->attempt(one, progress);
     if (!report) return report.failure();
     auto record = recordOf(input, *report);
     if (!record) return record.failure();

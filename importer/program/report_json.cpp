@@ -120,7 +120,7 @@ std::string reportJson(const ImportReport& report, const std::string& input,
 }
 
 std::string failureJson(const Failure& failure, const std::string& input,
-                        const std::vector<PlotSwitch>& switches) {
+                        const std::vector<PlotSwitch>& switches, const std::optional<Question>& question) {
   Json remedies = Json::array();
   for (const Remedy& remedy : failure.remedies) remedies.push_back(nameOf(remedy.kind));
   Json json = {{"status", nameOf(failure.code)},     {"input", input},
@@ -129,7 +129,36 @@ std::string failureJson(const Failure& failure, const std::string& input,
                {"remedy_codes", std::move(remedies)}};
   if (!failure.reason.empty()) json["reason"] = failure.reason;
   if (switches.size() > 1) json["curves"] = curvesJson(switches);
+  if (question) {
+    Json choices = Json::array();
+    for (const Choice& choice : question->choices)
+      choices.push_back({{"text", choice.text}, {"option", choice.option}});
+    json["question"] = {{"what", question->what}, {"choices", std::move(choices)}};
+  }
   return jsonText(json);
+}
+
+std::string interpretationsJson(const std::vector<ExplainedInterpretation>& best) {
+  Json all = Json::array();
+  for (const ExplainedInterpretation& each : best) {
+    Json terms = Json::array();
+    for (const EvidenceTerm& term : each.evidence.terms())
+      terms.push_back({{"name", term.name}, {"about", term.about}, {"log_likelihood", term.logLikelihood}});
+    all.push_back(
+        {{"reading", each.reading}, {"sum", each.evidence.total()}, {"evidence", std::move(terms)}});
+  }
+  return jsonText(all);
+}
+
+std::string recordsJson(const std::vector<ListedRecord>& records) {
+  Json all = Json::array();
+  for (const ListedRecord& each : records)
+    all.push_back({{"record", all.size() + 1},
+                   {"name", each.name},
+                   {"travel_mm", each.travel_mm},
+                   {"highest_force_N", each.highest_N},
+                   {"release", each.release}});
+  return jsonText(Json{{"records", std::move(all)}});
 }
 
 std::string listJson(const std::vector<ListedPlot>& plots, const std::vector<Remark>& remarks) {

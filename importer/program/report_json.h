@@ -14,7 +14,12 @@ std::string reportJson(const ImportReport& report, const std::string& input,
                        const std::vector<std::string>& outputs);
 /// `switches` of the plot it is about: "curves" where there are several.
 std::string failureJson(const Failure& failure, const std::string& input,
-                        const std::vector<PlotSwitch>& switches = {});
+                        const std::vector<PlotSwitch>& switches = {},
+                        const std::optional<Question>& question = {});
+/// [{"reading", "evidence": [{"name", "about", "log_likelihood"}], "sum"}], the best first.
+std::string interpretationsJson(const std::vector<ExplainedInterpretation>& best);
+/// {"records":[...]}: what a table holds.
+std::string recordsJson(const std::vector<ListedRecord>& records);
 
 /// A graph with what it shows.
 struct ListedPlot {

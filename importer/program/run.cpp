@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <new>
 #include <set>
@@ -91,20 +92,42 @@ std::string warningLines(const std::vector<Remark>& remarks) {
 struct Told {
   std::vector<std::string> objects;  ///< JSON, one for each graph
   std::string text;
-  bool written = true;  ///< false: the disk refused an output
+  bool written = true;                    ///< false: the disk refused an output
+  std::optional<Question> question = {};  ///< of the last graph
+  std::string explanation = {};           ///< of the last graph; empty for pages
 };
+
+std::string choiceLines(const std::optional<Question>& question) {
+  std::string lines;
+  if (!question) return lines;
+  for (const Choice& choice : question->choices) lines += "  " + choice.option + "  (" + choice.text + ")\n";
+  return lines;
+}
+
+/// Puts a question on the terminal. nullopt: no answer that is one of its numbers.
+std::optional<Choice> answerTo(const Question& question) {
+  std::fprintf(stderr, "%s?\n", question.what.c_str());
+  for (std::size_t i = 0; i < question.choices.size(); ++i)
+    std::fprintf(stderr, "  %zu  %s\n", i + 1, question.choices[i].text.c_str());
+  std::size_t number = 0;
+  if (!(std::cin >> number) || number < 1 || number > question.choices.size()) return {};
+  return question.choices[number - 1];
+}
 
 /// One graph of an open input: import, write, say so. `told` gets one JSON object.
 int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
               const Progress& progress, Told& told) {
-  const auto [report, evidence] = session.attempt(request, progress);
+  const ImportAttempt attempt = session.attempt(request, progress);
+  const auto& [report, evidence, question, interpretations] = attempt;
+  told.question = question;
+  if (!interpretations.empty()) told.explanation = explanationTable(interpretations);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
-    told.objects.push_back(
-        failureJson(failure, request.path, evidence ? evidence->switches : std::vector<PlotSwitch>{}));
-    told.text += failure.sentence() + "\n";
+    told.objects.push_back(failureJson(failure, request.path,
+                                       evidence ? evidence->switches : std::vector<PlotSwitch>{}, question));
+    told.text += failure.sentence() + "\n" + choiceLines(question);
     told.written = told.written && written;
     if (!report && evidence) told.text += writeRefusal(*evidence, failure, paths);
     return failure.exitCode();
@@ -207,6 +230,13 @@ int runImport(const Arguments& a, const Progress& progress) {
   auto session = ImportSession::open(request.path, request.limits);
   if (session) {
     exitCode = importOne(*session, request, paths, progress, told);
+    while (a.ask && exitCode == static_cast<int>(FailureCode::notCertain) && told.question) {
+      const std::optional<Choice> answer = answerTo(*told.question);
+      if (!answer || !takeUp(*answer, request.hints)) break;
+      told = {};
+      exitCode = importOne(*session, request, paths, progress, told);
+    }
+    if (a.explain) told.text += told.explanation;
   } else {
     told = {{failureJson(session.failure(), request.path)}, session.failure().sentence() + "\n"};
     exitCode = session.failure().exitCode();
@@ -236,6 +266,18 @@ std::string listText(const std::vector<ListedPlot>& plots) {
   return text;
 }
 
+std::string recordsText(const std::vector<ListedRecord>& records) {
+  std::string text;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const ListedRecord& each = records[i];
+    char row[120];
+    std::snprintf(row, sizeof row, "record %zu  travel %.3f mm, highest force %.3f N%s", i + 1,
+                  each.travel_mm, each.highest_N, each.release ? ", with its release" : "");
+    text += row + (each.name.empty() ? "" : "  \"" + each.name + "\"") + "\n";
+  }
+  return text;
+}
+
 /// The switches each listed graph shows.
 Result<std::vector<ListedPlot>> listedPlots(ImportSession& session, std::vector<ListedGraph> graphs,
                                             const ImportRequest& request, const Progress& progress) {
@@ -257,6 +299,12 @@ int runList(const Arguments& a, const Progress& progress) {
   };
   auto session = ImportSession::open(input, request.limits);
   if (!session) return refused(session.failure());
+  if (session->isForceLog()) {
+    const auto records = session->records(request.hints, progress);
+    if (!records) return refused(records.failure());
+    print(a, recordsJson(*records) + "\n", a.json ? "" : recordsText(*records), 0);
+    return 0;
+  }
   auto listed = session->list(request.page, request.quality, request.hints, progress);
   if (!listed) return refused(listed.failure());
   const auto plots = listedPlots(*session, std::move(listed->graphs), request, progress);

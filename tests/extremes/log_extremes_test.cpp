@@ -10,9 +10,8 @@
 #include <catch2/catch.hpp>
 
 #include "importer/log/force_log.h"
-#include "importer/log/log_columns.h"
 #include "importer/log/split_strokes.h"
-#include "importer/log/table_cells.h"
+#include "importer/log/table.h"
 #include "tests/extremes/extreme_values.h"
 
 using namespace detent;
@@ -32,7 +31,7 @@ Result<ForceLog> readText(const std::string& text) {
   return log;
 }
 
-struct Table {
+struct Form {
   std::string header = "displacement_mm,force_N";
   char delimiter = ',', decimal = '.';
   double perMm = 1, perN = 1;
@@ -46,7 +45,7 @@ std::string written(double value, char decimal) {
   return text;
 }
 
-std::string tableOf(const std::vector<CurvePoint>& points, const Table& table) {
+std::string tableOf(const std::vector<CurvePoint>& points, const Form& table) {
   std::string header = table.header;
   for (char& c : header)
     if (c == ',') c = table.delimiter;
@@ -166,15 +165,15 @@ TEST_CASE("any text is a log or a failure that says what is missing") {
   holdsAlways("numberIn reads what was printed", [] {
     const double value = anyFinite();
     const std::string text = written(value, ',');
-    const auto cell = numberIn(text, ',');
+    const auto cell = numberIn(text, NumberStyle{',', 0});
     RC_ASSERT(cell.has_value() && cell->value == value && cell->rest.empty());
   });
-  holdsAlways("splitCells gives back every byte", [] {
-    std::string line;
+  holdsAlways("a table keeps every cell of a line", [] {
+    std::string line = "a";
     for (int i = count(0, 40); i > 0; --i) line += "ab1.;,\t| x"[static_cast<std::size_t>(count(0, 9))];
-    std::vector<std::string_view> cells;
-    splitCells(line, ';', cells);
-    RC_ASSERT(cells.size() == 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ';')));
+    const auto table = tableOfText("0;1\n1;2\n2;3\n3;4\n4;5\n5;6\n" + line + "\n", "table", {});
+    RC_ASSERT(table.ok());
+    RC_ASSERT(table->cells(6) == 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ';')));
   });
 }
 
@@ -214,11 +213,11 @@ TEST_CASE("runs and their noise", "[finite]") {
     if (press.size() < whole.size() && strongest.displacement_mm == 4)
       RC_ASSERT(press.back().force_N == strongest.force_N);
   });
-  holdsAlways("forceBeforeContact is an offset of the first samples", [] {
+  holdsAlways("beforeContact gives finite numbers", [] {
     const auto run = anyRun(anySize());
     const std::vector<CurvePoint> press(run.begin(),
                                         run.begin() + static_cast<std::ptrdiff_t>(run.size() / 2 + 1));
-    const auto offset = forceBeforeContact(press, magnitude(1e-9, 1));
-    if (offset) RC_ASSERT(std::isfinite(*offset));
+    const auto before = beforeContact(press, magnitude(1e-9, 1));
+    if (before) RC_ASSERT(std::isfinite(before->force_N) && std::isfinite(before->contact_mm));
   });
 }

@@ -34,10 +34,11 @@ ReadButton readGraph(importer::ImportRequest request, const std::string& path, c
   auto session = importer::ImportSession::open(path, request.limits);
   if (!session)
     throw Refusal(Refused::from(session.failure(), importer::failureJson(session.failure(), path)));
-  auto [report, evidence] = session->attempt(request, progress);
+  auto [report, evidence, question, interpretations] = session->attempt(request, progress);
   if (!report) {
     const auto switches = evidence ? evidence->switches : std::vector<importer::PlotSwitch>{};
-    throw Refusal(Refused::from(report.failure(), importer::failureJson(report.failure(), path, switches)));
+    throw Refusal(
+        Refused::from(report.failure(), importer::failureJson(report.failure(), path, switches, question)));
   }
   std::string json = importer::reportJson(*report, path, {});
   return {std::move(report->button), std::move(json)};

@@ -10,7 +10,6 @@
 #include <catch2/catch.hpp>
 
 #include "importer/log/force_log.h"
-#include "importer/log/text_lines.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -175,12 +174,34 @@ TEST_CASE("a meter's preamble says the units of columns without titles") {
   }
 }
 
-TEST_CASE("of several cycles the first complete one is taken") {
-  const ForceLog log = readOk(run({"Displacement (mm),Force (gf)\n", ',', '.', "\n", 3}));
+TEST_CASE("of several cycles that differ one has to be chosen") {
+  const TemporaryFile file(run({"Displacement (mm),Force (gf)\n", ',', '.', "\n", 3}));
+  const LogReading open = readLog(file.path());
+  REQUIRE_FALSE(open.log);
+  CHECK(open.log.failure().code == FailureCode::notCertain);
+  CHECK(open.records.size() == 3);
+  REQUIRE(open.question);
+  REQUIRE(open.question->choices.size() == 4);
+  CHECK(open.question->choices[1].option == "--record 2");
+  CHECK(open.question->choices[3].option == "--record mean");
+  LogHints first, mean;
+  first.curve = "1", mean.curve = "mean";
+  const auto one = readForceLog(file.path(), first);
+  REQUIRE(one);
+  checkStrokes(*one);
+  const auto all = readForceLog(file.path(), mean);
+  REQUIRE(all);
+  REQUIRE(all->strokes.release);
+  CHECK(all->strokes.press.points.front().force_N ==
+        Approx((pressForce_gf(0) + 1) * newtonPerGf).margin(1e-4));
+}
+
+TEST_CASE("cycles that differ by less than makes another button are one") {
+  std::string text = run({});
+  text += text.substr(text.find('\n') + 1);
+  const ForceLog log = readOk(text);
   checkStrokes(log);
-  REQUIRE_FALSE(log.remarks.empty());
-  CHECK(log.remarks.front().code == RemarkCode::severalPresses);
-  CHECK(log.remarks.front().values.at(0).number == 3);
+  CHECK(std::ranges::count(log.remarks, RemarkCode::severalPresses, &Remark::code) == 1);
 }
 
 TEST_CASE("our own CSV and two pairs of columns") {
@@ -201,15 +222,20 @@ TEST_CASE("our own CSV and two pairs of columns") {
   checkStrokes(readOk(shared));
 }
 
-TEST_CASE(
-    "guard: two forces beside one displacement, without a word about strokes, are two channels of one run") {
+TEST_CASE("two forces beside one displacement, without a word about strokes, are a question") {
   std::string twoChannels = "Travel (mm),Force A (gf),Force B (gf)\n";
   const auto add = [&](double x, double force_gf) {
     twoChannels += number(x, '.') + "," + number(force_gf, '.') + "," + number(3 * force_gf + 20, '.') + "\n";
   };
   for (int i = 0; i <= 400; ++i) add(0.01 * i, pressForce_gf(0.01 * i));
   for (int i = 399; i >= 0; --i) add(0.01 * i, releaseForce_gf(0.01 * i));
-  checkStrokes(readOk(twoChannels));
+  CHECK(readFailing(twoChannels).code == FailureCode::notCertain);
+  const TemporaryFile file(twoChannels);
+  LogHints given;
+  given.columns.force = "Force A";
+  const auto log = readForceLog(file.path(), given);
+  REQUIRE(log);
+  checkStrokes(*log);
 }
 
 TEST_CASE("without units the sizes decide, with a warning, and hints overrule") {
@@ -393,16 +419,7 @@ TEST_CASE("a long log keeps its shape in bounded memory, and can be cancelled") 
   CHECK(cancelled.failure().code == FailureCode::cancelled);
 }
 
-TEST_CASE("lines of any ending, and one without an end") {
-  TemporaryFile file("a\r\nb\nc\rd");
-  auto reader = LineReader::open(file.path());
-  REQUIRE(reader);
-  std::string_view line;
-  std::string all;
-  while (reader->next(line)) all += std::string(line) + "|";
-  CHECK(all == "a|b|c|d|");
-  CHECK(reader->lineNumber() == 4);
-
+TEST_CASE("a line without an end is refused") {
   TemporaryFile endless(std::string(3 << 20, '1'));
   CHECK_FALSE(readForceLog(endless.path()));
 }

@@ -40,29 +40,6 @@ TEST_CASE("a run is cut where the displacement turns") {
   CHECK(run[spans[1].to].displacement_mm == Approx(0).margin(0.01));
 }
 
-TEST_CASE("aborted presses are passed over, the first complete cycle is taken") {
-  const auto run = sweep({0, 1, 0, 4, 0.5, 4, 0});
-  const FirstCycle cycle = firstCycleOf(spansOf(run, 0.2), run);
-  REQUIRE(cycle.press);
-  REQUIRE(cycle.release);
-  CHECK(cycle.cycles == 2);
-  CHECK(cycle.press->from == 200);
-  CHECK(cycle.press->to == 600);
-  CHECK(cycle.release->to == 950);
-}
-
-TEST_CASE("a run that starts at the bottom or never comes back") {
-  const auto fromBottom = sweep({4, 0, 4});
-  const FirstCycle turned = firstCycleOf(spansOf(fromBottom, 0.2), fromBottom);
-  REQUIRE(turned.press);
-  REQUIRE(turned.release);
-  CHECK(turned.release->to == turned.press->from);
-  const auto oneWay = sweep({0, 4});
-  const FirstCycle pressOnly = firstCycleOf(spansOf(oneWay, 0.2), oneWay);
-  CHECK(pressOnly.press);
-  CHECK_FALSE(pressOnly.release);
-}
-
 TEST_CASE("noise comes out of second differences, steps and slopes do not count") {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.02);
@@ -113,16 +90,36 @@ TEST_CASE("a wall at the end of a press is no dwell") {
   CHECK(press == whole);
 }
 
-TEST_CASE("force before contact is an offset only where it is flat, early and small") {
+TEST_CASE("rows in even steps are no rounding: the last digit decides") {
+  std::vector<double> positions;
+  for (int i = 0; i < 80; ++i) positions.push_back(0.05 * i);
+  CHECK(noiseOf(positions) == Approx(0.05 / std::sqrt(12.0)));
+  CHECK(noiseOf(positions, 0.001) == Approx(0.001 / std::sqrt(12.0)));
+}
+
+TEST_CASE("before contact the force is flat, early and small") {
   std::vector<CurvePoint> press;
   for (int i = 0; i <= 400; ++i) {
     const double x = 0.01 * i;
     press.push_back({x, x < 0.5 ? 0.02 : 0.02 + 0.4 * (x - 0.5)});
   }
-  REQUIRE(forceBeforeContact(press, 1e-3));
-  CHECK(*forceBeforeContact(press, 1e-3) == Approx(0.02));
+  const auto before = beforeContact(press, 1e-3);
+  REQUIRE(before);
+  CHECK(before->force_N == Approx(0.02));
+  CHECK(before->contact_mm == Approx(0.5).margin(0.011));
   for (CurvePoint& p : press) p.force_N = 0.5;
-  CHECK_FALSE(forceBeforeContact(press, 1e-3));
+  CHECK_FALSE(beforeContact(press, 1e-3));
   for (CurvePoint& p : press) p.force_N = 0.3 + 0.1 * p.displacement_mm;
-  CHECK_FALSE(forceBeforeContact(press, 1e-3));
+  CHECK_FALSE(beforeContact(press, 1e-3));
+}
+
+TEST_CASE("the steep start of a press in contact is no offset, however noisy the gauge is") {
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::vector<CurvePoint> press;
+  for (int i = 0; i <= 400; ++i) {
+    const double x = 0.01 * i;
+    press.push_back({x, (x < 0.4 ? 1.2 * x : 0.48 + 0.1 * (x - 0.4)) + noise(random)});
+  }
+  CHECK_FALSE(beforeContact(press, 0.02));
 }

@@ -35,7 +35,11 @@ inline std::string deflated(const std::string& text) {
 inline std::string zipOf(const std::string& member, const std::string& text) {
   const std::string packed = deflated(text);
   const auto sizes = [&](std::string& bytes) {
-    littleEndian(bytes, 0, 4), littleEndian(bytes, 0, 4);  // time, checksum: nobody asks
+    littleEndian(bytes, 0, 4);  // time: nobody asks
+    littleEndian(bytes,
+                 static_cast<std::uint32_t>(
+                     crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()))),
+                 4);
     littleEndian(bytes, static_cast<std::uint32_t>(packed.size()), 4);
     littleEndian(bytes, static_cast<std::uint32_t>(text.size()), 4);
     littleEndian(bytes, static_cast<std::uint32_t>(member.size()), 2), littleEndian(bytes, 0, 2);

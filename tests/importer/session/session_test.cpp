@@ -112,7 +112,7 @@ TEST_CASE("A doubt is a failure, or comes with the result where a person will lo
   request.hints.axes = {0, 2, 0, 900, {}, {}};
   const auto strict = session.importGraph(request);
   request.acceptDoubt = true;
-  const auto [lenient, evidence] = session.attempt(request);
+  const auto [lenient, evidence, question, interpretations] = session.attempt(request);
   if (strict) {
     CHECK(lenient);
     CHECK_FALSE(lenient->doubt);
@@ -130,7 +130,7 @@ TEST_CASE("A failed import gives what was found so far; a good one what its repo
   auto session = opened("two-level-legend.png");
   ImportRequest request = firstGraph();
   request.hints.trace.masks_px = {{-1, -1, 1e5, 1e5}};  // no ink is left
-  const auto [failed, evidence] = session.attempt(request);
+  const auto [failed, evidence, question, interpretations] = session.attempt(request);
   CHECK_FALSE(failed);
   REQUIRE(evidence);
   CHECK(evidence->axes.calibration.value.x.max == Approx(3.5));

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Interpretations compete: each candidate carries named evidence in one unit, the natural logarithm of a likelihood ratio.
+// The best few are kept; the margin to the best one that would give a different result is the confidence.
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace detent::importer {
+
+/// One reason for or against an interpretation.
+struct EvidenceTerm {
+  std::string name;          ///< "title", "unit", "travel": as scripts see it
+  std::string about;         ///< what it was concluded from: a column's title, a value
+  double logLikelihood = 0;  ///< > 0 speaks for it
+};
+
+/// The sum of named evidence.
+class Evidence {
+ public:
+  void add(std::string name, std::string about, double logLikelihood) {
+    terms_.push_back({std::move(name), std::move(about), logLikelihood});
+    total_ += logLikelihood;
+  }
+  void add(const Evidence& other) {
+    for (const EvidenceTerm& term : other.terms_) add(term.name, term.about, term.logLikelihood);
+  }
+  double total() const { return total_; }
+  const std::vector<EvidenceTerm>& terms() const { return terms_; }
+
+ private:
+  std::vector<EvidenceTerm> terms_;
+  double total_ = 0;
+};
+
+/// One of the best interpretations: its assignment of roles and the reasons, for --explain and the editor.
+struct ExplainedInterpretation {
+  std::string reading;  ///< "displacement 1 \"Travel (mm)\", force 2 \"Force (N)\""
+  Evidence evidence;
+};
+
+/// A way to answer a question: `option` as the command line takes it.
+struct Choice {
+  std::string text, option;
+};
+
+/// The difference between the remaining interpretations.
+struct Question {
+  std::string what;
+  std::vector<Choice> choices;
+};
+
+/// Keeps the `most` candidates of the highest evidence, the best first. `Candidate` has a member `evidence`.
+template <class Candidate>
+class BestFew {
+ public:
+  explicit BestFew(std::size_t most) : most_(most) {}
+  void offer(Candidate candidate) {
+    const auto place = std::ranges::upper_bound(
+        kept_, candidate.evidence.total(), [](double a, double b) { return a > b; },
+        [](const Candidate& c) { return c.evidence.total(); });
+    kept_.insert(place, std::move(candidate));
+    if (kept_.size() > most_) kept_.pop_back();
+  }
+  const std::vector<Candidate>& kept() const { return kept_; }
+  std::vector<Candidate>& kept() { return kept_; }
+
+ private:
+  std::size_t most_;
+  std::vector<Candidate> kept_;
+};
+
+/// Probability of the better of two interpretations, given by how much its evidence exceeds the other's; 0.5 at no margin.
+double confidenceOfMargin(double margin);
+
+/// The table that --explain prints: a column per interpretation, a row per term.
+std::string explanationTable(const std::vector<ExplainedInterpretation>& best);
+
+}  // namespace detent::importer

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/log/column_words.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "importer/log/table_words.h"
+#include "model/text.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, ColumnWord>, 17> kRoleNames{
+    {{"displacement", ColumnWord::displacement},
+     {"displacement-weak", ColumnWord::displacementWeak},
+     {"force", ColumnWord::force},
+     {"force-weak", ColumnWord::forceWeak},
+     {"time", ColumnWord::time},
+     {"index", ColumnWord::index},
+     {"cycle", ColumnWord::cycle},
+     {"record", ColumnWord::record},
+     {"direction", ColumnWord::direction},
+     {"press", ColumnWord::press},
+     {"release", ColumnWord::release},
+     {"contact", ColumnWord::contact},
+     {"other", ColumnWord::other},
+     {"mean", ColumnWord::mean},
+     {"spread", ColumnWord::spread},
+     {"copy", ColumnWord::copy},
+     {"unit", ColumnWord::unit}}};
+
+bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// Small letters; Latin and Cyrillic too.
+std::string smallLetters(std::string_view text) {
+  std::string small = lowered(text);
+  for (std::size_t i = 0; i + 1 < small.size(); ++i) {
+    auto a = static_cast<unsigned char>(small[i]), b = static_cast<unsigned char>(small[i + 1]);
+    if (a == 0xC3 && b >= 0x80 && b <= 0x9E && b != 0x97)
+      small[i + 1] = static_cast<char>(b + 0x20);
+    else if ((a == 0xC4 || a == 0xC5) && b % 2 == 0 && b >= 0x80 && !(a == 0xC5 && b >= 0xB8))
+      small[i + 1] = static_cast<char>(b + (a == 0xC5 && b <= 0x88 && b >= 0x80 ? 0 : 1));
+    else if (a == 0xD0 && b >= 0x90 && b <= 0x9F)
+      small[i + 1] = static_cast<char>(b + 0x20);
+    else if (a == 0xD0 && b >= 0xA0 && b <= 0xAF)
+      small[i] = '\xD1', small[i + 1] = static_cast<char>(b - 0x20);
+    if (a >= 0xC2) ++i;
+  }
+  return small;
+}
+
+bool isWrittenWithoutBlanks(std::string_view word) {
+  return word.size() >= 3 && static_cast<unsigned char>(word[0]) >= 0xE3;  // from U+3000 on
+}
+
+struct Vocabulary {
+  std::unordered_map<std::string, std::uint32_t> words;      // of one or more words, joined by blanks
+  std::unordered_map<std::string, std::uint32_t> headFirst;  // those of Romance languages alone
+  std::vector<std::pair<std::string, std::uint32_t>> signs;  // of writing without blanks, the longest first
+  std::vector<std::pair<std::string, std::uint32_t>> ends;   // of compounds, the longest first
+  std::map<std::string, ColumnUnit, std::less<>> units, unitsInSmallLetters;
+};
+
+ColumnUnit::Kind unitKindNamed(std::string_view name) {
+  if (name == "displacement") return ColumnUnit::Kind::displacement;
+  if (name == "force") return ColumnUnit::Kind::force;
+  if (name == "time") return ColumnUnit::Kind::time;
+  return ColumnUnit::Kind::other;
+}
+
+Vocabulary readVocabulary() {
+  Vocabulary all;
+  std::string_view rest = tableWords();
+  std::map<std::string, std::uint32_t> signs, ends;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
+    if (line.starts_with("# ") || first == std::string_view::npos || second == std::string_view::npos)
+      continue;
+    const std::string word(line.substr(0, first));
+    const std::string_view language = line.substr(first + 1, second - first - 1),
+                           role = line.substr(second + 1);
+    if (language == "unit") {
+      const std::size_t colon = role.find(':');
+      ColumnUnit unit{unitKindNamed(role.substr(0, colon)), 1, word};
+      const std::string_view size = role.substr(colon + 1);
+      std::from_chars(size.data(), size.data() + size.size(), unit.size);
+      all.units[word] = unit;
+      const auto [place, isNew] = all.unitsInSmallLetters.emplace(smallLetters(word), unit);
+      if (!isNew && (place->second.kind != unit.kind || place->second.size != unit.size))
+        place->second.kind = ColumnUnit::Kind::unknown;  // "mn": milli or mega
+      continue;
+    }
+    const auto* named = std::ranges::find(kRoleNames, role, &std::pair<std::string_view, ColumnWord>::first);
+    if (named == kRoleNames.end()) continue;
+    const auto meaning = static_cast<std::uint32_t>(named->second);
+    const std::string small = smallLetters(word);
+    if (isWrittenWithoutBlanks(small))
+      signs[small] |= meaning;
+    else
+      all.words[small] |= meaning;
+    if (language == "fr" || language == "es" || language == "it" || language == "pt" || language == "ro")
+      all.headFirst[small] |= meaning;
+    else
+      all.headFirst[small] |= 0, all.headFirst.erase(small);
+    if ((language == "de" || language == "nl" || language == "sv" || language == "da" || language == "no") &&
+        small.size() >= 3)
+      ends[small] |= meaning;
+  }
+  const auto longestFirst = [](auto& list) {
+    std::ranges::stable_sort(list,
+                             [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+  };
+  all.signs.assign(signs.begin(), signs.end());
+  all.ends.assign(ends.begin(), ends.end());
+  longestFirst(all.signs), longestFirst(all.ends);
+  return all;
+}
+
+const Vocabulary& vocabulary() {
+  static const Vocabulary all = readVocabulary();
+  return all;
+}
+
+/// Words in small letters; "forceN" and "force_N" are two.
+std::vector<std::string> titleWords(std::string_view text) {
+  std::vector<std::string> words;
+  std::string word;
+  const auto end = [&] {
+    if (!word.empty()) words.push_back(smallLetters(word));
+    word.clear();
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool letter =
+        isAsciiLetter(c) || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80 || c == '#';
+    if (!letter) {
+      if (c == '.' && !word.empty() && i + 1 < text.size() && isAsciiLetter(text[i + 1]))
+        word += c;
+      else
+        end();
+      continue;
+    }
+    if (i > 0 && c >= 'A' && c <= 'Z' && text[i - 1] >= 'a' && text[i - 1] <= 'z') end();
+    word += c;
+  }
+  end();
+  return words;
+}
+
+std::uint32_t meaningsOf(const std::string& word) {
+  const Vocabulary& all = vocabulary();
+  if (const auto found = all.words.find(word); found != all.words.end()) return found->second;
+  std::string singular = word;
+  if (singular.size() > 4 && singular.back() == 's') {
+    singular.pop_back();
+    if (const auto found = all.words.find(singular); found != all.words.end()) return found->second;
+  }
+  // "ch1", "run2"
+  std::string stem = word;
+  while (!stem.empty() && stem.back() >= '0' && stem.back() <= '9') stem.pop_back();
+  if (stem.size() >= 2 && stem.size() < word.size())
+    if (const auto found = all.words.find(stem); found != all.words.end()) return found->second;
+  for (const auto& [ending, meanings] : all.ends)
+    if (word.size() >= ending.size() + 3 && word.ends_with(ending)) return meanings;
+  return 0;
+}
+
+std::optional<double> factorIn(std::string_view text) {
+  text = trimmed(text);
+  if (text.empty()) return {};
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) return {};
+  std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  if (rest.empty()) return value > 0 ? std::optional(value) : std::nullopt;
+  if (value != 10) return {};
+  if (rest.front() == '^') {
+    rest.remove_prefix(1);
+    int power = 0;
+    const auto [last, wrong] = std::from_chars(rest.data(), rest.data() + rest.size(), power);
+    return wrong == std::errc() && last == rest.data() + rest.size() ? std::optional(std::pow(10.0, power))
+                                                                     : std::nullopt;
+  }
+  // Superscript digits.
+  constexpr std::array<std::string_view, 10> superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  bool negative = false;
+  int power = 0;
+  if (rest.starts_with("⁻")) negative = true, rest.remove_prefix(std::string_view("⁻").size());
+  while (!rest.empty()) {
+    const auto* digit =
+        std::ranges::find_if(superscripts, [&](std::string_view s) { return rest.starts_with(s); });
+    if (digit == superscripts.end()) return {};
+    power = 10 * power + static_cast<int>(digit - superscripts.begin());
+    rest.remove_prefix(digit->size());
+  }
+  return std::pow(10.0, negative ? -power : power);
+}
+
+ColumnUnit unitSpelled(std::string_view text) {
+  const Vocabulary& all = vocabulary();
+  if (const auto found = all.units.find(text); found != all.units.end()) return found->second;
+  if (const auto found = all.unitsInSmallLetters.find(smallLetters(text));
+      found != all.unitsInSmallLetters.end())
+    return found->second;
+  return {ColumnUnit::Kind::unknown, 1, std::string(text)};
+}
+
+std::string_view withoutBrackets(std::string_view text) {
+  text = trimmed(text);
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> brackets{
+      {{"(", ")"}, {"[", "]"}, {"{", "}"}, {"<", ">"}, {"（", "）"}, {"［", "］"}, {"【", "】"}}};
+  for (const auto& [open, close] : brackets)
+    if (text.size() > open.size() + close.size() && text.starts_with(open) && text.ends_with(close))
+      return trimmed(text.substr(open.size(), text.size() - open.size() - close.size()));
+  return text;
+}
+
+}  // namespace
+
+bool KnownWords::has(ColumnWord meaning) const {
+  return std::ranges::any_of(words, [&](const Word& word) { return word.has(meaning); });
+}
+
+KnownWords knownWordsIn(std::string_view text) {
+  const Vocabulary& all = vocabulary();
+  KnownWords known;
+  constexpr std::size_t longestPhrase = 4;  // words
+  const std::vector<std::string> words = titleWords(text);
+  for (std::size_t i = 0; i < words.size();) {
+    std::size_t taken = 0;
+    for (std::size_t length = std::min(longestPhrase, words.size() - i); length > 1 && !taken; --length) {
+      std::string phrase = words[i];
+      for (std::size_t k = 1; k < length; ++k) phrase += " " + words[i + k];
+      if (const auto found = all.words.find(phrase); found != all.words.end()) {
+        known.words.push_back({phrase, found->second});
+        taken = length;
+      }
+    }
+    if (!taken) {
+      taken = 1;
+      if (const std::uint32_t meanings = meaningsOf(words[i])) {
+        if (all.headFirst.contains(words[i])) known.headFirst = true;
+        known.words.push_back({words[i], meanings});
+      } else {
+        std::string rest = words[i];
+        bool any = false;
+        for (std::size_t at = 0; at < rest.size();) {
+          const auto sign = std::ranges::find_if(all.signs, [&](const auto& each) {
+            return std::string_view(rest).substr(at).starts_with(each.first);
+          });
+          if (sign == all.signs.end()) {
+            ++at;
+            continue;
+          }
+          known.words.push_back({sign->first, sign->second});
+          at += sign->first.size(), any = true;
+        }
+        if (!any) ++known.unknown;
+      }
+    }
+    i += taken;
+  }
+  return known;
+}
+
+ColumnUnit unitOf(std::string_view text) {
+  const std::string_view whole = withoutBrackets(text);
+  if (whole.empty() || whole == "-" || whole == "--" || whole == "n/a" || whole == "1") return {};
+  ColumnUnit unit = unitSpelled(whole);
+  if (unit.kind != ColumnUnit::Kind::unknown) return unit.text = std::string(whole), unit;
+  // A factor before or behind it: "x0.1 N", "×10⁻³ N", "0.1 N", "N x 10".
+  constexpr std::array<std::string_view, 5> signs{"x", "X", "×", "*", "·"};
+  std::string_view bare = whole;
+  for (const std::string_view sign : signs)
+    if (bare.starts_with(sign) && bare.size() > sign.size() &&
+        (bare[sign.size()] == ' ' || bare[sign.size()] == '.' ||
+         (bare[sign.size()] >= '0' && bare[sign.size()] <= '9')))
+      bare = trimmed(bare.substr(sign.size()));
+  for (std::size_t cut = 1; cut < bare.size(); ++cut) {
+    const auto factor = factorIn(bare.substr(0, cut));
+    std::string_view rest = trimmed(bare.substr(cut));
+    for (const std::string_view sign : signs)
+      if (rest.starts_with(sign) && rest.size() > sign.size()) rest = trimmed(rest.substr(sign.size()));
+    if (!factor || rest.empty()) continue;
+    ColumnUnit scaled = unitSpelled(rest);
+    if (scaled.kind == ColumnUnit::Kind::unknown || scaled.kind == ColumnUnit::Kind::other) continue;
+    return scaled.size *= *factor, scaled.text = std::string(whole), scaled;
+  }
+  for (const std::string_view sign : signs) {
+    const std::size_t at = whole.find(sign, 1);
+    if (at == std::string_view::npos) continue;
+    ColumnUnit scaled = unitSpelled(trimmed(whole.substr(0, at)));
+    const auto factor = factorIn(whole.substr(at + sign.size()));
+    if (!factor || scaled.kind == ColumnUnit::Kind::unknown) continue;
+    return scaled.size *= *factor, scaled.text = std::string(whole), scaled;
+  }
+  // Compound units measure something else, whatever they are made of.
+  const bool compound =
+      whole.find_first_of("/^*") != std::string_view::npos || whole.find("²") != std::string_view::npos ||
+      whole.find("³") != std::string_view::npos || whole.find("·") != std::string_view::npos ||
+      whole.find("⋅") != std::string_view::npos;
+  if (compound && whole.size() <= 16) {
+    const std::string_view first = trimmed(whole.substr(0, whole.find_first_of("/^*\xC2\xE2")));
+    if (unitSpelled(first).kind != ColumnUnit::Kind::unknown)
+      return {ColumnUnit::Kind::other, 1, std::string(whole)};
+  }
+  return {ColumnUnit::Kind::unknown, 1, std::string(whole)};
+}
+
+SplitTitle splitTitle(std::string_view given) {
+  const std::string_view title = trimmed(given);
+  SplitTitle split{std::string(title), {}};
+  if (title.empty()) return split;
+  // The last bracket that holds a unit; one that holds something else is remembered as unknown.
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> brackets{
+      {{"(", ")"}, {"[", "]"}, {"{", "}"}, {"<", ">"}, {"（", "）"}, {"［", "］"}, {"【", "】"}}};
+  ColumnUnit unknown;
+  for (const auto& [open, close] : brackets)
+    for (std::size_t from = title.rfind(open); from != std::string_view::npos;
+         from = from == 0 ? std::string_view::npos : title.rfind(open, from - 1)) {
+      const std::size_t to = title.find(close, from + open.size());
+      if (to == std::string_view::npos) continue;
+      const std::string_view inside = trimmed(title.substr(from + open.size(), to - from - open.size()));
+      const ColumnUnit unit = unitOf(inside);
+      if (unit.kind == ColumnUnit::Kind::none) continue;
+      if (unit.kind == ColumnUnit::Kind::unknown) {
+        constexpr std::size_t longestUnit_bytes = 8;
+        if (unknown.text.empty() && inside.size() <= longestUnit_bytes &&
+            inside.find(' ') == std::string_view::npos && knownWordsIn(inside).words.empty() &&
+            to + close.size() == title.size())
+          unknown = unit;
+        continue;
+      }
+      split.unit = unit;
+      split.name = std::string(trimmed(title.substr(0, from))) + " " +
+                   std::string(trimmed(title.substr(to + close.size())));
+      split.name = std::string(trimmed(split.name));
+      return split;
+    }
+  const ColumnUnit whole = unitOf(title);
+  if (whole.kind != ColumnUnit::Kind::unknown && whole.kind != ColumnUnit::Kind::other) return {"", whole};
+  // Behind a slash, a comma, an underscore, "in", or a blank.
+  const auto isMeasured = [](const ColumnUnit& unit) {
+    return unit.kind == ColumnUnit::Kind::displacement || unit.kind == ColumnUnit::Kind::force ||
+           unit.kind == ColumnUnit::Kind::time;
+  };
+  const std::size_t at = title.find_last_of(" _/,:;.-");
+  for (const std::size_t cut : {title.find('/'), title.find(" in "), title.find(", "), at}) {
+    if (cut == std::string_view::npos || cut == 0) continue;
+    const bool preposition = title.substr(cut).starts_with(" in ");
+    const std::string_view behind = trimmed(title.substr(cut + (preposition ? 4 : 1)));
+    const ColumnUnit unit = unitOf(behind);
+    if (unit.kind == ColumnUnit::Kind::none || unit.kind == ColumnUnit::Kind::unknown) continue;
+    const bool byBlank = cut == at && (title[cut] == ' ' || title[cut] == '-' || title[cut] == '.');
+    // Words that are units as well, and letters that number things.
+    if (byBlank && !preposition &&
+        (!isMeasured(unit) || behind == "in" || behind == "min" || behind == "p" || behind == "m" ||
+         behind == "h" || behind == "#" || behind == "thou" || behind == "h" || behind == "MN" ||
+         behind == "T"))
+      continue;
+    if (!byBlank && unit.kind == ColumnUnit::Kind::other && behind.size() < 2) continue;
+    return {std::string(trimmed(title.substr(0, cut))), unit};
+  }
+  split.unit = unknown;
+  return split;
+}
+
+}  // namespace detent::importer

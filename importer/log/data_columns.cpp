@@ -1,0 +1,610 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/log/data_columns.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "model/text.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMostColumns = 256;
+
+/// A row by what its cells are.
+struct RowFacts {
+  std::size_t numbers = 0, texts = 0, words = 0,
+              width = 0;  ///< words: texts with a letter that are no "nan" or "inf"
+  bool isBlank() const { return numbers + texts == 0; }
+  bool isVoid() const {
+    return !isBlank() && words == 0;
+  }  ///< "nan,nan", "--,--": a row of data without data
+};
+
+std::string joinedCells(const Table& table, std::size_t row, const char* separator = " ") {
+  std::string text;
+  for (std::size_t c = 0; c < table.cells(row); ++c) {
+    const std::string_view cell = table.cell(row, c);
+    if (!cell.empty()) text += (text.empty() ? "" : separator) + std::string(cell);
+  }
+  return text;
+}
+
+std::string_view withoutComment(std::string_view cell) {
+  while (!cell.empty() &&
+         (cell.front() == '#' || cell.front() == '%' || cell.front() == '/' || cell.front() == ';'))
+    cell = trimmed(cell.substr(1));
+  return cell;
+}
+
+/// Text outside of brackets; the whole where nothing else is there.
+std::string outsideBrackets(const std::string& text) {
+  std::string outside;
+  int depth = 0;
+  for (const char c : text) {
+    if (c == '(' || c == '[')
+      ++depth;
+    else if ((c == ')' || c == ']') && depth > 0)
+      --depth;
+    else if (depth == 0)
+      outside += c;
+  }
+  return trimmed(outside).empty() ? text : outside;
+}
+
+ColumnQuantity quantityOf(const KnownWords& words) {
+  ColumnQuantity head = ColumnQuantity::none;
+  constexpr std::pair<ColumnWord, ColumnQuantity> kinds[] = {
+      {ColumnWord::displacement, ColumnQuantity::displacement},
+      {ColumnWord::force, ColumnQuantity::force},
+      {ColumnWord::other, ColumnQuantity::other},
+      {ColumnWord::time, ColumnQuantity::time},
+      {ColumnWord::contact, ColumnQuantity::contact},
+      {ColumnWord::cycle, ColumnQuantity::cycle},
+      {ColumnWord::index, ColumnQuantity::index},
+      {ColumnWord::displacementWeak, ColumnQuantity::displacementWeak},
+      {ColumnWord::forceWeak, ColumnQuantity::forceWeak}};
+  const auto isWeak = [](ColumnQuantity q) {
+    return q == ColumnQuantity::none || q == ColumnQuantity::displacementWeak ||
+           q == ColumnQuantity::forceWeak || q == ColumnQuantity::index || q == ColumnQuantity::cycle ||
+           q == ColumnQuantity::contact;
+  };
+  for (const KnownWords::Word& word : words.words)
+    for (const auto& [meaning, quantity] : kinds) {
+      if (!word.has(meaning)) continue;
+      // The last noun says what it is, in Romance languages the first; numbers and letters say less than names.
+      if (isWeak(head) || (!words.headFirst && !isWeak(quantity))) head = quantity;
+      break;
+    }
+  return head;
+}
+
+/// Digits followed by something: "0.1 mm/s" as a title says at what speed, not in which unit.
+bool isCondition(std::string_view title) {
+  return !title.empty() && title.front() >= '0' && title.front() <= '9';
+}
+
+class ColumnFinder {
+ public:
+  explicit ColumnFinder(const Table& table) : table_(table) {}
+
+  std::optional<DataTable> find() {
+    readNumbers();
+    if (!findMainRun()) return {};
+    takeRows();
+    if (data_.rowOf.empty()) return {};
+    takeColumns();
+    if (data_.columns.size() < 2) return {};
+    readHeadings();
+    readUnitsBeside();
+    readUnitsAbove();
+    for (DataColumn& column : data_.columns) settle(column);
+    return std::move(data_);
+  }
+
+ private:
+  void readNumbers() {
+    std::size_t width = 0;
+    facts_.resize(table_.rows());
+    for (std::size_t row = 0; row < table_.rows(); ++row) width = std::max(width, table_.cells(row));
+    width_ = std::min(width, kMostColumns);
+    numbers_.assign(width_, std::vector<double>(table_.rows(), kNoNumber));
+    decimals_.assign(width_, 0);
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      RowFacts& facts = facts_[row];
+      facts.width = table_.cells(row);
+      for (std::size_t c = 0; c < std::min(width_, facts.width); ++c) {
+        const std::string_view cell = table_.cell(row, c);
+        if (cell.empty()) continue;
+        const auto number = numberIn(cell, table_.style);
+        // "1 mm" is a number with its unit, "1 Switch A" is not.
+        const bool isNumber =
+            number && (number->rest.empty() || unitOf(number->rest).kind != ColumnUnit::Kind::unknown);
+        if (!isNumber || !std::isfinite(number->value)) {
+          ++facts.texts;
+          facts.words += !number && std::ranges::any_of(cell, [](char ch) {
+            return (ch >= 'a' && ch <= 'z') || (ch >= 'A' && ch <= 'Z') ||
+                   static_cast<unsigned char>(ch) >= 0x80;
+          });
+          continue;
+        }
+        ++facts.numbers;
+        numbers_[c][row] = number->value;
+        decimals_[c] = std::max(decimals_[c], number->decimals);
+      }
+    }
+  }
+
+  bool isNumber(std::size_t row, std::size_t column) const { return !std::isnan(numbers_[column][row]); }
+  bool isCandidate(std::size_t row) const { return facts_[row].numbers >= 2; }
+
+  /// The longest run of rows of numbers; what is numeric there makes the columns.
+  bool findMainRun() {
+    std::size_t best = 0;
+    for (std::size_t row = 0; row < table_.rows();) {
+      if (!isCandidate(row)) {
+        ++row;
+        continue;
+      }
+      std::size_t end = row;
+      while (end < table_.rows() && isCandidate(end)) ++end;
+      if (end - row > best) best = end - row, mainFrom_ = row, mainTo_ = end;
+      row = end;
+    }
+    if (best == 0) return false;
+    for (std::size_t c = 0; c < width_; ++c) {
+      std::size_t count = 0, texts = 0;
+      for (std::size_t row = mainFrom_; row < mainTo_; ++row) {
+        count += isNumber(row, c);
+        texts += !isNumber(row, c) && !table_.cell(row, c).empty();
+      }
+      constexpr double coreShare = 0.9, leastShare = 0.02;
+      const double share = static_cast<double>(count) / static_cast<double>(best);
+      if (share >= coreShare) core_.push_back(c);
+      if (count >= std::min<std::size_t>(2, best) && share >= leastShare && texts <= count)
+        numeric_.push_back(c);
+      else if (texts * 2 >= best || texts >= 2)
+        text_.push_back(c);
+    }
+    if (core_.size() < 2) core_ = numeric_;
+    // A row of numbers that is the heading of others: "Travel" over 0.1, 0.5 ... has text cells.
+    return numeric_.size() >= 2;
+  }
+
+  bool isData(std::size_t row) const {
+    if (!isCandidate(row)) return false;
+    std::size_t numbers = 0, all = 0;
+    for (const std::size_t c : core_) {
+      if (isNumber(row, c))
+        ++numbers;
+      else if (!table_.cell(row, c).empty())
+        return false;
+    }
+    for (const std::size_t c : numeric_) all += isNumber(row, c);
+    return all >= 2 && (numbers > 0 || core_.empty() || all >= 2);
+  }
+
+  /// The texts of a row, numbers and blanks left out, to compare headings.
+  std::string headingText(std::size_t row) const {
+    std::string text;
+    for (std::size_t c = 0; c < facts_[row].width; ++c)
+      if (!(c < width_ && isNumber(row, c)) && !table_.cell(row, c).empty())
+        text += lowered(table_.cell(row, c)) + "|";
+    return text;
+  }
+
+  /// A cell that may be a title: "Force", and "0.1 mm/s" too.
+  bool isTitle(std::size_t row, std::size_t column) const {
+    const std::string_view cell = table_.cell(row, column);
+    if (cell.empty()) return false;
+    if (!isNumber(row, column)) return true;
+    const auto number = numberIn(cell, table_.style);
+    return number && !number->rest.empty();
+  }
+
+  /// Rows of headings right above a row of data: [from, to).
+  std::pair<std::size_t, std::size_t> headingAbove(std::size_t dataRow) const {
+    constexpr std::size_t mostLines = 6;
+    std::size_t to = dataRow;
+    // One blank row may stand between.
+    if (to > 0 && facts_[to - 1].isBlank()) --to;
+    std::size_t from = to;
+    while (from > 0 && to - from < mostLines) {
+      const std::size_t row = from - 1;
+      if (facts_[row].isBlank() || isData(row)) break;
+      if (facts_[row].isVoid() && from == to) {
+        --to, --from;
+        continue;
+      }
+      const std::string_view first = table_.cell(row, 0);
+      if (first.find('=') != std::string_view::npos || first.ends_with(':')) break;  // a preamble's
+      std::size_t over = 0;
+      for (const std::size_t c : numeric_) over += isTitle(row, c);
+      const bool covers = over * 2 >= numeric_.size();
+      const bool isGroup =
+          from < to && (over >= 2 || (over == 1 && facts_[row].width >=
+                                                       std::min(facts_[from].width, numeric_.back() + 1)));
+      if (!covers && !isGroup) break;
+      // "Name: value" lines of a preamble.
+      if (facts_[row].texts <= 2 && numeric_.size() > 2 && facts_[row].width <= 2) break;
+      if (from < to && numeric_.size() == 2 && !isGroup) break;
+      if (from < to && isPreambleLine(row)) break;
+      --from;
+    }
+    // Texts right below data are a heading only if they name something measured: "over range,error" is a row that failed.
+    std::size_t before = from;
+    while (before > 0 && facts_[before - 1].isVoid() && !isData(before - 1)) --before;
+    if (from < to && before > 0 && isData(before - 1) && !namesColumns(from, to)) from = to;
+    return {from, to};
+  }
+
+  bool namesColumns(std::size_t from, std::size_t to) const {
+    for (std::size_t row = from; row < to; ++row)
+      for (const std::size_t c : numeric_) {
+        const SplitTitle split = splitTitle(table_.cell(row, c));
+        if (split.unit.kind == ColumnUnit::Kind::displacement || split.unit.kind == ColumnUnit::Kind::force)
+          return true;
+        const ColumnQuantity quantity = quantityOf(knownWordsIn(split.name));
+        if (quantity == ColumnQuantity::displacement || quantity == ColumnQuantity::force) return true;
+      }
+    return false;
+  }
+
+  /// A line of a preamble that happens to have as many cells as the data: "Serial,123456", "Date;2024-05-01".
+  bool isPreambleLine(std::size_t row) const {
+    if (facts_[row].numbers > 0) return true;
+    // Below it stand names of quantities; above these a line without any is a group's name only where cells are left empty.
+    if (facts_[row].texts >= numeric_.size() && numeric_.size() <= 3) {
+      std::size_t known = 0;
+      for (std::size_t c = 0; c < facts_[row].width; ++c) {
+        const SplitTitle split = splitTitle(table_.cell(row, c));
+        known += split.unit.kind != ColumnUnit::Kind::none && split.unit.kind != ColumnUnit::Kind::unknown;
+        known += !knownWordsIn(split.name).words.empty();
+      }
+      return known < numeric_.size();
+    }
+    return false;
+  }
+
+  void leaveOut(std::size_t row) {
+    if (data_.leftOut++ > 0) return;
+    constexpr std::size_t longest_bytes = 40;
+    data_.firstLeftOutLine = table_.line(row);
+    data_.firstLeftOutText = joinedCells(table_, row, ",").substr(0, longest_bytes);
+  }
+
+  void takeRows() {
+    heading_ = headingAbove(mainFrom_);
+    const auto headingOf = [&](std::size_t dataRow) {
+      const auto [from, to] = headingAbove(dataRow);
+      std::string text;
+      for (std::size_t row = from; row < to; ++row) text += headingText(row) + "\n";
+      return text;
+    };
+    const std::string mainHeading = headingOf(mainFrom_);
+    bool begun = false, foreign = false;
+    std::string between;
+    bool interrupted = false;
+    std::size_t firstRow = mainFrom_;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      if (!isData(row)) {
+        if (!facts_[row].isBlank()) between += (between.empty() ? "" : "\n") + joinedCells(table_, row);
+        interrupted = interrupted || facts_[row].isBlank() || facts_[row].numbers < 2;
+        if (facts_[row].isVoid() || (begun && !facts_[row].isBlank())) leaveOut(row);
+        continue;
+      }
+      if (interrupted || row == 0) {
+        // A run of rows under another heading is another table.
+        const std::string own = headingOf(row);
+        if (row == mainFrom_)
+          foreign = false;
+        else if (!own.empty())
+          foreign = own != mainHeading && !mainHeading.empty();
+        else if (!begun && !foreign)
+          foreign = row < mainFrom_ && !mainHeading.empty();
+      }
+      if (foreign) {
+        if (begun) leaveOut(row);
+        continue;
+      }
+      if (begun && interrupted) data_.breaks.push_back({data_.rowOf.size(), between});
+      if (!begun) firstRow = row;
+      begun = true, interrupted = false;
+      between.clear();
+      data_.rowOf.push_back(row);
+    }
+    // Lines above the headings of the first run of data.
+    const auto [from, to] = headingAbove(firstRow);
+    if (to > from) heading_ = {from, to};
+    for (std::size_t row = 0; row < std::min(heading_.first, firstRow); ++row)
+      if (!facts_[row].isBlank()) data_.captions.push_back(joinedCells(table_, row, "\t"));
+  }
+
+  void takeColumns() {
+    for (const std::size_t c : numeric_) {
+      DataColumn column;
+      column.index = c;
+      column.values.reserve(data_.rows());
+      column.low = std::numeric_limits<double>::infinity(), column.high = -column.low;
+      column.isInteger = true;
+      for (const std::size_t row : data_.rowOf) {
+        const double value = numbers_[c][row];
+        column.values.push_back(value);
+        if (std::isnan(value)) continue;
+        ++column.count;
+        column.low = std::min(column.low, value), column.high = std::max(column.high, value);
+        column.isInteger = column.isInteger && value == std::floor(value);
+      }
+      column.decimals = decimals_[c];
+      if (column.count >= 1) data_.columns.push_back(std::move(column));
+    }
+    for (const std::size_t c : text_) {
+      DataColumn column;
+      column.index = c;
+      column.isText = true;
+      data_.columns.push_back(std::move(column));
+    }
+    std::ranges::sort(data_.columns, {}, &DataColumn::index);
+  }
+
+  void readHeadings() {
+    const auto [from, to] = heading_;
+    for (DataColumn& column : data_.columns) {
+      for (std::size_t row = to; row-- > from;) {
+        std::string_view cell = withoutComment(table_.cell(row, column.index));
+        // "# displacement force" over rows that do not begin with the sign.
+        if (cell.empty() && table_.cell(row, 0) == "#") cell = table_.cell(row, column.index + 1);
+        if (cell.empty()) continue;
+        if (isCondition(cell)) {
+          column.title = std::string(cell) + (column.title.empty() ? "" : " " + column.title);
+          continue;
+        }
+        const SplitTitle split = splitTitle(cell);
+        if (column.unit.kind == ColumnUnit::Kind::none || column.unit.kind == ColumnUnit::Kind::unknown)
+          if (split.unit.kind != ColumnUnit::Kind::none) column.unit = split.unit;
+        if (!split.name.empty()) column.title = split.name + (column.title.empty() ? "" : " " + column.title);
+      }
+    }
+    // A heading over several columns: the cells to its right are empty. The topmost line that has such a gap.
+    for (std::size_t row = from; row + 1 < to; ++row) {
+      std::string carried;
+      bool hasGap = false;
+      for (std::size_t c = 0; c <= data_.columns.back().index; ++c)
+        hasGap = hasGap || table_.cell(row, c).empty();
+      if (!hasGap) continue;
+      for (std::size_t c = 0; c <= data_.columns.back().index; ++c) {
+        const std::string_view cell = table_.cell(row, c);
+        if (!cell.empty()) carried = std::string(cell);
+        for (DataColumn& column : data_.columns) {
+          if (column.index != c || carried.empty()) continue;
+          column.group += (column.group.empty() ? "" : " ") + carried;
+          // The cell's own text is already a part of the title.
+          if (!cell.empty()) {
+            const std::string name = splitTitle(cell).name;
+            if (column.title.starts_with(name) && column.title.size() > name.size())
+              column.title = std::string(trimmed(std::string_view(column.title).substr(name.size())));
+          }
+        }
+      }
+    }
+  }
+
+  /// Units behind the numbers, or in a column of their own to the right of them.
+  void readUnitsBeside() {
+    constexpr std::size_t looked = 50;
+    for (std::size_t i = 0; i < data_.columns.size(); ++i) {
+      DataColumn& column = data_.columns[i];
+      if (column.isText) continue;
+      std::string behind;
+      bool same = true;
+      for (std::size_t r = 0; r < std::min(looked, data_.rows()) && same; ++r) {
+        const auto number = table_.number(data_.rowOf[r], column.index);
+        if (!number) continue;
+        if (behind.empty()) behind = std::string(number->rest);
+        same = number->rest == behind && !behind.empty();
+      }
+      ColumnUnit unit = same ? unitOf(behind) : ColumnUnit{};
+      if (unit.kind == ColumnUnit::Kind::none && i + 1 < data_.columns.size() &&
+          data_.columns[i + 1].isText && data_.columns[i + 1].index == column.index + 1) {
+        std::set<std::string_view> texts;
+        for (std::size_t r = 0; r < std::min(looked, data_.rows()); ++r)
+          texts.insert(table_.cell(data_.rowOf[r], column.index + 1));
+        if (texts.size() == 1) unit = unitOf(*texts.begin());
+      }
+      const bool known = unit.kind != ColumnUnit::Kind::none && unit.kind != ColumnUnit::Kind::unknown;
+      if (known &&
+          (column.unit.kind == ColumnUnit::Kind::none || column.unit.kind == ColumnUnit::Kind::unknown))
+        column.unit = unit;
+    }
+  }
+
+  /// "UNIT = gf,mm", "Force unit: cN", "steps_per_mm = 800".
+  void readUnitsAbove() {
+    for (const std::string& caption : data_.captions) {
+      std::vector<std::string_view> cells;
+      for (std::size_t at = 0; at <= caption.size();) {
+        const std::size_t end = std::min(caption.find('\t', at), caption.size());
+        cells.push_back(trimmed(std::string_view(caption).substr(at, end - at)));
+        at = end + 1;
+      }
+      const std::string_view first = withoutComment(cells.front());
+      const std::size_t sign = first.find_first_of("=:");
+      const std::string_view name = trimmed(first.substr(0, sign));
+      const std::string_view value = sign != std::string_view::npos ? trimmed(first.substr(sign + 1))
+                                     : cells.size() > 1             ? cells[1]
+                                                                    : std::string_view();
+      readRatio(name, value);
+      const KnownWords words = knownWordsIn(name);
+      if (!words.has(ColumnWord::unit)) continue;
+      const ColumnQuantity quantity = quantityOf(words);
+      if (quantity == ColumnQuantity::none || quantity == ColumnQuantity::forceWeak ||
+          quantity == ColumnQuantity::displacementWeak) {
+        std::vector<std::string_view> units{value};
+        for (std::size_t i = sign != std::string_view::npos && !value.empty() ? 1 : 2; i < cells.size(); ++i)
+          units.push_back(cells[i]);
+        std::vector<DataColumn*> numeric;
+        for (DataColumn& column : data_.columns)
+          if (!column.isText) numeric.push_back(&column);
+        while (!units.empty() && units.back().empty()) units.pop_back();
+        // LabVIEW names those of its channels, not that of the first column.
+        const std::size_t before =
+            units.size() + 1 == numeric.size() && quantity != ColumnQuantity::none ? 1 : 0;
+        if (units.size() + before != numeric.size()) continue;
+        for (std::size_t i = 0; i < units.size(); ++i)
+          if (numeric[i + before]->unit.kind == ColumnUnit::Kind::none)
+            numeric[i + before]->unit = unitOf(units[i]);
+        continue;
+      }
+      for (DataColumn& column : data_.columns)
+        if (column.unit.kind == ColumnUnit::Kind::none && quantityOf(knownWordsIn(column.title)) == quantity)
+          column.unit = unitOf(value);
+    }
+  }
+
+  /// "counts_per_newton = 25000", "mm per step: 0.00125".
+  void readRatio(std::string_view name, std::string_view value) {
+    std::string plain(name);
+    std::ranges::replace(plain, '_', ' ');
+    std::ranges::replace(plain, '/', ' ');
+    const std::size_t per = lowered(plain).find(" per ");
+    const auto number = numberIn(value.substr(0, value.find(' ')), table_.style);
+    if (per == std::string::npos || !number || !(number->value > 0)) return;
+    const std::string above = lowered(trimmed(std::string_view(plain).substr(0, per)));
+    const std::string below(trimmed(std::string_view(plain).substr(per + 5)));
+    const auto measured = [](const ColumnUnit& unit) {
+      return unit.kind == ColumnUnit::Kind::displacement || unit.kind == ColumnUnit::Kind::force;
+    };
+    const auto singular = [](std::string word) {
+      if (word.size() > 3 && word.back() == 's') word.pop_back();
+      return word;
+    };
+    for (DataColumn& column : data_.columns) {
+      const std::string title = singular(lowered(column.title.empty() ? column.unit.text : column.title));
+      if (title.empty() || measured(column.unit)) continue;
+      const ColumnUnit over = unitOf(above), under = unitOf(below);
+      if (measured(under) && title.find(singular(above)) != std::string::npos)
+        column.unit = {under.kind, under.size / number->value, under.text};
+      else if (measured(over) && title.find(singular(lowered(below))) != std::string::npos)
+        column.unit = {over.kind, over.size * number->value, over.text};
+      else
+        continue;
+      column.ratioGiven = true;
+    }
+  }
+
+  static double likelihood(const DataColumn& column, bool force) {
+    if (column.isText) return -20;
+    using Kind = ColumnUnit::Kind;
+    const Kind own = force ? Kind::force : Kind::displacement,
+               rival = force ? Kind::displacement : Kind::force;
+    double sum = 0;
+    if (column.unit.kind == own)
+      sum += 3;
+    else if (column.unit.kind == rival || column.unit.kind == Kind::time)
+      sum -= 8;
+    else if (column.unit.kind == Kind::other)
+      sum -= 10;
+    else if (column.unit.kind == Kind::unknown)
+      sum -= 1;
+    const bool ownWord = column.quantity == (force ? ColumnQuantity::force : ColumnQuantity::displacement);
+    const bool ownWeak =
+        column.quantity == (force ? ColumnQuantity::forceWeak : ColumnQuantity::displacementWeak);
+    if (ownWord)
+      sum += 3;
+    else if (ownWeak)
+      sum += 1;
+    else if (column.quantity == ColumnQuantity::forceWeak ||
+             column.quantity == ColumnQuantity::displacementWeak)
+      sum -= 2;
+    else if (column.quantity != ColumnQuantity::none && !column.ratioGiven)
+      sum -= 6;
+    else if (column.unit.kind == Kind::none && !column.title.empty() && !column.has(ColumnWord::press) &&
+             !column.has(ColumnWord::release))
+      sum -= 1;
+    // "Stress" in newtons is a force with an odd name; "Peak force", "Filtered force" are second forms of one.
+    if (column.words.has(ColumnWord::copy) || column.words.has(ColumnWord::spread)) sum -= 3;
+    if (column.words.has(ColumnWord::other) && column.quantity != ColumnQuantity::other) sum -= 1.5;
+    if (column.isConstant()) sum -= 15;
+    return sum;
+  }
+
+  static void settle(DataColumn& column) {
+    column.words = knownWordsIn(outsideBrackets(column.title));
+    column.groupWords = knownWordsIn(outsideBrackets(splitTitle(column.group).name));
+    column.quantity = quantityOf(column.words);
+    const auto measured = [](ColumnUnit::Kind kind) {
+      return kind == ColumnUnit::Kind::displacement || kind == ColumnUnit::Kind::force ||
+             kind == ColumnUnit::Kind::time;
+    };
+    // The heading above counts where the column's own says nothing.
+    if (column.quantity == ColumnQuantity::none && column.unit.kind == ColumnUnit::Kind::none &&
+        !column.group.empty()) {
+      column.quantity = quantityOf(column.groupWords);
+      const ColumnUnit unit = splitTitle(column.group).unit;
+      if (measured(unit.kind)) column.unit = unit;
+    }
+    // A word that names a stroke and a quantity ("load", "compression") is the stroke's where the unit is another quantity's.
+    if (column.unit.kind == ColumnUnit::Kind::displacement && column.quantity == ColumnQuantity::force &&
+        column.words.has(ColumnWord::displacement))
+      column.quantity = ColumnQuantity::displacement;
+    if (column.unit.kind == ColumnUnit::Kind::force && column.quantity == ColumnQuantity::displacement &&
+        (column.words.has(ColumnWord::force) || column.words.has(ColumnWord::press)))
+      column.quantity = column.words.has(ColumnWord::force) ? ColumnQuantity::force : ColumnQuantity::none;
+    if (column.unit.kind == ColumnUnit::Kind::displacement && column.quantity == ColumnQuantity::force &&
+        column.words.has(ColumnWord::press))
+      column.quantity = ColumnQuantity::none;
+    column.displacement = likelihood(column, false);
+    column.force = likelihood(column, true);
+  }
+
+  const Table& table_;
+  std::vector<RowFacts> facts_;
+  std::vector<std::vector<double>> numbers_;
+  std::vector<int> decimals_;
+  std::size_t width_ = 0, mainFrom_ = 0, mainTo_ = 0;
+  std::vector<std::size_t> core_, numeric_, text_;
+  std::pair<std::size_t, std::size_t> heading_{0, 0};
+  DataTable data_;
+};
+
+/// Few rows that begin with a name and go on in numbers: columns written as rows.
+bool isTransposed(const Table& table) {
+  constexpr std::size_t mostRows = 12, fewestColumns = 13;
+  std::size_t named = 0, filled = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.cells(row) < fewestColumns) {
+      if (!joinedCells(table, row).empty()) ++filled;
+      continue;
+    }
+    ++filled;
+    std::size_t numbers = 0;
+    for (std::size_t c = 1; c < table.cells(row); ++c) numbers += table.number(row, c).has_value();
+    named +=
+        !table.cell(row, 0).empty() && !table.number(row, 0) && numbers * 10 >= (table.cells(row) - 1) * 8;
+  }
+  return named >= 2 && filled <= mostRows && named * 2 >= filled;
+}
+
+}  // namespace
+
+std::string DataColumn::label() const {
+  std::string text = std::to_string(index + 1);
+  std::string name = group.empty() || title.find(group) != std::string::npos ? title : group + ": " + title;
+  if (!unit.text.empty() && unit.text != name) name += name.empty() ? unit.text : " (" + unit.text + ")";
+  return name.empty() ? text : text + " \"" + name + "\"";
+}
+
+std::optional<DataTable> dataIn(const Table& table) {
+  if (isTransposed(table)) {
+    auto data = ColumnFinder(table.transposed()).find();
+    return data;
+  }
+  return ColumnFinder(table).find();
+}
+
+}  // namespace detent::importer

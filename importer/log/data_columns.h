@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The columns of numbers in a table: where they begin and end, what stands above, beside and behind them.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importer/log/column_words.h"
+#include "importer/log/table.h"
+
+namespace detent::importer {
+
+/// The quantity a column measures, by its words.
+enum class ColumnQuantity {
+  none,
+  displacement,
+  displacementWeak,
+  force,
+  forceWeak,
+  time,
+  index,
+  cycle,
+  contact,
+  other
+};
+
+struct DataColumn {
+  std::size_t index = 0;  ///< in the table, from 0
+  std::string title;      ///< all of its heading, without the unit; may be empty
+  std::string group;      ///< a heading above that it shares with columns beside it
+  ColumnUnit unit;
+  KnownWords words, groupWords;
+  ColumnQuantity quantity = ColumnQuantity::none;
+  std::vector<double> values;  ///< one for each data row; NaN where there is no number
+  std::size_t count = 0;       ///< finite values
+  double low = 0, high = 0;
+  int decimals = 0;  ///< most digits behind the decimal sign
+  bool isInteger = false;
+  bool isText = false;      ///< words instead of numbers
+  bool ratioGiven = false;  ///< its unit comes from a line such as "steps_per_mm = 800"
+
+  bool isConstant() const { return !(high > low); }
+  bool has(ColumnWord word) const { return words.has(word) || groupWords.has(word); }
+  /// "2 \"Force (N)\"", for messages.
+  std::string label() const;
+  double displacement = 0, force = 0;  ///< log-likelihood of the role, by title, unit and values
+};
+
+/// Where rows without numbers or blank rows interrupt the data.
+struct DataBreak {
+  std::size_t row = 0;  ///< the data row after it
+  std::string text;     ///< of the rows between; empty: blank
+};
+
+struct DataTable {
+  std::vector<DataColumn> columns;
+  std::vector<std::size_t> rowOf;  ///< row of the table for each data row
+  std::vector<DataBreak> breaks;
+  std::vector<std::string> captions;  ///< the lines above the headings
+  std::size_t rows() const { return rowOf.size(); }
+  long leftOut = 0, firstLeftOutLine = 0;  ///< rows within or behind the data
+  std::string firstLeftOutText;
+};
+
+/// nullopt: the table holds no two columns of numbers.
+std::optional<DataTable> dataIn(const Table& table);
+
+}  // namespace detent::importer

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The rows of chosen columns cut into strokes, and strokes joined to records.
+
+#include <optional>
+
+#include "importer/log/log_interpretation.h"
+
+namespace detent::importer {
+
+struct RecordRequest {
+  const Table* table = nullptr;
+  const DataTable* data = nullptr;
+  std::optional<std::size_t> strokeColumn, cycleColumn;  ///< positions in DataTable::columns, given by hand
+  bool swap = false;
+  bool eitherStroke = false;  ///< a file of one stroke: what it holds stands as the press
+};
+
+/// Fills in the records of an interpretation whose columns and units are settled, and adds what the cuts say for it.
+/// TableLack::none: there is at least one record, each with a press of two samples or more.
+TableLack formRecords(const RecordRequest& request, LogInterpretation& made);
+
+/// Press and release of points that stand sorted by displacement, as digitizers export a loop: the force goes to and fro.
+bool holdsSortedLoop(const std::vector<CurvePoint>& points);
+
+}  // namespace detent::importer

@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/log/table.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "model/text.h"
+
+namespace detent::importer {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Signs and blanks that typists and programs use for plain ones.
+constexpr std::array<std::pair<std::string_view, char>, 8> plainSigns{{{"\xE2\x88\x92", '-'},
+                                                                       {"\xE2\x80\x93", '-'},
+                                                                       {"\xC2\xA0", ' '},
+                                                                       {"\xE2\x80\xAF", ' '},
+                                                                       {"\xE2\x80\x89", ' '},
+                                                                       {"\xE2\x80\x99", '\''},
+                                                                       {"\xEF\xBC\x8C", ','},
+                                                                       {"\xEF\xBC\x8E", '.'}}};
+
+char plainSignAt(std::string_view text, std::size_t& length) {
+  for (const auto& [spelling, plain] : plainSigns)
+    if (text.starts_with(spelling)) return length = spelling.size(), plain;
+  return 0;
+}
+
+/// Characters that a number may hold, plain, in `plain`; returns how many bytes of the cell they take.
+std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::string& plain, int& decimals,
+                        bool& grouped) {
+  std::size_t at = 0, group = 0;
+  bool seenDecimal = false, seenDigit = false, seenExponent = false, seenThousands = false;
+  decimals = 0;
+  while (at < cell.size()) {
+    std::size_t length = 1;
+    char c = cell[at];
+    if (static_cast<unsigned char>(c) >= 0x80) c = plainSignAt(cell.substr(at), length);
+    if (isDigit(c)) {
+      plain += c;
+      seenDigit = true;
+      if (seenDecimal && !seenExponent) ++decimals;
+      if (!seenDecimal && !seenExponent) ++group;
+    } else if (c == style.decimalSign && !seenDecimal && !seenExponent) {
+      plain += '.';
+      seenDecimal = true;
+    } else if (style.thousands && c == style.thousands && seenDigit && !seenDecimal && !seenExponent) {
+      const std::string_view next = cell.substr(at + length, 3);
+      const std::size_t firstGroup = seenThousands ? 3 : group;
+      if (next.size() < 3 || !std::ranges::all_of(next, isDigit) || firstGroup == 0 || firstGroup > 3 ||
+          (!seenThousands && plain[plain.size() - group] == '0'))
+        break;
+      seenThousands = true, group = 0;
+    } else if ((c == '-' || c == '+') && (plain.empty() || plain.back() == 'e')) {
+      if (c == '-')
+        plain += c;
+      else if (!plain.empty())
+        plain += c;
+    } else if ((c == 'e' || c == 'E') && seenDigit && !seenExponent && at + 1 < cell.size() &&
+               (isDigit(cell[at + 1]) || ((cell[at + 1] == '-' || cell[at + 1] == '+') &&
+                                          at + 2 < cell.size() && isDigit(cell[at + 2])))) {
+      plain += 'e';
+      seenExponent = true, decimals = 0;
+    } else {
+      break;
+    }
+    at += length;
+  }
+  grouped = seenThousands;
+  if (!seenDigit || (seenThousands && group != 3)) return 0;
+  return at;
+}
+
+}  // namespace
+
+std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& style) {
+  if (cell.empty()) return {};
+  NumberCell number;
+  const char first = cell.front();
+  // The usual case, without a copy.
+  if (style.decimalSign == '.' && (isDigit(first) || first == '-')) {
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number.value);
+    if (error == std::errc() && end == cell.data() + cell.size()) {
+      const std::size_t sign = cell.find('.');
+      const bool exponent = cell.find_first_of("eE") != std::string_view::npos;
+      number.decimals =
+          sign == std::string_view::npos || exponent ? 0 : static_cast<int>(cell.size() - sign - 1);
+      return number;
+    }
+  }
+  if (!isDigit(first) && first != '-' && first != '+' && first != style.decimalSign &&
+      static_cast<unsigned char>(first) < 0x80) {
+    const std::string word = cell.size() <= 4 ? lowered(cell) : std::string();
+    if (word == "nan" || word == "inf") return NumberCell{std::numeric_limits<double>::quiet_NaN(), {}, 0};
+    return {};
+  }
+  std::string plain;
+  bool grouped = false;
+  const std::size_t length = plainNumber(cell, style, plain, number.decimals, grouped);
+  if (length == 0) return {};
+  const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), number.value);
+  if (error == std::errc::result_out_of_range)
+    number.value = std::numeric_limits<double>::infinity();
+  else if (error != std::errc() || end != plain.data() + plain.size())
+    return {};
+  number.rest = trimmed(cell.substr(length));
+  if (number.rest.starts_with("\xC2\xA0")) number.rest = trimmed(number.rest.substr(2));
+  if (!number.rest.empty()) {
+    // Dates, times, versions, other number styles: not this number with a unit behind it.
+    const char next = number.rest.front();
+    constexpr std::string_view otherStyles = ".,:;-/'|";
+    if (isDigit(next) || otherStyles.find(next) != std::string_view::npos) return {};
+  }
+  return number;
+}
+
+void Table::beginRow(long line) {
+  starts_.push_back(starts_.back());
+  lines_.push_back(line);
+}
+
+Table Table::transposed() const {
+  Table turned;
+  turned.text_ = text_;
+  turned.style = style, turned.name = name;
+  std::size_t most = 0;
+  for (std::size_t row = 0; row < rows(); ++row) most = std::max(most, cells(row));
+  for (std::size_t column = 0; column < most; ++column) {
+    turned.beginRow(static_cast<long>(column) + 1);
+    for (std::size_t row = 0; row < rows(); ++row) turned.addCell(cell(row, column));
+  }
+  return turned;
+}
+
+// -- delimited text ----------------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr std::size_t longestTextLine_bytes = std::size_t{1} << 20;
+
+std::string_view withoutQuotes(std::string_view cell) {
+  cell = trimmed(cell);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+    cell = trimmed(cell.substr(1, cell.size() - 2));
+  return cell;
+}
+
+/// Splits one logical line (quoted fields may hold line breaks) from `at` on; returns where the next one begins.
+/// `give` gets each cell as it stands.
+template <class Give>
+std::size_t splitLine(std::string_view text, std::size_t at, char delimiter, Give give) {
+  std::size_t from = at;
+  bool quoted = false, started = false;
+  const auto endsLine = [&](std::size_t i) { return text[i] == '\n' || text[i] == '\r'; };
+  while (true) {
+    if (at >= text.size() || (!quoted && endsLine(at))) {
+      give(text.substr(from, at - from));
+      if (at < text.size()) at += text[at] == '\r' && at + 1 < text.size() && text[at + 1] == '\n' ? 2 : 1;
+      return at;
+    }
+    const char c = text[at];
+    if (c == '"' && (quoted || !started)) {
+      // A quote that never closes is a mark of inches, not the rest of the file.
+      if (!quoted) {
+        const std::size_t close = text.find('"', at + 1);
+        constexpr std::size_t longestField_bytes = 2000;
+        quoted = close != std::string_view::npos && close - at < longestField_bytes;
+      } else if (at + 1 < text.size() && text[at + 1] == '"') {
+        ++at;
+      } else {
+        quoted = false;
+      }
+      started = true;
+    } else if (!quoted && (delimiter == ' ' ? c == ' ' || c == '\t' : c == delimiter)) {
+      give(text.substr(from, at - from));
+      if (delimiter == ' ')
+        while (at + 1 < text.size() && (text[at + 1] == ' ' || text[at + 1] == '\t')) ++at;
+      from = at + 1;
+      started = false;
+    } else if (!isBlank(c)) {
+      started = true;
+    }
+    ++at;
+  }
+}
+
+/// Lines spread over the whole text, blank ones left out.
+std::vector<std::string_view> sampledLines(std::string_view text) {
+  constexpr std::size_t most = 400;
+  std::vector<std::string_view> lines;
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++count)
+    at = std::min(text.find_first_of("\n\r", at), text.size() - 1) + 1;
+  const std::size_t every = std::max<std::size_t>(1, count / most);
+  std::size_t index = 0;
+  for (std::size_t at = 0; at < text.size(); ++index) {
+    const std::size_t end = std::min(text.find_first_of("\n\r", at), text.size());
+    if (index % every == 0 || index < most / 4) {
+      const std::string_view line = text.substr(at, end - at);
+      if (!trimmed(line).empty()) lines.push_back(line);
+    }
+    at = end + 1;
+  }
+  return lines;
+}
+
+/// "11.03.2026", "2026-03-11"
+bool isDate(std::string_view cell) {
+  for (const char sign : {'.', '-'})
+    if (std::ranges::count(cell, sign) == 2 && cell.find(',') == std::string_view::npos &&
+        isDigit(cell.front()) && isDigit(cell.back()) && cell.size() >= 8 && cell.size() <= 10)
+      return true;
+  return false;
+}
+
+struct Dialect {
+  char delimiter = ',';
+  NumberStyle style;
+  bool commaComma = false;  ///< the decimal comma is the delimiter as well: "0,0078,0,1062"
+  double score = 0;
+};
+
+/// Roughness of a column of numbers: the sum of its second differences over its range. A number misread by a factor of a
+/// thousand makes a step.
+double roughnessOf(const std::vector<double>& values) {
+  if (values.size() < 4) return 0;
+  const auto [low, high] = std::ranges::minmax(values);
+  if (!(high > low)) return 0;
+  double sum = 0;
+  for (std::size_t i = 2; i < values.size(); ++i)
+    sum += std::abs(values[i] - 2 * values[i - 1] + values[i - 2]);
+  return sum / (high - low);
+}
+
+/// Scores a dialect on the sampled lines: rows of numbers of one width, nothing left over, smooth columns.
+void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
+  std::map<std::size_t, std::size_t> widths;
+  std::map<std::size_t, std::vector<double>> columns;
+  double rows = 0, junk = 0, numbers = 0;
+  std::vector<std::size_t> widthOf;
+  for (const std::string_view line : lines) {
+    std::size_t width = 0, inLine = 0;
+    double junkInLine = 0;
+    splitLine(line, 0, dialect.delimiter, [&](std::string_view raw) {
+      const std::string_view cell = withoutQuotes(raw);
+      const std::size_t column = width++;
+      if (cell.empty()) return;
+      if (const auto number = numberIn(cell, dialect.style); number && std::isfinite(number->value)) {
+        ++inLine;
+        columns[column].push_back(number->value);
+      } else if (std::ranges::all_of(cell,
+                                     [](char c) {
+                                       return isDigit(c) || c == '.' || c == ',' || c == '-' || c == ' ' ||
+                                              c == ';' || c == '\t' || c == '\'' || c == '+' || c == 'e' ||
+                                              c == 'E' || c == '|' || c == '"' ||
+                                              static_cast<unsigned char>(c) >= 0x80;
+                                     }) &&
+                 std::ranges::any_of(cell, isDigit) && !isDate(cell) &&
+                 std::ranges::count(cell, '-') <
+                     2 + std::ranges::count_if(cell, [](char c) { return c == 'e' || c == 'E'; })) {
+        junkInLine += 1;  // digits that make no number
+      }
+    });
+    if (inLine >= 2) rows += 1, numbers += static_cast<double>(inLine), ++widths[width];
+    junk += junkInLine;
+  }
+  std::size_t usual = 0;
+  for (const auto& [width, count] : widths) usual = std::max(usual, count);
+  const double odd = rows - static_cast<double>(usual);
+  double rough = 0;
+  for (const auto& [column, values] : columns) rough += std::min(roughnessOf(values), 50.0);
+  const double all = std::max(1.0, static_cast<double>(lines.size()));
+  constexpr double junkWorth = 1.5, oddWorth = 0.3, roughWorth = 0.01;  // shares of a row that is read
+  dialect.score =
+      (rows == 0 ? -1 : 0) + (rows - junkWorth * junk - oddWorth * odd) / all - roughWorth * rough;
+}
+
+/// Returns true if every row is k times "digits,digits" where the comma is the delimiter as well.
+bool isCommaComma(const std::vector<std::string_view>& lines) {
+  std::map<std::size_t, std::size_t> widths;
+  std::size_t rows = 0;
+  for (const std::string_view line : lines) {
+    std::vector<std::string_view> cells;
+    splitLine(line, 0, ',', [&](std::string_view cell) { cells.push_back(trimmed(cell)); });
+    if (cells.size() < 4 || cells.size() % 2) continue;
+    bool fits = true;
+    for (std::size_t i = 0; i < cells.size() && fits; ++i) {
+      std::string_view cell = cells[i];
+      if (i % 2 == 0 && cell.starts_with('-')) cell.remove_prefix(1);
+      fits = !cell.empty() && std::ranges::all_of(cell, isDigit);
+      if (i % 2) fits = fits && cell.size() == cells[1].size() && cell.size() >= 2;
+    }
+    if (fits) ++rows, ++widths[cells.size()];
+  }
+  return widths.size() == 1 && rows >= 4 && rows * 10 >= lines.size() * 8;
+}
+
+Dialect dialectOf(std::string_view text) {
+  const std::vector<std::string_view> lines = sampledLines(text);
+  if (isCommaComma(lines)) return {',', {',', 0}, true, 1};
+  Dialect best;
+  best.score = -std::numeric_limits<double>::infinity();
+  // The plainest first: a later one has to read more.
+  constexpr NumberStyle styles[] = {{'.', 0},   {',', 0},   {'.', ','},  {',', '.'},
+                                    {'.', ' '}, {',', ' '}, {'.', '\''}, {',', '\''}};
+  for (const char delimiter : {',', ';', '\t', '|', ' '})
+    for (const NumberStyle& style : styles) {
+      if (delimiter == ' ' && style.thousands == ' ') continue;
+      if (delimiter != ',' && text.find(delimiter) == std::string_view::npos) continue;
+      Dialect dialect{delimiter, style, false, 0};
+      judge(dialect, lines);
+      constexpr double least = 0.005;  // share of the rows
+      if (dialect.score > best.score + least) best = dialect;
+    }
+  return best;
+}
+
+/// Columns between blanks: where titles hold blanks or cells are left empty, they stand over or under their column.
+class FixedColumns {
+ public:
+  FixedColumns(std::string_view text, const Dialect& dialect) : style_(dialect.style) {
+    if (dialect.delimiter != ' ') return;
+    std::map<std::size_t, std::size_t> widths;
+    const std::vector<std::string_view> lines = sampledLines(text);
+    const auto isOfNumbers = [&](const std::vector<std::string_view>& cells) {
+      return cells.size() >= 2 && std::ranges::all_of(cells, [&](std::string_view cell) {
+               return numberIn(cell, style_).has_value();
+             });
+    };
+    for (const std::string_view line : lines)
+      if (const auto cells = split(line, 1); isOfNumbers(cells)) ++widths[cells.size()];
+    std::size_t usual = 0, most = 0;
+    for (const auto& [width, count] : widths)
+      if (count > most) most = count, usual = width;
+    if (usual == 0) return;
+    middles_.assign(usual, 0);
+    double rows = 0;
+    for (const std::string_view line : lines) {
+      const auto cells = split(line, 1);
+      if (cells.size() != usual || !isOfNumbers(cells)) continue;
+      for (std::size_t i = 0; i < usual; ++i) middles_[i] += middleOf(cells[i], line);
+      ++rows;
+    }
+    for (double& middle : middles_) middle /= rows;
+  }
+
+  std::vector<std::string_view> cellsOf(std::string_view line) const {
+    std::vector<std::string_view> cells = split(line, 1);
+    if (cells.size() == middles_.size() &&
+        std::ranges::all_of(cells, [&](std::string_view cell) { return numberIn(cell, style_).has_value(); }))
+      return cells;
+    const std::vector<std::string_view> parts = split(line, 2);
+    if (parts.size() < 2 || parts.size() > middles_.size()) return cells;
+    if (parts.size() == middles_.size()) return parts;
+    std::vector<std::string_view> placed(middles_.size());
+    for (const std::string_view cell : parts) {
+      std::size_t nearest = 0;
+      for (std::size_t i = 1; i < middles_.size(); ++i)
+        if (std::abs(middles_[i] - middleOf(cell, line)) < std::abs(middles_[nearest] - middleOf(cell, line)))
+          nearest = i;
+      placed[nearest] = cell;
+    }
+    return placed;
+  }
+
+ private:
+  static double middleOf(std::string_view cell, std::string_view line) {
+    return static_cast<double>(cell.data() - line.data()) + 0.5 * static_cast<double>(cell.size());
+  }
+
+  /// Parts that at least so many blanks, or a tab, set apart.
+  static std::vector<std::string_view> split(std::string_view line, std::size_t blanks) {
+    std::vector<std::string_view> parts;
+    line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+    for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
+      std::size_t end = at;
+      while (end < line.size()) {
+        const std::size_t next = line.find_first_not_of(" \t", end);
+        if (next != end &&
+            (next - end >= blanks || line.substr(end, next - end).find('\t') != std::string_view::npos))
+          break;
+        end = next == end ? end + 1 : next;
+      }
+      parts.push_back(line.substr(at, end - at));
+      at = std::min(line.find_first_not_of(" \t", end), line.size());
+    }
+    return parts;
+  }
+
+  NumberStyle style_;
+  std::vector<double> middles_;  // of each column, in bytes from the start of the line
+};
+
+/// A cell without quotes; doubled quotes inside become one.
+void addTextCell(Table& table, std::string_view raw) {
+  const std::string_view cell = withoutQuotes(raw);
+  if (cell.find("\"\"") == std::string_view::npos) return table.addCell(cell);
+  std::string plain;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    plain += cell[i];
+    if (cell[i] == '"' && i + 1 < cell.size() && cell[i + 1] == '"') ++i;
+  }
+  table.addOwnCell(std::move(plain));
+}
+
+}  // namespace
+
+Result<Table> tableOfText(std::string content, const std::string& subject, const Progress& progress) {
+  Table table;
+  const std::string_view text = table.keep(std::move(content));
+  const Dialect dialect = dialectOf(text);
+  table.style = dialect.style;
+  const FixedColumns fixed(text, dialect);
+  long line = 1;
+  for (std::size_t at = 0; at < text.size();) {
+    table.beginRow(line);
+    const std::size_t from = at;
+    std::vector<std::string_view> halves;
+    if (dialect.delimiter == ' ') {
+      const std::size_t end = std::min(text.find_first_of("\n\r", at), text.size());
+      for (const std::string_view cell : fixed.cellsOf(text.substr(at, end - at))) addTextCell(table, cell);
+      at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    } else {
+      at = splitLine(text, at, dialect.delimiter, [&](std::string_view cell) {
+        if (dialect.commaComma)
+          halves.push_back(trimmed(cell));
+        else
+          addTextCell(table, cell);
+      });
+    }
+    at = std::min(at, text.size());
+    if (at - from > longestTextLine_bytes)
+      return Failure{FailureCode::unreadableInput, subject, "line " + std::to_string(line),
+                     Message("the line does not end"), Message("Give a table with one sample per line")};
+    if (dialect.commaComma) {
+      const bool numbers = halves.size() >= 4 && halves.size() % 2 == 0 &&
+                           std::ranges::all_of(halves, [](std::string_view half) {
+                             return !half.empty() && (isDigit(half[0]) || half[0] == '-');
+                           });
+      if (numbers)
+        for (std::size_t i = 0; i + 1 < halves.size(); i += 2)
+          table.addOwnCell(std::string(halves[i]) + "," + std::string(halves[i + 1]));
+      else
+        for (const std::string_view half : halves) addTextCell(table, half);
+    }
+    const std::string_view given = text.substr(from, at - from);
+    line += std::max<long>(1, std::ranges::count(given, '\n') ? std::ranges::count(given, '\n')
+                                                              : std::ranges::count(given, '\r'));
+    if ((table.rows() & 0x3FFF) != 0) continue;
+    if (progress.report) progress.report(0.5 * double(at) / double(text.size()), ImportStep::read);
+    if (progress.isCancelled()) return Failure::cancelled(subject);
+  }
+  return table;
+}
+
+FileContent contentOf(std::string_view bytes) {
+  if (bytes.starts_with("PK\x03\x04")) return FileContent::spreadsheet;
+  if (bytes.starts_with("\xD0\xCF\x11\xE0")) return FileContent::oldSpreadsheet;
+  if (bytes.size() > 262 && bytes.substr(257, 5) == "ustar") return FileContent::tar;
+  return FileContent::text;
+}
+
+std::optional<std::string> utf8From(std::string bytes) {
+  const auto addCodePoint = [](std::string& out, char32_t c) {
+    const auto put = [&](unsigned value) { out += static_cast<char>(value); };
+    if (c < 0x80)
+      put(c);
+    else if (c < 0x800)
+      put(0xC0 | c >> 6), put(0x80 | (c & 63));
+    else if (c < 0x10000)
+      put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+    else
+      put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+  };
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  std::size_t zerosEven = 0, zerosOdd = 0;
+  const std::size_t head = std::min<std::size_t>(bytes.size(), 4096);
+  for (std::size_t i = 0; i < head; ++i)
+    if (bytes[i] == 0) ++(i % 2 ? zerosOdd : zerosEven);
+  const bool marked =
+      bytes.size() >= 2 && ((byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF));
+  const bool little = marked ? byte(0) == 0xFF : zerosOdd > head / 5 && zerosEven < head / 50;
+  const bool big = marked ? byte(0) == 0xFE : zerosEven > head / 5 && zerosOdd < head / 50;
+  if (little || big) {
+    std::string out;
+    out.reserve(bytes.size() / 2);
+    char32_t half = 0;
+    for (std::size_t i = marked ? 2 : 0; i + 1 < bytes.size(); i += 2) {
+      const char32_t unit =
+          little ? byte(i) | char32_t(byte(i + 1)) << 8 : byte(i + 1) | char32_t(byte(i)) << 8;
+      if (unit >= 0xD800 && unit < 0xDC00)
+        half = unit;
+      else if (unit >= 0xDC00 && unit < 0xE000)
+        addCodePoint(out, half ? 0x10000 + ((half - 0xD800) << 10) + (unit - 0xDC00) : 0xFFFD), half = 0;
+      else if (unit == 0)
+        return {};
+      else
+        addCodePoint(out, unit);
+    }
+    return out;
+  }
+  std::size_t odd = 0;
+  for (std::size_t i = 0; i < head; ++i) odd += byte(i) < 0x20 && !isBlank(bytes[i]) && bytes[i] != 0x1A;
+  if (odd > 0) return {};
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+  // A spreadsheet's note to itself about the delimiter.
+  if (bytes.starts_with("sep=")) bytes.erase(0, std::min(bytes.find('\n'), bytes.size() - 1) + 1);
+  if (isUtf8(bytes)) return bytes;
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); ++i) addCodePoint(out, byte(i));
+  return out;
+}
+
+}  // namespace detent::importer

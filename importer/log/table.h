@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A file as rows of cells, whatever it is kept in: delimited text in any encoding, a spreadsheet, JSON records.
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "importer/page/progress.h"
+#include "model/result.h"
+
+namespace detent::importer {
+
+/// Number style of a whole file.
+struct NumberStyle {
+  char decimalSign = '.';  ///< '.' or ','
+  char thousands = 0;      ///< ',', '.', ' ' or '\''; 0: none
+  bool operator==(const NumberStyle&) const = default;
+};
+
+/// A cell that starts with a number. `rest` is what follows it ("gf" in "12.5 gf"), trimmed.
+struct NumberCell {
+  double value = 0;
+  std::string_view rest;
+  int decimals = 0;  ///< digits behind the decimal sign; 0 with an exponent
+};
+
+/// The number a trimmed cell starts with; nullopt for dates, times and words. May be NaN or infinite.
+std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& style);
+
+/// Cells in rows; the views point into the table's own text. Copies share it.
+class Table {
+ public:
+  std::size_t rows() const { return starts_.size() - 1; }
+  std::size_t cells(std::size_t row) const { return starts_[row + 1] - starts_[row]; }
+  /// Trimmed and without quotes; empty beyond the end of a row.
+  std::string_view cell(std::size_t row, std::size_t column) const {
+    return column < cells(row) ? cells_[starts_[row] + column] : std::string_view();
+  }
+  long line(std::size_t row) const { return lines_[row]; }  ///< in the file, from 1
+  std::optional<NumberCell> number(std::size_t row, std::size_t column) const {
+    return numberIn(cell(row, column), style);
+  }
+
+  void beginRow(long line);
+  void addCell(std::string_view text) { cells_.push_back(text), ++starts_.back(); }
+  void addOwnCell(std::string text) { addCell(text_->emplace_back(std::move(text))); }
+  /// Text that cells point into.
+  const std::string& keep(std::string text) { return text_->emplace_back(std::move(text)); }
+  Table transposed() const;
+
+  NumberStyle style;
+  std::string name;  ///< of the sheet; empty for a text file
+
+ private:
+  std::shared_ptr<std::deque<std::string>> text_ = std::make_shared<std::deque<std::string>>();
+  std::vector<std::string_view> cells_;
+  std::vector<std::size_t> starts_{0};
+  std::vector<long> lines_;
+};
+
+/// Text as delimited cells. The delimiter and the number style are those that read most of the file as rows of numbers.
+/// Failure: cancelled; unreadableInput: a line longer than 1 MB.
+Result<Table> tableOfText(std::string text, const std::string& subject, const Progress& progress);
+
+/// The sheets of an xlsx or OpenDocument spreadsheet that hold cells. Formulas give the value that was saved with them.
+/// Failure unreadableInput: damaged, encrypted, or larger than 64 MB when unpacked; entities are not expanded.
+Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const std::string& subject);
+
+/// Kind of a file's content, by its first bytes.
+enum class FileContent { text, spreadsheet, oldSpreadsheet, tar, binary };
+FileContent contentOf(std::string_view bytes);
+
+/// UTF-8, UTF-16 (with a byte order mark, or recognised by its zero bytes) and, where it is no UTF-8, Windows-1252, as UTF-8.
+/// nullopt: not text.
+std::optional<std::string> utf8From(std::string bytes);
+
+}  // namespace detent::importer

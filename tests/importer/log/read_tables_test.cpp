@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Layouts of tables that instruments, programs and people write, each of one known button.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include <catch2/catch.hpp>
+
+#include "importer/log/force_log.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+class LayoutFile {
+ public:
+  explicit LayoutFile(const std::string& content, const std::string& name = "log.txt")
+      : path_(std::filesystem::temp_directory_path() /
+              ("detent_layout_test_" + std::to_string(++count_) + "_" + name)) {
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+  ~LayoutFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  std::string path() const { return path_.string(); }
+
+ private:
+  static inline int count_ = 0;
+  std::filesystem::path path_;
+};
+
+constexpr double travel_mm = 4;
+
+/// A tactile button of 4 mm: rises, falls, bottoms out at 1.6 N.
+double buttonForce_N(double x, bool press) {
+  const double bump = 0.35 * std::exp(-std::pow((x - 1.1) / 0.4, 2));
+  const double bottom = x > 3.6 ? 2.2 * (x - 3.6) : 0;
+  const double loss = press ? 0 : 0.12 * std::min(1.0, std::min(x, travel_mm - x));
+  return 0.18 * x + bump + bottom - loss;
+}
+
+/// Rows of press and release, each made by `row` of its place, force and number.
+std::string rowsOf(const std::function<std::string(double x, double f, int row)>& row, bool release = true) {
+  constexpr int steps = 160;
+  std::string text;
+  int number = 0;
+  for (int i = 0; i <= steps; ++i)
+    text += row(travel_mm * i / steps, buttonForce_N(travel_mm * i / steps, true), number++);
+  for (int i = steps - 1; i >= 0 && release; --i)
+    text += row(travel_mm * i / steps, buttonForce_N(travel_mm * i / steps, false), number++);
+  return text;
+}
+
+std::string formatted(const char* form, auto... values) {
+  char text[200];
+  std::snprintf(text, sizeof text, form, values...);
+  return text;
+}
+
+void checkButton(const ForceLog& log, bool release = true, double within_N = 0.012) {
+  for (const CurvePoint& p : log.strokes.press.points)
+    REQUIRE(p.force_N == Approx(buttonForce_N(p.displacement_mm, true)).margin(within_N));
+  CHECK(log.strokes.press.points.back().displacement_mm == Approx(travel_mm).margin(0.05));
+  REQUIRE(log.strokes.release.has_value() == release);
+  if (release)
+    for (const CurvePoint& p : log.strokes.release->points)
+      REQUIRE(p.force_N == Approx(buttonForce_N(p.displacement_mm, false)).margin(within_N));
+}
+
+}  // namespace
+
+TEST_CASE("the columns of a button are found among others") {
+  struct Layout {
+    const char* name;
+    std::string text;
+    bool release = true;
+  };
+  const auto decimalComma = [](std::string text) {
+    for (char& c : text)
+      if (c == '.') c = ',';
+    return text;
+  };
+  const std::vector<Layout> layouts = {
+      {"strain, stress, speed and energy before them",
+       "Time (s),Compressive strain (mm/mm),Stress (N/mm²),Speed (mm/s),Energy (N·mm),Extension (mm),Load "
+       "(N)\n" +
+           rowsOf([](double x, double f, int n) {
+             return formatted("%.2f,%.4f,%.4f,%.3f,%.4f,%.4f,%.4f\n", 0.05 * n, x / 12, f / 78, 0.5,
+                              x * f / 2, x, f);
+           })},
+      {"units in a line of their own, results above",
+       "\"Maximum "
+       "Load\";\"Travel\"\n\"(N)\";\"(mm)\"\n\"1,6\";\"4,0\"\n\"1,5\";\"3,9\"\n\n\"Time\";\"Load\";"
+       "\"Extension\"\n\"(s)\";\"(N)\";\"(mm)\"\n" +
+           rowsOf([&](double x, double f, int n) {
+             return decimalComma(formatted("\"%.2f\";\"%.4f\";\"%.4f\"\n", 0.05 * n, f, x));
+           })},
+      {"units behind every number, force first, no heading",
+       rowsOf([](double x, double f, int) { return formatted("%.4f N,%.4f mm\n", f, x); })},
+      {"units in columns beside, dates before", rowsOf([](double x, double f, int n) {
+         return formatted("2026/01/02,10:20:%02d.%03d,%.4f,N,%.4f,mm\n", n / 20, n % 20 * 50, f, x);
+       })},
+      {"line breaks in titles",
+       "\"Time\n(s)\",\"Force\n(N)\",\"Travel\n(mm)\"\n" +
+           rowsOf([](double x, double f, int n) { return formatted("%.2f,%.4f,%.4f\n", 0.05 * n, f, x); })},
+      {"a factor in the unit", "Travel (mm),Force (x0.1 N)\n" + rowsOf([](double x, double f, int) {
+                                 return formatted("%.4f,%.3f\n", x, 10 * f);
+                               })},
+      {"decanewton", "Travel (mm),Load (daN)\n" +
+                         rowsOf([](double x, double f, int) { return formatted("%.4f,%.5f\n", x, f / 10); })},
+      {"steps with their size above",
+       "# steps_per_mm = 800\n# counts_per_newton = 25000\nsteps,counts\n" +
+           rowsOf([](double x, double f, int) { return formatted("%.0f,%.0f\n", x * 800, f * 25000); })},
+      {"units named above",
+       "Force unit: cN\nDisplacement unit: µm\n\nDisplacement,Force\n" +
+           rowsOf([](double x, double f, int) { return formatted("%.0f,%.2f\n", x * 1000, f * 100); })},
+      {"raw counts and grams", "ms steps pos_mm raw grams\n" + rowsOf([](double x, double f, int n) {
+                                 return formatted("%d %.0f %.4f %.0f %.3f\n", 40 * n, x * 400, x,
+                                                  84000 + 40000 * f, f / 0.00980665);
+                               })},
+      {"load cells and their total",
+       "Time (s),Travel (mm),Cell 1 (N),Cell 2 (N),Total force (N)\n" + rowsOf([](double x, double f, int n) {
+         return formatted("%.2f,%.4f,%.5f,%.5f,%.5f\n", 0.05 * n, x, 0.6 * f, 0.4 * f, f);
+       })},
+      {"both systems of units",
+       "Travel (mm),Travel (in),Force (N),Force (lbf)\n" + rowsOf([](double x, double f, int) {
+         return formatted("%.4f,%.6f,%.4f,%.6f\n", x, x / 25.4, f, f / 4.4482216);
+       })},
+      {"an axis that stands still", "X (mm),Y (mm),Z (mm),Fz (N)\n" + rowsOf([](double x, double f, int n) {
+                                      return formatted("%.4f,%.4f,%.4f,%.4f\n", 12.5 + 0.001 * (n % 3), 40.0,
+                                                       x, f);
+                                    })},
+      {"words of direction", "Direction,Position (mm),Force (N)\n" + rowsOf([](double x, double f, int n) {
+                               return formatted("%s,%.4f,%.4f\n", n <= 160 ? "Forward" : "Reverse", x, f);
+                             })},
+      {"a stage that counts down from afar", "Height (mm),Force (N)\n" + rowsOf([](double x, double f, int) {
+                                               return formatted("%.4f,%.4f\n", 52.4 - x, f);
+                                             })},
+      {"a stage's place", "Position (mm),Force (N)\n" + rowsOf([](double x, double f, int) {
+                            return formatted("%.4f,%.4f\n", 52.4 + x, f);
+                          })},
+      {"peak hold",
+       "Travel (mm),Force (N),Peak (N)\n" +
+           [] {
+             double most = 0;
+             return rowsOf(
+                 [&](double x, double f, int) {
+                   return most = std::max(most, f), formatted("%.4f,%.4f,%.4f\n", x, f, most);
+                 },
+                 false);
+           }(),
+       false},
+      {"bounds around a mean",
+       "Travel (mm),Press min (N),Press mean (N),Press max (N)\n" +
+           rowsOf([](double x, double f,
+                     int) { return formatted("%.4f,%.4f,%.4f,%.4f\n", x, 0.9 * f, f, 1.1 * f); },
+                  false),
+       false},
+      {"Maximum and Mean below",
+       "Travel (mm),Force (N)\n" +
+           rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }, false) +
+           "Max,1.6\nMean,0.6\nMin,0\n",
+       false},
+  };
+  for (const Layout& layout : layouts) {
+    CAPTURE(layout.name);
+    const LayoutFile file(layout.text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->confidence > 0.9);
+    checkButton(*log, layout.release);
+  }
+}
+
+TEST_CASE("strokes in columns of their own are told by their names") {
+  const auto beside = [](const char* header, const char* form, bool swapped) {
+    std::string text = header;
+    constexpr int steps = 160;
+    for (int i = 0; i <= steps; ++i) {
+      const double x = travel_mm * i / steps, y = travel_mm - x;
+      text += swapped ? formatted(form, y, buttonForce_N(y, false), x, buttonForce_N(x, true))
+                      : formatted(form, x, buttonForce_N(x, true), y, buttonForce_N(y, false));
+    }
+    return text;
+  };
+  const char* form = "%.4f,%.5f,%.4f,%.5f\n";
+  for (const std::string& text :
+       {beside("Press,,Release,\nX (mm),Y (N),X (mm),Y (N)\n", form, false),
+        beside("Release,,Press,\nDisplacement (mm),Force (N),Displacement (mm),Force (N)\n", form, true),
+        beside(
+            "Loading displacement (mm),Loading force (N),Unloading displacement (mm),Unloading force (N)\n",
+            form, false)}) {
+    CAPTURE(text.substr(0, 90));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    checkButton(*log);
+  }
+}
+
+TEST_CASE("tables that are no force log are refused for what they are") {
+  struct Refused {
+    const char* header;
+    const char* said;
+  };
+  for (const Refused& each :
+       {Refused{"time_s,temperature_C", "no column is"}, Refused{"Strain (%),Stress (MPa)", "no column is"},
+        Refused{"Angle (deg),Torque (N·mm)", "no column is"},
+        Refused{"Capacity (Ah),Voltage (V)", "no column is"},
+        Refused{"Time (s),Force (N)", "no column is a displacement"},
+        Refused{"Time (s),Position (mm)", "no column is a force"},
+        Refused{"Frequency (Hz),Gain (dB)", "no column is"},
+        Refused{"x (mm),y (mm),z (mm)", "no column is a force"}}) {
+    CAPTURE(each.header);
+    const std::string header = each.header;
+    const bool three = std::count(header.begin(), header.end(), ',') == 2;
+    const LayoutFile file(header + "\n" + rowsOf([&](double x, double f, int) {
+                            return three ? formatted("%.4f,%.4f,%.4f\n", x, f, 2 * x)
+                                         : formatted("%.4f,%.4f\n", x, f);
+                          }));
+    const auto log = readForceLog(file.path());
+    REQUIRE_FALSE(log);
+    CHECK(log.failure().code == FailureCode::noForceGraph);
+    CHECK(log.failure().sentence().find(each.said) != std::string::npos);
+    CHECK(log.failure().sentence().find("--x-unit") == std::string::npos);
+  }
+}
+
+TEST_CASE("a unit that is not known is a question, never newton") {
+  const LayoutFile file("Travel (mm),Force (furl)\n" +
+                        rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
+  const LogReading reading = readLog(file.path());
+  REQUIRE_FALSE(reading.log);
+  CHECK(reading.log.failure().code == FailureCode::notCertain);
+  REQUIRE(reading.question);
+  CHECK(reading.question->choices.front().option == "--y-unit N");
+  LogHints newton;
+  newton.yUnit = ForceUnit::newton;
+  const auto log = readForceLog(file.path(), newton);
+  REQUIRE(log);
+  checkButton(*log);
+}
+
+TEST_CASE("an approach through air is cut off and said, and the offset of the gauge with it") {
+  std::string text = "Travel (mm),Force (N)\n";
+  for (int i = 0; i < 60; ++i) text += formatted("%.4f,%.4f\n", 0.02 * i, 0.02 + (i % 2 ? 0.001 : -0.001));
+  text += rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", 1.2 + x, 0.02 + f); });
+  const LayoutFile file(text);
+  const auto log = readForceLog(file.path());
+  REQUIRE(log);
+  CHECK(log->preload_N == Approx(0.02).margin(0.002));
+  checkButton(*log, true, 0.05);  // contact is certain to a few hundredths of a millimetre
+}
+
+TEST_CASE("a press that was taken back half way and resumed begins where it began") {
+  std::string text = "Travel (mm),Force (N)\n";
+  const auto move = [&](double from, double to, bool press) {
+    for (int i = 0; i < 60; ++i) {
+      const double x = from + (to - from) * i / 60;
+      text += formatted("%.4f,%.4f\n", x, buttonForce_N(x, press));
+    }
+  };
+  move(0, 1.5, true), move(1.5, 0.6, false), move(0.6, 4, true), move(4, -0.0, false);
+  text += "0.0000,0.0000\n";
+  const LayoutFile file(text);
+  const auto log = readForceLog(file.path());
+  REQUIRE(log);
+  CHECK(log->strokes.press.points.front().displacement_mm == 0);
+  CHECK(log->strokes.press.points.back().displacement_mm == Approx(4).margin(0.08));
+}
+
+TEST_CASE("presses one after the other are records: the way back between them is no release") {
+  std::string text = "Travel (mm),Force (N)\n";
+  for (const double scale : {1.0, 1.2, 1.4})
+    text += rowsOf([&](double x, double f, int) { return formatted("%.4f,%.4f\n", x, scale * f); }, false);
+  const LayoutFile file(text);
+  const LogReading open = readLog(file.path());
+  REQUIRE_FALSE(open.log);
+  CHECK(open.records.size() == 3);
+  LogHints second;
+  second.curve = "2";
+  const auto log = readForceLog(file.path(), second);
+  REQUIRE(log);
+  CHECK_FALSE(log->strokes.release);
+  CHECK(log->strokes.press.points.back().force_N == Approx(1.2 * buttonForce_N(4, true)).margin(0.001));
+}
+
+TEST_CASE("a loop sorted by displacement is refused with what to do") {
+  std::string text = "Travel (mm),Force (N)\n";
+  for (int i = 0; i <= 100; ++i)
+    text += formatted("%.4f,%.4f\n%.4f,%.4f\n", 0.04 * i, buttonForce_N(0.04 * i, true) + 0.1,
+                      0.04 * i + 0.01, buttonForce_N(0.04 * i + 0.01, false));
+  const LayoutFile file(text);
+  const auto log = readForceLog(file.path());
+  REQUIRE_FALSE(log);
+  CHECK(log.failure().sentence().find("sorted") != std::string::npos);
+}
+
+TEST_CASE("a pair of files is one button") {
+  const LayoutFile press(
+      "Travel (mm),Force (N)\n" +
+          rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }, false),
+      "a.csv");
+  std::string rows = "Travel (mm),Force (N)\n";
+  const bool rises = GENERATE(true, false);
+  for (int i = 0; i <= 160; ++i) {
+    const double x = rises ? travel_mm * i / 160 : travel_mm * (160 - i) / 160;
+    rows += formatted("%.4f,%.4f\n", x, buttonForce_N(x, false));
+  }
+  const LayoutFile release(rows, "b.csv");
+  LogHints pair;
+  pair.releasePath = release.path();
+  const auto log = readForceLog(press.path(), pair);
+  if (!log) FAIL(log.failure().sentence());
+  checkButton(*log);
+}
+
+TEST_CASE("a column of contact gives the operating and the reset point") {
+  const LayoutFile file("Travel (mm),Force (N),Voltage (V)\n" + rowsOf([](double x, double f, int n) {
+                          const bool closed = n <= 160 ? x >= 2 : x > 1.7;
+                          return formatted("%.4f,%.4f,%.2f\n", x, f, closed ? 0.1 : 4.9);
+                        }));
+  const auto log = readForceLog(file.path());
+  REQUIRE(log);
+  REQUIRE(log->operatingPoint_mm);
+  REQUIRE(log->resetPoint_mm);
+  CHECK(*log->operatingPoint_mm == Approx(2).margin(0.026));
+  CHECK(*log->resetPoint_mm == Approx(1.7).margin(0.026));
+}
