@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "importer/axes/text_source.h"
+
 namespace detent::importer {
 namespace {
 
@@ -15,7 +17,7 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
   constexpr double sureLetter = 0.85;  // a single letter may be anything's rest
   for (const auto& line : lines) {
     if (line.utf8.size() < 2 && line.confidence < sureLetter) continue;
-    const auto unit = parse(line.utf8);
+    const auto unit = parse(line.utf8, sourceOf(line));
     if (unit && (!best.unit || unit->sure > best.unit->sure)) {
       best.unit = unit;
       best.text = line.utf8;
@@ -63,16 +65,16 @@ std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Ali
   for (const SeenText& line : lines)
     if (hasLetters(line) && (nearest == nullptr || away(line) < away(*nearest))) nearest = &line;
   if (nearest == nullptr) return {};
-  if (auto other = otherQuantityIn(nearest->utf8); !other.empty()) return other;
-  const auto unit = alien(nearest->utf8);
+  if (auto other = otherQuantityIn(nearest->utf8, sourceOf(*nearest)); !other.empty()) return other;
+  const auto unit = alien(nearest->utf8, sourceOf(*nearest));
   return unit && unit->sure >= surePlace ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
 /// Reads the other axis' unit out of a line, but not out of the one that gave this axis its own: "mn" may be either.
 template <class Unit, class Parse>
 auto besides(const AxisTitle<Unit>& best, Parse parse) {
-  return [&best, parse](const std::string& line) {
-    return best.unit && line == best.text ? decltype(parse(line)){} : parse(line);
+  return [&best, parse](const std::string& line, TextSource source) {
+    return best.unit && line == best.text ? decltype(parse(line, source)){} : parse(line, source);
   };
 }
 

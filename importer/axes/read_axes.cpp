@@ -17,7 +17,7 @@
 #include "importer/axes/graph_reading.h"
 #include "importer/axes/label_units.h"
 #include "importer/axes/printed_number.h"
-#include "importer/axes/word_match.h"
+#include "importer/axes/text_source.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -236,13 +236,11 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double f
   return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even * usualOf(*labels, read);
 }
 
-/// What is written beside the frame names travel or force, if not their units.
+/// Returns true if what is written beside the frame names travel or force, though not their units.
 bool namesForceOrTravel(const std::vector<SeenText>& texts) {
-  constexpr std::array words{"travel", "stroke", "displacement", "deflection", "force",
-                             "kraft",  "load",   "weg",          "hub"};
-  return std::any_of(texts.begin(), texts.end(), [&](const SeenText& text) {
-    const std::string low = lowered(text.utf8);
-    return std::any_of(words.begin(), words.end(), [&](const char* word) { return mentions(low, word); });
+  return std::ranges::any_of(texts, [](const SeenText& text) {
+    return namesQuantity(text.utf8, Quantity::force, sourceOf(text)) ||
+           namesQuantity(text.utf8, Quantity::travel, sourceOf(text));
   });
 }
 
@@ -455,7 +453,7 @@ void takeHeadingUnits(AxesFound& axes, GraphReading& r) {
   std::vector<SeenText> lines = r.ownTexts(over);
   if (lines.empty()) lines = r.readLines(over, 0, {0.5 * (b.x0 + b.x1), b.y0}, fewLines);
   for (const SeenText& line : lines) {
-    const auto units = headingUnitsIn(line.utf8);
+    const auto units = headingUnitsIn(line.utf8, sourceOf(line));
     if (!units) continue;
     if (saysItsUnit(cal.x, line.utf8) || saysItsUnit(cal.y, line.utf8)) return;
     if (cal.x.unitFound && lengthUnitFrom(cal.x.unit) != units->length) return;

@@ -10,10 +10,10 @@
 #include "importer/axes/cyrillic_look.h"
 #include "importer/axes/equal_digits.h"
 #include "importer/axes/read_text.h"
-#include "importer/axes/stroke_words.h"
 #include "importer/axes/text_lines.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
+#include "importer/lexicon/stroke_words.h"
 #include "importer/page/quantile.h"
 #include "importer/page/same_ink.h"
 

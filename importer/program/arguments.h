@@ -18,8 +18,8 @@ struct Arguments {
   bool list = false;
   bool all = false;
   bool json = false;
-  bool jsonLines = false;                                   ///< with it json
-  std::string buttonPath, csvPath, tracePath, overlayPath;  ///< empty: not asked for
+  bool jsonLines = false;                                              ///< with it json
+  std::string buttonPath, csvPath, tracePath, overlayPath, stepsPath;  ///< empty: not asked for
 
   bool family = false;  ///< `inputs` are records of one button at different speeds
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "importer/axes/text_source.h"
 #include "importer/page/polyline.h"
 #include "importer/strokes/legend.h"
 #include "importer/strokes/stroke_pair.h"
@@ -177,20 +178,34 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
       "plot frame");
 }
 
+/// Returns true if a text names a point in its legend, where it might name a stroke in another: an entry beside it names the press by a
+/// word for nothing else, and another one names the point of the press ("downstroke", "actuation", "release").
+bool namesPointInLegend(const SeenText& text, const std::vector<SeenText>& texts) {
+  if (!mayNameAPoint(text.utf8)) return false;
+  const auto isBeside = [&](bool point) {
+    return std::ranges::any_of(texts, [&](const SeenText& other) {
+      return other.box.inLineWith(text.box) && mayNameAPoint(other.utf8) == point &&
+             strokeNamedBy(other.utf8, sourceOf(other)) == Stroke::press;
+    });
+  };
+  return isBeside(true) && isBeside(false);
+}
+
 /// The legend's name of the release that belongs to a press named in it, none where it has no such entry.
 std::optional<std::string> releaseNamedBeside(const CurveTrace& press, const std::vector<SeenText>& texts) {
   if (press.labelBox_px.empty()) return {};
   const auto named = std::ranges::find_if(texts, [&](const SeenText& text) {
-    return strokeNamedBy(text.utf8) == Stroke::release && namesOnePair(press.label, text.utf8) &&
-           text.box.inLineWith(press.labelBox_px);
+    return strokeNamedBy(text.utf8, sourceOf(text)) == Stroke::release && !namesPointInLegend(text, texts) &&
+           namesOnePair(press.label, text.utf8) && text.box.inLineWith(press.labelBox_px);
   });
   return named == texts.end() ? std::nullopt : std::optional(named->utf8);
 }
 
 /// Words that name a release and nothing else, a legend's or a callout's: where they stand, a release is drawn.
 std::optional<std::string> releaseNamedAnywhere(const std::vector<SeenText>& texts) {
-  const auto named =
-      std::ranges::find_if(texts, [](const SeenText& text) { return namesNothingButRelease(text.utf8); });
+  const auto named = std::ranges::find_if(texts, [&](const SeenText& text) {
+    return namesNothingButRelease(text.utf8, sourceOf(text)) && !namesPointInLegend(text, texts);
+  });
   return named == texts.end() ? std::nullopt : std::optional(named->utf8);
 }
 

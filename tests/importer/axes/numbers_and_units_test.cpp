@@ -8,8 +8,8 @@
 
 #include "importer/axes/cyrillic_look.h"
 #include "importer/axes/printed_number.h"
-#include "importer/axes/printed_unit.h"
-#include "importer/axes/word_match.h"
+#include "importer/lexicon/lexicon.h"
+#include "importer/lexicon/printed_unit.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -158,7 +158,7 @@ TEST_CASE("titles that are names of columns end in their unit") {
   CHECK(lengthUnitIn("{1 / mm"));  // what ideographs may come back as
   CHECK(otherQuantityIn("{1 / mm").empty());
   CHECK_FALSE(lengthUnitIn("Depth of plug-in"));
-  CHECK(otherQuantityIn("time_ms") == "ms");
+  CHECK(otherQuantityIn("time_ms") == "time (ms)");
 }
 
 TEST_CASE("what stands in a title's brackets is the unit, whole or not at all") {
@@ -195,8 +195,8 @@ TEST_CASE("what stands in a title's brackets is the unit, whole or not at all") 
 }
 
 TEST_CASE("a title that measures something else says what") {
-  CHECK(otherQuantityIn("Pressure (kPa)") == "kPa");
-  CHECK(otherQuantityIn("Stiffness (N/mm)") == "N/mm");
+  CHECK(otherQuantityIn("Pressure (kPa)") == "pressure (kPa)");
+  CHECK(otherQuantityIn("Stiffness (N/mm)") == "stiffness (N/mm)");
   CHECK(otherQuantityIn("Force [x10 gf]") == "x10gf");
   CHECK(otherQuantityIn("Time") == "time");
   for (const char* own :
@@ -212,12 +212,12 @@ TEST_CASE("a tick behind a number is no part of it, and sure readings are repair
 }
 
 TEST_CASE("a word with one letter misread is still that word") {
-  CHECK(mentions("foroe (gf)", "force"));
-  CHECK(mentions("positon (nm)", "position"));
-  CHECK(mentions("kraftverlauf", "kraft"));
-  CHECK_FALSE(mentions("farce of it all", "forces"));
-  CHECK_FALSE(mentions("hut", "hub"));  // short words are too many
-  CHECK_FALSE(mentions("", "force"));
+  const auto names = [](const char* title) { return quantityNamedIn(title, TextSource::recognised).name; };
+  CHECK(names("foroe (gf)") == "force");
+  CHECK(names("positon (nm)") == "travel");
+  CHECK(names("Schaltkraft") == "force");
+  CHECK(names("hut").empty());  // short words are too many
+  CHECK(names("").empty());
   CHECK(lengthUnitIn("Positon (nm)")->unit == LengthUnit::millimetre);
 }
 

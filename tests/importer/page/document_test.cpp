@@ -412,6 +412,16 @@ TEST_CASE("SVG: classes, inherited anchors, references, clips") {
   CHECK(textNamed(opened.page.texts, "1.5")->box.x1 == Approx(100).margin(0.2));
 }
 
+TEST_CASE("SVG: letters that are set twice, a little aside, are one text") {
+  std::string svg = R"(<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100" font-size="13">)";
+  for (const char* x : {"20.0", "20.6", "21.2"})  // bold made by hand, and a halo
+    svg += std::string("<text x='") + x + "' y='50'>1</text><text x='" + x + "' y='80'>11 mm</text>";
+  const auto opened = open(svg + "</svg>", "plot.svg");
+  REQUIRE(opened.page.texts.size() == 2);
+  CHECK(textNamed(opened.page.texts, "1"));
+  CHECK(textNamed(opened.page.texts, "11 mm"));
+}
+
 TEST_CASE("SVG: lines are cut at rectangular clips, in the plane of whoever uses them") {
   const std::string svg = R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">
 <clipPath id="axes"><rect x="10" y="20" width="100" height="50"/></clipPath>
