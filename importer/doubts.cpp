@@ -359,7 +359,8 @@ class Doubts {
   }
 
   void unit(const AxisReading& axis, bool force, bool given) {
-    if (given || axis.unitFound || (axis.otherQuantity.empty() && confirmedBySpec(checks_, force))) return;
+    const bool settled = given || axis.unitFound || confirmedBySpec(checks_, force);
+    if (axis.otherQuantity.empty() && settled) return;
     const std::string name = force ? "y" : "x";
     const RemedyKind give = force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit;
     if (axis.otherQuantity.empty())

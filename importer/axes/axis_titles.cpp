@@ -53,10 +53,8 @@ std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::v
   return lines;
 }
 
-/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure. `alien`: the unit
-/// of the other axis, in its brackets.
-template <class Alien>
-std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Alien alien) {
+/// The line with letters that is nearest to the axis; null without any.
+const SeenText* nearestLine(const std::vector<SeenText>& lines, Point towards) {
   const SeenText* nearest = nullptr;
   const auto away = [&](const SeenText& t) {
     return std::hypot(std::clamp(towards.x, t.box.x0, t.box.x1) - towards.x,
@@ -64,6 +62,24 @@ std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Ali
   };
   for (const SeenText& line : lines)
     if (hasLetters(line) && (nearest == nullptr || away(line) < away(*nearest))) nearest = &line;
+  return nearest;
+}
+
+/// Takes what the line nearest to the axis measures, if it names another quantity; returns true then. Where no line names a unit of the
+/// axis, nothing else that can be read beside it does.
+template <class Unit>
+bool isContradicted(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Point towards) {
+  const SeenText* const nearest = best.unit ? nullptr : nearestLine(lines, towards);
+  if (nearest == nullptr) return false;
+  best.other = otherQuantityIn(nearest->utf8, sourceOf(*nearest));
+  return !best.other.empty();
+}
+
+/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure. `alien`: the unit
+/// of the other axis, in its brackets.
+template <class Alien>
+std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Alien alien) {
+  const SeenText* const nearest = nearestLine(lines, towards);
   if (nearest == nullptr) return {};
   if (auto other = otherQuantityIn(nearest->utf8, sourceOf(*nearest)); !other.empty()) return other;
   const auto unit = alien(nearest->utf8, sourceOf(*nearest));
@@ -147,11 +163,13 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   }
   consider(best, r.ownTexts(at.beside), lengthUnitIn);
   if (!best.unit) considerInside(best, r.ownTexts(at.overEnd), lengthUnitIn);
+  if (isContradicted(best, nearby, at.towards)) return best;
   if (!best.unit) {
     read = r.readLines(at.below, 0, at.towards, 3);
     consider(best, read, lengthUnitIn);
     nearby.insert(nearby.end(), read.begin(), read.end());
   }
+  if (isContradicted(best, nearby, at.towards)) return best;
   std::vector<SeenText> readBeside;
   if (!best.unit) {
     readBeside = r.readLines(at.beside, 0, at.end, 4);
@@ -208,11 +226,13 @@ AxisTitle<ForceUnit> readYTitleAt(GraphReading& r, const TitlePlaces& at) {
   for (const auto& region : {at.leftOfAxis, at.above, at.corner})
     consider(best, r.ownTexts(region), forceUnitIn);
   if (!best.unit) considerInside(best, r.ownTexts(at.besideEnd), forceUnitIn);
+  if (isContradicted(best, upwards, at.towards)) return best;
   if (!best.unit) {
     read = r.readLines(at.left, 90, at.towards, 2);
     consider(best, read, forceUnitIn);
     upwards.insert(upwards.end(), read.begin(), read.end());
   }
+  if (isContradicted(best, upwards, at.towards)) return best;
   if (!best.unit) {
     const auto ofParts = r.readLinesOfParts(at.left, 90, at.towards, 1);
     consider(best, ofParts, forceUnitIn);

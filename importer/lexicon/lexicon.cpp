@@ -6,7 +6,11 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdlib>
+#include <functional>
 #include <limits>
+#include <map>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "importer/lexicon/letters.h"
@@ -68,7 +72,9 @@ class Tables {
 
   std::array<std::vector<LexiconEntry>, kKinds.size()> byKind;
   std::array<std::vector<Entry>, kKinds.size()> words;  ///< whole words, beginnings and ends
-  std::vector<Confusion> ofEngine, ofScript, ofSpelling;
+  /// By the first printed letter.
+  using ByLetter = std::unordered_map<char32_t, std::vector<Confusion>>;
+  ByLetter ofEngine, ofScript, ofSpelling;
   std::vector<UnitConfusion> units;
 
  private:
@@ -110,8 +116,10 @@ class Tables {
       units.push_back({read, {printed, cost, where == "unit-with-quantity"}, source == "script"});
       return;
     }
-    auto& table = source == "script" ? ofScript : source == "spelling" ? ofSpelling : ofEngine;
-    table.push_back({codePoints(read), codePoints(printed), cost});
+    ByLetter& table = source == "script" ? ofScript : source == "spelling" ? ofSpelling : ofEngine;
+    const std::u32string letters = codePoints(printed);
+    DETENT_CHECK(!letters.empty(), "a line of confusions.tsv says what is printed");
+    table[letters.front()].push_back({codePoints(read), letters, cost});
   }
 };
 
@@ -128,40 +136,45 @@ struct Admitted {
 /// Weighted edit distance from what was read to what is printed; kNoMatch above `most`.
 double distanceBetween(std::u32string_view read, std::u32string_view printed, double most,
                        const Admitted& admitted) {
-  constexpr std::size_t longestGap = 4;  // letters that two words may differ by in length
+  constexpr std::size_t longestGap = 4, longestWord = 32;  // letters: difference in length; of a word
   if (read == printed) return 0;
-  if (read.size() > printed.size() + longestGap || printed.size() > read.size() + longestGap) return kNoMatch;
+  if (read.size() > printed.size() + longestGap || printed.size() > read.size() + longestGap ||
+      read.size() > longestWord || printed.size() > longestWord)
+    return kNoMatch;
   const Tables& tables = Tables::get();
-  std::array<const std::vector<Confusion>*, 3> lists{&tables.ofSpelling,
+  const std::array<const Tables::ByLetter*, 3> lists{&tables.ofSpelling,
                                                      admitted.engine ? &tables.ofEngine : nullptr,
                                                      admitted.script ? &tables.ofScript : nullptr};
   const std::size_t rows = read.size() + 1, columns = printed.size() + 1;
-  std::vector<double> cost(rows * columns, kNoMatch);
+  std::array<double, (longestWord + 1) * (longestWord + 1)> cost;
+  std::fill_n(cost.begin(), rows * columns, kNoMatch);
   cost[0] = 0;
-  for (std::size_t i = 0; i < rows; ++i) {
-    double least = kNoMatch;
+  std::size_t farthest = 0;  // row that anything reached
+  for (std::size_t i = 0; i < rows && i <= farthest; ++i)
     for (std::size_t j = 0; j < columns; ++j) {
       const double here = cost[i * columns + j];
-      least = std::min(least, here);
       if (here > most) continue;
       const auto reach = [&](std::size_t down, std::size_t right, double more) {
-        if (i + down >= rows || j + right >= columns) return;
+        if (i + down >= rows || j + right >= columns || here + more > most) return;
         double& there = cost[(i + down) * columns + j + right];
         there = std::min(there, here + more);
+        farthest = std::max(farthest, i + down);
       };
       if (i + 1 < rows && j + 1 < columns) reach(1, 1, read[i] == printed[j] ? 0 : admitted.unexplained);
       reach(1, 0, admitted.unexplained);
       reach(0, 1, admitted.unexplained);
-      for (const auto* const list : lists)
-        for (std::size_t k = 0; list != nullptr && k < list->size(); ++k) {
-          const Confusion& each = (*list)[k];
+      if (j + 1 == columns) continue;
+      for (const auto* const list : lists) {
+        if (list == nullptr) continue;
+        const auto of = list->find(printed[j]);
+        if (of == list->end()) continue;
+        for (const Confusion& each : of->second)
           if (startsAt(printed, j, each.printed) && startsAt(read, i, each.read) &&
-              (!each.read.empty() || (i > 0 && i + 1 < rows)))  // within the word
+              (!each.read.empty() || (i > 0 && i + 1 < rows)))  // a letter is lost within the word only
             reach(each.read.size(), each.printed.size(), each.cost);
-        }
+      }
     }
-  }
-  return cost.back() <= most ? cost.back() : kNoMatch;
+  return cost[rows * columns - 1] <= most ? cost[rows * columns - 1] : kNoMatch;
 }
 
 /// Letters of a word that may be wrong.
@@ -216,6 +229,15 @@ std::string partedAtCapitals(std::string_view title) {
   return out;
 }
 
+/// Returns true if a match names its quantity: another quantity than force and travel contradicts a unit, and needs more than a short or badly
+/// read word.
+bool mayBeSaid(std::string_view word, const WordMatch& match, TextSource source) {
+  constexpr std::size_t fewest = 4;  // letters
+  const bool isOther = match.entry->value != "force" && match.entry->value != "travel";
+  return !isOther || source == TextSource::exact ||
+         (match.cost <= kSmallCosts && letterCount(word) >= fewest);
+}
+
 /// Every quantity that a title's words name, each once.
 std::vector<std::string_view> quantitiesIn(std::string_view title, TextSource source) {
   constexpr std::size_t fewestWithin = 5;  // letters of a word that is found within words read as one
@@ -240,7 +262,8 @@ std::vector<std::string_view> quantitiesIn(std::string_view title, TextSource so
   for (const LexiconEntry* sign : signs)
     if (takeOut(text, sign->word)) add(sign->value);
   for (const std::string& word : wordsOf(text)) {
-    if (const auto match = matchWord(word, {WordKind::quantity}, source)) {
+    const auto match = matchWord(word, {WordKind::quantity}, source);
+    if (match && mayBeSaid(word, *match, source)) {
       add(match->entry->value);
     } else if (source == TextSource::recognised) {
       for (const LexiconEntry& entry : entriesOf(WordKind::quantity))
@@ -265,8 +288,10 @@ std::optional<double> costOfReading(std::string_view read, std::string_view prin
   return cost < kNoMatch ? std::optional(cost) : std::nullopt;
 }
 
-std::optional<WordMatch> matchWord(std::string_view word, std::initializer_list<WordKind> kinds,
-                                   TextSource source) {
+namespace {
+
+std::optional<WordMatch> nearestMatch(std::string_view word, std::initializer_list<WordKind> kinds,
+                                      TextSource source) {
   constexpr std::size_t fewestBefore = 3;  // letters of a compound before its end
   const std::u32string read = codePoints(word);
   std::optional<WordMatch> best;
@@ -282,6 +307,20 @@ std::optional<WordMatch> matchWord(std::string_view word, std::initializer_list<
       if (!best || price.cost < best->cost) best = WordMatch{&known.entry, price.cost, price.explained};
     }
   return best;
+}
+
+}  // namespace
+
+std::optional<WordMatch> matchWord(std::string_view word, std::initializer_list<WordKind> kinds,
+                                   TextSource source) {
+  constexpr std::size_t mostKept = 20000;  // answers: the same words come back many times on a page
+  thread_local std::map<std::pair<std::string, unsigned>, std::optional<WordMatch>> known;
+  unsigned asked = source == TextSource::exact ? 1U : 0U;
+  for (const WordKind kind : kinds) asked |= 2U << static_cast<unsigned>(kind);
+  if (known.size() > mostKept) known.clear();
+  const auto [at, isNew] = known.try_emplace({std::string(word), asked});
+  if (isNew) at->second = nearestMatch(word, kinds, source);
+  return at->second;
 }
 
 std::optional<UnitReading> unitReadAs(std::string_view read, TextSource source, bool withCyrillic) {

@@ -195,7 +195,7 @@ std::vector<Piece> pieces(const std::string& title) {
 }
 
 /// Misreadings of units that are words, or letters that end a title.
-constexpr std::array<std::string_view, 8> words{"of", "am", "H", "r", "(N", "02", "mi", "af"};
+constexpr std::array<std::string_view, 8> ambiguousReadings{"of", "am", "H", "r", "(N", "02", "mi", "af"};
 
 /// A letter that may be a word's end is a unit only where a unit must stand.
 bool mayBeUnit(const Piece& piece) {
@@ -219,13 +219,39 @@ std::optional<PrintedUnit<Unit>> unitIn(const std::string& title, TextSource sou
     if (piece.shorter && unit && best && best->unit != *unit) return {};  // "CN]": of "[N]" or of "cN]"
     if (mayBeUnit(piece)) offer(unit, piece.sure);
     // "Load Ibf": a last word that no language has.
-    const bool behindWord = piece.last && agrees && std::ranges::find(words, piece.text) == words.end();
+    const bool behindWord =
+        piece.last && agrees && std::ranges::find(ambiguousReadings, piece.text) == ambiguousReadings.end();
     if (piece.sure < 0.9 && !behindWord) continue;
     const auto reading = unitReadAs(piece.text, source, withCyrillic);
     if (reading && (agrees || !reading->needsQuantity))
       offer(fromSymbol(reading->printed), piece.sure * (1 - reading->cost));
   }
   return best;
+}
+
+/// A word of a document's own title that the lexicon does not know, where no other word says what is measured; empty without any. Of
+/// recognised text nothing is said: letters may be wrong.
+std::string unknownWordIn(const std::string& title, TextSource source) {
+  constexpr std::size_t fewest = 4;  // letters of a word
+  if (source != TextSource::exact || quantityNamedIn(title, source).quantity != Quantity::none) return {};
+  for (const std::string& word : wordsOf(title)) {
+    const bool isKnown =
+        matchWord(word,
+                  {WordKind::press, WordKind::release, WordKind::point, WordKind::curve, WordKind::variant},
+                  source)
+            .has_value();
+    if (letterCount(word) >= fewest && !isWrittenTogether(word) && !isKnown && !forceUnitFrom(word) &&
+        !lengthUnitFrom(word))
+      return word;
+  }
+  return {};
+}
+
+/// Returns true if a unit of force or length stands where only units stand: in brackets, after a slash or a comma.
+bool hasUnitInPlace(const std::string& title) {
+  return std::ranges::any_of(pieces(title), [](const Piece& piece) {
+    return piece.sure >= 0.9 && (forceUnitFrom(piece.text) || lengthUnitFrom(piece.text));
+  });
 }
 
 /// What stands where a heading names units: the parts of its brackets, without any what stands behind "in". `perLength`: "N/mm" in a
@@ -256,7 +282,8 @@ std::vector<std::string> headingTokens(const std::string& heading, bool perLengt
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
   const NamedQuantity named = quantityNamedIn(plain, source);
-  if (named.quantity == Quantity::travel || (named.quantity == Quantity::other && !named.printedAsForce))
+  if (named.quantity == Quantity::travel || (named.quantity == Quantity::other && !named.printedAsForce) ||
+      !unknownWordIn(plain, source).empty())
     return {};
   return unitIn(plain, source, named.quantity != Quantity::none, unprintedForces, forceUnitFrom);
 }
@@ -264,7 +291,9 @@ std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title, TextSo
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
   const bool agrees = namesQuantity(plain, Quantity::travel, source);
-  if (!agrees && quantityNamedIn(plain, source).quantity != Quantity::none) return {};
+  if (!agrees &&
+      (quantityNamedIn(plain, source).quantity != Quantity::none || !unknownWordIn(plain, source).empty()))
+    return {};
   return unitIn(plain, source, agrees, unprintedLengths, lengthUnitFrom);
 }
 
@@ -301,6 +330,8 @@ std::string otherQuantityIn(std::string_view title, TextSource source) {
     const bool multiple = piece.text.starts_with("x1") || piece.text.starts_with("\xC3\x97");
     if (piece.sure >= 1 && (multiple || (sign != std::string::npos && sign > 0))) return piece.text;
   }
+  if (hasUnitInPlace(plain))
+    if (std::string unknown = unknownWordIn(plain, source); !unknown.empty()) return unknown;
   const bool isForce = named.printedAsForce && forceUnitIn(title, source);  // "Pressure, gf"
   return named.quantity == Quantity::other && !isForce ? std::string(named.name) : std::string();
 }

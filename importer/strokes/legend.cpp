@@ -32,31 +32,34 @@ std::optional<Stroke> loneStroke(std::string_view utf8) {
   return words.size() == 1 ? strokeOfLoneWord(words.front()) : std::nullopt;
 }
 
-/// Returns true if a word stands before another that the lexicon does not know, as an attribute: "Pressing plate", "Return loss".
-/// `text`: the whole label, folded.
-bool isAttribute(std::string_view text, const std::vector<std::string>& words, std::size_t its,
-                 TextSource source) {
+/// Returns true if a word stands before a noun that the lexicon does not know, as its attribute: "Pressing plate", "Return loss". A name in
+/// capitals is a switch's: "Press Boba".
+bool isAttribute(std::string_view label, const std::string& word, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters of a noun; shorter ones number switches
-  if (its + 1 >= words.size()) return false;
-  const std::string& next = words[its + 1];
-  if (text.find(words[its] + " " + next) == std::string_view::npos) return false;  // "downstroke_aura"
-  const bool isKnown = matchWord(next,
-                                 {WordKind::press, WordKind::release, WordKind::curve, WordKind::variant,
-                                  WordKind::quantity, WordKind::wear},
-                                 source)
-                           .has_value();
-  return !isKnown && letterCount(next) >= fewest && !isWrittenTogether(next);
+  for (std::size_t from = 0; from < label.size();) {
+    const std::size_t to = std::min(label.find(' ', from), label.size());
+    if (folded(label.substr(from, to - from)) == word && to + 1 < label.size()) {
+      const std::string_view rest = label.substr(to + 1);
+      const std::vector<std::string> next = wordsOf(rest.substr(0, rest.find(' ')));
+      const bool isSmall = rest.front() >= 'a' && rest.front() <= 'z';
+      return isSmall && next.size() == 1 && letterCount(next.front()) >= fewest &&
+             !matchWord(next.front(),
+                        {WordKind::press, WordKind::release, WordKind::curve, WordKind::variant,
+                         WordKind::quantity, WordKind::wear},
+                        source);
+    }
+    from = to + 1;
+  }
+  return false;
 }
 
 /// Strokes that a text has words or signs for.
 SignedStrokes strokesIn(std::string_view utf8, TextSource source) {
   SignedStrokes named = strokesSignedIn(utf8);
   if (const auto lone = loneStroke(utf8)) (*lone == Stroke::press ? named.press : named.release) = true;
-  const std::vector<std::string> words = ownNamesOf(utf8);
-  const std::string text = folded(utf8);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (isAttribute(text, words, i, source)) continue;
-    const auto stroke = strokeOfWord(words[i], source);
+  for (const std::string& word : ownNamesOf(utf8)) {
+    if (isAttribute(utf8, word, source)) continue;
+    const auto stroke = strokeOfWord(word, source);
     named.press = named.press || stroke == Stroke::press;
     named.release = named.release || stroke == Stroke::release;
   }

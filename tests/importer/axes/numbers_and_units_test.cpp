@@ -6,8 +6,10 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "importer/axes/axis_multiplier.h"
 #include "importer/axes/cyrillic_look.h"
 #include "importer/axes/printed_number.h"
+#include "importer/axes/uneven_scale.h"
 #include "importer/lexicon/lexicon.h"
 #include "importer/lexicon/printed_unit.h"
 
@@ -303,4 +305,35 @@ TEST_CASE("a heading that names a unit of force and one of length in one bracket
                            "Force vs travel (cN, V)", "Force and time (N, mm)", "Force (N) vs travel (mm, N)",
                            "Force vs travel cN, mm", "Force in N, travel in percent"})
     CHECK(in(none) == "none");
+}
+
+TEST_CASE("a power of ten at the end of an axis") {
+  for (const auto& [text, power] : {std::pair{"1e1", 10.0},
+                                    {"1e-1", 0.1},
+                                    {"1e−1", 0.1},
+                                    {"le-1", 0.1},
+                                    {"×10³", 1000.0},
+                                    {"x10^3", 1000.0},
+                                    {"× 10⁻²", 0.01},
+                                    {"10-1", 0.1},
+                                    {"1e+3", 1000.0}}) {
+    CAPTURE(text);
+    REQUIRE(multiplierIn(text));
+    CHECK(*multiplierIn(text) == Approx(power));
+  }
+  for (const char* text : {"", "103", "10", "1e", "2e3", "Force", "1.5", "1e12", "let", "10 N"}) {
+    CAPTURE(text);
+    CHECK_FALSE(multiplierIn(text));
+  }
+}
+
+TEST_CASE("a scale that is not linear is named") {
+  CHECK(unevenScaleOf({{100, 1}, {200, 10}, {300, 100}, {400, 1000}}) == "values on a logarithmic scale");
+  CHECK(unevenScaleOf({{400, 20}, {300, 50}, {220, 100}, {140, 200}, {40, 500}}) ==
+        "values on a logarithmic scale");
+  CHECK(unevenScaleOf({{100, 0}, {200, 0.1}, {300, 0.5}, {400, 2}, {500, 2.2}}) ==
+        "categories, not to scale");
+  CHECK(unevenScaleOf({{100, 0}, {200, 20}, {301, 40}, {400, 60}}).empty());
+  CHECK(unevenScaleOf({{100, 0}, {200, 20}, {300, 4}, {400, 60}}).empty());  // misread
+  CHECK(unevenScaleOf({{100, 1}, {200, 10}, {300, 100}}).empty());           // too few
 }

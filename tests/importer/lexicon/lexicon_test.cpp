@@ -80,6 +80,16 @@ TEST_CASE("a unit counts with a quantity that agrees or with none", "[lexicon]")
   }
 }
 
+TEST_CASE("a unit beside a word that nobody knows is a question", "[lexicon]") {
+  CHECK(forceIn("Fluffiness [N]", TextSource::exact).empty());
+  CHECK(otherQuantityIn("Fluffiness [N]", TextSource::exact) == "fluffiness");
+  CHECK(lengthIn("Fluffiness (mm)", TextSource::exact).empty());
+  CHECK(forceIn("Fluffiness [N]", TextSource::recognised) == "N");       // the word may be misread
+  CHECK(otherQuantityIn("Cherry MX Brown", TextSource::exact).empty());  // no title of an axis
+  CHECK(forceIn("Press [N]", TextSource::exact) == "N");
+  CHECK(forceIn("Newtons", TextSource::exact) == "N");
+}
+
 TEST_CASE("the axes of force and travel exchanged name each other", "[lexicon]") {
   CHECK(forceIn("Travel (N)", TextSource::exact).empty());
   CHECK(lengthIn("Force (mm)", TextSource::exact).empty());
@@ -90,7 +100,7 @@ TEST_CASE("misread letters count in recognised text alone", "[lexicon]") {
   CHECK(forceIn("Force [eN]", TextSource::exact).empty());
   CHECK(forceIn("Sensor [H]", TextSource::recognised) ==
         "N");  // a Cyrillic letter for newtons, as Latin print
-  CHECK(forceIn("Sensor [H]", TextSource::exact).empty());
+  CHECK(forceIn("Y [H]", TextSource::exact).empty());
   CHECK(forceIn("Усилие [H]", TextSource::exact) == "N");  // typed in Latin beside Cyrillic words
   CHECK(forceIn("Inductance [H]", TextSource::recognised).empty());
   CHECK(strokeOfWord("reiease", TextSource::recognised) == Stroke::release);
