@@ -11,7 +11,8 @@
 namespace detent::importer {
 namespace {
 
-/// The text with superscripts as digits, every dash as a hyphen and every multiplication sign as "x"; without blanks.
+/// The text with superscripts as digits, every dash as a hyphen and every multiplication sign as "x";
+/// without blanks.
 std::string plainPower(std::string_view text) {
   constexpr std::u32string_view superscripts = U"⁰¹²³⁴⁵⁶⁷⁸⁹", dashes = U"-−–—⁻", times = U"x×·*∙⋅X";
   std::string plain;

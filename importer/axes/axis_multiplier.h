@@ -9,7 +9,8 @@
 
 namespace detent::importer {
 
-/// The power of ten that a text says and nothing else; text engines read "l" for the one. Exponents from -9 to 9.
+/// The power of ten that a text says and nothing else; text engines read "l" for the one. Exponents from -9
+/// to 9.
 std::optional<double> multiplierIn(std::string_view text);
 
 /// The multiplier over the upper end of a force axis, or below the right end of a travel axis; 1 without any.

@@ -39,8 +39,8 @@ bool hasLetters(const SeenText& line) { return lettersIn(line) >= 2; }
 
 bool hasBracket(const SeenText& line) { return line.utf8.find_first_of("([") != std::string::npos; }
 
-/// Without the lines that are a part of a longer one that runs upwards: the z of "[oz]", lying on its side, is an N. A line
-/// that is far higher than wide runs upwards, whatever was read of it.
+/// Without the lines that are a part of a longer one that runs upwards: the z of "[oz]", lying on its side,
+/// is an N. A line that is far higher than wide runs upwards, whatever was read of it.
 std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::vector<SeenText> lines) {
   constexpr double upright = 2;  // times as high as wide
   std::erase_if(lines, [&](const SeenText& line) {
@@ -65,8 +65,8 @@ const SeenText* nearestLine(const std::vector<SeenText>& lines, Point towards) {
   return nearest;
 }
 
-/// Takes what the line nearest to the axis measures, if it names another quantity; returns true then. Where no line names a unit of the
-/// axis, nothing else that can be read beside it does.
+/// Takes what the line nearest to the axis measures, if it names another quantity; returns true then. Where
+/// no line names a unit of the axis, nothing else that can be read beside it does.
 template <class Unit>
 bool isContradicted(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Point towards) {
   const SeenText* const nearest = best.unit ? nullptr : nearestLine(lines, towards);
@@ -75,8 +75,8 @@ bool isContradicted(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, P
   return !best.other.empty();
 }
 
-/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure. `alien`: the unit
-/// of the other axis, in its brackets.
+/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure.
+/// `alien`: the unit of the other axis, in its brackets.
 template <class Alien>
 std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Alien alien) {
   const SeenText* const nearest = nearestLine(lines, towards);
@@ -86,7 +86,8 @@ std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Ali
   return unit && unit->sure >= surePlace ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
-/// Reads the other axis' unit out of a line, but not out of the one that gave this axis its own: "mn" may be either.
+/// Reads the other axis' unit out of a line, but not out of the one that gave this axis its own: "mn" may be
+/// either.
 template <class Unit, class Parse>
 auto besides(const AxisTitle<Unit>& best, Parse parse) {
   return [&best, parse](const std::string& line, TextSource source) {
@@ -103,8 +104,8 @@ void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<See
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
 }
 
-/// What lines in the plot itself say, where a unit stands for sure: a title at the axis' end may be set over the axis, and callouts
-/// ("4.2 mm") are none.
+/// What lines in the plot itself say, where a unit stands for sure: a title at the axis' end may be set over
+/// the axis, and callouts ("4.2 mm") are none.
 template <class Unit, class Parse>
 void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
   AxisTitle<Unit> inside;

@@ -21,8 +21,8 @@ std::vector<std::string> wordsOf(std::string_view utf8);
 /// Number of code points.
 std::size_t letterCount(std::string_view utf8);
 
-/// Returns true if a word is written in a script that sets no blanks between words or joins particles to them: Chinese, Japanese,
-/// Korean, Thai, Arabic, Hebrew, Devanagari.
+/// Returns true if a word is written in a script that sets no blanks between words or joins particles to
+/// them: Chinese, Japanese, Korean, Thai, Arabic, Hebrew, Devanagari.
 bool isWrittenTogether(std::string_view utf8);
 
 /// Returns true if a text has a Cyrillic letter.

@@ -229,8 +229,8 @@ std::string partedAtCapitals(std::string_view title) {
   return out;
 }
 
-/// Returns true if a match names its quantity: another quantity than force and travel contradicts a unit, and needs more than a short or badly
-/// read word.
+/// Returns true if a match names its quantity: another quantity than force and travel contradicts a unit,
+/// and needs more than a short or badly read word.
 bool mayBeSaid(std::string_view word, const WordMatch& match, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters
   const bool isOther = match.entry->value != "force" && match.entry->value != "travel";

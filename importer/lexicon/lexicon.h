@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The words of charts and tables (lexicon.tsv) and what text engines confuse (confusions.tsv). One matcher for all of them.
+// The words of charts and tables (lexicon.tsv) and what text engines confuse (confusions.tsv). One matcher
+// for all of them.
 
 #include <initializer_list>
 #include <optional>
@@ -45,13 +46,14 @@ struct WordMatch {
   bool explained = true;  ///< confusions.tsv explains every difference
 };
 
-/// The entry of these kinds that a folded word is nearest to, whole words and beginnings or ends of compounds. In exact text nothing but the
-/// spelling counts. nullopt if none is near enough for the word's length.
+/// The entry of these kinds that a folded word is nearest to, whole words and beginnings or ends of
+/// compounds. In exact text nothing but the spelling counts. nullopt if none is near enough for the word's
+/// length.
 std::optional<WordMatch> matchWord(std::string_view foldedWord, std::initializer_list<WordKind> kinds,
                                    TextSource source);
 
-/// Least cost of reading `read` where `printed` stands; nullopt if it exceeds `most`. With `explainedOnly` differences that
-/// confusions.tsv does not list are not admitted.
+/// Least cost of reading `read` where `printed` stands; nullopt if it exceeds `most`. With `explainedOnly`
+/// differences that confusions.tsv does not list are not admitted.
 std::optional<double> costOfReading(std::string_view read, std::string_view printed, double most,
                                     bool explainedOnly);
 
@@ -72,8 +74,8 @@ struct NamedQuantity {
   bool printedAsForce = false;  ///< another quantity that people print in units of force: pressure, mass
 };
 
-/// The quantity that the words of a title name; force and travel go before others ("force over time of use"), force before travel
-/// ("Kraft-Weg"). `none` if no word of it is known.
+/// The quantity that the words of a title name; force and travel go before others ("force over time of
+/// use"), force before travel ("Kraft-Weg"). `none` if no word of it is known.
 NamedQuantity quantityNamedIn(std::string_view title, TextSource source);
 /// Returns true if a title has a word for this quantity, whatever else it names.
 bool namesQuantity(std::string_view title, Quantity quantity, TextSource source);

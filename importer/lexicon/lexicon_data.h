@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The lines of lexicon.tsv and confusions.tsv, built into the program by CMakeLists.txt. Private to importer/lexicon.
+// The lines of lexicon.tsv and confusions.tsv, built into the program by CMakeLists.txt. Private to
+// importer/lexicon.
 
 #include <cstddef>
 #include <iterator>

@@ -139,8 +139,8 @@ bool isLetter(char c) {
   return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Where the last part of a column's name begins: behind a stroke at its foot or a full stop, at a capital behind a small letter; 0 if
-/// it has no parts.
+/// Where the last part of a column's name begins: behind a stroke at its foot or a full stop, at a capital
+/// behind a small letter; 0 if it has no parts.
 std::size_t lastPartOf(std::string_view name) {
   if (const auto parting = name.find_last_of("_.-"); parting != std::string_view::npos) return parting + 1;
   for (std::size_t i = name.size(); i-- > 1;)
@@ -150,7 +150,8 @@ std::size_t lastPartOf(std::string_view name) {
   return 0;
 }
 
-/// "travel_mm", "Force.N", "forceGf": titles that are names of a table's columns, which have no blanks, end in their unit.
+/// "travel_mm", "Force.N", "forceGf": titles that are names of a table's columns, which have no blanks, end
+/// in their unit.
 void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   constexpr std::ptrdiff_t fewest = 3;  // letters of a name before a unit of one: "F_N" is a normal force
   std::string_view name = t;
@@ -167,7 +168,8 @@ void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   if (unit.size() > 1 || letters >= fewest) out.push_back({std::string(unit), 0.9});
 }
 
-/// Where units stand in titles, surest first: in brackets; without any after a slash, after "in", as the last word.
+/// Where units stand in titles, surest first: in brackets; without any after a slash, after "in", as the
+/// last word.
 std::vector<Piece> pieces(const std::string& title) {
   const std::string t = withoutArrow(title);
   std::vector<Piece> out;
@@ -203,7 +205,8 @@ bool mayBeUnit(const Piece& piece) {
   return piece.text.size() > 1 ? piece.text != "in" : piece.text == "N" || piece.text == "g";
 }
 
-/// The unit among a title's pieces, unless the title names a quantity that is not measured in it. `agrees`: the title names this quantity.
+/// The unit among a title's pieces, unless the title names a quantity that is not measured in it. `agrees`:
+/// the title names this quantity.
 template <class Unit, std::size_t M, class FromSymbol>
 std::optional<PrintedUnit<Unit>> unitIn(const std::string& title, TextSource source, bool agrees,
                                         const std::array<Unit, M>& unprinted, FromSymbol fromSymbol) {
@@ -229,8 +232,8 @@ std::optional<PrintedUnit<Unit>> unitIn(const std::string& title, TextSource sou
   return best;
 }
 
-/// A word of a document's own title that the lexicon does not know, where no other word says what is measured; empty without any. Of
-/// recognised text nothing is said: letters may be wrong.
+/// A word of a document's own title that the lexicon does not know, where no other word says what is
+/// measured; empty without any. Of recognised text nothing is said: letters may be wrong.
 std::string unknownWordIn(const std::string& title, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters of a word
   if (source != TextSource::exact || quantityNamedIn(title, source).quantity != Quantity::none) return {};
@@ -247,15 +250,16 @@ std::string unknownWordIn(const std::string& title, TextSource source) {
   return {};
 }
 
-/// Returns true if a unit of force or length stands where only units stand: in brackets, after a slash or a comma.
+/// Returns true if a unit of force or length stands where only units stand: in brackets, after a slash or a
+/// comma.
 bool hasUnitInPlace(const std::string& title) {
   return std::ranges::any_of(pieces(title), [](const Piece& piece) {
     return piece.sure >= 0.9 && (forceUnitFrom(piece.text) || lengthUnitFrom(piece.text));
   });
 }
 
-/// What stands where a heading names units: the parts of its brackets, without any what stands behind "in". `perLength`: "N/mm" in a
-/// bracket are two.
+/// What stands where a heading names units: the parts of its brackets, without any what stands behind "in".
+/// `perLength`: "N/mm" in a bracket are two.
 std::vector<std::string> headingTokens(const std::string& heading, bool perLength) {
   std::vector<std::string> tokens;
   const auto add = [&](std::string_view token) { tokens.push_back(withSmallF(withoutBrackets(token))); };

@@ -88,8 +88,10 @@ class LettersOnce {
  public:
   /// Returns true if the same letter stands here already.
   bool isRepeated(const fz_stext_char& letter) {
-    constexpr double aside_em = 0.12;
-    const double reach = std::max(1e-6, aside_em * static_cast<double>(letter.size));
+    constexpr double ofWidth = 0.5;  // the next letter of a word stands a whole width on
+    const fz_point &from = letter.quad.ll, &to = letter.quad.lr;
+    const double width = std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y));
+    const double reach = std::max(1e-6, ofWidth * width);
     const auto cell = [&](float at) {
       return static_cast<long>(std::floor(static_cast<double>(at) / reach));
     };

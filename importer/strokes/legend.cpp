@@ -32,8 +32,8 @@ std::optional<Stroke> loneStroke(std::string_view utf8) {
   return words.size() == 1 ? strokeOfLoneWord(words.front()) : std::nullopt;
 }
 
-/// Returns true if a word stands before a noun that the lexicon does not know, as its attribute: "Pressing plate", "Return loss". A name in
-/// capitals is a switch's: "Press Boba".
+/// Returns true if a word stands before a noun that the lexicon does not know, as its attribute: "Pressing
+/// plate", "Return loss". A name in capitals is a switch's: "Press Boba".
 bool isAttribute(std::string_view label, const std::string& word, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters of a noun; shorter ones number switches
   for (std::size_t from = 0; from < label.size();) {
@@ -101,7 +101,8 @@ bool namesWear(std::string_view utf8, TextSource source) {
          (std::ranges::any_of(wordsOf(utf8), saysSo) || holdsSign(utf8, WordKind::wear));
 }
 
-/// Returns true if a recognised text may be the misread name of a stroke: it is one word, with more letters wrong than prove a name.
+/// Returns true if a recognised text may be the misread name of a stroke: it is one word, with more letters
+/// wrong than prove a name.
 bool mayBeMisread(std::string_view utf8, Stroke stroke, TextSource source) {
   const std::vector<std::string> words = wordsOf(utf8);
   return source == TextSource::recognised && words.size() == 1 && strokeLike(words.front()) == stroke;
@@ -224,7 +225,8 @@ bool mayBeOnePair(std::string_view a, std::string_view b, TextSource source) {
   if (ofA == ofB) return false;
   const std::vector<std::string> ownOfA = ownWords(a, source), ownOfB = ownWords(b, source);
   if (ofA && ofB) return ownOfA == ownOfB || ownOfA.empty() || ownOfB.empty();
-  // The name of one alone is a stroke's: the other's is the switch's own as well ("Switch A", "Switch A release"), or misread.
+  // The name of one alone is a stroke's: the other's is the switch's own as well ("Switch A", "Switch A
+  // release"), or misread.
   const Stroke other =
       ofA.value_or(ofB.value_or(Stroke::press)) == Stroke::press ? Stroke::release : Stroke::press;
   return ownOfA == ownOfB || mayBeMisread(ofA ? b : a, other, source);
