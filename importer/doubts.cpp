@@ -9,8 +9,9 @@
 #include <utility>
 
 #include "importer/axes/button_sizes.h"
-#include "importer/axes/printed_unit.h"
-#include "importer/axes/stroke_words.h"
+#include "importer/axes/text_source.h"
+#include "importer/lexicon/printed_unit.h"
+#include "importer/lexicon/stroke_words.h"
 #include "importer/page/polyline.h"
 #include "importer/page/same_ink.h"
 #include "importer/strokes/legend.h"
@@ -358,7 +359,8 @@ class Doubts {
   }
 
   void unit(const AxisReading& axis, bool force, bool given) {
-    if (given || axis.unitFound || (axis.otherQuantity.empty() && confirmedBySpec(checks_, force))) return;
+    const bool settled = given || axis.unitFound || confirmedBySpec(checks_, force);
+    if (axis.otherQuantity.empty() && settled) return;
     const std::string name = force ? "y" : "x";
     const RemedyKind give = force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit;
     if (axis.otherQuantity.empty())
@@ -531,7 +533,7 @@ class Doubts {
 
   void byCourse(const std::vector<CurveTrace>& traces, const Remedies& byColour) {
     const std::size_t press = traceOf(findings_.strokes.value.press) == &traces[1] ? 1 : 0;
-    add(DoubtCode::assumed, inPart,
+    add(DoubtCode::assumed, unconfirmed,
         {Message("\"%1\" and \"%2\" are taken for press and release, as they end in one point",
                  traces[press].label, traces[1 - press].label)},
         byColour);
@@ -546,8 +548,8 @@ class Doubts {
     if (its.empty()) return;
     const std::vector<SeenText>& texts = findings_.graph.axes.texts;
     for (const SeenText& text : texts) {
-      if (strokeNamedBy(text.utf8) != Stroke::press) continue;
-      const std::string other = switchNamedBy(text.utf8);
+      if (strokeNamedBy(text.utf8, sourceOf(text)) != Stroke::press) continue;
+      const std::string other = switchNamedBy(text.utf8, sourceOf(text));
       const auto isPartner = [&](const SeenText& each) { return namesOnePair(text.utf8, each.utf8); };
       if (countsOnly(other) || folded(other) == its || isTraced(other) ||
           std::ranges::none_of(texts, isPartner))

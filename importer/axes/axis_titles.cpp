@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "importer/axes/text_source.h"
+
 namespace detent::importer {
 namespace {
 
@@ -15,7 +17,7 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
   constexpr double sureLetter = 0.85;  // a single letter may be anything's rest
   for (const auto& line : lines) {
     if (line.utf8.size() < 2 && line.confidence < sureLetter) continue;
-    const auto unit = parse(line.utf8);
+    const auto unit = parse(line.utf8, sourceOf(line));
     if (unit && (!best.unit || unit->sure > best.unit->sure)) {
       best.unit = unit;
       best.text = line.utf8;
@@ -37,8 +39,8 @@ bool hasLetters(const SeenText& line) { return letterCountOfLine(line) >= 2; }
 
 bool hasBracket(const SeenText& line) { return line.utf8.find_first_of("([") != std::string::npos; }
 
-/// Without the lines that are a part of a longer one that runs upwards: the z of "[oz]", lying on its side, is an N. A line
-/// that is far higher than wide runs upwards, whatever was read of it.
+/// Without the lines that are a part of a longer one that runs upwards: the z of "[oz]", lying on its side,
+/// is an N. A line that is far higher than wide runs upwards, whatever was read of it.
 std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::vector<SeenText> lines) {
   constexpr double upright = 2;  // times as high as wide
   std::erase_if(lines, [&](const SeenText& line) {
@@ -51,10 +53,8 @@ std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::v
   return lines;
 }
 
-/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure. `alien`: the unit
-/// of the other axis, in its brackets.
-template <class Alien>
-std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Alien alien) {
+/// The line with letters that is nearest to the axis; null without any.
+const SeenText* nearestLine(const std::vector<SeenText>& lines, Point towards) {
   const SeenText* nearest = nullptr;
   const auto away = [&](const SeenText& t) {
     return std::hypot(std::clamp(towards.x, t.box.x0, t.box.x1) - towards.x,
@@ -62,17 +62,36 @@ std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Ali
   };
   for (const SeenText& line : lines)
     if (hasLetters(line) && (nearest == nullptr || away(line) < away(*nearest))) nearest = &line;
+  return nearest;
+}
+
+/// Takes what the line nearest to the axis measures, if it names another quantity; returns true then. Where
+/// no line names a unit of the axis, nothing else that can be read beside it does.
+template <class Unit>
+bool isContradicted(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Point towards) {
+  const SeenText* const nearest = best.unit ? nullptr : nearestLine(lines, towards);
+  if (nearest == nullptr) return false;
+  best.other = otherQuantityIn(nearest->utf8, sourceOf(*nearest));
+  return !best.other.empty();
+}
+
+/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure.
+/// `alien`: the unit of the other axis, in its brackets.
+template <class Alien>
+std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Alien alien) {
+  const SeenText* const nearest = nearestLine(lines, towards);
   if (nearest == nullptr) return {};
-  if (auto other = otherQuantityIn(nearest->utf8); !other.empty()) return other;
-  const auto unit = alien(nearest->utf8);
+  if (auto other = otherQuantityIn(nearest->utf8, sourceOf(*nearest)); !other.empty()) return other;
+  const auto unit = alien(nearest->utf8, sourceOf(*nearest));
   return unit && unit->sure >= surePlace ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
-/// Reads the other axis' unit out of a line, but not out of the one that gave this axis its own: "mn" may be either.
+/// Reads the other axis' unit out of a line, but not out of the one that gave this axis its own: "mn" may be
+/// either.
 template <class Unit, class Parse>
 auto besides(const AxisTitle<Unit>& best, Parse parse) {
-  return [&best, parse](const std::string& line) {
-    return best.unit && line == best.text ? decltype(parse(line)){} : parse(line);
+  return [&best, parse](const std::string& line, TextSource source) {
+    return best.unit && line == best.text ? decltype(parse(line, source)){} : parse(line, source);
   };
 }
 
@@ -85,8 +104,8 @@ void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<See
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
 }
 
-/// What lines in the plot itself say, where a unit stands for sure: a title at the axis' end may be set over the axis, and callouts
-/// ("4.2 mm") are none.
+/// What lines in the plot itself say, where a unit stands for sure: a title at the axis' end may be set over
+/// the axis, and callouts ("4.2 mm") are none.
 template <class Unit, class Parse>
 void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
   AxisTitle<Unit> inside;
@@ -145,11 +164,13 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   }
   consider(best, r.ownTexts(at.beside), lengthUnitIn);
   if (!best.unit) considerInside(best, r.ownTexts(at.overEnd), lengthUnitIn);
+  if (isContradicted(best, nearby, at.towards)) return best;
   if (!best.unit) {
     read = r.readLines(at.below, 0, at.towards, 3);
     consider(best, read, lengthUnitIn);
     nearby.insert(nearby.end(), read.begin(), read.end());
   }
+  if (isContradicted(best, nearby, at.towards)) return best;
   std::vector<SeenText> readBeside;
   if (!best.unit) {
     readBeside = r.readLines(at.beside, 0, at.end, 4);
@@ -206,11 +227,13 @@ AxisTitle<ForceUnit> readYTitleAt(GraphReading& r, const TitlePlaces& at) {
   for (const auto& region : {at.leftOfAxis, at.above, at.corner})
     consider(best, r.ownTexts(region), forceUnitIn);
   if (!best.unit) considerInside(best, r.ownTexts(at.besideEnd), forceUnitIn);
+  if (isContradicted(best, upwards, at.towards)) return best;
   if (!best.unit) {
     read = r.readLines(at.left, 90, at.towards, 2);
     consider(best, read, forceUnitIn);
     upwards.insert(upwards.end(), read.begin(), read.end());
   }
+  if (isContradicted(best, upwards, at.towards)) return best;
   if (!best.unit) {
     const auto ofParts = r.readLinesOfParts(at.left, 90, at.towards, 1);
     consider(best, ofParts, forceUnitIn);

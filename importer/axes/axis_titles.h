@@ -6,7 +6,7 @@
 #include <string>
 
 #include "importer/axes/axis_labels.h"
-#include "importer/axes/printed_unit.h"
+#include "importer/lexicon/printed_unit.h"
 
 namespace detent::importer {
 

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <cstddef>
 
-#include "importer/axes/stroke_words.h"
+#include "importer/lexicon/stroke_words.h"
 #include "model/text.h"
 
 namespace detent::importer {

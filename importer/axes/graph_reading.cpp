@@ -5,12 +5,12 @@
 #include <cctype>
 #include <cmath>
 
-#include "importer/axes/printed_unit.h"
 #include "importer/axes/small_units.h"
 #include "importer/axes/text_lines.h"
 #include "importer/axes/unit_token.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
+#include "importer/lexicon/printed_unit.h"
 
 namespace detent::importer {
 namespace {

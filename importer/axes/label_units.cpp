@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "importer/axes/printed_number.h"
-#include "importer/axes/printed_unit.h"
+#include "importer/lexicon/printed_unit.h"
 
 namespace detent::importer {
 namespace {
@@ -25,7 +25,7 @@ std::optional<Unit> unitBehindNumbers(GraphReading& r, const AxisLabels& labels,
     const auto [number, letters] = numberAndSuffix(r.reader.readLine(wholes[i], TextKind::words).utf8);
     if (letters.empty() || !printedNumber(number)) continue;
     ++lettered;
-    if (const auto unit = parse(letters)) ++votes[unit->unit];
+    if (const auto unit = parse(letters, TextSource::recognised)) ++votes[unit->unit];
   }
   const auto most = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; });
   if (most == votes.end() || most->second < fewest || 2 * most->second <= lettered) return {};
@@ -68,7 +68,7 @@ std::optional<Unit> unitInPlaceOfNumber(GraphReading& r, const AxisLabels& label
   const SeenText text = r.reader.readLine(place, TextKind::words);
   const bool isWord = std::ranges::none_of(text.utf8, [](char c) { return c >= '0' && c <= '9'; });
   if (!isWord || text.confidence < certain) return {};
-  const auto unit = parse(text.utf8);
+  const auto unit = parse(text.utf8, TextSource::recognised);
   return unit ? std::optional<Unit>(unit->unit) : std::nullopt;
 }
 
@@ -90,9 +90,9 @@ std::optional<LengthUnit> lengthUnitBehindNumbers(GraphReading& r, const AxisLab
 
 std::optional<ForceUnit> forceUnitBehindNumbers(GraphReading& r, const AxisLabels& labels) {
   // The axis is to be one of forces: "of" is what the engine makes of "gf" there.
-  return unitBehindNumbers<ForceUnit>(r, labels, [](const std::string& letters) {
-    const auto unit = forceUnitIn(letters);
-    return unit ? unit : forceUnitIn("force (" + letters + ")");
+  return unitBehindNumbers<ForceUnit>(r, labels, [](const std::string& letters, TextSource source) {
+    const auto unit = forceUnitIn(letters, source);
+    return unit ? unit : forceUnitIn("force (" + letters + ")", source);
   });
 }
 

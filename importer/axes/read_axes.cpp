@@ -7,17 +7,20 @@
 #include <initializer_list>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 
 #include <opencv2/core.hpp>
 
 #include "importer/axes/axis_calibration.h"
 #include "importer/axes/axis_labels.h"
+#include "importer/axes/axis_multiplier.h"
 #include "importer/axes/axis_titles.h"
 #include "importer/axes/button_sizes.h"
 #include "importer/axes/graph_reading.h"
 #include "importer/axes/label_units.h"
 #include "importer/axes/printed_number.h"
-#include "importer/axes/word_match.h"
+#include "importer/axes/text_source.h"
+#include "importer/axes/uneven_scale.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -42,6 +45,9 @@ const char* nameOf(Axis axis) { return axis == Axis::x ? "x" : "y"; }
 Message placeOf(Axis axis) { return Message("%1 axis", nameOf(axis)); }
 
 Failure unread(const std::optional<AxisLabels>& labels, Axis axis) {
+  if (labels)
+    if (const std::string scale = unevenScaleIn(*labels, axis); !scale.empty())
+      return failureOf({DoubtCode::otherQuantity, {nameOf(axis), scale}, {}}, "plot frame", placeOf(axis));
   if (labels && labels->numbers() >= 2)
     return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
                      placeOf(axis));
@@ -236,19 +242,19 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double f
   return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even * usualOf(*labels, read);
 }
 
-/// What is written beside the frame names travel or force, if not their units.
+/// Returns true if what is written beside the frame names travel or force, though not their units.
 bool namesForceOrTravel(const std::vector<SeenText>& texts) {
-  constexpr std::array words{"travel", "stroke", "displacement", "deflection", "force",
-                             "kraft",  "load",   "weg",          "hub"};
-  return std::any_of(texts.begin(), texts.end(), [&](const SeenText& text) {
-    const std::string low = lowered(text.utf8);
-    return std::any_of(words.begin(), words.end(), [&](const char* word) { return mentions(low, word); });
+  return std::ranges::any_of(texts, [](const SeenText& text) {
+    return namesQuantity(text.utf8, Quantity::force, sourceOf(text)) ||
+           namesQuantity(text.utf8, Quantity::travel, sourceOf(text));
   });
 }
 
+constexpr double confidenceOfOther = 0.2;  // of axes that measure something else
+
 /// One unit by default may be right; with none, the numbers could be of anything, unless words say of what.
 double sureOfUnits(const AxisCalibration& found, const std::vector<SeenText>& texts) {
-  if (!found.x.otherQuantity.empty() || !found.y.otherQuantity.empty()) return 0.2;
+  if (!found.x.otherQuantity.empty() || !found.y.otherQuantity.empty()) return confidenceOfOther;
   if (found.x.unitFound && found.y.unitFound) return 1;
   if (found.x.unitFound || found.y.unitFound) return 0.7;
   return namesForceOrTravel(texts) ? 0.45 : 0.28;
@@ -455,7 +461,7 @@ void takeHeadingUnits(AxesFound& axes, GraphReading& r) {
   std::vector<SeenText> lines = r.ownTexts(over);
   if (lines.empty()) lines = r.readLines(over, 0, {0.5 * (b.x0 + b.x1), b.y0}, fewLines);
   for (const SeenText& line : lines) {
-    const auto units = headingUnitsIn(line.utf8);
+    const auto units = headingUnitsIn(line.utf8, sourceOf(line));
     if (!units) continue;
     if (saysItsUnit(cal.x, line.utf8) || saysItsUnit(cal.y, line.utf8)) return;
     if (cal.x.unitFound && lengthUnitFrom(cal.x.unit) != units->length) return;
@@ -477,6 +483,30 @@ constexpr double axisBeyondCurve = 2;  // axes end at most so many times as far 
 constexpr AxisReach travels_mm{leastTravel_mm, axisBeyondCurve*mostTravel_mm},
     forces_N{leastForce_N, axisBeyondCurve*mostForce_N};
 
+/// Multiplies the numbers of an axis.
+void multiply(AxisReading& axis, double factor) {
+  axis.min *= factor, axis.max *= factor;
+  for (TickLabel& tick : axis.ticks) tick.value *= factor;
+}
+
+/// Box of an axis' labels, or its place on the frame without any.
+Box extentOf(const std::optional<AxisLabels>& labels, const Box& edge) {
+  return labels && !labels->words.empty() ? labels->extent : edge;
+}
+
+/// Applies the powers of ten at the ends of the axes whose ranges were not given.
+void applyMultipliers(AxisCalibration& cal, GraphReading& r, const std::optional<AxisLabels>& x,
+                      const std::optional<AxisLabels>& y, const AxisHints& hints) {
+  const Box& b = r.box;
+  const auto apply = [&](AxisReading& reading, Axis axis, std::size_t row, const Box& labels) {
+    const double factor = multiplierAtEnd(r, axis, labels);
+    multiply(reading, factor);
+    scaleRow(cal.viewToUnits, row, factor);
+  };
+  if (!hints.xMin && !hints.xMax) apply(cal.x, Axis::x, 0, extentOf(x, {b.x0, b.y1, b.x1, b.y1 + 1}));
+  if (!hints.yMin && !hints.yMax) apply(cal.y, Axis::y, 1, extentOf(y, {b.x0 - 1, b.y0, b.x0, b.y1}));
+}
+
 /// What an axis' numbers are to be multiplied by where "1,000" may be a thousand or have three decimals and only one of them
 /// makes a button's size: 1 or 1000. Where both or none do it stays unclear.
 double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach) {
@@ -487,8 +517,7 @@ double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach
   if (likely(asDecimals) == likely(asThousands)) return 1;
   axis.thousandsUnclear = false;
   if (likely(asDecimals)) return 1;
-  axis.min *= 1000, axis.max *= 1000;
-  for (TickLabel& tick : axis.ticks) tick.value *= 1000;
+  multiply(axis, 1000);
   return 1000;
 }
 
@@ -548,6 +577,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   cal.y.max = endOf(y.first, yGiven.max.has_value(), yLabels);
   const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
   cal.viewToUnits = homographyOf(corners, {x.first * mm, x.last * mm}, {y.first * newton, y.last * newton});
+  applyMultipliers(cal, r, xLabels, yLabels, hints);
   scaleRow(cal.viewToUnits, 0, settleThousands(cal.x, mm, travels_mm));
   scaleRow(cal.viewToUnits, 1, settleThousands(cal.y, newton, forces_N));
 
@@ -559,6 +589,14 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
   found.calibration.evidence = {evidenceOf(Axis::x, xLabels, xGiven.range()),
                                 evidenceOf(Axis::y, yLabels, yGiven.range())};
+  // A range that was given settles no scale that is not linear.
+  for (const auto& [axis, reading, given] :
+       {std::tuple(Axis::x, &cal.x, xGiven.range()), std::tuple(Axis::y, &cal.y, yGiven.range())})
+    if (const auto labels = given ? readAxisLabels(r, axis) : std::nullopt)
+      if (const std::string scale = unevenScaleIn(*labels, axis); !scale.empty()) {
+        reading->otherQuantity = scale;
+        found.calibration.confidence *= confidenceOfOther;
+      }
   for (const auto& [axis, labels] : {std::pair(Axis::x, &xLabels), std::pair(Axis::y, &yLabels)}) {
     if (hasProgression(*labels) && !(*labels)->progression->fromTicks)
       found.remarks.push_back({RemarkCode::axisWithoutTicks, {nameOf(axis)}});

@@ -10,10 +10,10 @@
 #include "importer/axes/cyrillic_look.h"
 #include "importer/axes/equal_digits.h"
 #include "importer/axes/read_text.h"
-#include "importer/axes/stroke_words.h"
 #include "importer/axes/text_lines.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
+#include "importer/lexicon/stroke_words.h"
 #include "importer/page/quantile.h"
 #include "importer/page/same_ink.h"
 
@@ -186,14 +186,15 @@ int letterCountOfText(const std::string& text) {
       text.begin(), text.end(), [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }));
 }
 
-/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N", beside a sample also "A".
+/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N", beside a legend key also "A" and "2019".
 bool isShortName(const SeenText& seen, bool besideSample) {
   constexpr double sure = 0.6;  // confidence
   const auto digits = std::count_if(seen.utf8.begin(), seen.utf8.end(),
                                     [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
   const int letters = letterCountOfText(seen.utf8);
-  return seen.confidence >= sure && letters > 0 && letters < minLetters &&
-         (besideSample || (digits > 0 && digits + letters >= 3));
+  if (seen.confidence < sure) return false;
+  if (letters == 0) return besideSample && digits >= 2;  // a year, a size
+  return letters < minLetters && (besideSample || (digits > 0 && digits + letters >= 3));
 }
 
 /// What a name is made of, digits as zeros: "3.5 N" is "0.0N".

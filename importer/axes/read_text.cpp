@@ -24,6 +24,7 @@ namespace {
 constexpr double readHeight_px =
     32;  // height of a text line the recogniser is trained on (Tesseract 5 LSTM: 36 with margins)
 constexpr int margin_px = 10;
+constexpr double mostSure = 0.995;    // confidence; 1 is left to the document's own text
 constexpr double sureReading = 0.75;  // digits in good print score above 0.9
 
 /// How a crop is shown to the recogniser.
@@ -94,7 +95,7 @@ class Engine {
     const std::unique_ptr<char[]> text(api_->GetUTF8Text());
     if (text) seen.utf8 = model_ ? model_->original(text.get()) : text.get();
     while (!seen.utf8.empty() && (seen.utf8.back() == '\n' || seen.utf8.back() == ' ')) seen.utf8.pop_back();
-    seen.confidence = seen.utf8.empty() ? 0 : std::clamp(api_->MeanTextConf() / 100.0, 0.0, 1.0);
+    seen.confidence = seen.utf8.empty() ? 0 : std::clamp(api_->MeanTextConf() / 100.0, 0.0, mostSure);
     return seen;
   }
 

@@ -8,28 +8,27 @@
 #include <string_view>
 
 #include "importer/frame/glyph_marks.h"
+#include "importer/lexicon/lexicon.h"
+#include "model/units.h"
 
 namespace detent::importer {
 namespace {
 
-/// Spellings a unit may come back in, and what they stand for. Digits are none of the letters asked for.
-struct Spelling {
-  std::string_view seen, unit;
-};
-
-constexpr std::array spellings{
-    Spelling{"N", "N"},      Spelling{"H", "N"},     Spelling{"cN", "cN"},   Spelling{"CN", "cN"},
-    Spelling{"cH", "cN"},    Spelling{"CH", "cN"},   Spelling{"mN", "mN"},   Spelling{"mH", "mN"},
-    Spelling{"MH", "mN"},    Spelling{"kN", "kN"},   Spelling{"dN", "dN"},   Spelling{"g", "gf"},
-    Spelling{"r", "gf"},     Spelling{"gf", "gf"},   Spelling{"gF", "gf"},   Spelling{"rc", "gf"},
-    Spelling{"kg", "kgf"},   Spelling{"kgf", "kgf"}, Spelling{"krc", "kgf"}, Spelling{"Krc", "kgf"},
-    Spelling{"oz", "oz"},    Spelling{"Oz", "oz"},   Spelling{"OZ", "oz"},   Spelling{"oZ", "oz"},
-    Spelling{"ozf", "ozf"},  Spelling{"Ozf", "ozf"}, Spelling{"ib", "lb"},   Spelling{"lb", "lb"},
-    Spelling{"Lb", "lb"},    Spelling{"lbf", "lbf"}, Spelling{"ibf", "lbf"}, Spelling{"Lbf", "lbf"},
-    Spelling{"mm", "mm"},    Spelling{"MM", "mm"},   Spelling{"cm", "cm"},   Spelling{"um", "um"},
-    Spelling{"pm", "um"},    Spelling{"MKM", "um"},  Spelling{"mkm", "um"},  Spelling{"MkM", "um"},
-    Spelling{"Mkm", "um"},   Spelling{"in", "in"},   Spelling{"inch", "in"}, Spelling{"mil", "mil"},
-    Spelling{"mils", "mil"}, Spelling{"of", "gf"},   Spelling{"ef", "gf"},   Spelling{"sf", "gf"}};
+/// The symbol of a unit that plots are drawn in, as read or as what it is a misreading of; empty if it is none.
+std::string_view symbolIn(std::string_view core, bool apart) {
+  constexpr double surelyMisread = 0.5;             // cost of a reading
+  constexpr std::array others{"n", "p", "m", "P"};  // units by the book that no plot names so
+  if (std::ranges::find(others, core) != others.end()) return {};
+  if (const auto reading = unitReadAs(core, TextSource::recognised, false))
+    return !reading->needsQuantity || (apart && reading->cost < surelyMisread) ? reading->printed
+                                                                               : std::string_view();
+  if (const auto force = forceUnitFrom(core);
+      force && *force != ForceUnit::meganewton && *force != ForceUnit::micronewton)
+    return symbolOf(*force);
+  const auto length = lengthUnitFrom(core);
+  return length && *length != LengthUnit::metre && *length != LengthUnit::nanometre ? symbolOf(*length)
+                                                                                    : std::string_view();
+}
 
 bool isBracket(char c) { return c == '(' || c == ')' || c == '[' || c == ']'; }
 bool isMark(char c) { return isBracket(c) || c == '/' || c == ',' || c == '.' || c == ' '; }
@@ -97,12 +96,12 @@ std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool ap
     ++marks;
     apart = apart || c != '.';
   }
-  const auto known = std::ranges::find(spellings, core, &Spelling::seen);
+  const std::string_view symbol = symbolIn(core, apart);
   // A letter less than there is ink was lost: the N of "cN".
-  if (known == spellings.end() || blobs > core.size() + marks) return {};
+  if (symbol.empty() || blobs > core.size() + marks) return {};
   // Words of their own, or too short to be more than a word's end.
   if (!apart && (core.size() < 2 || core == "of" || core == "in")) return {};
-  return UnitToken{std::string(known->unit), apart};
+  return UnitToken{std::string(symbol), apart};
 }
 
 }  // namespace

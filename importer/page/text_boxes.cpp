@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 namespace detent::importer {
 namespace {
@@ -81,7 +83,36 @@ Extent extentAlong(const fz_stext_char& letter, const fz_point& direction) {
   return {along(letter.quad.ll), along(letter.quad.lr)};
 }
 
-void addLine(const fz_stext_line& line, const Box& page, std::vector<TextBox>& boxes) {
+/// Letters of a page, each once: bold made by hand, halos and glows set them again a little aside.
+class LettersOnce {
+ public:
+  /// Returns true if the same letter stands here already.
+  bool isRepeated(const fz_stext_char& letter) {
+    constexpr double ofWidth = 0.5;  // the next letter of a word stands a whole width on
+    const fz_point &from = letter.quad.ll, &to = letter.quad.lr;
+    const double width = std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y));
+    const double reach = std::max(1e-6, ofWidth * width);
+    const auto cell = [&](float at) {
+      return static_cast<long>(std::floor(static_cast<double>(at) / reach));
+    };
+    const long column = cell(letter.origin.x), row = cell(letter.origin.y);
+    for (long x = column - 1; x <= column + 1; ++x)
+      for (long y = row - 1; y <= row + 1; ++y) {
+        const auto seen = places_.find({letter.c, x, y});
+        if (seen != places_.end() &&
+            std::hypot(static_cast<double>(seen->second.x - letter.origin.x),
+                       static_cast<double>(seen->second.y - letter.origin.y)) < reach)
+          return true;
+      }
+    places_.emplace(std::tuple(letter.c, column, row), letter.origin);
+    return false;
+  }
+
+ private:
+  std::map<std::tuple<int, long, long>, fz_point> places_;
+};
+
+void addLine(const fz_stext_line& line, const Box& page, LettersOnce& letters, std::vector<TextBox>& boxes) {
   constexpr double widestGap_em = 1.0;
   const double angle =
       -std::atan2(static_cast<double>(line.dir.y), static_cast<double>(line.dir.x)) * 180 / std::numbers::pi;
@@ -93,6 +124,7 @@ void addLine(const fz_stext_line& line, const Box& page, std::vector<TextBox>& b
       builder.space();
       continue;
     }
+    if (letters.isRepeated(*letter)) continue;
     const Extent extent = extentAlong(*letter, line.dir);
     if (!first && line.wmode == 0 && extent.begin - lastEnd > widestGap_em * letter->size)
       builder.flush(boxes, page);
@@ -107,10 +139,11 @@ void addLine(const fz_stext_line& line, const Box& page, std::vector<TextBox>& b
 
 std::vector<TextBox> textBoxes(const fz_stext_page& text, const Box& bounds) {
   std::vector<TextBox> boxes;
+  LettersOnce letters;
   for (const fz_stext_block* block = text.first_block; block; block = block->next) {
     if (block->type != FZ_STEXT_BLOCK_TEXT) continue;
     for (const fz_stext_line* line = block->u.t.first_line; line; line = line->next)
-      addLine(*line, bounds, boxes);
+      addLine(*line, bounds, letters, boxes);
   }
   return boxes;
 }

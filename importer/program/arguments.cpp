@@ -150,6 +150,10 @@ void addOutputs(CLI::App& app, Arguments& a) {
       "--overlay", a.overlayPath,
       "picture to write: what was found and what ink is left over, drawn over the page (png); also "
       "where the graph is not certain enough");
+  app.add_option(
+      "--dump-steps", a.stepsPath,
+      "for developers: what each step found, to write as JSON (tokens, axes, polylines, pair), as far "
+      "as the import came");
 }
 
 void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {

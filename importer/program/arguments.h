@@ -21,8 +21,8 @@ struct Arguments {
   bool pair = false;  ///< the release's file is in the hints, no longer among `inputs`
   bool ask = false;
   bool explain = false;
-  bool jsonLines = false;                                   ///< with it json
-  std::string buttonPath, csvPath, tracePath, overlayPath;  ///< empty: not asked for
+  bool jsonLines = false;                                              ///< with it json
+  std::string buttonPath, csvPath, tracePath, overlayPath, stepsPath;  ///< empty: not asked for
 
   bool family = false;  ///< `inputs` are records of one button at different speeds
 

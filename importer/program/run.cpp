@@ -21,6 +21,7 @@
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
 #include "importer/program/staged_outputs.h"
+#include "importer/program/steps_json.h"
 #include "model/file/button_file.h"
 #include "model/file/curve_csv.h"
 #include "model/file/json_text.h"
@@ -35,7 +36,7 @@ constexpr int interruptedExitCode = static_cast<int>(FailureCode::cancelled);
 
 /// Where one import's results go; empty paths are not wanted.
 struct OutputPaths {
-  std::string button, csv, trace, overlay;
+  std::string button, csv, trace, overlay, steps;
 };
 
 /// "plot.button.json" -> "plot-p2-g1.button.json": one name per graph.
@@ -52,7 +53,8 @@ std::string withGraphNumber(const std::string& path, int page, int graph) {
 
 OutputPaths numbered(const OutputPaths& paths, int page, int graph) {
   return {withGraphNumber(paths.button, page, graph), withGraphNumber(paths.csv, page, graph),
-          withGraphNumber(paths.trace, page, graph), withGraphNumber(paths.overlay, page, graph)};
+          withGraphNumber(paths.trace, page, graph), withGraphNumber(paths.overlay, page, graph),
+          withGraphNumber(paths.steps, page, graph)};
 }
 
 Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const OutputPaths& paths) {
@@ -80,6 +82,15 @@ std::string writeRefusal(const GraphEvidence& evidence, const Failure& why, cons
   if (done) done = outputs.commit();
   return done ? "wrote " + paths.overlay + ", where the import was refused\n"
               : done.failure().sentence() + "\n";
+}
+
+/// Writes what each step found, whatever came of it. Says so where it cannot, in a line.
+std::string writeSteps(const ImportAttempt& attempt, const std::string& input, const std::string& path) {
+  if (path.empty()) return {};
+  StagedOutputs outputs;
+  auto done = outputs.stage(path, stepsJson(attempt, input));
+  if (done) done = outputs.commit();
+  return done ? std::string() : done.failure().sentence() + "\n";
 }
 
 std::string warningLines(const std::vector<Remark>& remarks) {
@@ -121,6 +132,7 @@ int importOne(ImportSession& session, const ImportRequest& request, const Output
   const auto& [report, evidence, question, interpretations] = attempt;
   told.question = question;
   if (!interpretations.empty()) told.explanation = explanationTable(interpretations);
+  told.text += writeSteps(attempt, request.path, paths.steps);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
@@ -207,7 +219,7 @@ int runImport(const Arguments& a, const Progress& progress) {
   ImportRequest request = a.request;
   request.path = a.inputs.front();
   if (a.timeLimit_s) request.timeLimit.emplace(*a.timeLimit_s);
-  const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath};
+  const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath, a.stepsPath};
   Told told;
   int exitCode = 0;
   if (a.family) {

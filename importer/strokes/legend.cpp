@@ -7,34 +7,23 @@
 #include <string>
 #include <vector>
 
-#include "importer/axes/stroke_words.h"
+#include "importer/lexicon/stroke_words.h"
 #include "importer/trace/curve_trace.h"
 
 namespace detent::importer {
 
 namespace {
 
-constexpr std::array kPointSigns = {"点", "點", "位置"};
-
-bool isLetter(unsigned char c) { return (c >= 'a' && c <= 'z') || c >= 0x80; }
-
-/// Words as `folded` writes them; bytes above ASCII count as letters.
-std::vector<std::string> wordsOf(std::string_view utf8) {
-  std::vector<std::string> words(1);
-  for (const char c : folded(utf8)) {
-    if (isLetter(static_cast<unsigned char>(c)))
-      words.back() += c;
-    else if (!words.back().empty())
-      words.emplace_back();
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
+/// Words of a label without phrases that are other things' names ("load cell").
+std::vector<std::string> ownNamesOf(std::string_view utf8) {
+  std::string text;
+  for (const std::string& word : wordsOf(utf8)) text += (text.empty() ? "" : " ") + word;
+  return wordsOf(withoutOtherNames(text));
 }
 
-bool namesPoint(std::string_view utf8, const std::vector<std::string>& words) {
-  return std::ranges::any_of(words, isPointWord) ||
-         std::ranges::any_of(
-             kPointSigns, [&](std::string_view sign) { return utf8.find(sign) != std::string_view::npos; });
+bool namesPoint(std::string_view utf8, const std::vector<std::string>& words, TextSource source) {
+  return std::ranges::any_of(words, [&](const std::string& word) { return isPointWord(word, source); }) ||
+         holdsSign(utf8, WordKind::point);
 }
 
 /// The stroke of a text of one word that says so alone.
@@ -43,12 +32,34 @@ std::optional<Stroke> loneStroke(std::string_view utf8) {
   return words.size() == 1 ? strokeOfLoneWord(words.front()) : std::nullopt;
 }
 
-/// Which strokes a text has words or signs for.
-SignedStrokes strokesIn(std::string_view utf8) {
+/// Returns true if a word stands before a noun that the lexicon does not know, as its attribute: "Pressing
+/// plate", "Return loss". A name in capitals is a switch's: "Press Boba".
+bool isAttribute(std::string_view label, const std::string& word, TextSource source) {
+  constexpr std::size_t fewest = 4;  // letters of a noun; shorter ones number switches
+  for (std::size_t from = 0; from < label.size();) {
+    const std::size_t to = std::min(label.find(' ', from), label.size());
+    if (folded(label.substr(from, to - from)) == word && to + 1 < label.size()) {
+      const std::string_view rest = label.substr(to + 1);
+      const std::vector<std::string> next = wordsOf(rest.substr(0, rest.find(' ')));
+      const bool isSmall = rest.front() >= 'a' && rest.front() <= 'z';
+      return isSmall && next.size() == 1 && letterCount(next.front()) >= fewest &&
+             !matchWord(next.front(),
+                        {WordKind::press, WordKind::release, WordKind::curve, WordKind::variant,
+                         WordKind::quantity, WordKind::wear},
+                        source);
+    }
+    from = to + 1;
+  }
+  return false;
+}
+
+/// Strokes that a text has words or signs for.
+SignedStrokes strokesIn(std::string_view utf8, TextSource source) {
   SignedStrokes named = strokesSignedIn(utf8);
   if (const auto lone = loneStroke(utf8)) (*lone == Stroke::press ? named.press : named.release) = true;
-  for (const std::string& word : wordsOf(utf8)) {
-    const auto stroke = strokeOfWord(word);
+  for (const std::string& word : ownNamesOf(utf8)) {
+    if (isAttribute(utf8, word, source)) continue;
+    const auto stroke = strokeOfWord(word, source);
     named.press = named.press || stroke == Stroke::press;
     named.release = named.release || stroke == Stroke::release;
   }
@@ -56,60 +67,45 @@ SignedStrokes strokesIn(std::string_view utf8) {
 }
 
 /// Of a word without its signs for strokes; empty if it had nothing else.
-bool isStrokeWord(const std::string& word) {
-  return word.empty() || strokeOfWord(word) || strokeOfPart(word);
+bool isStrokeWord(const std::string& word, TextSource source) {
+  return word.empty() || strokeOfWord(word, source) || strokeOfPart(word);
 }
 
-// A curve of a worn switch is called by its age.
-constexpr std::array kWearWords = {
-    "cycles",    "million",     "millions",   "worn",         "aged",          "used",     "zyklen",
-    "millionen", "lastwechsel", "lastspiele", "schaltspiele", "schaltspielen", "gealtert", "gebraucht",
-    "abgenutzt", "usure",       "ciclos",     "cicli",        "usado",         "usato",    "cykli",
-    "cykler",    "cykly",       "циклов",     "циклы",        "износ"};
-constexpr std::array kWearSigns = {"万次", "万回", "磨损", "摩耗", "만회"};
-
-/// By colour, kind or state switches are told apart, not strokes.
-constexpr std::array kSwitchWords = {
-    "red",     "blue",   "brown",  "black",  "white",   "green", "yellow", "orange",  "pink",    "purple",
-    "grey",    "gray",   "silver", "clear",  "rot",     "blau",  "braun",  "schwarz", "weiss",   "grun",
-    "gelb",    "rouge",  "bleu",   "brun",   "marron",  "noir",  "blanc",  "vert",    "jaune",   "rojo",
-    "azul",    "negro",  "blanco", "verde",  "rosso",   "blu",   "nero",   "bianco",  "giallo",  "rood",
-    "blauw",   "bruin",  "zwart",  "wit",    "groen",   "geel",  "linear", "tactile", "clicky",  "silent",
-    "soft",    "hard",   "light",  "heavy",  "medium",  "new",   "old",    "used",    "worn",    "fresh",
-    "before",  "after",  "cold",   "hot",    "dry",     "lubed", "stock",  "neu",     "alt",     "vorher",
-    "nachher", "weich",  "hart",   "leicht", "schwer",  "kalt",  "warm",   "ideal",   "nominal", "measured",
-    "theory",  "model",  "min",    "max",    "typ",     "upper", "lower",  "left",    "right",   "links",
-    "rechts",  "sample", "probe",  "muster", "average", "mean"};
-
-constexpr std::array kQuantityWords = {"force", "travel", "kraft", "mesure", "messung"};
-
 /// Words that name neither a stroke nor a curve.
-std::vector<std::string> wordsBesideStroke(std::string_view utf8) {
+std::vector<std::string> wordsBesideStroke(std::string_view utf8, TextSource source) {
   if (loneStroke(utf8)) return {};
   std::vector<std::string> words = wordsOf(utf8);
   for (std::string& word : words) word = withoutStrokeSigns(word);
-  std::erase_if(words, [](const std::string& word) { return isStrokeWord(word) || isCurveWord(word); });
+  std::erase_if(words, [&](const std::string& word) {
+    return isStrokeWord(word, source) || isCurveWord(word, source);
+  });
   return words;
 }
 
 /// Words that name neither a stroke nor what every legend names: a switch's own name.
-std::vector<std::string> ownWords(std::string_view utf8) {
-  std::vector<std::string> own = wordsBesideStroke(utf8);
-  std::erase_if(own, [](const std::string& word) {
-    return std::ranges::find(kQuantityWords, word) != kQuantityWords.end();
+std::vector<std::string> ownWords(std::string_view utf8, TextSource source) {
+  std::vector<std::string> own = wordsBesideStroke(utf8, source);
+  std::erase_if(own, [&](const std::string& word) {
+    const auto quantity = matchWord(word, {WordKind::quantity}, source);
+    return quantity && (quantity->entry->value == "force" || quantity->entry->value == "travel");
   });
   return own;
 }
 
-/// Whether a text says how far a switch is worn, and nothing of a stroke: "after 1 million strokes".
-bool namesWear(std::string_view utf8) {
-  const std::vector<std::string> words = wordsOf(utf8);
-  const auto saysSo = [&](std::string_view word) {
-    return std::ranges::find(kWearWords, word) != kWearWords.end();
+/// Returns true if a text says how far a switch is worn, and nothing of a stroke: "after 1 million strokes".
+bool namesWear(std::string_view utf8, TextSource source) {
+  const auto saysSo = [](const std::string& word) {
+    return matchWord(word, {WordKind::wear}, TextSource::exact).has_value();
   };
-  const auto holds = [&](std::string_view sign) { return utf8.find(sign) != std::string_view::npos; };
-  return !strokeNamedBy(utf8) &&
-         (std::ranges::any_of(words, saysSo) || std::ranges::any_of(kWearSigns, holds));
+  return !strokeNamedBy(utf8, source) &&
+         (std::ranges::any_of(wordsOf(utf8), saysSo) || holdsSign(utf8, WordKind::wear));
+}
+
+/// Returns true if a recognised text may be the misread name of a stroke: it is one word, with more letters
+/// wrong than prove a name.
+bool mayBeMisread(std::string_view utf8, Stroke stroke, TextSource source) {
+  const std::vector<std::string> words = wordsOf(utf8);
+  return source == TextSource::recognised && words.size() == 1 && strokeLike(words.front()) == stroke;
 }
 
 std::vector<std::string> numbersOf(std::string_view utf8) {
@@ -127,7 +123,7 @@ std::vector<std::string> numbersOf(std::string_view utf8) {
 bool isJoint(char c) { return std::string_view(" _-/:,;()[]").find(c) != std::string_view::npos; }
 
 /// Of one text.
-std::string withoutStrokeWords(std::string_view utf8) {
+std::string withoutStrokeWords(std::string_view utf8, TextSource source) {
   if (loneStroke(utf8)) return {};
   std::string name;
   bool shortened = false;
@@ -136,7 +132,7 @@ std::string withoutStrokeWords(std::string_view utf8) {
     while (to < utf8.size() && isJoint(utf8[to]) == isJoint(utf8[i])) ++to;
     const std::string_view part = utf8.substr(i, to - i);
     const std::vector<std::string> words = wordsOf(part);
-    const bool namesStroke = words.size() == 1 && isStrokeWord(withoutStrokeSigns(words.front()));
+    const bool namesStroke = words.size() == 1 && isStrokeWord(withoutStrokeSigns(words.front()), source);
     shortened = shortened || namesStroke;
     if (!namesStroke) name += part;
     i = to;
@@ -155,63 +151,64 @@ std::string withoutStrokeWords(std::string_view utf8) {
 
 }  // namespace
 
-bool namesACurve(std::string_view utf8) {  // a callout beside its leader names a point, not a curve
+bool namesACurve(std::string_view utf8, TextSource source) {  // a callout beside its leader names a point
   const std::vector<std::string> words = wordsOf(utf8);
-  return !words.empty() && !namesPoint(utf8, words);
+  const auto isYearOrSize = [](const std::string& number) { return number.size() > 1; };  // "2019", "55"
+  return words.empty() ? std::ranges::any_of(numbersOf(utf8), isYearOrSize)
+                       : !namesPoint(utf8, words, source);
 }
 
-bool namesOnePair(std::string_view a, std::string_view b) {
-  if (!namesACurve(a) || !namesACurve(b) || strokeNamedBy(a) == strokeNamedBy(b)) return false;
-  return ownWords(a) == ownWords(b) && numbersOf(a) == numbersOf(b);
+bool mayNameAPoint(std::string_view utf8) { return std::ranges::any_of(wordsOf(utf8), mayBePointWord); }
+
+bool namesOnePair(std::string_view a, std::string_view b, TextSource source) {
+  if (!namesACurve(a, source) || !namesACurve(b, source) ||
+      strokeNamedBy(a, source) == strokeNamedBy(b, source))
+    return false;
+  return ownWords(a, source) == ownWords(b, source) && numbersOf(a) == numbersOf(b);
 }
 
-bool namesBothStrokes(std::string_view label) {
-  const SignedStrokes named = strokesIn(label);
+bool namesBothStrokes(std::string_view label, TextSource source) {
+  const SignedStrokes named = strokesIn(label, source);
   return named.press && named.release;
 }
 
-bool namesNothingButRelease(std::string_view utf8) {
-  return (strokeNamedBy(utf8) == Stroke::release || (namesBothStrokes(utf8) && namesACurve(utf8))) &&
-         wordsBesideStroke(utf8).empty() && numbersOf(utf8).empty();
+bool namesNothingButRelease(std::string_view utf8, TextSource source) {
+  return (strokeNamedBy(utf8, source) == Stroke::release ||
+          (namesBothStrokes(utf8, source) && namesACurve(utf8, source))) &&
+         wordsBesideStroke(utf8, source).empty() && numbersOf(utf8).empty();
 }
 
 bool isDefaultName(std::string_view utf8) {
-  constexpr std::array kSeries = {"data", "series", "serie",   "seria", "datenreihe", "datenreihen", "reihe",
-                                  "plot", "trace",  "dataset", "wave",  "ряд",        "系列",        "계열"};
-  constexpr std::array kColumns = {"column", "spalte", "colonne", "columna", "coluna"};
   std::string name = folded(utf8);
   std::erase(name, ' ');
   // "'a.txt' using 1:2"
   if (name.find("using") != std::string::npos && name.find(':') != std::string::npos) return true;
-  const auto isOf = [&](const auto& words, const auto& isRest) {
-    return std::ranges::any_of(words, [&](std::string_view word) {
-      return name.starts_with(word) && isRest(std::string_view(name).substr(word.size()));
-    });
-  };
-  const auto isNumber = [](std::string_view rest) {  // "l": a one in pixels
+  return std::ranges::any_of(entriesOf(WordKind::series), [&](const LexiconEntry& entry) {
+    if (!name.starts_with(entry.word)) return false;
+    const std::string_view rest = std::string_view(name).substr(entry.word.size());
+    if (entry.value == "letter") return rest.size() == 1;
+    // "l": a one in pixels
     return rest == "l" || (!rest.empty() && rest.find_first_not_of("0123456789") == std::string_view::npos);
-  };
-  const auto isColumn = [](std::string_view rest) { return rest.size() == 1; };
-  return isOf(kSeries, isNumber) || isOf(kColumns, isColumn);
+  });
 }
 
-bool namesNoStroke(std::string_view utf8) {
-  return namesACurve(utf8) && !strokeNamedBy(utf8) && !namesBothStrokes(utf8) && !isDefaultName(utf8) &&
-         !ownWords(utf8).empty();
+bool namesNoStroke(std::string_view utf8, TextSource source) {
+  return namesACurve(utf8, source) && !strokeNamedBy(utf8, source) && !namesBothStrokes(utf8, source) &&
+         !isDefaultName(utf8) && !ownWords(utf8, source).empty();
 }
 
-bool mayNameAStroke(std::string_view utf8) {
+bool mayNameAStroke(std::string_view utf8, TextSource source) {
   constexpr std::size_t fewest = 3;  // letters: shorter ones count switches
   const std::vector<std::string> words = wordsOf(utf8);
-  return namesNoStroke(utf8) && words.size() == 1 && words.front().size() >= fewest &&
-         numbersOf(utf8).empty() && std::ranges::find(kSwitchWords, words.front()) == kSwitchWords.end();
+  return namesNoStroke(utf8, source) && words.size() == 1 && words.front().size() >= fewest &&
+         numbersOf(utf8).empty() && !matchWord(words.front(), {WordKind::variant}, TextSource::exact);
 }
 
-std::string switchNamedBy(std::string_view utf8) {
+std::string switchNamedBy(std::string_view utf8, TextSource source) {
   std::vector<std::string> names;
   for (std::size_t from = 0; from <= utf8.size();) {
     const std::size_t to = std::min(utf8.find(kLabelParting, from), utf8.size());
-    std::string name = withoutStrokeWords(utf8.substr(from, to - from));
+    std::string name = withoutStrokeWords(utf8.substr(from, to - from), source);
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(std::move(name));
     from = to + kLabelParting.size();
@@ -221,21 +218,27 @@ std::string switchNamedBy(std::string_view utf8) {
   return all;
 }
 
-bool mayBeOnePair(std::string_view a, std::string_view b) {
-  if (namesWear(a) != namesWear(b)) return false;
-  if (!namesACurve(a) || !namesACurve(b)) return true;
-  const std::optional<Stroke> ofA = strokeNamedBy(a), ofB = strokeNamedBy(b);
-  if (!ofA && !ofB) return false;
+bool mayBeOnePair(std::string_view a, std::string_view b, TextSource source) {
+  if (namesWear(a, source) != namesWear(b, source)) return false;
+  if (!namesACurve(a, source) || !namesACurve(b, source)) return true;
+  const std::optional<Stroke> ofA = strokeNamedBy(a, source), ofB = strokeNamedBy(b, source);
   if (ofA == ofB) return false;
-  return ownWords(a) == ownWords(b) || ownWords(a).empty() || ownWords(b).empty();
+  const std::vector<std::string> ownOfA = ownWords(a, source), ownOfB = ownWords(b, source);
+  if (ofA && ofB) return ownOfA == ownOfB || ownOfA.empty() || ownOfB.empty();
+  // The name of one alone is a stroke's: the other's is the switch's own as well ("Switch A", "Switch A
+  // release"), or misread.
+  const Stroke other =
+      ofA.value_or(ofB.value_or(Stroke::press)) == Stroke::press ? Stroke::release : Stroke::press;
+  return ownOfA == ownOfB || mayBeMisread(ofA ? b : a, other, source);
 }
 
-std::optional<Stroke> strokeNamedBy(std::string_view utf8) {
+std::optional<Stroke> strokeNamedBy(std::string_view utf8, TextSource source) {
   const std::vector<std::string> words = wordsOf(utf8);
-  if (namesPoint(utf8, words)) return {};
-  const SignedStrokes named = strokesIn(utf8);
+  if (namesPoint(utf8, words, source)) return {};
+  const SignedStrokes named = strokesIn(utf8, source);
   if (named.press == named.release)
-    return named.press || words.size() != 1 ? std::nullopt : strokeOfPart(words.front());
+    return named.press || words.size() != 1 || source == TextSource::exact ? std::nullopt
+                                                                           : strokeOfPart(words.front());
   return named.press ? Stroke::press : Stroke::release;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "importer/axes/text_source.h"
 #include "importer/page/polyline.h"
 #include "importer/strokes/legend.h"
 #include "importer/strokes/stroke_pair.h"
@@ -177,20 +178,36 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
       "plot frame");
 }
 
+/// Returns true if a text names a point in its legend, where it might name a stroke in another: an entry
+/// beside it names the press by a word for nothing else, and another one names the point of the press
+/// ("downstroke", "actuation", "release").
+bool namesPointInLegend(const SeenText& text, const std::vector<SeenText>& texts) {
+  if (!mayNameAPoint(text.utf8)) return false;
+  const auto isBeside = [&](bool point) {
+    return std::ranges::any_of(texts, [&](const SeenText& other) {
+      return other.box.inLineWith(text.box) && mayNameAPoint(other.utf8) == point &&
+             strokeNamedBy(other.utf8, sourceOf(other)) == Stroke::press;
+    });
+  };
+  return isBeside(true) && isBeside(false);
+}
+
 /// The legend's name of the release that belongs to a press named in it, none where it has no such entry.
 std::optional<std::string> releaseNamedBeside(const CurveTrace& press, const std::vector<SeenText>& texts) {
   if (press.labelBox_px.empty()) return {};
   const auto named = std::ranges::find_if(texts, [&](const SeenText& text) {
-    return strokeNamedBy(text.utf8) == Stroke::release && namesOnePair(press.label, text.utf8) &&
-           text.box.inLineWith(press.labelBox_px);
+    return strokeNamedBy(text.utf8, sourceOf(text)) == Stroke::release && !namesPointInLegend(text, texts) &&
+           namesOnePair(press.label, text.utf8) && text.box.inLineWith(press.labelBox_px);
   });
   return named == texts.end() ? std::nullopt : std::optional(named->utf8);
 }
 
-/// Words that name a release and nothing else, a legend's or a callout's: where they stand, a release is drawn.
+/// Words that name a release and nothing else, a legend's or a callout's: where they stand, a release is
+/// drawn.
 std::optional<std::string> releaseNamedAnywhere(const std::vector<SeenText>& texts) {
-  const auto named =
-      std::ranges::find_if(texts, [](const SeenText& text) { return namesNothingButRelease(text.utf8); });
+  const auto named = std::ranges::find_if(texts, [&](const SeenText& text) {
+    return namesNothingButRelease(text.utf8, sourceOf(text)) && !namesPointInLegend(text, texts);
+  });
   return named == texts.end() ? std::nullopt : std::optional(named->utf8);
 }
 
@@ -218,8 +235,8 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
   return found;
 }
 
-/// A key gives no more than was put into it: what lies above the press over a noticeable share of the travel is a callout's
-/// box or another switch's curve. The user's own colours are believed.
+/// A key gives no more than was put into it: what lies above the press over a noticeable share of the travel
+/// is a callout's box or another switch's curve. The user's own colours are believed.
 std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoints& release) {
   constexpr double clearShare = 0.05, leastTravel = 0.15;  // of the press' force, of the shared travel
   const auto [low, high] =
@@ -269,8 +286,9 @@ bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
   return std::min(largestDrop(press).force_N, largestDrop(release).force_N) > leastDrop * highest_N;
 }
 
-/// Friction delays what a switch does: on its way back the drop comes at less displacement. One that comes later is
-/// another switch's; both by increasing displacement (docs/develop/decisions/0809-several-curves-in-one-colour.md).
+/// Friction delays what a switch does: on its way back the drop comes at less displacement. One that comes
+/// later is another switch's; both by increasing displacement
+/// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
   constexpr double late = 0.05;  // of the travel; of 192 pairs 0.035 at most, of a named dome more
   const double travel_mm = press.points.back().displacement_mm - press.points.front().displacement_mm;
@@ -290,15 +308,16 @@ double topsApart(const StrokePoints& first, const StrokePoints& second, double C
   return (topOf(first, coordinate) - topOf(second, coordinate)) / spanOfBoth(first, second, coordinate);
 }
 
-/// A release starts where the press ended: one that reaches clearly less far was not followed to its end, or is another
-/// switch's press.
+/// A release starts where the press ended: one that reaches clearly less far was not followed to its end, or
+/// is another switch's press.
 bool reachApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clear = 0.1;  // of the travel of both
   return std::abs(topsApart(first, second, &CurvePoint::displacement_mm)) > clear;
 }
 
-/// Force by which the lines lie apart where both end, as a share of what they span, where neither is steep there: the loop is
-/// open, as between the curves of two things. Up a wall the strokes of one button may be cut at different heights.
+/// Force by which the lines lie apart where both end, as a share of what they span, where neither is steep
+/// there: the loop is open, as between the curves of two things. Up a wall the strokes of one button may be
+/// cut at different heights.
 double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   constexpr double lastShare = 0.03, steep = 0.1;  // of the travel; of the span, over that stretch
   constexpr std::size_t columns = 200;
@@ -320,8 +339,8 @@ double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   return std::abs(a.force_N - b.force_N) / span_N;
 }
 
-/// Of two lines in inks of their own one reaches further and the other higher: two switches'. A release whose end lies under
-/// the press reaches less of both.
+/// Of two lines in inks of their own one reaches further and the other higher: two switches'. A release
+/// whose end lies under the press reaches less of both.
 bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.1;    // of both strokes' span; of 123 drawn pairs 0.013 at most
   constexpr double clearTravel = 0.02;  // likewise; of those pairs 0
@@ -339,7 +358,8 @@ Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
   return shares;
 }
 
-/// How far the far end of one line lies from the other line, of both ends the nearer one, as a share of what both span.
+/// How far the far end of one line lies from the other line, of both ends the nearer one, as a share of what
+/// both span.
 double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   const CurvePoint span{spanOfBoth(first, second, &CurvePoint::displacement_mm),
                         spanOfBoth(first, second, &CurvePoint::force_N)};
@@ -352,8 +372,9 @@ double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   return std::min(gap(a, b), gap(b, a));
 }
 
-/// Two lines in inks of their own that end at different heights, the lower end beside the other's line and not on it: two presses, each
-/// with a wall of its own. A release that is cut lower up the wall begins on the press.
+/// Two lines in inks of their own that end at different heights, the lower end beside the other's line and
+/// not on it: two presses, each with a wall of its own. A release that is cut lower up the wall begins on
+/// the press.
 bool wallsApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.12;  // of both strokes' span
   constexpr double beside = 0.01;      // of both spans; of 449 drawn pairs of measured switches 0.005 at most
@@ -361,8 +382,9 @@ bool wallsApart(const StrokePoints& first, const StrokePoints& second) {
          gapAtTheEnd(first, second) > beside;
 }
 
-/// How much of the difference between two strokes (of its mean square, over the displacement of both) goes where one is taken
-/// for the other scaled in force and moved along the travel: 1 for two samples of one shape.
+/// How much of the difference between two strokes (of its mean square, over the displacement of both) goes
+/// where one is taken for the other scaled in force and moved along the travel: 1 for two samples of one
+/// shape.
 double sharedShape(const StrokePoints& first, const StrokePoints& second) {
   constexpr int cells = 200, mostMoved = 20;
   const double from_mm =
@@ -389,15 +411,16 @@ double sharedShape(const StrokePoints& first, const StrokePoints& second) {
   return apart > 0 ? 1 - left / apart : 0;
 }
 
-/// Two presses, of two samples or states: the one is the other scaled, as no friction makes a release, and the loop stays open.
+/// Two presses, of two samples or states: the one is the other scaled, as no friction makes a release, and
+/// the loop stays open.
 bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
   constexpr double open = 0.015;  // of pairs that are shaped alike 0.007 at most, as a wall in steps more
   constexpr double alike = 0.9;   // of pairs that stay open 0.84 at most
   return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
 }
 
-/// The way back of a key that locks: both lines end together, and the one that starts farther in comes down to the force at rest
-/// from which the other starts, below it all the way. Both by increasing displacement.
+/// The way back of a key that locks: both lines end together, and the one that starts farther in comes down
+/// to the force at rest from which the other starts, below it all the way. Both by increasing displacement.
 bool locksAtFoot(const StrokePoints& press, const StrokePoints& release, double below) {
   constexpr double farther = 0.15, together = 0.015, atRest = 0.1;  // of what both span
   constexpr double mostBelow = 0.02;                                // of the shared travel
@@ -420,7 +443,8 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
   const Verdict verdict = judge(first, second, compared, newtonPerPx);
   Found<StrokePair> found;
-  // Two tints that the legend names apart and the tracer saw as one ink: which of its lines is whose is not known.
+  // Two tints that the legend names apart and the tracer saw as one ink: which of its lines is whose is not
+  // known.
   constexpr double ofMergedTints = 0.45;
   constexpr double ofApart = 0.45;  // credit, as above
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
@@ -467,8 +491,8 @@ void orient(CurveTrace& trace) {
   std::ranges::reverse(trace.width_px);
 }
 
-/// A stroke begins at rest, at the foot: where it is not seen there because it lies under another curve, it runs down with that one. True where it
-/// does.
+/// A stroke begins at rest, at the foot: where it is not seen there because it lies under another curve, it
+/// runs down with that one. True where it does.
 bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   constexpr double touching_px = 3, least = 0.05, most = 0.05;  // the last two of its height, of its width
   if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return false;
@@ -489,8 +513,8 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   return true;
 }
 
-/// A release begins where the press ends: one of the two whose far end lies on the other, which goes on up from there by a small
-/// share of the travel, runs under it to its end. True where it was led there.
+/// A release begins where the press ends: one of the two whose far end lies on the other, which goes on up
+/// from there by a small share of the travel, runs under it to its end. True where it was led there.
 bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   constexpr double least = 0.05, most = 0.1;  // of its height, of its width
   constexpr double onwards = 0.7;             // cosine
@@ -514,8 +538,8 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   return true;
 }
 
-/// Whether `other` runs on from one end of `own`, its own way, to where `own` is not seen any more: the rest of it lies under
-/// the other. A line that crosses the end hides nothing of it.
+/// Whether `other` runs on from one end of `own`, its own way, to where `own` is not seen any more: the rest
+/// of it lies under the other. A line that crosses the end hides nothing of it.
 bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
   constexpr double goesOnShare = 0.05, sameWay = 0.7;  // of the height that `own` spans; cosine
   constexpr std::size_t look = 8;                      // points to either side

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "importer/axes/stroke_words.h"
+#include "importer/lexicon/stroke_words.h"
 #include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
 
@@ -218,7 +218,7 @@ Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::str
 }
 
 /// Words of letters and digits, lower case; bytes above ASCII are letters.
-std::vector<std::string> switchNameWords(std::string_view name) {
+std::vector<std::string> nameWordsOf(std::string_view name) {
   std::vector<std::string> words(1);
   for (const char c : folded(name)) {
     const std::string letter = bare({&c, 1});
@@ -244,10 +244,10 @@ bool isMisreadOf(const std::string& read, const std::string& asked) {
 
 /// Switches of whose name one letter of one long word was misread.
 Indices namedNearly(const std::vector<PlotSwitch>& switches, const std::string& asked) {
-  const std::vector<std::string> wanted = switchNameWords(asked);
+  const std::vector<std::string> wanted = nameWordsOf(asked);
   Indices fitting;
   for (std::size_t i = 0; i < switches.size(); ++i) {
-    const std::vector<std::string> words = switchNameWords(switches[i].name);
+    const std::vector<std::string> words = nameWordsOf(switches[i].name);
     if (words.size() != wanted.size() || words.empty()) continue;
     const auto [here, there] = std::ranges::mismatch(words, wanted);
     if (there != wanted.end() && isMisreadOf(*here, *there) &&

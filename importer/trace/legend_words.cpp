@@ -8,7 +8,7 @@
 #include <iterator>
 #include <optional>
 
-#include "importer/axes/stroke_words.h"
+#include "importer/lexicon/stroke_words.h"
 #include "importer/page/mirrored.h"
 
 namespace detent::importer::trace {

@@ -6,10 +6,12 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "importer/axes/axis_multiplier.h"
 #include "importer/axes/cyrillic_look.h"
 #include "importer/axes/printed_number.h"
-#include "importer/axes/printed_unit.h"
-#include "importer/axes/word_match.h"
+#include "importer/axes/uneven_scale.h"
+#include "importer/lexicon/lexicon.h"
+#include "importer/lexicon/printed_unit.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -158,7 +160,7 @@ TEST_CASE("titles that are names of columns end in their unit") {
   CHECK(lengthUnitIn("{1 / mm"));  // what ideographs may come back as
   CHECK(otherQuantityIn("{1 / mm").empty());
   CHECK_FALSE(lengthUnitIn("Depth of plug-in"));
-  CHECK(otherQuantityIn("time_ms") == "ms");
+  CHECK(otherQuantityIn("time_ms") == "time (ms)");
 }
 
 TEST_CASE("what stands in a title's brackets is the unit, whole or not at all") {
@@ -195,8 +197,8 @@ TEST_CASE("what stands in a title's brackets is the unit, whole or not at all") 
 }
 
 TEST_CASE("a title that measures something else says what") {
-  CHECK(otherQuantityIn("Pressure (kPa)") == "kPa");
-  CHECK(otherQuantityIn("Stiffness (N/mm)") == "N/mm");
+  CHECK(otherQuantityIn("Pressure (kPa)") == "pressure (kPa)");
+  CHECK(otherQuantityIn("Stiffness (N/mm)") == "stiffness (N/mm)");
   CHECK(otherQuantityIn("Force [x10 gf]") == "x10gf");
   CHECK(otherQuantityIn("Time") == "time");
   for (const char* own :
@@ -212,12 +214,12 @@ TEST_CASE("a tick behind a number is no part of it, and sure readings are repair
 }
 
 TEST_CASE("a word with one letter misread is still that word") {
-  CHECK(mentions("foroe (gf)", "force"));
-  CHECK(mentions("positon (nm)", "position"));
-  CHECK(mentions("kraftverlauf", "kraft"));
-  CHECK_FALSE(mentions("farce of it all", "forces"));
-  CHECK_FALSE(mentions("hut", "hub"));  // short words are too many
-  CHECK_FALSE(mentions("", "force"));
+  const auto names = [](const char* title) { return quantityNamedIn(title, TextSource::recognised).name; };
+  CHECK(names("foroe (gf)") == "force");
+  CHECK(names("positon (nm)") == "travel");
+  CHECK(names("Schaltkraft") == "force");
+  CHECK(names("hut").empty());  // short words are too many
+  CHECK(names("").empty());
   CHECK(lengthUnitIn("Positon (nm)")->unit == LengthUnit::millimetre);
 }
 
@@ -303,4 +305,35 @@ TEST_CASE("a heading that names a unit of force and one of length in one bracket
                            "Force vs travel (cN, V)", "Force and time (N, mm)", "Force (N) vs travel (mm, N)",
                            "Force vs travel cN, mm", "Force in N, travel in percent"})
     CHECK(in(none) == "none");
+}
+
+TEST_CASE("a power of ten at the end of an axis") {
+  for (const auto& [text, power] : {std::pair{"1e1", 10.0},
+                                    {"1e-1", 0.1},
+                                    {"1e−1", 0.1},
+                                    {"le-1", 0.1},
+                                    {"×10³", 1000.0},
+                                    {"x10^3", 1000.0},
+                                    {"× 10⁻²", 0.01},
+                                    {"10-1", 0.1},
+                                    {"1e+3", 1000.0}}) {
+    CAPTURE(text);
+    REQUIRE(multiplierIn(text));
+    CHECK(*multiplierIn(text) == Approx(power));
+  }
+  for (const char* text : {"", "103", "10", "1e", "2e3", "Force", "1.5", "1e12", "let", "10 N"}) {
+    CAPTURE(text);
+    CHECK_FALSE(multiplierIn(text));
+  }
+}
+
+TEST_CASE("a scale that is not linear is named") {
+  CHECK(unevenScaleOf({{100, 1}, {200, 10}, {300, 100}, {400, 1000}}) == "values on a logarithmic scale");
+  CHECK(unevenScaleOf({{400, 20}, {300, 50}, {220, 100}, {140, 200}, {40, 500}}) ==
+        "values on a logarithmic scale");
+  CHECK(unevenScaleOf({{100, 0}, {200, 0.1}, {300, 0.5}, {400, 2}, {500, 2.2}}) ==
+        "categories, not to scale");
+  CHECK(unevenScaleOf({{100, 0}, {200, 20}, {301, 40}, {400, 60}}).empty());
+  CHECK(unevenScaleOf({{100, 0}, {200, 20}, {300, 4}, {400, 60}}).empty());  // misread
+  CHECK(unevenScaleOf({{100, 1}, {200, 10}, {300, 100}}).empty());           // too few
 }

@@ -420,6 +420,16 @@ TEST_CASE("SVG: classes, inherited anchors, references, clips") {
   CHECK(textNamed(opened.page.texts, "1.5")->box.x1 == Approx(100).margin(0.2));
 }
 
+TEST_CASE("SVG: letters that are set twice, a little aside, are one text") {
+  std::string svg = R"(<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100" font-size="13">)";
+  for (const char* x : {"18.8", "21.2", "20.0", "20.6"})  // a halo, and bold made by hand
+    svg += std::string("<text x='") + x + "' y='50'>1</text><text x='" + x + "' y='80'>11 mm</text>";
+  const auto opened = open(svg + "</svg>", "plot.svg");
+  REQUIRE(opened.page.texts.size() == 2);
+  CHECK(textNamed(opened.page.texts, "1"));
+  CHECK(textNamed(opened.page.texts, "11 mm"));
+}
+
 namespace {
 
 /// A drawing of 200 x 100 pixels with one path, #p, which must come out as a line from (10, 20) to (30, 40).

@@ -418,7 +418,7 @@ TEST_CASE("one of two curves is called something that is no stroke, and the othe
   CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
   CHECK_FALSE(import.doubted(DoubtCode::assumed));
   import.traces[0].label = "Plonger", import.traces[1].label = "Sortir";  // words that no list has: said
-  CHECK(import.weighed(DoubtCode::assumed) == 0.6);
+  CHECK(import.weighed(DoubtCode::assumed) == 0.4);
 }
 
 TEST_CASE("the legend names another switch's strokes that were not traced") {

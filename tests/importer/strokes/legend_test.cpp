@@ -8,11 +8,13 @@
 using detent::Stroke;
 using detent::importer::isDefaultName;
 using detent::importer::mayBeOnePair;
+using detent::importer::mayNameAPoint;
 using detent::importer::namesBothStrokes;
 using detent::importer::namesNothingButRelease;
 using detent::importer::namesOnePair;
 using detent::importer::strokeNamedBy;
 using detent::importer::switchNamedBy;
+using detent::importer::TextSource;
 
 TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
   for (const char* text : {"Press",       "downstroke",
@@ -130,14 +132,37 @@ TEST_CASE("A release and nothing else", "[legend]") {
     CHECK_FALSE(namesNothingButRelease(text));
 }
 
-TEST_CASE("One wrong letter of a long word is forgiven", "[legend]") {
+TEST_CASE("A letter that looks like another is forgiven, one that does not proves nothing", "[legend]") {
   CHECK(strokeNamedBy("downstr0ke") == std::nullopt);  // a digit splits the word
   CHECK(strokeNamedBy("downstrake") == Stroke::press);
-  CHECK(strokeNamedBy("dwnstroke") == Stroke::press);
-  CHECK(strokeNamedBy("upstrokee") == Stroke::release);
+  CHECK(strokeNamedBy("dwnstroke") == std::nullopt);
   CHECK(strokeNamedBy("prass") == std::nullopt);
   CHECK(strokeNamedBy("Retomo") == Stroke::release);  // "Retorno"
   CHECK(strokeNamedBy("Presion") == Stroke::press);
+  CHECK(mayBeOnePair("dwnstroke", "upstroke"));  // beside the other stroke's name it does
+  CHECK_FALSE(mayBeOnePair("dwnstroke", "upstroke", TextSource::exact));
+}
+
+TEST_CASE("Names of other things that hold a stroke's word are no strokes", "[legend]") {
+  for (const TextSource source : {TextSource::exact, TextSource::recognised})
+    for (const char* text : {"Leading edge", "Trailing edge", "Load cell A", "Load cell B", "Return loss",
+                             "Return key", "Pressing plate", "Bottom out", "Back EMF", "Push button",
+                             "Advanced", "Classic", "Drucktaste 12"}) {
+      CAPTURE(text);
+      CHECK(strokeNamedBy(text, source) == std::nullopt);
+    }
+  CHECK_FALSE(mayBeOnePair("Advanced", "Classic"));
+  CHECK_FALSE(mayBeOnePair("Charge", "Classic"));  // "charge" is French for a press
+  CHECK_FALSE(mayBeOnePair("Press", "Bare dome"));
+  CHECK_FALSE(mayBeOnePair("Return key", "Space bar"));
+  CHECK_FALSE(mayBeOnePair("2019", "2024"));
+  CHECK(mayBeOnePair("Pushing the key in", "Letting the key go"));
+}
+
+TEST_CASE("A name that is a point's in other legends", "[legend]") {
+  for (const char* text : {"actuation", "Release", "Reset"}) CHECK(mayNameAPoint(text));
+  for (const char* text : {"downstroke", "Upstroke", "Loslassen", "Gateron"})
+    CHECK_FALSE(mayNameAPoint(text));
 }
 
 TEST_CASE("Accents and capitals that a reader of pixels loses", "[legend]") {

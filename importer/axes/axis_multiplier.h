@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A power of ten at the end of an axis, by which all its numbers are to be multiplied: "1e-1", "×10³".
+
+#include <optional>
+#include <string_view>
+
+#include "importer/axes/axis_labels.h"
+
+namespace detent::importer {
+
+/// The power of ten that a text says and nothing else; text engines read "l" for the one. Exponents from -9
+/// to 9.
+std::optional<double> multiplierIn(std::string_view text);
+
+/// The multiplier over the upper end of a force axis, or below the right end of a travel axis; 1 without any.
+double multiplierAtEnd(GraphReading& r, Axis axis, const Box& labels);
+
+}  // namespace detent::importer

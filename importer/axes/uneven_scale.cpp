@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/axes/uneven_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "importer/axes/printed_number.h"
+
+namespace detent::importer {
+namespace {
+
+/// Largest distance of points from their least-squares line, as a share of the values' span.
+double offLine(const std::vector<std::pair<double, double>>& points) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const auto& [at, value] : points) x += at, y += value, xx += at * at, xy += at * value;
+  const auto n = static_cast<double>(points.size());
+  const double slope = (n * xy - x * y) / (n * xx - x * x), start = (y - slope * x) / n;
+  double most = 0;
+  for (const auto& [at, value] : points) most = std::max(most, std::abs(start + slope * at - value));
+  const double span = std::abs(points.back().second - points.front().second);
+  return span > 0 ? most / span : 0;
+}
+
+}  // namespace
+
+std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
+  constexpr std::size_t fewest = 4;  // labels
+  constexpr double isLinear = 0.06, fits = 0.03,
+                   leastRatio = 5;  // shares of the span; of the largest value to the least
+  std::ranges::sort(labels);
+  if (labels.size() < fewest || labels.front().first == labels.back().first) return {};
+  const bool rises = labels.back().second > labels.front().second;
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    if (labels[i].first == labels[i - 1].first || labels[i].second == labels[i - 1].second ||
+        (labels[i].second > labels[i - 1].second) != rises)
+      return {};  // misread
+  if (offLine(labels) <= isLinear) return {};
+  const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
+  if (low > 0 && high >= leastRatio * low) {
+    std::vector<std::pair<double, double>> logarithms = labels;
+    for (auto& [at, value] : logarithms) value = std::log10(value);
+    if (offLine(logarithms) <= fits) return "values on a logarithmic scale";
+  }
+  std::vector<std::pair<double, double>> steps;
+  for (const auto& [at, value] : labels) steps.emplace_back(static_cast<double>(steps.size()), at);
+  return offLine(steps) <= fits ? "categories, not to scale" : "";
+}
+
+std::string unevenScaleIn(const AxisLabels& labels, Axis axis) {
+  std::vector<std::pair<double, double>> certain;
+  for (std::size_t i = 0; i < labels.words.size(); ++i) {
+    if (labels.readings[i].empty() || labels.words[i].confidence < readWithCertainty) continue;
+    const Point middle = labels.words[i].box.middle();
+    certain.emplace_back(axis == Axis::x ? middle.x : middle.y, labels.readings[i].front().value);
+  }
+  return unevenScaleOf(std::move(certain));
+}
+
+}  // namespace detent::importer

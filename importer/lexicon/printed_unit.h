@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Units as titles and labels print them, in the languages of datasheets.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "importer/lexicon/lexicon.h"
+#include "model/units.h"
+
+namespace detent::importer {
+
+/// A unit seen in a title. `sure` 0..1: brackets around it, or a word for the quantity beside it, make surer.
+template <class Unit>
+struct PrintedUnit {
+  Unit unit{};
+  double sure = 0;
+};
+
+/// "Force [cN]", "Kraft / cN", "Kraft in cN", "F (gf)", "力(gf)". Where a title has brackets the unit stands
+/// in them, whole: "[dN]", "(x10 gf)" and "(N/mm)" hold no N, gf or mm. A unit counts only beside a word for
+/// its quantity or without any word for a quantity: "Inductance [H]" and "Shock [g]" hold no force. Beside a
+/// word of exact text that the lexicon does not know no unit counts. Misread letters count in recognised
+/// text only.
+std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title,
+                                                  TextSource source = TextSource::recognised);
+std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title,
+                                                    TextSource source = TextSource::recognised);
+
+/// The units that a page's heading names for both axes.
+struct HeadingUnits {
+  ForceUnit force{};
+  LengthUnit length{};
+};
+
+/// Where a heading names a unit of force and one of length and no other, in brackets or behind "in": "Key
+/// force vs travel (cN, mm)", "Force in gf against travel in mm". "(N/mm)" are two only in a heading that
+/// names both quantities, and else a stiffness.
+std::optional<HeadingUnits> headingUnitsIn(std::string_view heading,
+                                           TextSource source = TextSource::recognised);
+
+/// What a title measures that is neither a force nor a travel: "pressure (kPa)", "N/mm", "x10 gf",
+/// "temperature". Empty if it measures one of the two or does not say.
+std::string otherQuantityIn(std::string_view title, TextSource source = TextSource::recognised);
+
+}  // namespace detent::importer

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/lexicon/lexicon.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include <catch2/catch.hpp>
+
+#include "importer/lexicon/letters.h"
+#include "importer/lexicon/printed_unit.h"
+#include "importer/lexicon/stroke_words.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+std::string forceIn(std::string_view title, TextSource source) {
+  const auto unit = forceUnitIn(title, source);
+  return unit ? std::string(symbolOf(unit->unit)) : std::string();
+}
+
+std::string lengthIn(std::string_view title, TextSource source) {
+  const auto unit = lengthUnitIn(title, source);
+  return unit ? std::string(symbolOf(unit->unit)) : std::string();
+}
+
+}  // namespace
+
+TEST_CASE("every line of the lexicon has a known kind and every quantity a name", "[lexicon]") {
+  for (const LexiconEntry& entry : entriesOf(WordKind::quantity)) {
+    CAPTURE(entry.word);
+    CHECK_FALSE(entry.value.empty());
+    CHECK(folded(entry.word) == entry.word);
+  }
+  for (const WordKind kind :
+       {WordKind::press, WordKind::release, WordKind::point, WordKind::curve, WordKind::variant})
+    for (const LexiconEntry& entry : entriesOf(kind)) {
+      CAPTURE(entry.word);
+      CHECK(folded(entry.word) == entry.word);
+    }
+  for (const LexiconEntry& press : entriesOf(WordKind::press)) {
+    CAPTURE(press.word);
+    CHECK(std::ranges::find(entriesOf(WordKind::release), press.word, &LexiconEntry::word) ==
+          entriesOf(WordKind::release).end());
+  }
+}
+
+TEST_CASE("a unit counts with a quantity that agrees or with none", "[lexicon]") {
+  struct Row {
+    const char *title, *force, *length, *other;
+  };
+  for (const Row& row : {Row{"Force [cN]", "cN", "", ""},
+                         Row{"Touch weight (g)", "gf", "", ""},
+                         Row{"Effort du doigt (cN)", "cN", "", ""},
+                         Row{"Opposing force [mN]", "mN", "", ""},
+                         Row{"压力 / mN", "mN", "", ""},
+                         Row{"Depression of key [mm]", "", "mm", ""},
+                         Row{"Betätigungsweg, mm", "", "mm", ""},
+                         Row{"按压行程 [mm]", "", "mm", ""},
+                         Row{"F (gf)", "gf", "", ""},
+                         Row{"s / mm", "", "mm", ""},
+                         Row{"Inductance [H]", "", "", "inductance (H)"},
+                         Row{"Shock [g]", "", "", "acceleration"},
+                         Row{"Samples [N]", "", "", "count"},
+                         Row{"Samples [mm]", "", "", "count"},
+                         Row{"Output (r)", "", "", "output"},
+                         Row{"Wire diameter (mm)", "", "", "diameter"},
+                         Row{"样本数 [N]", "", "", "count"},
+                         Row{"扭矩 [N·m]", "", "", "torque (N·m)"},
+                         Row{"Compressive strain (mm/mm)", "", "", "strain (mm/mm)"},
+                         Row{"Pressure (kPa)", "", "", "pressure (kPa)"},
+                         Row{"G-force [g]", "", "", "acceleration"},
+                         Row{"Force over time of use [N]", "N", "", ""}}) {
+    CAPTURE(row.title);
+    CHECK(forceIn(row.title, TextSource::exact) == row.force);
+    CHECK(lengthIn(row.title, TextSource::exact) == row.length);
+    CHECK(otherQuantityIn(row.title, TextSource::exact) == row.other);
+  }
+}
+
+TEST_CASE("a unit beside a word that nobody knows is a question", "[lexicon]") {
+  CHECK(forceIn("Fluffiness [N]", TextSource::exact).empty());
+  CHECK(otherQuantityIn("Fluffiness [N]", TextSource::exact) == "fluffiness");
+  CHECK(lengthIn("Fluffiness (mm)", TextSource::exact).empty());
+  CHECK(forceIn("Fluffiness [N]", TextSource::recognised) == "N");       // the word may be misread
+  CHECK(otherQuantityIn("Cherry MX Brown", TextSource::exact).empty());  // no title of an axis
+  CHECK(forceIn("Press [N]", TextSource::exact) == "N");
+  CHECK(forceIn("Newtons", TextSource::exact) == "N");
+}
+
+TEST_CASE("the axes of force and travel exchanged name each other", "[lexicon]") {
+  CHECK(forceIn("Travel (N)", TextSource::exact).empty());
+  CHECK(lengthIn("Force (mm)", TextSource::exact).empty());
+}
+
+TEST_CASE("misread letters count in recognised text alone", "[lexicon]") {
+  CHECK(forceIn("Force [eN]", TextSource::recognised) == "cN");
+  CHECK(forceIn("Force [eN]", TextSource::exact).empty());
+  CHECK(forceIn("Sensor [H]", TextSource::recognised) ==
+        "N");  // a Cyrillic letter for newtons, as Latin print
+  CHECK(forceIn("Y [H]", TextSource::exact).empty());
+  CHECK(forceIn("Усилие [H]", TextSource::exact) == "N");  // typed in Latin beside Cyrillic words
+  CHECK(forceIn("Inductance [H]", TextSource::recognised).empty());
+  CHECK(strokeOfWord("reiease", TextSource::recognised) == Stroke::release);
+  CHECK_FALSE(strokeOfWord("reiease", TextSource::exact));
+  CHECK(strokeOfWord("rueckweg", TextSource::exact) == Stroke::release);  // another spelling
+}
+
+TEST_CASE("a word is a stroke's only where every difference is explained", "[lexicon]") {
+  for (const char* word :
+       {"advanced", "classic", "leading", "pro", "clown", "uptown", "pressure", "reserve", "retro"}) {
+    CAPTURE(word);
+    CHECK_FALSE(strokeOfWord(word, TextSource::recognised));
+    CHECK_FALSE(strokeOfWord(word, TextSource::exact));
+  }
+  CHECK_FALSE(strokeOfWord("dwnstroke"));
+  CHECK(strokeLike("dwnstroke") == Stroke::press);
+  CHECK(matchWord("advanced", {WordKind::press}, TextSource::recognised)->explained == false);
+}
+
+TEST_CASE("a reading costs what its letters cost", "[lexicon]") {
+  CHECK(costOfReading("release", "release", 1, true) == 0.0);
+  CHECK(costOfReading("retomo", "retorno", 1, true).value() < 0.1);
+  CHECK_FALSE(costOfReading("retxrno", "retorno", 1, true));
+  CHECK(costOfReading("retxrno", "retorno", 1, false) == 1.0);
+}
