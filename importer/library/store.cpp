@@ -210,7 +210,7 @@ bool isDamage(const DatabaseFault& fault) {
 /// What a file is by its head.
 enum class FileKind { none, library, otherDatabase, other };
 
-FileKind kindOf(const std::string& path) {
+FileKind fileKindOf(const std::string& path) {
   std::array<char, 100> head{};
   std::ifstream in(path, std::ios::binary);
   in.read(head.data(), head.size());
@@ -280,7 +280,7 @@ std::optional<Failure> notForALibrary(const std::string& path) {
     return Failure{FailureCode::wrongUsage, path, "", "it is a folder", advice};
   if (isForceLogPath(path))
     return Failure{FailureCode::wrongUsage, path, "", "its name is a measurement's, not a library's", advice};
-  const FileKind kind = kindOf(path);
+  const FileKind kind = fileKindOf(path);
   if (kind == FileKind::otherDatabase)
     return Failure{FailureCode::wrongUsage, path, "", "it is a database of another program", advice};
   if (kind == FileKind::other &&
@@ -338,7 +338,7 @@ Result<LibraryStore> LibraryStore::openToWrite(const std::string& path) {
 
 Result<LibraryStore> LibraryStore::openToRead(const std::string& path) {
   const char* const advice = "Run detent-import library index FOLDER... --db on it first";
-  if (kindOf(path) == FileKind::none)
+  if (fileKindOf(path) == FileKind::none)
     return Failure{FailureCode::unreadableInput, path, "", "there is no library", advice};
   if (auto refused = notForALibrary(path)) return std::move(*refused);
   try {

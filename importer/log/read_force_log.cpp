@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
 
 #include <nlohmann/json.hpp>
 
@@ -380,9 +382,10 @@ class LogReader {
         usesUnknownUnit(read.best.front(), data)) {
       const bool force = read.unknownUnitOfForce;
       reading_.question = Question{force ? "the unit of force" : "the unit of displacement", {}};
+      constexpr std::array forceUnits{"N", "gf", "mN", "cN", "kgf", "lbf", "ozf"};
+      constexpr std::array lengthUnits{"mm", "um", "in", "mil", "cm"};
       for (const char* unit :
-           force ? std::initializer_list<const char*>{"N", "gf", "mN", "cN", "kgf", "lbf", "ozf"}
-                 : std::initializer_list<const char*>{"mm", "um", "in", "mil", "cm"})
+           force ? std::span<const char* const>(forceUnits) : std::span<const char* const>(lengthUnits))
         reading_.question->choices.push_back({unit, std::string(force ? "--y-unit " : "--x-unit ") + unit});
       return refuse(
           FailureCode::notCertain, {},

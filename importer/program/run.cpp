@@ -487,7 +487,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
     Told told;
     const int code = handleInput(a, input,
                                  {base + ".button.json", base + ".csv", base + ".trace.csv",
-                                  a.withoutOverlays ? "" : base + ".overlay.png"},
+                                  a.withoutOverlays ? "" : base + ".overlay.png", ""},
                                  told);
     lines = withKey(key, told);
     return code;
