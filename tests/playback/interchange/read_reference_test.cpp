@@ -119,8 +119,8 @@ std::string parameterAt(double time_s, double value) {
          R"(, "ParameterValue": )" + std::to_string(value) + "}}";
 }
 double worstLevel(const std::string& text, double (*intensity)(double time_s)) {
-  return worst(read(text), 0, 4,
-               [&](double t) { return std::pow(intensity(t), 2) * sine(t * (80 + 150 * 0.4)); });
+  return worstSample(read(text), 0, 4,
+                     [&](double t) { return std::pow(intensity(t), 2) * sine(t * (80 + 150 * 0.4)); });
 }
 
 }  // namespace
@@ -156,7 +156,7 @@ TEST_CASE("All points of an AHAP curve are played, however many") {
   for (int i = 0; i <= 400; ++i) zigzag.emplace_back(0.01 * i, i % 20 < 10 ? 1 - 0.09 * (i % 20) : 0.1);
   const ReferenceSignal signal = read(shaped(curveAt(0, zigzag)));
   CHECK(signal.notes.empty());
-  CHECK(worst(signal, 0, 4, [&](double t) {
+  CHECK(worstSample(signal, 0, 4, [&](double t) {
           const auto i = static_cast<std::size_t>(t / 0.01);
           const double share = t / 0.01 - static_cast<double>(i);
           return std::pow(zigzag[i].second + share * (zigzag[i + 1].second - zigzag[i].second), 2) *
@@ -169,7 +169,7 @@ TEST_CASE("AHAP control points count from their curve's time; a file that seems 
   CHECK(plain.notes.empty());
   const ReferenceSignal doubtful = read(shaped(curveAt(1, {{1.5, 0.5}, {1.9, 0.5}})));
   REQUIRE(doubtful.notes.size() == 1);
-  CHECK(worst(doubtful, 0, 4, [](double t) { return (t < 2.5 ? 1 : 0.25) * sine(t * 140); }) < 1e-4);
+  CHECK(worstSample(doubtful, 0, 4, [](double t) { return (t < 2.5 ? 1 : 0.25) * sine(t * 140); }) < 1e-4);
 }
 
 TEST_CASE("A .haptic envelope runs straight; an emphasis ducks it and stands on it") {
@@ -401,7 +401,7 @@ TEST_CASE("Sound files of other containers are read, and refused where they are 
     INFO((signal ? std::string() : signal.failure().sentence()));
     REQUIRE(signal.ok());
     CHECK(signal->duration_s() == Approx(0.25));
-    CHECK(worst(*signal, 0, 0.25, [](double t) { return 0.5 * sine(200 * t); }) < 1e-4);
+    CHECK(worstSample(*signal, 0, 0.25, [](double t) { return 0.5 * sine(200 * t); }) < 1e-4);
     if (bytes.starts_with("caff")) continue;  // its data chunk is looked for by the library alone
     std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
     CHECK_FALSE(readReference(path).ok());
@@ -422,7 +422,7 @@ TEST_CASE("Channels that cancel each other are no silence: the strongest is play
     std::ofstream(path, std::ios::binary) << auFile(toneBytes(c.second));
     Result<ReferenceSignal> signal = readReference(path);
     REQUIRE(signal.ok());
-    CHECK(worst(*signal, 0, 0.25, [&](double t) { return c.level * sine(200 * t); }) < 1e-4);
+    CHECK(worstSample(*signal, 0, 0.25, [&](double t) { return c.level * sine(200 * t); }) < 1e-4);
     REQUIRE(signal->notes.size() == 1);
     CHECK(english(signal->notes[0]).find(c.note) != std::string::npos);
   }
