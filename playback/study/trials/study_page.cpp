@@ -345,7 +345,7 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
   text += comparisons(results);
   if (const StudyResults other = otherwise(results); !other.groups.empty() || !other.tables.empty()) {
     text += "<h2>" + otherwiseTitle(results) + "</h2>\n";
-    if (!other.groups.empty()) text += table1(other);
+    if (!other.groups.empty()) text += table1Html(other);
     for (const FigureTable& table : other.tables) text += tableMarkup(table);
   }
   if (!warning.empty()) text += "</td></tr></tbody></table>\n";
