@@ -255,7 +255,7 @@ int parametersOfRange(const KnotChain& knots) {
   return count;
 }
 
-bool pays(const Workpiece& work, const Workpiece::Trial& trial, const Evidence& evidence) {
+bool pays(const Workpiece& work, const Workpiece::Trial& trial, const KnotEvidence& evidence) {
   const KnotChain old(work.chain().begin() + static_cast<Index>(trial.from),
                       work.chain().begin() + static_cast<Index>(trial.to) + 1);
   const int added = parametersOfRange(trial.knots) - parametersOfRange(old);
@@ -263,7 +263,7 @@ bool pays(const Workpiece& work, const Workpiece::Trial& trial, const Evidence& 
 }
 
 /// Removes a small step back inside a rise (or the reverse). Its two extrema can only be removed together.
-bool straightenZigzags(Workpiece& work, const Evidence& evidence) {
+bool straightenZigzags(Workpiece& work, const KnotEvidence& evidence) {
   constexpr double small = 6;  // sigmas
   bool changed = false;
   for (std::size_t k = 1; k + 2 < work.chain().size(); ++k) {
@@ -280,7 +280,7 @@ bool straightenZigzags(Workpiece& work, const Evidence& evidence) {
 }
 
 /// Merges two close knots into one corner; removing either alone would lose a slope.
-bool mergeCloseKnots(Workpiece& work, const Evidence& evidence) {
+bool mergeCloseKnots(Workpiece& work, const KnotEvidence& evidence) {
   constexpr double close = 15;  // sigmas
   bool changed = false;
   for (std::size_t k = 1; k + 2 < work.chain().size(); ++k) {
@@ -302,7 +302,7 @@ bool mergeCloseKnots(Workpiece& work, const Evidence& evidence) {
   return changed;
 }
 
-bool simplify(Workpiece& work, const Evidence& evidence) {
+bool simplify(Workpiece& work, const KnotEvidence& evidence) {
   bool changed = false;
   // The loss is an upper bound, because neighbours adapt and compensate most of it.
   const double limit = 12 * evidence.chiSquarePer(3);
@@ -332,7 +332,7 @@ bool simplify(Workpiece& work, const Evidence& evidence) {
   return changed;
 }
 
-bool extend(Workpiece& work, const Evidence& evidence, int maxPieces) {
+bool extend(Workpiece& work, const KnotEvidence& evidence, int maxPieces) {
   bool changed = false;
   for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
     const JointKind joint = work.chain()[k].joint;
@@ -357,7 +357,7 @@ bool extend(Workpiece& work, const Evidence& evidence, int maxPieces) {
 
 }  // namespace
 
-Evidence::Evidence(double points, double correlation)
+KnotEvidence::KnotEvidence(double points, double correlation)
     : correlationPoints(std::max(1.0, correlation)),
       pricePerParameter(std::log(std::max(3.0, points / std::max(1.0, correlation)))) {}
 
@@ -378,7 +378,7 @@ std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaP
   return residuals;
 }
 
-bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
+bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const KnotEvidence& evidence,
                  const ChoiceSettings& settings) {
   settleJoints(chain);
   // The first cut may be far off in places, where a robust loss would treat the points as outliers.

@@ -8,11 +8,11 @@ namespace detent::importer {
 
 /// Price of a parameter in chi-square (Schwarz 1978). Neighbouring points share their error, so
 /// `correlationPoints` of them count once (Bartlett 1935).
-struct Evidence {
+struct KnotEvidence {
   double correlationPoints = 1;  ///< >= 1
   double pricePerParameter = 7;  ///< ln of the number of independent points
 
-  Evidence(double points, double correlation);
+  KnotEvidence(double points, double correlation);
 
   /// Lower is better.
   double score(double chiSquare, int parameters) const {
@@ -36,7 +36,7 @@ struct ChoiceSettings {
 
 /// Removes knots and corners that do not pay for their parameters, and adds those that do. Each change is
 /// judged by a solve of the knots around it; then all knots are solved. Return value: as of solveChain.
-bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
+bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const KnotEvidence& evidence,
                  const ChoiceSettings& settings);
 
 /// Removes the least useful knots, or adds the most useful, until there are `pieces` pieces, if possible.

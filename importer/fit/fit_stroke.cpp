@@ -72,7 +72,7 @@ KnotChain joined(const std::vector<SigmaPoint>& points) {
 
 struct ChosenChain {
   KnotChain chain;
-  Evidence evidence{1, 1};
+  KnotEvidence evidence{1, 1};
   FitOutcome outcome = FitOutcome::converged;
 };
 
@@ -83,10 +83,10 @@ ChosenChain chooseChain(const StrokeSamples& samples, const FitOptions& options)
   // reliable than adding them.
   constexpr int parametersPerCut = 2;
   constexpr double longestCorrelation = 10;  // points; beyond it the residuals show shape, not noise
-  Evidence evidence(n, std::max(1.0, options.correlationPoints));
+  KnotEvidence evidence(n, std::max(1.0, options.correlationPoints));
   Segmentation cut = segmentStroke(points, options.candidateKnots, evidence.chiSquarePer(parametersPerCut));
   if (options.correlationPoints == 0 && cut.correlationPoints > 1.2) {
-    evidence = Evidence(n, std::min(longestCorrelation, cut.correlationPoints));
+    evidence = KnotEvidence(n, std::min(longestCorrelation, cut.correlationPoints));
     cut = segmentStroke(points, options.candidateKnots, evidence.chiSquarePer(parametersPerCut));
   }
   const ChoiceSettings settings = choiceSettings(options);

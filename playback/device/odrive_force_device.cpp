@@ -20,11 +20,11 @@ namespace {
 
 constexpr double odriveAnswer_s = 0.3, mmPerM = 1000;
 constexpr double arming_s = 1, rearming_s = 0.15, shortAnswer_s = 0.02;
-constexpr double velocityRoom = 1.25;  // of the firmware's velocity limit above the engine's
-constexpr double stateEvery_s = 0.02;  // between two requests for the axis's state
-constexpr double feedEvery_s = 0.015;  // well within the watchdog
-constexpr double lost_s = 0.02;        // a position that has not come by then was lost on the way
-constexpr double longestUnsure_s = 1;  // a marker was lost as well: begin anew
+constexpr double velocityRoom = 1.25;    // of the firmware's velocity limit above the engine's
+constexpr double stateEvery_s = 0.02;    // between two requests for the axis's state
+constexpr double feedEvery_s = 0.015;    // well within the watchdog
+constexpr double positionLost_s = 0.02;  // a position that has not come by then was lost on the way
+constexpr double longestUnsure_s = 1;    // a marker was lost as well: begin anew
 constexpr double quiet_s = 0.015, longestQuiet_s = 0.1;  // nothing more is on its way
 constexpr double sameShare = 1e-3;                       // the device reports a value with few digits
 constexpr int tries = 5;
@@ -472,7 +472,7 @@ ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
 std::optional<double> OdriveForceDevice::nextPosition() {
   const double start_s = now_s();
   requestedNow_ = false;
-  if (pending_ && !unsure_ && start_s - requested_s_ > lost_s) askMarker();
+  if (pending_ && !unsure_ && start_s - requested_s_ > positionLost_s) askMarker();
   if (unsure_ && start_s - markerSent_s_ > slowestRoundTrip_s) askMarker();
   if (unsure_ && start_s - unsureSince_s_ > longestUnsure_s) settle();
   if (!pending_ && !unsure_) askPosition();

@@ -166,7 +166,7 @@ TEST_CASE("knots outside the range stay where they are") {
 
 TEST_CASE("evidence takes out what is too much and adds what is missing") {
   const auto points = wave(800, 1);
-  const Evidence evidence(800, 1);
+  const KnotEvidence evidence(800, 1);
   KnotChain many = segmentStroke(points, 200, 7).chain, few = segmentStroke(points, 200, 2000).chain;
   CHECK(many.size() > few.size());
   ChoiceSettings settings;
