@@ -47,7 +47,7 @@ class PlantedName(unittest.TestCase):
             (root / "CONTRIBUTING.md").write_text("# Nothing\n")
             (root / "model" / "curve.h").write_text(CODE)
             (root / "docs/develop/decisions/README.md").write_text("[0001](0001-page.md)\n" if listed else "nothing\n")
-            (root / "docs" / ("develop/decisions/0001-include-rules-as-a-test.md" if decision else "page.md")).write_text("# Page\n\n" + text + "\n")
+            (root / "docs" / ("develop/decisions/0001-page.md" if decision else "page.md")).write_text("# Page\n\n" + text + "\n")
             return list(check_documents.findings(root, {"LibraryName"}))
 
     def test_each_kind_is_found_with_its_line(self):

@@ -45,7 +45,7 @@ std::vector<Button> scattered(std::size_t count, unsigned seed) {
 
 TEST_CASE("what a single unit has is not known to scatter") {
   std::vector<Button> units = scattered(3, 1);
-  units[0] = require(setOperatingPoint(units[0], 0, 1.5));
+  for (std::size_t i = 1; i < units.size(); ++i) units[i] = require(setOperatingPoint(units[i], 0, {}));
   const UnitSpread spread = require(spreadOf(units));
   const FigureSpread& operating = spreadIn(spread, KeyFigure::operatingForce);
   CHECK(operating.units == 1);
