@@ -55,7 +55,7 @@ std::optional<UnitToken> behindSquares(const std::string& latin, double gap_px, 
 TEST_CASE("a unit is read by itself, whatever stands before it") {
   if (!TextReader::available()) return;
   const auto [latin, unit] = GENERATE(table<std::string, std::string>(
-      {{"(cN)", "cN"}, {"/ N", "N"}, {"[gf]", "gf"}, {"(oz)", "oz"}, {"/ mm", "mm"}, {"(N)", "N"}}));
+      {{"(cN)", "cN"}, {"/ N", "N"}, {"[gf]", "gf"}, {"(oz)", "ozf"}, {"/ mm", "mm"}, {"(N)", "N"}}));
   const bool upwards = GENERATE(false, true);
   CAPTURE(latin, upwards);
   const auto token = behindSquares(latin, 12, upwards);
