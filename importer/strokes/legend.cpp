@@ -84,10 +84,19 @@ std::vector<std::string> wordsBesideStroke(std::string_view utf8, TextSource sou
 
 /// Words that name neither a stroke nor what every legend names: a switch's own name.
 std::vector<std::string> ownWords(std::string_view utf8, TextSource source) {
+  constexpr std::size_t fewestOfFragment = 3;  // letters
   std::vector<std::string> own = wordsBesideStroke(utf8, source);
   std::erase_if(own, [&](const std::string& word) {
+    const auto isOwn = [](const LexiconEntry& entry) {
+      return entry.value == "force" || entry.value == "travel";
+    };
     const auto quantity = matchWord(word, {WordKind::quantity}, source);
-    return quantity && (quantity->entry->value == "force" || quantity->entry->value == "travel");
+    if (quantity) return isOwn(*quantity->entry);
+    // "rce curve": a legend key hides the beginning.
+    return source == TextSource::recognised && letterCount(word) >= fewestOfFragment &&
+           std::ranges::any_of(entriesOf(WordKind::quantity), [&](const LexiconEntry& entry) {
+             return isOwn(entry) && entry.form == WordForm::whole && entry.word.ends_with(word);
+           });
   });
   return own;
 }
@@ -101,11 +110,22 @@ bool namesWear(std::string_view utf8, TextSource source) {
          (std::ranges::any_of(wordsOf(utf8), saysSo) || holdsSign(utf8, WordKind::wear));
 }
 
-/// Returns true if a recognised text may be the misread name of a stroke: it is one word, with more letters
-/// wrong than prove a name.
+/// Returns true if a word is the beginning or the end of a word of this kind, whose rest a legend key or a frame hides.
+bool isFragmentOf(const std::string& word, WordKind kind) {
+  return std::ranges::any_of(entriesOf(kind), [&](const LexiconEntry& entry) {
+    return entry.form == WordForm::whole && (entry.word.starts_with(word) || entry.word.ends_with(word));
+  });
+}
+
+/// Returns true if a recognised text may be the misread name of a stroke: one word with more letters wrong than prove a
+/// name, a fragment of one, or a letter or two.
 bool mayBeMisread(std::string_view utf8, Stroke stroke, TextSource source) {
+  constexpr std::size_t fewest = 3;  // letters of a name
   const std::vector<std::string> words = wordsOf(utf8);
-  return source == TextSource::recognised && words.size() == 1 && strokeLike(words.front()) == stroke;
+  if (source == TextSource::exact || words.size() != 1) return false;
+  const std::string& word = words.front();
+  return letterCount(word) < fewest || strokeLike(word) == stroke ||
+         isFragmentOf(word, stroke == Stroke::press ? WordKind::press : WordKind::release);
 }
 
 std::vector<std::string> numbersOf(std::string_view utf8) {

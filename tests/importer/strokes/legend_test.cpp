@@ -141,6 +141,10 @@ TEST_CASE("A letter that looks like another is forgiven, one that does not prove
   CHECK(strokeNamedBy("Presion") == Stroke::press);
   CHECK(mayBeOnePair("dwnstroke", "upstroke"));  // beside the other stroke's name it does
   CHECK_FALSE(mayBeOnePair("dwnstroke", "upstroke", TextSource::exact));
+  CHECK(mayBeOnePair("Pressing", "sing"));   // of "Releasing", its beginning hidden
+  CHECK(mayBeOnePair("P", "Return"));        // of "Press"
+  CHECK(mayBeOnePair("Down", "rce curve"));  // of "Force curve"
+  CHECK_FALSE(mayBeOnePair("Down", "Lotus"));
 }
 
 TEST_CASE("Names of other things that hold a stroke's word are no strokes", "[legend]") {
