@@ -119,11 +119,12 @@ void PageReturn::readAgain(const Button& button, Answer& answer, const importer:
   importer::ImportRequest request = requestAgain(*button.provenance());
   request.path = QFile::encodeName(answer.path).toStdString();
   auto session = importer::ImportSession::open(request.path);
-  auto [imported, evidence] =
+  importer::ImportAttempt attempt =
       session ? session->attempt(request, progress) : importer::ImportAttempt{session.failure(), {}};
+  Result<importer::ImportReport>& imported = attempt.report;
   if (!imported) {
     answer.failure = imported.failure();
-    imported = pageAlone(button, evidence, *answer.failure);
+    imported = pageAlone(button, attempt.evidence, *answer.failure);
   }
   if (imported) answer.report = std::make_shared<const importer::ImportReport>(*std::move(imported));
 }
