@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace detent::tests {
+namespace detent::windowtests {
 namespace {
 
 struct Entry {
@@ -27,10 +27,10 @@ WindowTestEntry::WindowTestEntry(const char* name, MakeWindowTest make, PrepareW
   entries()[name] = {make, prepare};
 }
 
-}  // namespace detent::tests
+}  // namespace detent::windowtests
 
 int main(int argc, char** argv) {
-  using namespace detent::tests;
+  using namespace detent::windowtests;
   const auto found = argc > 1 ? entries().find(argv[1]) : entries().end();
   if (found == entries().end()) {
     std::fprintf(stderr, "usage: editor_window_tests CLASS [QTEST-ARGUMENTS...]; the classes are:\n");

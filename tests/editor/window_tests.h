@@ -5,7 +5,7 @@
 #include <memory>
 #include <QObject>
 
-namespace detent::tests {
+namespace detent::windowtests {
 
 using MakeWindowTest = std::unique_ptr<QObject> (*)();
 using PrepareWindowTest = bool (*)();
@@ -22,9 +22,9 @@ std::unique_ptr<QObject> makeWindowTest() {
   return std::make_unique<Test>();
 }
 
-}  // namespace detent::tests
+}  // namespace detent::windowtests
 
 /// DETENT_WINDOW_TEST(Class) or DETENT_WINDOW_TEST(Class, prepare), in place of QTEST_MAIN.
 #define DETENT_WINDOW_TEST(Class, ...)                        \
-  static const detent::tests::WindowTestEntry entryOf##Class( \
-      #Class, detent::tests::makeWindowTest<Class> __VA_OPT__(, ) __VA_ARGS__);
+  static const detent::windowtests::WindowTestEntry entryOf##Class( \
+      #Class, detent::windowtests::makeWindowTest<Class> __VA_OPT__(, ) __VA_ARGS__);
