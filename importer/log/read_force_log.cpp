@@ -607,7 +607,11 @@ class LogReader {
       constexpr double farShare = 0.5, nearShare = 0.005,
                        restShare = 0.06;  // of the travel, of the highest force
       const bool atRest = std::abs(press.front().force_N) < restShare * highest_N;
-      if (start_mm < 0 || start_mm > farShare * travel_mm || (start_mm > nearShare * travel_mm && atRest)) {
+      double lowest_mm = start_mm;  // of both strokes: a release that ends below the press measures from zero
+      for (const CurvePoint& p : release) lowest_mm = std::min(lowest_mm, p.displacement_mm);
+      const bool lowestIsStart = lowest_mm > start_mm - farShare * travel_mm;
+      if (start_mm < 0 || (lowestIsStart && (start_mm > farShare * travel_mm ||
+                                             (start_mm > nearShare * travel_mm && atRest)))) {
         shift_mm = start_mm;
         log_.remarks.push_back({RemarkCode::displacementShifted, {{start_mm, Measure::displacement_mm}}});
       }
