@@ -113,7 +113,7 @@ class Schemas(unittest.TestCase):
                     self.assertIn("trace", [line["step"] for line in lines])
                 if last == "import-batch":
                     self.assertEqual([(line["input"], line["exit_code"], line["done"]) for line in lines],
-                                     [(plots[0], 0, 1), (plots[1], 0, 2), ("README.md", 3, 3)])
+                                     [(plots[0], 0, 1), (plots[1], 0, 2), ("README.md", 4, 3)])
 
     def test_an_unknown_a_missing_and_a_wrong_field_are_refused(self):
         schema = self.schemas["graph-check"]
