@@ -9193,11 +9193,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the SVG cannot be drawn: %1</source>
-        <translation>die SVG-Datei lässt sich nicht zeichnen: %1</translation>
+        <translation type="vanished">die SVG-Datei lässt sich nicht zeichnen: %1</translation>
     </message>
     <message>
         <source>Export the drawing as a PDF or as a picture of at least 300 dpi and import that</source>
-        <translation>Exportieren Sie die Zeichnung als PDF oder als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
+        <translation type="vanished">Exportieren Sie die Zeichnung als PDF oder als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
     </message>
     <message>
         <source>the file has %1, more than the limit of %2</source>
@@ -9573,27 +9573,27 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>it is missing or no file</source>
-        <translation>sie fehlt oder ist keine Datei</translation>
+        <translation type="vanished">sie fehlt oder ist keine Datei</translation>
     </message>
     <message>
         <source>it is larger than 32 MB</source>
-        <translation>sie ist größer als 32 MB</translation>
+        <translation type="vanished">sie ist größer als 32 MB</translation>
     </message>
     <message>
         <source>Export fewer switches into one file</source>
-        <translation>Weniger Schalter in eine Datei exportieren</translation>
+        <translation type="vanished">Weniger Schalter in eine Datei exportieren</translation>
     </message>
     <message>
         <source>it cannot be read</source>
-        <translation>sie ist nicht lesbar</translation>
+        <translation type="vanished">sie ist nicht lesbar</translation>
     </message>
     <message>
         <source>no columns are headed as a switch&apos;s downstroke</source>
-        <translation>keine Spalten sind als Hinweg eines Schalters überschrieben (downstroke)</translation>
+        <translation type="vanished">keine Spalten sind als Hinweg eines Schalters überschrieben (downstroke)</translation>
     </message>
     <message>
         <source>Export the columns of one switch as CSV: &quot;displacement_mm,force_N&quot;</source>
-        <translation>Die Spalten eines Schalters als CSV exportieren: &quot;displacement_mm,force_N&quot;</translation>
+        <translation type="vanished">Die Spalten eines Schalters als CSV exportieren: &quot;displacement_mm,force_N&quot;</translation>
     </message>
     <message>
         <source>it is no JSON</source>
@@ -9625,15 +9625,15 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the sheet holds no table of numbers</source>
-        <translation>das Blatt enthält keine Tabelle mit Zahlen</translation>
+        <translation type="vanished">das Blatt enthält keine Tabelle mit Zahlen</translation>
     </message>
     <message>
         <source>Give a sheet with a column of displacement and one of force</source>
-        <translation>Ein Blatt mit einer Spalte für den Weg und einer für die Kraft angeben</translation>
+        <translation type="vanished">Ein Blatt mit einer Spalte für den Weg und einer für die Kraft angeben</translation>
     </message>
     <message>
         <source>Save the spreadsheet again</source>
-        <translation>Die Tabelle noch einmal speichern</translation>
+        <translation type="vanished">Die Tabelle noch einmal speichern</translation>
     </message>
     <message>
         <source>it is no spreadsheet, or a damaged one</source>
@@ -9641,19 +9641,19 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>it is encrypted</source>
-        <translation>sie ist verschlüsselt</translation>
+        <translation type="vanished">sie ist verschlüsselt</translation>
     </message>
     <message>
         <source>it is damaged</source>
-        <translation>sie ist beschädigt</translation>
+        <translation type="vanished">sie ist beschädigt</translation>
     </message>
     <message>
         <source>it is cut short</source>
-        <translation>sie ist abgeschnitten</translation>
+        <translation type="vanished">sie ist abgeschnitten</translation>
     </message>
     <message>
         <source>its content is damaged, or too large when unpacked</source>
-        <translation>ihr Inhalt ist beschädigt, oder ausgepackt zu groß</translation>
+        <translation type="vanished">ihr Inhalt ist beschädigt, oder ausgepackt zu groß</translation>
     </message>
     <message>
         <source>the import %1</source>
@@ -9723,6 +9723,30 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>differs from the page: %1 %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
         <translation>weicht von der Seite ab: %1 gelesen %2, gedruckt %3 (Seite %4: „%5“)</translation>
     </message>
+    <message>
+        <source>Save the spreadsheet again, as xlsx, ODS or CSV</source>
+        <translation>Die Tabelle neu speichern, als xlsx, ODS oder CSV</translation>
+    </message>
+    <message>
+        <source>its content is damaged, or larger than 64 MB when unpacked</source>
+        <translation>ihr Inhalt ist beschädigt oder entpackt größer als 64 MB</translation>
+    </message>
+    <message>
+        <source>the archive holds no sheet</source>
+        <translation>das Archiv enthält kein Tabellenblatt</translation>
+    </message>
+    <message>
+        <source>the line does not end</source>
+        <translation>die Zeile endet nicht</translation>
+    </message>
+    <message>
+        <source>Give a table with one sample per line</source>
+        <translation>Eine Tabelle mit einem Messpunkt je Zeile angeben</translation>
+    </message>
+    <message>
+        <source>only the heading names the units: &quot;%1&quot;</source>
+        <translation>nur die Überschrift nennt die Einheiten: „%1“</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -9784,6 +9808,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>a force log shows no switches</source>
         <translation>ein Kraftprotokoll zeigt keine Schalter</translation>
     </message>
+    <message>
+        <source>a page has no records</source>
+        <translation>eine Seite hat keine Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>List its graphs</source>
+        <translation>Ihre Diagramme auflisten</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::ImportSession::Impl</name>
@@ -9819,6 +9851,18 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Choose a lower level of quality</source>
         <translation>Eine niedrigere Qualität wählen</translation>
     </message>
+    <message>
+        <source>the table can be read in several ways: %1</source>
+        <translation>die Tabelle lässt sich auf mehrere Weisen lesen: %1</translation>
+    </message>
+    <message>
+        <source>the fitted curve leaves the samples</source>
+        <translation>die angepasste Kurve weicht von den Messpunkten ab</translation>
+    </message>
+    <message>
+        <source>Pass one of the choices</source>
+        <translation>Eine der Möglichkeiten angeben</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::LibraryStore</name>
@@ -9831,74 +9875,74 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::importer::LineReader</name>
     <message>
         <source>is a folder</source>
-        <translation>ist ein Ordner</translation>
+        <translation type="vanished">ist ein Ordner</translation>
     </message>
     <message>
         <source>Give a force meter&apos;s CSV file</source>
-        <translation>Geben Sie die CSV-Datei eines Kraftmessgeräts an</translation>
+        <translation type="vanished">Geben Sie die CSV-Datei eines Kraftmessgeräts an</translation>
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>lässt sich nicht öffnen: %1</translation>
+        <translation type="vanished">lässt sich nicht öffnen: %1</translation>
     </message>
     <message>
         <source>Check the path and its rights</source>
-        <translation>Prüfen Sie den Pfad und seine Zugriffsrechte</translation>
+        <translation type="vanished">Prüfen Sie den Pfad und seine Zugriffsrechte</translation>
     </message>
     <message>
         <source>is empty</source>
-        <translation>ist leer</translation>
+        <translation type="vanished">ist leer</translation>
     </message>
     <message>
         <source>Export the measurement again</source>
-        <translation>Exportieren Sie die Messung noch einmal</translation>
+        <translation type="vanished">Exportieren Sie die Messung noch einmal</translation>
     </message>
     <message>
         <source>is not a text file</source>
-        <translation>ist keine Textdatei</translation>
+        <translation type="vanished">ist keine Textdatei</translation>
     </message>
     <message>
         <source>Give a force meter&apos;s CSV file, or a picture or PDF by its right name</source>
-        <translation>Geben Sie die CSV-Datei eines Kraftmessgeräts an, oder ein Bild oder PDF unter seinem richtigen Namen</translation>
+        <translation type="vanished">Geben Sie die CSV-Datei eines Kraftmessgeräts an, oder ein Bild oder PDF unter seinem richtigen Namen</translation>
     </message>
 </context>
 <context>
     <name>detent::importer::LogReader</name>
     <message>
         <source>it holds %1 switches: %2</source>
-        <translation>es enthält %1 Schalter: %2</translation>
+        <translation type="vanished">es enthält %1 Schalter: %2</translation>
     </message>
     <message>
         <source>Pass --curve NAME|N for one of them</source>
-        <translation>Mit --curve NAME|N einen davon wählen</translation>
+        <translation type="vanished">Mit --curve NAME|N einen davon wählen</translation>
     </message>
     <message>
         <source>the line does not end</source>
-        <translation>die Zeile endet nicht</translation>
+        <translation type="vanished">die Zeile endet nicht</translation>
     </message>
     <message>
         <source>Give a force meter&apos;s CSV file with one sample per line</source>
-        <translation>Die CSV-Datei eines Kraftmessers mit einem Messwert je Zeile angeben</translation>
+        <translation type="vanished">Die CSV-Datei eines Kraftmessers mit einem Messwert je Zeile angeben</translation>
     </message>
     <message>
         <source>no two columns of numbers were found</source>
-        <translation>zwei Spalten mit Zahlen wurden nicht gefunden</translation>
+        <translation type="vanished">zwei Spalten mit Zahlen wurden nicht gefunden</translation>
     </message>
     <message>
         <source>Give a CSV with a displacement and a force column, for example &quot;displacement_mm,force_N&quot;</source>
-        <translation>Eine CSV mit einer Spalte für den Weg und einer für die Kraft angeben, etwa &quot;displacement_mm,force_N&quot;</translation>
+        <translation type="vanished">Eine CSV mit einer Spalte für den Weg und einer für die Kraft angeben, etwa &quot;displacement_mm,force_N&quot;</translation>
     </message>
     <message>
         <source>the file cannot be read further</source>
-        <translation>die Datei ist ab hier nicht lesbar</translation>
+        <translation type="vanished">die Datei ist ab hier nicht lesbar</translation>
     </message>
     <message>
         <source>no row holds a finite displacement and force</source>
-        <translation>keine Zeile hat einen endlichen Weg und eine endliche Kraft</translation>
+        <translation type="vanished">keine Zeile hat einen endlichen Weg und eine endliche Kraft</translation>
     </message>
     <message>
         <source>Check the export: each row needs two numbers</source>
-        <translation>Den Export prüfen: jede Zeile braucht zwei Zahlen</translation>
+        <translation type="vanished">Den Export prüfen: jede Zeile braucht zwei Zahlen</translation>
     </message>
     <message>
         <source>it has no sample</source>
@@ -9922,7 +9966,166 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>it holds a release stroke but no press</source>
-        <translation>sie enthält einen Rückweg, aber kein Drücken</translation>
+        <translation type="vanished">sie enthält einen Rückweg, aber kein Drücken</translation>
+    </message>
+    <message>
+        <source>Else record the press too</source>
+        <translation type="vanished">Sonst auch das Drücken aufzeichnen</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>sie fehlt</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>sie ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is larger than 256 MB</source>
+        <translation>sie ist größer als 256 MB</translation>
+    </message>
+    <message>
+        <source>Export one press with its release, or fewer rows</source>
+        <translation>Einen Druck mit seinem Loslassen exportieren, oder weniger Zeilen</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>sie kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>sie ist leer</translation>
+    </message>
+    <message>
+        <source>it is a spreadsheet of Excel 97 to 2003</source>
+        <translation>sie ist eine Tabelle von Excel 97 bis 2003</translation>
+    </message>
+    <message>
+        <source>Save it as xlsx, ODS or CSV</source>
+        <translation>Als xlsx, ODS oder CSV speichern</translation>
+    </message>
+    <message>
+        <source>it is larger than 32 MB</source>
+        <translation>sie ist größer als 32 MB</translation>
+    </message>
+    <message>
+        <source>Export fewer switches into one file</source>
+        <translation>Weniger Schalter in eine Datei exportieren</translation>
+    </message>
+    <message>
+        <source>it is no spreadsheet, or a damaged one</source>
+        <translation>sie ist keine Tabelle oder eine beschädigte</translation>
+    </message>
+    <message>
+        <source>Save the spreadsheet again</source>
+        <translation>Die Tabelle neu speichern</translation>
+    </message>
+    <message>
+        <source>it is no TAR archive</source>
+        <translation>sie ist kein TAR-Archiv</translation>
+    </message>
+    <message>
+        <source>Save the project once more in WebPlotDigitizer</source>
+        <translation>Das Projekt in WebPlotDigitizer neu speichern</translation>
+    </message>
+    <message>
+        <source>its content is no text</source>
+        <translation>ihr Inhalt ist kein Text</translation>
+    </message>
+    <message>
+        <source>Export the measurement as CSV, xlsx or ODS</source>
+        <translation>Die Messung als CSV, xlsx oder ODS exportieren</translation>
+    </message>
+    <message>
+        <source>the spreadsheet holds no table of numbers</source>
+        <translation>die Datei enthält keine Tabelle mit Zahlen</translation>
+    </message>
+    <message>
+        <source>Give a sheet with a column of displacement and one of force</source>
+        <translation>Ein Blatt mit einer Wegspalte und einer Kraftspalte angeben</translation>
+    </message>
+    <message>
+        <source>it holds no two columns of numbers</source>
+        <translation>sie enthält keine zwei Spalten mit Zahlen</translation>
+    </message>
+    <message>
+        <source>Give a table with a column of displacement and one of force, for example &quot;displacement_mm,force_N&quot;</source>
+        <translation>Eine Tabelle mit einer Wegspalte und einer Kraftspalte angeben, zum Beispiel „displacement_mm,force_N“</translation>
+    </message>
+    <message>
+        <source>no column is &quot;%1&quot;</source>
+        <translation>keine Spalte heißt „%1“</translation>
+    </message>
+    <message>
+        <source>Its columns are %1</source>
+        <translation>Ihre Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>its unit of %1, &quot;%2&quot;, is not known</source>
+        <translation>ihre Einheit für %1, „%2“, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the mean of %1 records was taken</source>
+        <translation>das Mittel von %1 Aufzeichnungen wurde genommen</translation>
+    </message>
+    <message>
+        <source>it holds %1 records: %2</source>
+        <translation>sie enthält %1 Aufzeichnungen: %2</translation>
+    </message>
+    <message>
+        <source>Pass --record NAME|N for one of them, or --record mean</source>
+        <translation>--record NAME|N für eine davon angeben, oder --record mean</translation>
+    </message>
+    <message>
+        <source>a pair is one press and one release, each in its file</source>
+        <translation>ein Paar ist ein Drücken und ein Loslassen, jedes in seiner Datei</translation>
+    </message>
+    <message>
+        <source>Give the file of the press first, then that of the release</source>
+        <translation>Zuerst die Datei des Drückens angeben, dann die des Loslassens</translation>
+    </message>
+    <message>
+        <source>the press was taken back in part and resumed: its beginning was joined to it</source>
+        <translation>der Druck wurde teils zurückgenommen und fortgesetzt: sein Anfang wurde angefügt</translation>
+    </message>
+    <message>
+        <source>an approach of %1 through air was cut off; contact is certain to %2</source>
+        <translation>ein Anfahrweg von %1 durch Luft wurde abgeschnitten; der Kontakt ist auf %2 sicher</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::LogReader::Refuse</name>
+    <message>
+        <source>no column is a displacement; its columns are %1</source>
+        <translation>keine Spalte ist ein Weg; ihre Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>no column is a force; its columns are %1</source>
+        <translation>keine Spalte ist eine Kraft; ihre Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>no column is a displacement and none is a force; its columns are %1</source>
+        <translation>keine Spalte ist ein Weg und keine eine Kraft; ihre Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>its displacement does not change by more than its noise; its columns are %1</source>
+        <translation>ihr Weg ändert sich nicht stärker als sein Rauschen; ihre Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>Give the log of a press</source>
+        <translation>Die Aufzeichnung eines Drucks angeben</translation>
+    </message>
+    <message>
+        <source>press and release are sorted by displacement into one, and cannot be told apart</source>
+        <translation>Drücken und Loslassen sind nach dem Weg ineinander sortiert und nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>Export the points in the order travelled, or each stroke as a column of its own</source>
+        <translation>Die Punkte in der Reihenfolge der Messung exportieren, oder jeden Hub in einer eigenen Spalte</translation>
+    </message>
+    <message>
+        <source>it holds a release stroke but no press</source>
+        <translation>sie enthält ein Loslassen, aber kein Drücken</translation>
     </message>
     <message>
         <source>Else record the press too</source>
@@ -10041,6 +10244,61 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Give a region inside %1 x %2 pixels</source>
         <translation>Einen Bereich innerhalb von %1 x %2 Pixeln angeben</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::SvgSource</name>
+    <message>
+        <source>%1 parts are not drawn that lie in other files or are HTML</source>
+        <translation>%1 Teile werden nicht gezeichnet, die in anderen Dateien liegen oder HTML sind</translation>
+    </message>
+    <message>
+        <source>no font has the letters %1, and boxes stand for them</source>
+        <translation>keine Schrift hat die Zeichen %1; Kästchen stehen dafür</translation>
+    </message>
+    <message>
+        <source>the SVG cannot be drawn: %1</source>
+        <translation>die SVG-Datei kann nicht gezeichnet werden: %1</translation>
+    </message>
+    <message>
+        <source>end of file</source>
+        <translation>Ende der Datei</translation>
+    </message>
+    <message>
+        <source>the %1 is truncated</source>
+        <translation>%1 ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Copy or download the file again</source>
+        <translation>Die Datei neu kopieren oder herunterladen</translation>
+    </message>
+    <message>
+        <source>the program detent-svg-worker, which draws SVG files, is not in %1</source>
+        <translation>das Programm detent-svg-worker, das SVG-Dateien zeichnet, ist nicht in %1</translation>
+    </message>
+    <message>
+        <source>Install Detent&apos;s package again, or export the drawing as a PDF and import that</source>
+        <translation>Das Paket von Detent neu installieren, oder die Zeichnung als PDF exportieren und dieses importieren</translation>
+    </message>
+    <message>
+        <source>the program detent-svg-worker cannot be started (%1)</source>
+        <translation>das Programm detent-svg-worker kann nicht gestartet werden (%1)</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again</source>
+        <translation>Andere Programme schließen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>it takes too long to draw</source>
+        <translation>das Zeichnen dauert zu lange</translation>
+    </message>
+    <message>
+        <source>it draws more than any real drawing does</source>
+        <translation>sie zeichnet mehr als jede echte Zeichnung</translation>
+    </message>
+    <message>
+        <source>it needs more memory than allowed, or breaks the program that draws it</source>
+        <translation>sie braucht mehr Speicher als erlaubt oder beendet das Programm, das sie zeichnet</translation>
     </message>
 </context>
 <context>
@@ -10522,7 +10780,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or --upload, so that the device runs the law</source>
-        <translation>Machen Sie die Verbindung schneller: direktes USB, mehr --baud, ein FTDI-Latenzzähler von 1 ms; oder --upload, damit das Gerät die Kraft selbst rechnet</translation>
+        <translation type="vanished">Machen Sie die Verbindung schneller: direktes USB, mehr --baud, ein FTDI-Latenzzähler von 1 ms; oder --upload, damit das Gerät die Kraft selbst rechnet</translation>
     </message>
     <message>
         <source>does not take limits for a slow link</source>
@@ -10602,7 +10860,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>control points behind the %1th of a curve are left out, as Core Haptics does</source>
-        <translation>Stützpunkte hinter dem %1. einer Kurve werden weggelassen, wie Core Haptics es tut</translation>
+        <translation type="vanished">Stützpunkte hinter dem %1. einer Kurve werden weggelassen, wie Core Haptics es tut</translation>
     </message>
     <message>
         <source>lies before the control point it follows</source>
@@ -10718,7 +10976,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Give an AHAP, .haptic or HJIF file, or a WAV</source>
-        <translation>Geben Sie eine AHAP-, .haptic- oder HJIF-Datei oder eine WAV an</translation>
+        <translation type="vanished">Geben Sie eine AHAP-, .haptic- oder HJIF-Datei oder eine WAV an</translation>
     </message>
     <message>
         <source>it passes full scale by a factor of %1 and is turned down</source>
@@ -11298,7 +11556,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>has a participant already: lists made now could not be kept to</source>
-        <translation>hat schon eine Teilnehmerin oder einen Teilnehmer: Listen, die erst jetzt gemacht werden, ließen sich nicht einhalten</translation>
+        <translation type="vanished">hat schon eine Teilnehmerin oder einen Teilnehmer: Listen, die erst jetzt gemacht werden, ließen sich nicht einhalten</translation>
     </message>
     <message>
         <source>Plan before the first person comes, or make a new study</source>
@@ -11375,6 +11633,210 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>state %1</source>
         <translation>Zustand %1</translation>
+    </message>
+    <message>
+        <source>initializing</source>
+        <translation>Initialisierung</translation>
+    </message>
+    <message>
+        <source>system level</source>
+        <translation>Systemfehler</translation>
+    </message>
+    <message>
+        <source>timing error</source>
+        <translation>Zeitfehler</translation>
+    </message>
+    <message>
+        <source>missing estimate</source>
+        <translation>fehlende Schätzung</translation>
+    </message>
+    <message>
+        <source>bad configuration</source>
+        <translation>falsche Konfiguration</translation>
+    </message>
+    <message>
+        <source>gate driver fault</source>
+        <translation>Fehler des Gate-Treibers</translation>
+    </message>
+    <message>
+        <source>missing input</source>
+        <translation>fehlende Eingabe</translation>
+    </message>
+    <message>
+        <source>DC bus over-voltage</source>
+        <translation>Überspannung im Zwischenkreis</translation>
+    </message>
+    <message>
+        <source>DC bus under-voltage</source>
+        <translation>Unterspannung im Zwischenkreis</translation>
+    </message>
+    <message>
+        <source>DC bus over-current</source>
+        <translation>Überstrom im Zwischenkreis</translation>
+    </message>
+    <message>
+        <source>DC bus over-regeneration current</source>
+        <translation>zu hoher Rückspeisestrom im Zwischenkreis</translation>
+    </message>
+    <message>
+        <source>current limit violation</source>
+        <translation>Stromgrenze überschritten</translation>
+    </message>
+    <message>
+        <source>motor over temperature</source>
+        <translation>Motor zu heiß</translation>
+    </message>
+    <message>
+        <source>inverter over temperature</source>
+        <translation>Wechselrichter zu heiß</translation>
+    </message>
+    <message>
+        <source>velocity limit violation</source>
+        <translation>Geschwindigkeitsgrenze überschritten</translation>
+    </message>
+    <message>
+        <source>position limit violation</source>
+        <translation>Positionsgrenze überschritten</translation>
+    </message>
+    <message>
+        <source>spinout detected</source>
+        <translation>Durchdrehen erkannt</translation>
+    </message>
+    <message>
+        <source>brake resistor disarmed</source>
+        <translation>Bremswiderstand abgeschaltet</translation>
+    </message>
+    <message>
+        <source>thermistor disconnected</source>
+        <translation>Thermistor nicht verbunden</translation>
+    </message>
+    <message>
+        <source>calibration error</source>
+        <translation>Kalibrierfehler</translation>
+    </message>
+    <message>
+        <source>an error whose code begins with %1 and was cut off: odrivetool&apos;s dump_errors tells it</source>
+        <translation>ein Fehler, dessen Code mit %1 beginnt und abgeschnitten wurde: dump_errors von odrivetool nennt ihn</translation>
+    </message>
+    <message>
+        <source>This computer is late: it takes %1 ms to pass a line to itself. Close what else runs and allow real-time scheduling (docs/guide/force-feedback.md)</source>
+        <translation>Dieser Rechner ist zu spät: er braucht %1 ms, um sich selbst eine Zeile zu senden. Andere Programme schließen und Echtzeit erlauben (docs/guide/force-feedback.md)</translation>
+    </message>
+    <message>
+        <source>The device is late. Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or --upload, so that the device runs the law</source>
+        <translation>Das Gerät ist zu spät. Die Verbindung beschleunigen: natives USB, höheres --baud, FTDI-Latenz von 1 ms; oder --upload, damit das Gerät selbst regelt</translation>
+    </message>
+    <message>
+        <source>Friction of %1 N or an encoder step of %2 mm would carry it</source>
+        <translation>Eine Reibung von %1 N oder ein Encoderschritt von %2 mm würde genügen</translation>
+    </message>
+    <message>
+        <source>More damping of the handle, a quicker loop (--rate) or a shorter delay would carry it</source>
+        <translation>Mehr Dämpfung des Griffs, eine schnellere Schleife (--rate) oder eine kürzere Verzögerung würde genügen</translation>
+    </message>
+    <message>
+        <source>control points count from their curve&apos;s Time; the curve at %1 s seems to count them from the pattern&apos;s beginning and is played later than meant</source>
+        <translation>Stützpunkte zählen ab der Time ihrer Kurve; die Kurve bei %1 s scheint ab dem Anfang des Musters zu zählen und wird später gespielt als gemeint</translation>
+    </message>
+    <message>
+        <source>Give an AHAP, .haptic or HJIF file, or a sound file such as a WAV</source>
+        <translation>Eine AHAP-, .haptic- oder HJIF-Datei angeben, oder eine Tondatei wie WAV</translation>
+    </message>
+    <message>
+        <source>channel %1 of %2 alone is played: their mean would cancel out</source>
+        <translation>nur Kanal %1 von %2 wird gespielt: ihr Mittel würde sich auslöschen</translation>
+    </message>
+    <message>
+        <source>reversed polarity: the handle moves against the force it is asked for</source>
+        <translation>verkehrte Polung: der Griff bewegt sich gegen die verlangte Kraft</translation>
+    </message>
+    <message>
+        <source>Swap the motor&apos;s two wires or the encoder&apos;s A and B</source>
+        <translation>Die beiden Drähte des Motors tauschen, oder A und B des Encoders</translation>
+    </message>
+    <message>
+        <source>the handle does not follow a small push</source>
+        <translation>der Griff folgt einem kleinen Stoß nicht</translation>
+    </message>
+    <message>
+        <source>Turn it by hand: a position that stays the same means a dead encoder. Else free the handle, take the finger off, and try again</source>
+        <translation>Von Hand drehen: bleibt die Position gleich, ist der Encoder tot. Sonst den Griff frei machen, den Finger wegnehmen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a site</source>
+        <translation>„%1“ ist kein Name eines Standorts</translation>
+    </message>
+    <message>
+        <source>Give --sites of letters, digits, - and _</source>
+        <translation>--sites aus Buchstaben, Ziffern, - und _ angeben</translation>
+    </message>
+    <message>
+        <source>two sites are called &quot;%1&quot;</source>
+        <translation>zwei Standorte heißen „%1“</translation>
+    </message>
+    <message>
+        <source>Give --sites, a name for each study</source>
+        <translation>--sites angeben, einen Namen je Studie</translation>
+    </message>
+    <message>
+        <source>is a merged study itself</source>
+        <translation>ist selbst eine zusammengeführte Studie</translation>
+    </message>
+    <message>
+        <source>Merge the studies of its sites</source>
+        <translation>Die Studien ihrer Standorte zusammenführen</translation>
+    </message>
+    <message>
+        <source>asks for other answers, or of other buttons, than &quot;%1&quot;</source>
+        <translation>fragt nach anderen Antworten oder anderen Tasten als „%1“</translation>
+    </message>
+    <message>
+        <source>Merge copies of one study</source>
+        <translation>Kopien einer Studie zusammenführen</translation>
+    </message>
+    <message>
+        <source>was planned with another rule for the unfinished than &quot;%1&quot;</source>
+        <translation>wurde mit einer anderen Regel für Unfertige geplant als „%1“</translation>
+    </message>
+    <message>
+        <source>Merge studies of one plan</source>
+        <translation>Studien eines Plans zusammenführen</translation>
+    </message>
+    <message>
+        <source>%1 names for %2 studies</source>
+        <translation>%1 Namen für %2 Studien</translation>
+    </message>
+    <message>
+        <source>Give --sites a name for each</source>
+        <translation>--sites je Studie einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Check the folders and the free space</source>
+        <translation>Die Ordner und den freien Platz prüfen</translation>
+    </message>
+    <message>
+        <source>is the merged study of several sites: nobody answers in it</source>
+        <translation>ist die zusammengeführte Studie mehrerer Standorte: darin antwortet niemand</translation>
+    </message>
+    <message>
+        <source>Run the study of one site, and merge anew</source>
+        <translation>Die Studie eines Standorts durchführen und neu zusammenführen</translation>
+    </message>
+    <message>
+        <source>has a rule for the unfinished that does not exist</source>
+        <translation>hat eine Regel für Unfertige, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>knows a feel %1 that does not exist</source>
+        <translation>nennt ein Gefühl %1, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>names no sites this program knows</source>
+        <translation>nennt keine Standorte, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>has a participant already: a plan made now could not be kept to</source>
+        <translation>hat schon einen Teilnehmer: ein jetzt gemachter Plan wäre nicht einzuhalten</translation>
     </message>
 </context>
 <context>
@@ -11575,6 +12037,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Mend that with odrivetool (dump_errors), until closed-loop control runs</source>
         <translation>Beheben Sie das mit odrivetool (dump_errors), bis die Regelung läuft</translation>
+    </message>
+    <message>
+        <source>axis %1 does not hold %2</source>
+        <translation>Achse %1 behält %2 nicht</translation>
+    </message>
+    <message>
+        <source>Set that with odrivetool, then try again</source>
+        <translation>Das mit odrivetool einstellen, dann noch einmal versuchen</translation>
     </message>
 </context>
 <context>
@@ -11856,6 +12326,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Check the name, the cable and your right to use it (group dialout)</source>
         <translation>Prüfen Sie den Namen, das Kabel und Ihr Recht darauf (Gruppe dialout)</translation>
+    </message>
+    <message>
+        <source>is in use by another program</source>
+        <translation>wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>is in use by %1</source>
+        <translation>wird von %1 benutzt</translation>
+    </message>
+    <message>
+        <source>End that program, then try again</source>
+        <translation>Dieses Programm beenden, dann noch einmal versuchen</translation>
     </message>
 </context>
 <context>
