@@ -10092,6 +10092,18 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>an approach of %1 through air was cut off; contact is certain to %2</source>
         <translation>ein Anfahrweg von %1 durch Luft wurde abgeschnitten; der Kontakt ist auf %2 sicher</translation>
     </message>
+    <message>
+        <source>Check the path and its rights</source>
+        <translation>Den Pfad und seine Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>Give a file</source>
+        <translation>Eine Datei angeben</translation>
+    </message>
+    <message>
+        <source>Export the measurement again</source>
+        <translation>Die Messung neu exportieren</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::LogReader::Refuse</name>
@@ -10299,6 +10311,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>it needs more memory than allowed, or breaks the program that draws it</source>
         <translation>sie braucht mehr Speicher als erlaubt oder beendet das Programm, das sie zeichnet</translation>
+    </message>
+    <message>
+        <source>Export the drawing as a PDF or as a picture of at least 300 dpi and import that</source>
+        <translation>Die Zeichnung als PDF oder als Bild mit mindestens 300 dpi exportieren und dieses importieren</translation>
     </message>
 </context>
 <context>

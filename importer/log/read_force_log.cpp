@@ -160,9 +160,9 @@ class LogReader {
     };
     std::error_code error;
     if (!std::filesystem::exists(path, error))
-      return unreadable(Message("it is missing"), "Check the path and its rights");
+      return unreadable(Message("it is missing"), Message("Check the path and its rights"));
     if (std::filesystem::is_directory(path, error))
-      return unreadable(Message("it is a folder"), "Give a file");
+      return unreadable(Message("it is a folder"), Message("Give a file"));
     std::ifstream file(path, std::ios::binary);
     std::string bytes;
     std::vector<char> piece(std::size_t{1} << 20);
@@ -175,8 +175,8 @@ class LogReader {
       if (progress_.isCancelled()) return Failure::cancelled(fileNameOf(path));
     }
     if (file.bad() || (bytes.empty() && !file.eof()))
-      return unreadable(Message("it cannot be read"), "Check the path and its rights");
-    if (bytes.empty()) return unreadable(Message("it is empty"), "Export the measurement again");
+      return unreadable(Message("it cannot be read"), Message("Check the path and its rights"));
+    if (bytes.empty()) return unreadable(Message("it is empty"), Message("Export the measurement again"));
     return bytes;
   }
 

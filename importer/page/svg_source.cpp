@@ -74,8 +74,8 @@ class SvgSource : public PageSource {
   }
 
   Failure refusal(const svg::WorkerResult& result) const {
-    const Message otherwise(
-        "Export the drawing as a PDF or as a picture of at least 300 dpi and import that");
+    const auto otherwise =
+        Message("Export the drawing as a PDF or as a picture of at least 300 dpi and import that");
     const auto cannot = [&](Message why) {
       return unreadable(file_.name, "", Message("the SVG cannot be drawn: %1", std::move(why)), otherwise);
     };

@@ -14,6 +14,7 @@ namespace {
 struct Entry {
   MakeWindowTest make;
   PrepareWindowTest prepare;
+  bool hasWidgets;
 };
 
 std::map<std::string, Entry>& entries() {
@@ -23,8 +24,9 @@ std::map<std::string, Entry>& entries() {
 
 }  // namespace
 
-WindowTestEntry::WindowTestEntry(const char* name, MakeWindowTest make, PrepareWindowTest prepare) {
-  entries()[name] = {make, prepare};
+WindowTestEntry::WindowTestEntry(const char* name, MakeWindowTest make, PrepareWindowTest prepare,
+                                 bool hasWidgets) {
+  entries()[name] = {make, prepare, hasWidgets};
 }
 
 }  // namespace detent::windowtests
@@ -38,7 +40,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   QCoreApplication::setAttribute(Qt::AA_Use96Dpi, true);  // as QTEST_MAIN does
-  QApplication app(argc, argv);
+  const std::unique_ptr<QCoreApplication> app(found->second.hasWidgets ? new QApplication(argc, argv)
+                                                                       : new QCoreApplication(argc, argv));
   if (!found->second.prepare()) return 0;
   std::vector<char*> rest{argv[0]};
   rest.insert(rest.end(), argv + 2, argv + argc);

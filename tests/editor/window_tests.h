@@ -11,7 +11,7 @@ using MakeWindowTest = std::unique_ptr<QObject> (*)();
 using PrepareWindowTest = bool (*)();
 
 /// Registers a test class under its name. `prepare` runs once the application exists and before the class is made; where it
-/// returns false, the class is skipped.
+/// returns false, the class is skipped. Without widgets, the application is a QCoreApplication.
 struct WindowTestEntry {
   WindowTestEntry(
       const char* name, MakeWindowTest make, PrepareWindowTest prepare = [] { return true; });
@@ -25,6 +25,11 @@ std::unique_ptr<QObject> makeWindowTest() {
 }  // namespace detent::windowtests
 
 /// DETENT_WINDOW_TEST(Class) or DETENT_WINDOW_TEST(Class, prepare), in place of QTEST_MAIN.
-#define DETENT_WINDOW_TEST(Class, ...)                        \
+#define DETENT_WINDOW_TEST(Class, ...)                              \
   static const detent::windowtests::WindowTestEntry entryOf##Class( \
       #Class, detent::windowtests::makeWindowTest<Class> __VA_OPT__(, ) __VA_ARGS__);
+
+/// In place of QTEST_GUILESS_MAIN.
+#define DETENT_GUILESS_TEST(Class)                                  \
+  static const detent::windowtests::WindowTestEntry entryOf##Class( \
+      #Class, detent::windowtests::makeWindowTest<Class>, [] { return true; }, false);

@@ -48,7 +48,7 @@ def write_a_drawing(editor, programs, folder, desktop):
     editor.gone("fileNameEdit")
     wait_for("the drawing", file.exists)
     texts = [text.text for text in ElementTree.parse(file).getroot().iter("{http://www.w3.org/2000/svg}text")]
-    check("a label with a comma", any(re.fullmatch(r"\d+,\d+", text or "") for text in texts), True)
+    check("a label with a point", any(re.fullmatch(r"\d+\.\d+", text or "") for text in texts), False)
     written, read = saved_press(programs, folder / "imported.button.json"), imported_press(programs, file, folder)
     check("travel in mm", abs(written[-1][0] - read[-1][0]) < MOST_MM, True)
     most_N = [max(force_N for _, force_N in press) for press in (written, read)]

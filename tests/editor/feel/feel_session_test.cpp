@@ -260,5 +260,5 @@ class FeelSessionTest : public QObject {
   }
 };
 
-DETENT_WINDOW_TEST(FeelSessionTest)
+DETENT_GUILESS_TEST(FeelSessionTest)
 #include "feel_session_test.moc"

@@ -421,5 +421,5 @@ class FilesTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-DETENT_WINDOW_TEST(FilesTest)
+DETENT_GUILESS_TEST(FilesTest)
 #include "files_test.moc"
