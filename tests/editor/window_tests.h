@@ -14,7 +14,8 @@ using PrepareWindowTest = bool (*)();
 /// returns false, the class is skipped. Without widgets, the application is a QCoreApplication.
 struct WindowTestEntry {
   WindowTestEntry(
-      const char* name, MakeWindowTest make, PrepareWindowTest prepare = [] { return true; });
+      const char* name, MakeWindowTest make, PrepareWindowTest prepare = [] { return true; },
+      bool hasWidgets = true);
 };
 
 template <typename Test>
