@@ -192,7 +192,8 @@ class Exchange(unittest.TestCase):
         line = [(i / 10, 0.1 + i / 50) for i in range(41)]
         lower = [(x, f - 0.05) for x, f in line]
         path.write_text(json.dumps(project([("red press", valued(line)), ("red release", valued(lower)),
-                                            ("blue press", valued(line)), ("blue release", valued(lower))])))
+                                            ("blue press", valued([(x, 1.5 * f) for x, f in line])),
+                                            ("blue release", valued([(x, 1.5 * f) for x, f in lower]))])))
         result, _ = self.imported(path)
         self.assertEqual(result.returncode, 5)
         self.assertIn("red", result.stderr)
