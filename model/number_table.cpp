@@ -106,7 +106,8 @@ bool NumberTable::splitQuoted() {
 }
 
 std::string NumberTable::place() const {
-  return "line " + std::to_string(std::max<std::size_t>(number_, 1)) + (badQuotes_ ? ", whose quotation marks do not match" : "");
+  return "line " + std::to_string(std::max<std::size_t>(number_, 1)) +
+         (badQuotes_ ? ", whose quotation marks do not match" : "");
 }
 
 bool NumberTable::is(std::initializer_list<std::string_view> fields) const {
