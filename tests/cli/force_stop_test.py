@@ -52,7 +52,9 @@ class Board:
             os.write(self.master, with_sum(body))
         elif match := re.fullmatch(r"F,(\d+),(-?\d+)", body):
             self.forces.append(int(match[2]) * 1e-6)
-            os.write(self.master, with_sum(f"P,{match[1]},{int(time.monotonic() * 1e6)},2000000,0"))
+            # A finger that gives way a little: the handle follows a small push, as one in order does.
+            place_nm = 2000000 - int(2e6 * max(-0.09, min(0.09, self.forces[-1])))
+            os.write(self.master, with_sum(f"P,{match[1]},{int(time.monotonic() * 1e6)},{place_nm},0"))
 
     def close(self):
         self.open = False
