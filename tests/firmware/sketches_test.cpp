@@ -526,7 +526,7 @@ TEST_CASE("triggered: an exported header plays its clicks on 8 bit boards") {
     const int before = loudest(0, 450, 50), click = loudest(450, 700, 50),
               rest = (loudest(700, 700, 150), loudest(700, 700, 50)), release = loudest(700, 0, 80);
     if (std::string(row.program) == "triggered_minimal") CHECK(before == 0);
-    CHECK(click > 15);
+    CHECK(click > 20);
     CHECK(rest <= 1);
     CHECK(release > 10);
     CHECK(board.stackUsed() + 100 < board.stackAvailable());
