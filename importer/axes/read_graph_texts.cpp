@@ -44,11 +44,13 @@ double overlapShare(const Box& a, const Box& b) {
   return common.empty() ? 0 : common.area() / std::max(1e-9, a.area());
 }
 
+int pixelAt(double at_px) { return static_cast<int>(std::lround(at_px)); }
+
 /// The colour of a mark's ink: of its pixel that is farthest from the paper.
 Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
   cv::Point darkest;
   const cv::Rect whole(0, 0, darkness.cols, darkness.rows);
-  const cv::Rect at = cv::Rect(cv::Point(static_cast<int>(mark.x0 + 0.5), static_cast<int>(mark.y0 + 0.5)),
+  const cv::Rect at = cv::Rect(cv::Point(pixelAt(mark.x0), pixelAt(mark.y0)),
                                cv::Point(static_cast<int>(mark.x1 + 1.5), static_cast<int>(mark.y1 + 1.5))) &
                       whole;
   if (at.empty()) return {};
@@ -60,9 +62,9 @@ Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
 /// Share of a mark's box that is ink.
 double filledShare(const cv::Mat& ink, const Box& mark) {
   const cv::Rect whole(0, 0, ink.cols, ink.rows);
-  const cv::Rect at = cv::Rect(cv::Point(static_cast<int>(mark.x0 + 0.5), static_cast<int>(mark.y0 + 0.5)),
-                               cv::Point(static_cast<int>(mark.x1 + 0.5), static_cast<int>(mark.y1 + 0.5))) &
-                      whole;
+  const cv::Rect at =
+      cv::Rect(cv::Point(pixelAt(mark.x0), pixelAt(mark.y0)), cv::Point(pixelAt(mark.x1), pixelAt(mark.y1))) &
+      whole;
   return at.empty() ? 0 : static_cast<double>(cv::countNonZero(ink(at))) / at.area();
 }
 

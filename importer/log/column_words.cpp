@@ -42,12 +42,12 @@ std::string smallLetters(std::string_view text) {
   std::string small = lowered(text);
   for (std::size_t i = 0; i + 1 < small.size(); ++i) {
     auto a = static_cast<unsigned char>(small[i]), b = static_cast<unsigned char>(small[i + 1]);
-    if (a == 0xC3 && b >= 0x80 && b <= 0x9E && b != 0x97)
+    const bool isLatinCapital = a == 0xC3 && b >= 0x80 && b <= 0x9E && b != 0x97;
+    const bool isCyrillicCapital = a == 0xD0 && b >= 0x90 && b <= 0x9F;
+    if (isLatinCapital || isCyrillicCapital)
       small[i + 1] = static_cast<char>(b + 0x20);
     else if ((a == 0xC4 || a == 0xC5) && b % 2 == 0 && b >= 0x80 && !(a == 0xC5 && b >= 0xB8))
       small[i + 1] = static_cast<char>(b + (a == 0xC5 && b <= 0x88 && b >= 0x80 ? 0 : 1));
-    else if (a == 0xD0 && b >= 0x90 && b <= 0x9F)
-      small[i + 1] = static_cast<char>(b + 0x20);
     else if (a == 0xD0 && b >= 0xA0 && b <= 0xAF)
       small[i] = '\xD1', small[i + 1] = static_cast<char>(b - 0x20);
     if (a >= 0xC2) ++i;

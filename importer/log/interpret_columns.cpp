@@ -158,7 +158,7 @@ class Interpreter {
     const std::string& unit = each.unit.text;
     return !each.isText && !each.isConstant() && each.quantity == ColumnQuantity::force &&
            each.unit.kind == ColumnUnit::Kind::other && unit.find('/') == std::string::npos &&
-           unit.find("Pa") == std::string::npos && unit.find("m") == std::string::npos &&
+           unit.find("Pa") == std::string::npos && unit.find('m') == std::string::npos &&
            !each.words.has(ColumnWord::other);
   }
 
@@ -218,9 +218,7 @@ class Interpreter {
       result_.lack = stillDisplacement ? TableLack::movement : TableLack::displacement;
     else if (fs_.empty())
       result_.lack = TableLack::force;
-    else if (stillDisplacement && !strokesNamed())
-      result_.lack = TableLack::movement;
-    else if (!moves(xs_))
+    else if ((stillDisplacement && !strokesNamed()) || !moves(xs_))
       result_.lack = TableLack::movement;
     // One column cannot be displacement and force.
     if (result_.lack == TableLack::none && xs_.size() == 1 && fs_ == xs_)
@@ -335,7 +333,7 @@ class Interpreter {
     return rest;
   }
 
-  void offer(std::vector<ColumnGroup> groups, Evidence evidence) {
+  void offer(std::vector<ColumnGroup> groups, const Evidence& evidence) {
     LogInterpretation made;
     made.groups = std::move(groups);
     std::set<std::size_t> used;
@@ -405,16 +403,16 @@ class Interpreter {
   /// Several forces: strokes, records, or both.
   void arrangeBeside() {
     std::vector<ColumnGroup> groups;
-    std::size_t press = 0, release = 0;
+    bool release = false;
     for (const std::size_t f : fs_) {
       const std::size_t x = displacementFor(f);
       if (x == f) return;
       auto stroke = columnStroke(f);
       if (!stroke && xs_.size() == fs_.size()) stroke = columnStroke(x);
-      press += stroke == Stroke::press, release += stroke == Stroke::release;
+      release = release || stroke == Stroke::release;
       groups.push_back({x, f, stroke, groupName(f, x, false)});
     }
-    if (release > 0) {
+    if (release) {
       // A column beside one called release is the press.
       for (ColumnGroup& group : groups)
         if (!group.stroke) group.stroke = Stroke::press;
@@ -550,11 +548,12 @@ class Interpreter {
   static void judgeStrokes(LogInterpretation& made) {
     const LogRecord& record = made.records.front();
     const std::vector<CurvePoint>& press = record.press;
-    const auto [lowest, highest] = std::ranges::minmax(press, {}, &CurvePoint::force_N);
-    const double span_N = highest.force_N - lowest.force_N;
+    const auto extremes = std::ranges::minmax(press, {}, &CurvePoint::force_N);
+    const double lowest_N = extremes.min.force_N, highest_N = extremes.max.force_N;
+    const double span_N = highest_N - lowest_N;
     if (!(span_N > 0)) return made.evidence.add("force", "never changes", -12);
-    const auto share = [&](double force_N) { return (force_N - lowest.force_N) / span_N; };
-    const double first = std::abs(press.front().force_N) / std::max(highest.force_N, 1e-12);
+    const auto share = [&](double force_N) { return (force_N - lowest_N) / span_N; };
+    const double first = std::abs(press.front().force_N) / std::max(highest_N, 1e-12);
     made.evidence.add("start", "force at the start of the press",
                       first < 0.1    ? 1
                       : first < 0.35 ? 0
@@ -562,7 +561,7 @@ class Interpreter {
                                      : -2.5);
     const double last = share(press.back().force_N);
     made.evidence.add("end", "force at the end of the press", last > 0.9 ? 1.5 : last > 0.5 ? 0 : -2.5);
-    if (lowest.force_N < -0.15 * highest.force_N) made.evidence.add("sign", "pulls", -3);
+    if (lowest_N < -0.15 * highest_N) made.evidence.add("sign", "pulls", -3);
     if (press.size() < 5) made.evidence.add("rows", "few", -1.5);
     if (record.release.size() < 2) return;
     const std::vector<CurvePoint>& release = record.release;

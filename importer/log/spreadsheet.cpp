@@ -214,7 +214,10 @@ std::vector<std::pair<std::string, std::string>> worksheetsOf(const Archive& arc
     for (const pugi::xml_node sheet : (*workbook)->child("workbook").child("sheets").children()) {
       std::string target = targets[sheet.attribute("r:id").value()];
       if (target.empty()) continue;
-      target = target.front() == '/' ? target.substr(1) : "xl/" + target;
+      if (target.front() == '/')
+        target.erase(0, 1);
+      else
+        target.insert(0, "xl/");
       sheets.emplace_back(target, sheet.attribute("name").value());
     }
   }

@@ -57,10 +57,7 @@ std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::st
         break;
       seenThousands = true, group = 0;
     } else if ((c == '-' || c == '+') && (plain.empty() || plain.back() == 'e')) {
-      if (c == '-')
-        plain += c;
-      else if (!plain.empty())
-        plain += c;
+      if (c == '-' || !plain.empty()) plain += c;
     } else if ((c == 'e' || c == 'E') && seenDigit && !seenExponent && at + 1 < cell.size() &&
                (isDigit(cell[at + 1]) || ((cell[at + 1] == '-' || cell[at + 1] == '+') &&
                                           at + 2 < cell.size() && isDigit(cell[at + 2])))) {
@@ -354,7 +351,7 @@ class FixedColumns {
     if (cells.size() == middles_.size() &&
         std::ranges::all_of(cells, [&](std::string_view cell) { return numberIn(cell, style_).has_value(); }))
       return cells;
-    const std::vector<std::string_view> parts = split(line, 2);
+    std::vector<std::string_view> parts = split(line, 2);
     if (parts.size() < 2 || parts.size() > middles_.size()) return cells;
     if (parts.size() == middles_.size()) return parts;
     std::vector<std::string_view> placed(middles_.size());

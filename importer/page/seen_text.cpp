@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "importer/page/polyline.h"
 #include "importer/page/same_ink.h"
@@ -102,7 +103,9 @@ void dropRepeats(std::vector<VectorPath>& paths) {
   struct Place {
     std::size_t points = 0;
     long column = 0, row = 0;
-    auto operator<=>(const Place&) const = default;
+    bool operator<(const Place& p) const {
+      return std::tie(points, column, row) < std::tie(p.points, p.column, p.row);
+    }
   };
   std::map<Place, std::vector<std::size_t>> known;
   std::vector<bool> repeated(paths.size(), false);

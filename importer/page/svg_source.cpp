@@ -20,7 +20,8 @@ bool mayNeedScripts(const Bytes& bytes) {
   constexpr std::string_view element = "text";
   const auto isBeyond = [](unsigned char c) { return c >= 0x80 || c == '&' || c == 0; };
   return std::ranges::find(bytes, 0) != bytes.end() ||
-         (std::ranges::any_of(bytes, isBeyond) && !std::ranges::search(bytes, element).empty());
+         (std::ranges::any_of(bytes, isBeyond) &&
+          std::search(bytes.begin(), bytes.end(), element.begin(), element.end()) != bytes.end());
 }
 
 class SvgSource : public PageSource {

@@ -25,8 +25,7 @@ struct SurfaceEnd {
 };
 
 std::string takeWords(GError* error) {
-  const std::string words =
-      error != nullptr && error->message != nullptr ? error->message : "no reason given";
+  std::string words = error != nullptr && error->message != nullptr ? error->message : "no reason given";
   g_clear_error(&error);
   return words;
 }

@@ -38,7 +38,7 @@ std::string_view viewOf(const xmlChar* text) {
 const xmlChar* xmlText(const std::string& text) { return reinterpret_cast<const xmlChar*>(text.c_str()); }
 
 std::string takeText(xmlChar* text) {
-  const std::string copy(viewOf(text));
+  std::string copy(viewOf(text));
   xmlFree(text);
   return copy;
 }

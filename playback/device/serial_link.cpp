@@ -56,7 +56,7 @@ std::string holderOf(const std::string& port) {
       if (fs::read_symlink(open->path(), closed) != device) continue;
       std::string name;
       std::getline(std::ifstream(process->path() / "comm"), name);
-      return name + " (process " + number + ")";
+      return name.append(" (process ").append(number).append(")");
     }
   }
   return {};

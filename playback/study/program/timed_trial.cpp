@@ -146,7 +146,7 @@ void awaitDevice(StudyPlayer& player, RawTerminal& terminal, const ParticipantWo
                  StudyTrouble trouble, const Cancelled& cancelled) {
   if (trouble == StudyTrouble::forceStopped) std::fprintf(stderr, "%s\n", words.rearm);
   while (player.troubleSinceAsked() != StudyTrouble::none && !cancelled()) {
-    const std::optional<char> key = terminal.key(timedPoll_s);
+    const char key = terminal.key(timedPoll_s).value_or('\0');
     if (key == 'a' || key == 'A') player.rearm();
     if (key == escapeKey) player.stopForce();
   }

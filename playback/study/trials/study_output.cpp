@@ -380,7 +380,8 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
     const std::string sub = "sub-" + bidsId(id);
     const TrialRow& any = *std::find_if(results.rows.begin(), results.rows.end(),
                                         [&](const TrialRow& r) { return r.participant == id; });
-    list += sub + "\t" + id + "\t" + tsvField(any.site) + (any.finished ? "\t1\n" : "\t0\n");
+    list.append(sub).append("\t").append(id).append("\t").append(tsvField(any.site));
+    list += any.finished ? "\t1\n" : "\t0\n";
     if (Result<Done> ok = makeFolder(folder / sub / "beh"); !ok) return ok;
     const std::string name = std::string(sub).append("_task-").append(task).append("_events.tsv");
     if (Result<Done> ok =
