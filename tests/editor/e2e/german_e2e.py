@@ -42,13 +42,15 @@ def write_a_drawing(editor, programs, folder, desktop):
     """Labels are as a German writes them, coordinates as every program reads them: what is drawn is read back."""
     file = folder / "graph.svg"
     desktop.key("ctrl+shift+e")
+    editor.click("graphForce", "graphExportDialog")
+    desktop.key("Home", "Return")  # newton, whose labels have fractions
     editor.click("graphExport", "graphExportDialog")
     editor.replace_text("fileNameEdit", str(file))
     desktop.key("Return")
     editor.gone("fileNameEdit")
     wait_for("the drawing", file.exists)
     texts = [text.text for text in ElementTree.parse(file).getroot().iter("{http://www.w3.org/2000/svg}text")]
-    check("a label with a point", any(re.fullmatch(r"\d+\.\d+", text or "") for text in texts), False)
+    check("a label with a comma", any(re.fullmatch(r"\d+,\d+", text or "") for text in texts), True)
     written, read = saved_press(programs, folder / "imported.button.json"), imported_press(programs, file, folder)
     check("travel in mm", abs(written[-1][0] - read[-1][0]) < MOST_MM, True)
     most_N = [max(force_N for _, force_N in press) for press in (written, read)]
