@@ -34,24 +34,34 @@ def copy_of_project(folder):
 
 
 class PlantedMistake(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name)
-        copy_of_project(self.root)
-        self.before = self.check()
+    """All tests share one copy: copying and checking it takes a second. Each test removes what it planted."""
 
-    def check(self):
-        return set(check_includes.Checker(self.root, TABLE).violations())
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.root = Path(folder.name)
+        copy_of_project(cls.root)
+        cls.before = cls.check()
+
+    @classmethod
+    def check(cls):
+        return set(check_includes.Checker(cls.root, TABLE).violations())
+
+    def write(self, path, text):
+        """Writes a file; the end of the test restores it."""
+        kept = path.read_text() if path.exists() else None
+        self.addCleanup(path.unlink if kept is None else lambda: path.write_text(kept))
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
 
     def plant(self, file, *lines):
-        (self.root / file).parent.mkdir(parents=True, exist_ok=True)
-        (self.root / file).write_text("\n".join(lines) + "\n")
+        self.write(self.root / file, "\n".join(lines) + "\n")
 
     def append(self, file, line):
         """Adds a line at the end of a file; gives its number."""
         text = (self.root / file).read_text()
-        (self.root / file).write_text(text + line + "\n")
+        self.write(self.root / file, text + line + "\n")
         return text.count("\n") + 1
 
     def list_header(self, folder, header):
@@ -195,8 +205,10 @@ class PlantedMistake(unittest.TestCase):
         self.expect(("model/planted.h", 1, "header set"))
 
     def test_top_level(self):
+        self.addCleanup(shutil.rmtree, self.root / "utils")
         (self.root / "utils").mkdir()
         (self.root / "utils" / "strings.txt").touch()
+        self.addCleanup((self.root / "LICENSE").write_text, (self.root / "LICENSE").read_text())
         (self.root / "LICENSE").unlink()
         self.expect(("utils", 1, "top level"), ("LICENSE", 1, "top level"))
 
@@ -208,6 +220,7 @@ class PlantedMistake(unittest.TestCase):
         self.assertEqual(run.returncode, 1)
         self.assertRegex(run.stdout, r"(?m)^model/planted\.cpp:2: model may not include importer .*\[direction\]$")
 
+        self.addCleanup(shutil.rmtree, self.root / ".git")
         subprocess.run(["git", "init", "-q", str(self.root)], check=True)
         run = subprocess.run(command, capture_output=True, text=True)
         self.assertNotIn("planted", run.stdout)
