@@ -243,7 +243,7 @@ Exchanged exchanged(const std::string& from, const std::string& to, double reply
   Exchanged e;
   {
     const auto running = playback::ForcePlayer::start(sampleButton(from), player);
-    REQUIRE(running);
+    if (!running) FAIL(running.failure().sentence());
     pause(0.5);
     const Result<Done> taken = (*running)->setButton(sampleButton(to));
     if (!taken) e.refused = taken.failure().sentence();
@@ -335,19 +335,19 @@ struct Regained {
 Regained regained(SerialEmulatorSettings settings, double replyDelay_s) {
   settings.rows = 24;
   settings.pty.plan = pressing({-1, 6, 0, 0.1, 0.1, 0.2, 0.1, 0.5});  // up at 1 s
+  settings.pty.sceneWaits = true;
   settings.pty.replyDelay_s = replyDelay_s;
   SerialEmulator device(settings);
   Regained r;
   double armed_s = 0;
   {
     const auto running = playback::ForcePlayer::start(sampleButton("A"), uploadingTo(device));
-    REQUIRE(running);
-    const double late_s = 26 * replyDelay_s;  // a line with each answer
-    pause(1.6 - late_s);
-    r.told = (*running)->status().halt;
+    if (!running) FAIL(running.failure().sentence());
     armed_s = 1.6;
+    pause(armed_s);
+    r.told = (*running)->status().halt;
     (*running)->rearm();
-    pause(1.2 + late_s);
+    pause(1.2 + 26 * replyDelay_s);  // a line with each answer
   }
   device.halt();
   for (const PtyMoment& moment : device.moments()) {
@@ -411,8 +411,8 @@ OdriveRun odrive(OdriveEmulatorSettings settings, const std::string& max_N = "3"
   device.halt();
   run.felt = feltAtBottom(device);
   run.largest_N = device.largestMotor_N();
-  run.firmwareLimit_N = device.torqueLimit_N();
-  run.velocityLimit_mm_per_s = device.velocityLimit_mm_per_s();
+  run.firmwareLimit_N = device.armedTorqueLimit_N();
+  run.velocityLimit_mm_per_s = device.armedVelocityLimit_mm_per_s();
   run.expired = device.watchdogExpired();
   run.armed = device.everArmed();
   return run;
@@ -459,6 +459,7 @@ TEST_CASE("an ODrive gives the force of the graph and no more", "[odrive]") {
 TEST_CASE("an ODrive is told the largest force", "[odrive]") {
   const OdriveRun run = odrive(odriveWithFinger(), "1");
   INFO(run.ran.said);
+  CHECK(run.armed);
   CHECK(run.firmwareLimit_N <= 1.05);
 }
 
@@ -495,6 +496,7 @@ TEST_CASE("an ODrive's own velocity limit is out of a finger's reach", "[odrive]
   settings.velocityLimit = 2;
   const OdriveRun run = odrive(settings);
   INFO(run.ran.said);
+  CHECK(run.armed);
   CHECK(run.largest_N <= 3.01);
   // The speed limit of docs/guide/force-feedback.md is 2 m/s.
   CHECK(run.velocityLimit_mm_per_s >= 2000);
