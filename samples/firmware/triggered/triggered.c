@@ -10,7 +10,7 @@
 float board_force_N(void);
 void board_play(float sample);
 
-typedef struct { detent_wave wave; float level; long age; int jump; } voice; /* age in steps; below 0 it waits */
+typedef struct { detent_wave wave; float level; long age, length; int jump; } voice; /* in steps; below an age of 0 it waits */
 
 static voice voices[12], grain;
 static float rate_Hz, x_mm, extreme_N;      /* where the finger is; the furthest force of this stroke */
@@ -21,7 +21,7 @@ static char played[65];                     /* of each trigger: not armed; a hea
 static long carrier, sinceGrain = 1000000, untilNext, untilJumpEnds; /* in steps */
 
 static long steps(float ms) { return (long)(ms * rate_Hz / 1000 + 0.5f); }
-static int sounds(const voice* v) { return v->age < steps(v->wave.duration_ms); }
+static int sounds(const voice* v) { return v->age < v->length; }
 static float limited(float value, float low, float high) { return value < low ? low : value > high ? high : value; }
 
 static detent_trigger triggerAt(const detent_state* s, unsigned i) { detent_trigger t; DETENT_COPY(t, s->triggers[i]); return t; }
@@ -41,6 +41,7 @@ static void beginGrain(float level) {
     if (voices[i].jump && voices[i].age >= 0 && sounds(&voices[i])) { level *= detent_slope_under_jump; break; }
   if (!sounds(&grain)) carrier = 0;
   grain.wave = detent_grain, grain.level = level, grain.age = sinceGrain = 0;
+  grain.length = steps(grain.wave.duration_ms);
 }
 
 /* In its turn: a bottom-out lets the jump before it end, and none begins right after another. */
@@ -53,6 +54,7 @@ static void begin(const detent_trigger* t) {
   unsigned i = 0;
   while (i + 1 < sizeof voices / sizeof *voices && sounds(&voices[i])) ++i;
   voices[i].wave = t->wave, voices[i].level = 1, voices[i].age = -wait, voices[i].jump = !t->kind;
+  voices[i].length = steps(t->wave.duration_ms);
 }
 
 static long cellOf(float mm) { return (long)floorf((mm - detent_grain_origin_mm) * detent_grains_per_mm + 1e-4f); }
@@ -128,6 +130,7 @@ void step(float steps_per_s) {
   if (releasing || !atRest) follow(s, force_N, releasing ? end_mm : 1e30f);
   if (!releasing && detent_state_count > 1 && x_mm >= s->operating_mm) actuated = 1;
   for (unsigned i = 0; i < s->trigger_count; ++i) {
+    if (!played[i]) continue;
     const detent_trigger t = triggerAt(s, i);
     if (t.release ? x_mm >= t.rearm_displacement_mm : x_mm <= t.rearm_displacement_mm) played[i] = 0;
   }
