@@ -23,6 +23,8 @@ TRAVEL_MM = 10.0
 SLACK_S = 0.006  # tolerance of measured times: motor lag, steps of the plant, load of the computer
 WORKERS = 2
 ATTEMPTS = 6
+PAUSE_S = 0.003  # a board that the computer kept from answering for longer: its run says nothing
+JUDGED = 0.5  # least share of the rows that must have been judged
 
 PENDING = {}
 
@@ -198,8 +200,8 @@ def complaints_of(row, outcome):
 
 
 def judge(program, row):
-    """A busy computer makes boards and program late, which is no verdict on either: such a run is repeated. No computer excuses a
-    force above the limit: one such run is enough."""
+    """A busy computer makes boards and program late, which is no verdict on either: such a run is repeated, and does not count where
+    the board itself saw it. No computer excuses a force above the limit: one such run is enough."""
     results = []
     for attempt in range(ATTEMPTS):
         outcome = play(program, replace(row.scene, seed=1 + attempt), row.board(**row.options))
@@ -210,17 +212,19 @@ def judge(program, row):
         if not wrong or over_limit(row, outcome):
             break
     best = min(results, key=lambda result: (not over_limit(row, result[1]), len(result[0])))
-    return row.name, best[0], best[1].exit_code, best[1].said, best[1].json, best[1].unknown, len(results)
+    judged = not best[0] or over_limit(row, best[1]) or any(result[1].pause_s <= PAUSE_S for result in results)
+    return row.name, best[0], best[1].exit_code, best[1].said, best[1].json, best[1].unknown, len(results), judged
 
 
 def main():
     program, only = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
-    failed = 0
+    failed = unjudged = 0
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(WORKERS) as pool:
         table = [row for row in rows(folder) if only.lower() in row.name.lower()]
-        for name, wrong, code, said, text, unknown, runs in pool.map(judge, [program] * len(table), table):
+        for name, wrong, code, said, text, unknown, runs, judged in pool.map(judge, [program] * len(table), table):
             pending = PENDING.get(name)
-            verdict = "ok" if not wrong else f"pending {pending}" if pending else "FAILED"
+            verdict = "ok" if not wrong else f"pending {pending}" if pending else "FAILED" if judged else "not judged"
+            unjudged += verdict == "not judged"
             failed += verdict == "FAILED"
             print(f"{verdict:18}{name}" + (f" ({runs} runs)" if runs > 1 else "") + "".join(f"\n                  {w}" for w in wrong))
             if pending and not wrong:
@@ -232,7 +236,10 @@ def main():
     stale = [name for name in PENDING if not only and name not in [row.name for row in table]]
     for name in stale:
         print(f"FAILED            PENDING names no row: {name}")
-    print(f"{len(table)} rows, {failed} failed, {len(PENDING)} pending")
+    print(f"{len(table)} rows, {failed} failed, {unjudged} not judged on this busy computer, {len(PENDING)} pending")
+    if len(table) - unjudged < JUDGED * len(table):
+        print("FAILED            too few rows could be judged")
+        failed += 1
     return 1 if failed or stale else 0
 
 
