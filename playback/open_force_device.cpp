@@ -58,6 +58,12 @@ Failure unmovedOn(const std::string& port) {
               "take the finger off, and try again")};
 }
 
+Failure irregularOn(const std::string& port, std::uint64_t missed, std::uint64_t asked) {
+  return {FailureCode::deviceTrouble, port, "",
+          Message("%1 of %2 answers were late or lost while the handle was pushed a little", missed, asked),
+          Message("Check the cable, close what else runs on this computer, and try again")};
+}
+
 /// Pushes the handle a little (realtime/direction_proof.h) before a device is given a law that it then runs by itself, as slowly as the
 /// link needs. Measures the link. Failure deviceTrouble where the handle goes the wrong way or does not follow.
 Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& program, const std::string& port) {
@@ -71,8 +77,12 @@ Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& progr
   ForceGuard guard(program.limits, period_s, program.step_mm);
   ForceCommand command;
   double due_s = now_s();
-  for (const double end_s = due_s + longestProof_s; proof.verdict() == DirectionProof::Verdict::running &&
-                                                    guard.halt() == ForceHalt::none && due_s < end_s;) {
+  for (const double end_s = due_s + longestProof_s;
+       proof.verdict() == DirectionProof::Verdict::running && due_s < end_s;) {
+    if (guard.halt() != ForceHalt::none) {  // the answers failed, not the handle
+      guard.rearm();
+      proof.restart();
+    }
     const ForceReading reading = device.exchange(command);
     const bool good = guard.judge(reading.position_mm, reading.fresh) == ReadingVerdict::good;
     command.force_N = guard.limit(good ? proof.step_N(reading.position_mm) : 0, 0);
@@ -81,8 +91,17 @@ Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& progr
   }
   device.exchange(ForceCommand{});
   if (slow) device.setPace(program.period_s, answerOfPeriod * program.period_s);
-  if (proof.verdict() == DirectionProof::Verdict::agrees) return Done{};
-  return proof.verdict() == DirectionProof::Verdict::reversed ? reversedOn(port) : unmovedOn(port);
+  switch (proof.verdict()) {
+    case DirectionProof::Verdict::agrees:
+      return Done{};
+    case DirectionProof::Verdict::reversed:
+      return reversedOn(port);
+    case DirectionProof::Verdict::unmoved:
+      return unmovedOn(port);
+    case DirectionProof::Verdict::running:
+      break;
+  }
+  return irregularOn(port, guard.counts().missing, guard.counts().readings);
 }
 
 Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,

@@ -11639,8 +11639,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Fehler %1</translation>
     </message>
     <message>
-        <source>error %1 (%2)</source>
-        <translation>Fehler %1 (%2)</translation>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>%1; error %2</source>
+        <translation>%1; Fehler %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 answers were late or lost while the handle was pushed a little</source>
+        <translation>%1 von %2 Antworten kamen zu spät oder gar nicht, während der Griff leicht geschoben wurde</translation>
+    </message>
+    <message>
+        <source>Check the cable, close what else runs on this computer, and try again</source>
+        <translation>Prüfen Sie das Kabel, schließen Sie, was sonst auf diesem Rechner läuft, und versuchen Sie es erneut</translation>
     </message>
     <message>
         <source>Check the folder, its rights and the free space, then try again</source>
@@ -12043,6 +12055,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>auf Achse %1 antwortet kein ODrive</translation>
     </message>
     <message>
+        <source>no ODrive answers on axis %1; what answers says &quot;%2&quot;</source>
+        <translation>auf Achse %1 antwortet kein ODrive; was antwortet, sagt „%2“</translation>
+    </message>
+    <message>
         <source>Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)</source>
         <translation>Prüfen Sie Strom, Kabel und Achse und ob das ASCII-Protokoll eingeschaltet ist (docs/guide/force-feedback.md)</translation>
     </message>
@@ -12295,6 +12311,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>answers with something that is no line of the protocol</source>
         <translation>antwortet mit etwas, das keine Zeile des Protokolls ist</translation>
+    </message>
+    <message>
+        <source>answers &quot;%1&quot;, which is no line of the protocol</source>
+        <translation>antwortet „%1“, was keine Zeile des Protokolls ist</translation>
     </message>
     <message>
         <source>speaks an older protocol, without a force limit of its own: flash samples/firmware/force1d anew</source>

@@ -19,13 +19,13 @@ namespace detent::playback {
 namespace {
 
 constexpr double odriveAnswer_s = 0.3, mmPerM = 1000;
-constexpr double arming_s = 1, rearming_s = 0.15, shortAnswer_s = 0.02;
+constexpr double arming_s = 1, rearming_s = 0.15;
 constexpr double velocityRoom = 1.25;    // of the firmware's velocity limit above the engine's
 constexpr double stateEvery_s = 0.02;    // between two requests for the axis's state
 constexpr double feedEvery_s = 0.015;    // well within the watchdog
 constexpr double positionLost_s = 0.02;  // a position that has not come by then was lost on the way
 constexpr double longestUnsure_s = 1;    // a marker was lost as well: begin anew
-constexpr double quiet_s = 0.015, longestQuiet_s = 0.1;  // nothing more is on its way
+constexpr double quiet_s = 0.015, longestQuiet_s = 0.2;  // nothing more is on its way
 constexpr double sameShare = 1e-3;                       // the device reports a value with few digits
 constexpr int tries = 5;
 constexpr int torqueControl = 1, passThrough = 1;  // CONTROL_MODE_TORQUE_CONTROL, INPUT_MODE_PASSTHROUGH
@@ -94,8 +94,14 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
     turns = device->feedback_turns(now_s() + odriveAnswer_s);
   }
   if (!turns) {
+    device->askPosition();
+    const std::optional<std::string_view> line = device->link_.line(now_s() + odriveAnswer_s);
+    const std::string quoted = line ? quotable(*line) : std::string();
     return Failure{
-        FailureCode::deviceTrouble, settings.port, "", Message("no ODrive answers on axis %1", settings.axis),
+        FailureCode::deviceTrouble, settings.port, "",
+        quoted.empty()
+            ? Message("no ODrive answers on axis %1", settings.axis)
+            : Message("no ODrive answers on axis %1; what answers says \"%2\"", settings.axis, quoted),
         Message(
             "Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)")};
   }
@@ -187,9 +193,10 @@ Message odriveErrorWords(std::uint64_t error, bool newer) {
     return Message("an error whose code begins with %1 and was cut off: odrivetool's dump_errors tells it",
                    std::string(number.data()));
   }
-  std::snprintf(number.data(), number.size(), "0x%llX", static_cast<unsigned long long>(error));
+  std::snprintf(number.data(), number.size(), "0x%llX", static_cast<unsigned long long>(unknown));
   const std::string code = number.data();
-  return words.empty() ? Message("error %1", code) : Message("error %1 (%2)", code, std::move(words));
+  if (words.empty()) return Message("error %1", code);
+  return unknown == 0 ? Message("%1", std::move(words)) : Message("%1; error %2", std::move(words), code);
 }
 
 // "c 0 0.0125 *57\n": the checksum is decimal, over everything before the star.
@@ -211,34 +218,56 @@ void OdriveForceDevice::write(const char* property, double value) {
 // Commands feed the watchdog; this one asks for nothing.
 void OdriveForceDevice::feed() { say("c %u %.6f ", settings_.axis, 0.0); }
 
-/// Value of a property as text; none if nothing came in time; empty if there is no such property.
-std::optional<std::string> OdriveForceDevice::askText(const char* property, double wait_s) {
+/// Value of a property as text; none if nothing came in time; empty if there is no such property. Answers carry no name, but come in the
+/// order of the questions: this one's is the last that is due.
+std::optional<std::string> OdriveForceDevice::askText(const char* property) {
   feed();
   say("r axis%u.%s ", settings_.axis, property);
-  for (const double deadline_s = now_s() + wait_s;;) {
-    const std::optional<std::string_view> line = link_.line(deadline_s);
-    if (!line) return {};
+  ++numbersDue_;
+  const double deadline_s = now_s() + slowestRoundTrip_s;
+  while (link_.isOpen() && now_s() < deadline_s) {
+    const std::optional<std::string_view> line = link_.line(std::min(deadline_s, now_s() + feedEvery_s));
+    if (!line) {
+      feed();
+      continue;
+    }
     std::optional<std::string_view> text = payloadOf(*line);
-    if (!text || positionIn(*text)) continue;
+    if (!text) break;  // garbled: nothing tells which question it answered
+    if (positionIn(*text)) {
+      pending_ = false;
+      continue;
+    }
+    if (--numbersDue_ > 0) continue;  // of an earlier question
     while (text->ends_with(' ')) text->remove_suffix(1);
     return numberIn(*text) ? std::string(*text) : std::string();  // "invalid property"
   }
+  settle();
+  return {};
 }
 
-std::optional<double> OdriveForceDevice::ask(const char* property, double wait_s) {
-  const std::optional<std::string> text = askText(property, wait_s);
+/// Asks again where an answer was lost or garbled.
+std::optional<std::string> OdriveForceDevice::askAgain(const char* property) {
+  std::optional<std::string> text;
+  for (int i = 0; i < tries && !text && link_.isOpen(); ++i) text = askText(property);
+  return text;
+}
+
+std::optional<double> OdriveForceDevice::ask(const char* property) {
+  const std::optional<std::string> text = askText(property);
   return text ? numberIn(*text) : std::nullopt;
 }
 
 // Firmware 0.5 calls it error, 0.6 active_errors, and once disarmed disarm_reason.
 std::uint64_t OdriveForceDevice::error() {
   std::optional<double> bits;
-  for (int i = 0; i < 2 && !bits; ++i) {
-    bits = ask(olderNames_ ? "error" : "active_errors", shortAnswer_s);
+  for (int i = 0; i < tries && !bits; ++i) {
+    const std::optional<std::string> text = askText(olderNames_ ? "error" : "active_errors");
+    if (!text) continue;
+    bits = numberIn(*text);
     if (!bits) olderNames_ = !olderNames_;
   }
   if (!olderNames_ && bits == 0.0 && !armed_) {
-    if (const std::optional<double> reason = ask("disarm_reason", shortAnswer_s)) bits = reason;
+    if (const std::optional<double> reason = ask("disarm_reason")) bits = reason;
   }
   counts_.newerFaults = !olderNames_;
   return bits && *bits >= 0 && *bits < 1e15 ? static_cast<std::uint64_t>(*bits) : 0;
@@ -246,8 +275,7 @@ std::uint64_t OdriveForceDevice::error() {
 
 // Read, kept, written, read back. A setting that the firmware does not have is none, unless the force depends on it.
 bool OdriveForceDevice::hold(const char* property, double value, bool required) {
-  std::optional<std::string> before;
-  for (int i = 0; i < tries && !before; ++i) before = askText(property, shortAnswer_s);
+  const std::optional<std::string> before = askAgain(property);
   if (!before || (before->empty() && required)) {
     unheld_ = std::string(property) + ": it reports no value";
     return false;
@@ -262,8 +290,8 @@ bool OdriveForceDevice::hold(const char* property, double value, bool required) 
     return false;
   }
   write(property, value);
-  std::optional<double> after;
-  for (int i = 0; i < tries && !after; ++i) after = ask(property, shortAnswer_s);
+  const std::optional<std::string> reread = askAgain(property);
+  const std::optional<double> after = reread ? numberIn(*reread) : std::nullopt;
   if (!same(after)) {
     char reported[64];
     std::snprintf(reported, sizeof reported, ": asked for %.6g, it says %.6g", value,
@@ -278,7 +306,12 @@ bool OdriveForceDevice::hold(const char* property, double value, bool required) 
 // A limit that its owner has set lower stands.
 bool OdriveForceDevice::allows(double torque_Nm) {
   for (const char* property : {"motor.config.torque_lim", "config.torque_soft_max"}) {
-    const std::optional<double> least_Nm = ask(property, shortAnswer_s);
+    const std::optional<std::string> text = askAgain(property);
+    if (!text) {
+      unheld_ = std::string(property) + ": it reports no value";
+      return false;
+    }
+    const std::optional<double> least_Nm = numberIn(*text);
     if (!least_Nm || *least_Nm >= torque_Nm * (1 - sameShare)) continue;
     char reported[96];
     std::snprintf(reported, sizeof reported, ": it allows %.4g Nm, and --max-N needs %.4g Nm", *least_Nm,
@@ -308,12 +341,27 @@ bool OdriveForceDevice::configure() {
          hold("config.watchdog_timeout", settings_.watchdog_s, true);
 }
 
-/// Waits until no answer to an earlier request is on its way any more.
+/// Waits until every answer that is due has come, or is lost, and nothing else comes.
 void OdriveForceDevice::settle() {
-  for (const double end_s = now_s() + longestQuiet_s; now_s() < end_s && link_.line(now_s() + quiet_s);) {
+  const double start_s = now_s();
+  double heard_s = start_s;
+  while (link_.isOpen() && now_s() < start_s + longestQuiet_s) {
+    const std::optional<std::string_view> line = link_.line(now_s() + quiet_s);
+    if (line) {
+      heard_s = now_s();
+      if (positionIn(payloadOf(*line).value_or(""))) {
+        pending_ = false;
+      } else {
+        numbersDue_ = std::max(0, numbersDue_ - 1);
+      }
+      continue;
+    }
+    const bool due = pending_ || numbersDue_ > 0;
+    if (!due || now_s() - heard_s >= slowestRoundTrip_s) break;
+    feed();
   }
   pending_ = requestedNow_ = unsure_ = false;
-  markersDue_ = 0;
+  markersDue_ = numbersDue_ = 0;
 }
 
 // The watchdog counts from the moment it is switched on, and an axis that is not armed yet is not fed: so it comes last. Old errors, one of
@@ -331,14 +379,14 @@ bool OdriveForceDevice::arm(double wait_s) {
   configured_ = true;
   feed();
   write("requested_state", closedLoop);
-  while (!armed_ && now_s() < deadline_s) armed_ = ask("current_state", shortAnswer_s) == closedLoop;
+  while (!armed_ && now_s() < deadline_s) armed_ = ask("current_state") == closedLoop;
   if (!armed_) {
     disarmed();
     return false;
   }
   feed();
   write("config.enable_watchdog", 1);
-  const std::optional<double> turns = feedback_turns(now_s() + shortAnswer_s * tries);
+  const std::optional<double> turns = fedFeedback_turns();
   if (!turns) return armed_ = false;
   rest_turns_ = *turns;
   counts_.fault = 0;
@@ -367,6 +415,7 @@ void OdriveForceDevice::askPosition() {
 void OdriveForceDevice::askMarker() {
   if (!std::exchange(unsure_, true)) unsureSince_s_ = now_s();
   ++markersDue_;
+  ++numbersDue_;
   markerSent_s_ = now_s();
   say("r axis%u.%s ", settings_.axis, "config.watchdog_timeout");
 }
@@ -391,9 +440,11 @@ OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double&
   }
   const bool marker = number && std::abs(*number - settings_.watchdog_s) <= sameShare * settings_.watchdog_s;
   if (marker) {
+    numbersDue_ = std::max(0, numbersDue_ - 1);
     // One that was sent earlier says nothing of what was requested since.
     if (markersDue_ > 0 && --markersDue_ == 0 && unsure_) pending_ = unsure_ = false;
   } else if (number) {
+    numbersDue_ = std::max(0, numbersDue_ - 1);
     noteState(*number);
   } else {
     ++counts_.malformed;
@@ -416,17 +467,21 @@ std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
   }
 }
 
-// What is asked is as long as in the loop, a force with each question; feeding goes on while the answer is awaited.
+/// Requests the position and feeds the watchdog until the answer comes, without force.
+std::optional<double> OdriveForceDevice::fedFeedback_turns() {
+  std::optional<double> turns;
+  for (const double end_s = now_s() + slowestRoundTrip_s; !turns && link_.isOpen() && now_s() < end_s;) {
+    feed();
+    turns = feedback_turns(now_s() + feedEvery_s);
+  }
+  return turns;
+}
+
 std::optional<double> OdriveForceDevice::measureRoundTrip_s() {
   RoundTrips trips;
   while (trips.goOn()) {
     const double asked_s = now_s();
-    feed();
-    std::optional<double> turns = feedback_turns(asked_s + feedEvery_s);
-    while (!turns && now_s() < asked_s + slowestRoundTrip_s) {
-      feed();
-      turns = feedback_turns(now_s() + feedEvery_s);
-    }
+    fedFeedback_turns();
     trips.add(now_s() - asked_s);
   }
   return trips.usual_s();
@@ -480,6 +535,7 @@ std::optional<double> OdriveForceDevice::nextPosition() {
   if (stateDue) {  // after the position, so that its answer never stands in for the marker's
     stateSent_s_ = start_s;
     say("r axis%u.current_state ", settings_.axis);
+    ++numbersDue_;
   }
   for (const double deadline_s = start_s + wait_s_;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);

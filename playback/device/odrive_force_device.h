@@ -57,8 +57,9 @@ class OdriveForceDevice : public ForceDevice {
   void say(const char* pattern, Values... values);
   void write(const char* property, double value);
   void feed();
-  std::optional<std::string> askText(const char* property, double wait_s);
-  std::optional<double> ask(const char* property, double wait_s);
+  std::optional<std::string> askText(const char* property);
+  std::optional<std::string> askAgain(const char* property);
+  std::optional<double> ask(const char* property);
   std::uint64_t error();
   bool arm(double wait_s);
   bool configure();
@@ -70,6 +71,7 @@ class OdriveForceDevice : public ForceDevice {
   void askMarker();
   void noteState(double state);
   std::optional<double> feedback_turns(double deadline_s);
+  std::optional<double> fedFeedback_turns();
   std::optional<double> nextPosition();
   enum class Answer : std::uint8_t { fresh, late, other };
   Answer take(std::string_view line, double& turns);
@@ -94,10 +96,11 @@ class OdriveForceDevice : public ForceDevice {
   double requested_s_ = 0;     ///< when
   bool unsure_ = false;        ///< an answer was lost or garbled: none counts until the marker has come
   int markersDue_ = 0;         ///< sent and not answered
+  int numbersDue_ = 0;  ///< values of properties, the marker's too, that were asked for and have not come
   double markerSent_s_ = -1e9, unsureSince_s_ = 0;
 };
 
-/// Names of an axis's error bits, of firmware 0.5 or, `newer`, 0.6: "watchdog timer expired"; the number alone where none is known, with a
+/// Names of an axis's error bits, of firmware 0.5 or, `newer`, 0.6: "watchdog timer expired"; bits without a name as a number, with a
 /// warning where the firmware may have cut it.
 Message odriveErrorWords(std::uint64_t error, bool newer);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/device/sensor_line.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -26,6 +27,13 @@ std::uint8_t lineChecksum(std::string_view text) {
   unsigned sum = 0;
   for (char c : text) sum ^= static_cast<unsigned char>(c);
   return static_cast<std::uint8_t>(sum);
+}
+
+std::string quotable(std::string_view line) {
+  constexpr std::size_t mostCharacters = 60;
+  const bool isText =
+      std::all_of(line.begin(), line.end(), [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
+  return isText ? std::string(trimmed(line.substr(0, mostCharacters))) : std::string();
 }
 
 LineVerdict parseSensorLine(std::string_view line, SensorLine& out) {

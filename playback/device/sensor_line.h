@@ -28,6 +28,9 @@ LineVerdict parseSensorLine(std::string_view line, SensorLine& out);
 /// XOR of all bytes, as behind '*' in a line.
 std::uint8_t lineChecksum(std::string_view text);
 
+/// The beginning of a line of another firmware, fit for a message; empty where it is no text.
+std::string quotable(std::string_view line);
+
 struct LineCounts {
   std::uint64_t counts = 0;  ///< readings that were no newtons
   std::uint64_t bytes = 0, readings = 0, malformed = 0, badChecksums = 0, overlong = 0;

@@ -126,7 +126,11 @@ bool SerialForceDevice::hello(Message& problem) {
     if (!line) return false;
     const std::optional<std::string_view> body = forceLineBody(*line);
     if (!body) {
-      problem = Message("answers with something that is no line of the protocol");
+      if (const std::string quoted = quotable(*line); quoted.empty()) {
+        problem = Message("answers with something that is no line of the protocol");
+      } else {
+        problem = Message("answers \"%1\", which is no line of the protocol", quoted);
+      }
       continue;
     }
     const Fields f(*body);

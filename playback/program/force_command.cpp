@@ -293,10 +293,10 @@ void printForceFigures(const ForceStatus& s, const RunFigures& runForce, const F
         static_cast<unsigned long long>(s.guard.faded + s.guard.tooFast));
   }
   if (s.deviceLate > 0)
-    std::fprintf(stderr, "the device was late: %llu answers did not come in steps that began on time\n",
+    std::fprintf(stderr, "the device was late: %llu answers dropped in steps that began on time\n",
                  static_cast<unsigned long long>(s.deviceLate));
   if (s.computerLate > 0)
-    std::fprintf(stderr, "this computer was late: %llu answers were missed in steps that began late\n",
+    std::fprintf(stderr, "this computer was late: %llu answers dropped in steps that began late\n",
                  static_cast<unsigned long long>(s.computerLate));
 }
 
@@ -307,6 +307,9 @@ void printHalt(const ForceStatus& s) {
     std::fprintf(stderr, "the device was in error, which was cleared: %s\n", s.clearedFault.c_str());
   if (const std::string kept = sentenceOf(s.halt); !kept.empty())
     std::fprintf(stderr, "no force at the end: %s.\n", kept.c_str());
+  if (s.halt == ForceHalt::none && s.guard.faded > 0 && !s.last.good)
+    std::fprintf(stderr, "no force at the end: the device %s. Check the cable and its power.\n",
+                 s.connected ? "does not answer" : "is lost");
   if (s.halt != ForceHalt::displaced && s.guard.displaced > 0) {
     std::fprintf(stderr,
                  "place lost: the position jumped, or the device was away, %llu times; force comes back only "

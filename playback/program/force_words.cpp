@@ -144,9 +144,8 @@ std::string sentenceOf(ForceHalt halt) {
              "motor or encoder are "
              "reversed (reversed polarity). Let go, then press a";
     case ForceHalt::dropOuts:
-      return "repeated drop-outs: the readings failed again and again within a second. Check the cable and "
-             "what else runs on this "
-             "computer, then press a";
+      return "repeated drop-outs: the readings failed again and again, and the force came and went. Check "
+             "the cable and what else runs on this computer, then press a";
   }
   return {};
 }

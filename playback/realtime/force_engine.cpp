@@ -137,6 +137,7 @@ double ForceEngine::asked_N(double position_mm) {
   if (!test_.present()) return law_.step(position_mm, last_.velocity_mm_per_s);
   const double force_N = test_.step_N(position_mm, last_.velocity_mm_per_s);
   if (test_.reversed()) guard_.latch(ForceHalt::reversed);
+  if (test_.unmoved()) guard_.latch(ForceHalt::deadCount);
   return force_N;
 }
 

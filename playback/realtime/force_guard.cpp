@@ -26,6 +26,7 @@ constexpr double mostJumps = 2.5, jumpMemory_s = 0.05;
 
 // So many drop-outs within this time are no accident: a force that comes and goes shakes the hand.
 constexpr double dropOutWindow_s = 1, longAgo_s = -1e9;
+constexpr double thrown_s = 0.5;  // after a drop-out a handle may still fly under the finger that pressed it
 constexpr double longestStall = 4;  // periods, where that is more
 
 // Dead count: after so long without a step the force is lowered slowly. A handle that only sticks moves at once, because its friction
@@ -37,8 +38,8 @@ constexpr double uncountedFor_s = 0.2, probe_s = 0.11, probed_s = 0.02;
 constexpr double wholeShare = 0.95, runawayWork_mJ = 0.7, leastResisting_N = 0.2;
 constexpr double leastGain_mJ =
     1;  // where the limit lies below the button's force, a finger may press through it
-constexpr double gainedAtLimit = 0.4,
-                 gainedBeyond = 0.8;  // a strong finger may still gain speed just beyond the travel
+constexpr double gainedAtLimit = 0.2,  // the handle may be heavier than the profile says
+    gainedBeyond = 0.8;                // a strong finger may still gain speed just beyond the travel
 constexpr double farBeyond_mm = 2, slowing = 0.8, notSlowingFor_s = 0.0015, pinnedFor_s = 0.1,
                  comingBack_mm_per_s = 10;
 
@@ -231,6 +232,10 @@ void ForceGuard::countDropOut() {
   oldest_s = time_s_;
 }
 
+bool ForceGuard::droppedOutLately() const {
+  return std::ranges::any_of(dropOuts_s_, [&](double at_s) { return time_s_ - at_s <= thrown_s; });
+}
+
 bool ForceGuard::mayRise() const {
   return started_ && !stopping_ && !tooFast_ && halt() == ForceHalt::none && bad_ <= held() &&
          (running_ || (speedKnown_ && good_ > limits_.heldReadings));
@@ -268,7 +273,7 @@ double ForceGuard::watchedCount(double force_N) {
   return believed_ * force_N;
 }
 
-void ForceGuard::watchRunaway() {
+void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
   const double most_N = gain_ * limits_.force_N, against = std::copysign(1.0, output_N_);
   const bool whole = std::abs(output_N_) >= std::max(leastResisting_N, wholeShare * most_N);
   const double beyond_mm = last_mm_ - limits_.travelEnd_mm;
@@ -276,7 +281,9 @@ void ForceGuard::watchRunaway() {
     resisting_ = false;
     return;
   }
-  const double speed_mm_per_s = elapsed_s_ > 0 ? against * moved_mm_ / elapsed_s_ : 0;
+  const double read_mm_per_s = elapsed_s_ > 0 ? moved_mm_ / elapsed_s_ : 0;
+  // Two readings tell a speed only as well as they are on time; a late one would pass for energy that the handle brought with it.
+  const double speed_mm_per_s = against * velocity_mm_per_s.value_or(read_mm_per_s);
   const double now_mJ = speed_mm_per_s > 0 ? kinetic_mJ(limits_.movedMass_kg, speed_mm_per_s) : 0;
   if (!resisting_) {
     resisting_ = true;
@@ -293,7 +300,8 @@ void ForceGuard::watchRunaway() {
                       (whole ? gained_mJ >= std::max(leastGain_mJ, gainedAtLimit * resisted_mJ_)
                              : gained_mJ >= gainedBeyond * resisted_mJ_);
   if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
-  latch(ForceHalt::runaway);
+  // A force that came and went threw it there.
+  latch(droppedOutLately() ? ForceHalt::dropOuts : ForceHalt::runaway);
   riseAnew();  // at once: each millisecond of such a force adds speed
 }
 
@@ -306,7 +314,7 @@ double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s
   } else if (tooFast_ && speed_mm_per_s < calmShare * limits_.speed_mm_per_s) {
     tooFast_ = false;
   }
-  if (bad_ == 0) watchRunaway();
+  if (bad_ == 0) watchRunaway(velocity_mm_per_s);
   moveGain();
   if (gain_ == 0 || !std::isfinite(force_N)) return output_N_ = 0;
   if (std::abs(force_N) > limits_.force_N) {

@@ -102,8 +102,9 @@ class ForceGuard {
   bool mayRise() const;
   void moveGain();
   double watchedCount(double force_N);
-  void watchRunaway();
+  void watchRunaway(std::optional<double> velocity_mm_per_s);
   void countDropOut();
+  bool droppedOutLately() const;
 
   ForceLimits limits_;
   double period_s_, step_mm_;

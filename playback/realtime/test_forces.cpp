@@ -10,8 +10,10 @@ namespace detent::playback {
 
 namespace {
 
-// The relay's force grows so fast until the handle has gone so far, then by so much: what moves it at all hardly does.
-constexpr double growth_N_per_s = 0.8, movedBy_mm = 0.3, moreThanFriction = 3, least_N = 0.25;
+// The relay's pushes grow until one has moved the handle so far, then by so much: what moves it at all hardly does.
+constexpr double firstPush_N = 0.04, growth = 1.4, growth_N_per_s = 0.8;
+constexpr double movedBy_mm = 0.3, moreThanFriction = 3, least_N = 0.25;
+constexpr double push_s = 0.04, pushPeriods = 3;
 // Against the push it needs less to be sure.
 constexpr double opposedBy_mm = 0.05, opposedSteps = 4;
 // Speeds between the slowest and the fastest, in an order that mixes them.
@@ -29,28 +31,51 @@ double square(double x) { return x * x; }
 
 double TestForces::step_N(double position_mm, double velocity_mm_per_s) {
   if (!begun_) {
-    from_mm_ = position_mm;
     direction_ = position_mm < excitation_.middle_mm ? 1 : -1;
+    sense_ = -direction_;
   }
   begun_ = true;
   time_s_ += period_s_;
   const double force_N = excitation_.kind == ForceExcitation::Kind::relay
                              ? relay_N(position_mm, velocity_mm_per_s)
                              : chirp_N(position_mm, velocity_mm_per_s);
-  if (reversed_) return 0;
+  if (reversed_ || unmoved_) return 0;
   return std::clamp(force_N, -excitation_.largest_N, excitation_.largest_N);
 }
 
-// Grows until the handle moves.
-double TestForces::throwing_N(double position_mm) {
-  if (!moving_) {
-    relay_N_ += growth_N_per_s * period_s_;
-    const double followed_mm = direction_ * (position_mm - from_mm_);
-    reversed_ = reversed_ || followed_mm < -std::max(opposedBy_mm, opposedSteps * step_mm_);
-    moving_ = followed_mm > std::max(movedBy_mm, 0.1 * excitation_.half_mm);
-    if (moving_) relay_N_ = std::max(moreThanFriction * relay_N_, least_N);
+void TestForces::beginPush(double position_mm) {
+  relay_N_ = relay_N_ == 0 ? firstPush_N : growth * relay_N_;
+  sense_ = -sense_;
+  from_mm_ = position_mm;
+  pushed_s_ = 0;
+}
+
+// Pushes in and out in turns, each stronger and each braked by as long a one the other way: a free handle with a dead encoder stays about
+// where it is. Once the encoder has counted, one push that grows until the handle follows.
+double TestForces::firstMove_N(double position_mm) {
+  const double most_N = excitation_.largest_N, part_s = std::max(push_s, pushPeriods * period_s_);
+  if (relay_N_ == 0) beginPush(position_mm);
+  if (!counted_ && position_mm != from_mm_) {
+    counted_ = true;
+    if (pushed_s_ > part_s) from_mm_ = position_mm;
   }
-  return std::min(relay_N_, excitation_.largest_N);
+  if (counted_) {
+    relay_N_ += growth_N_per_s * period_s_;
+  } else {
+    pushed_s_ += period_s_;
+    if (pushed_s_ > 2 * part_s) {
+      strongest_ += relay_N_ >= most_N ? 1 : 0;
+      unmoved_ = strongest_ == 2;  // in and out
+      if (unmoved_) return 0;
+      beginPush(position_mm);
+    }
+  }
+  const double strength_N = std::min(relay_N_, most_N), followed_mm = sense_ * (position_mm - from_mm_);
+  if (!counted_ && pushed_s_ > part_s) return sense_ * strength_N;
+  reversed_ = reversed_ || followed_mm < -std::max(opposedBy_mm, opposedSteps * step_mm_);
+  moving_ = followed_mm > std::max(movedBy_mm, 0.1 * excitation_.half_mm);
+  if (moving_) relay_N_ = std::max(moreThanFriction * relay_N_, least_N);
+  return -sense_ * strength_N;
 }
 
 // A heavy handle turns late.
@@ -65,7 +90,8 @@ void TestForces::keepInside(double beyond_mm) {
 
 // Accelerates up to the speed of this turn, coasts, and turns behind the half way; where friction has slowed it, it is pushed again.
 double TestForces::relay_N(double position_mm, double velocity_mm_per_s) {
-  const double strength_N = throwing_N(position_mm);
+  if (!moving_) return firstMove_N(position_mm);
+  const double strength_N = std::min(relay_N_, excitation_.largest_N);
   const double seen_mm = position_mm + velocity_mm_per_s * excitation_.lead_s;
   if (direction_ * (seen_mm - excitation_.middle_mm) > excitation_.half_mm) {
     direction_ = -direction_;

@@ -10,7 +10,7 @@
 float board_force_N(void);
 void board_play(float sample);
 
-typedef struct { detent_wave wave; float level; long age; int jump; } voice; /* age in steps; below 0 it waits */
+typedef struct { detent_wave wave; float level; long age, length; int jump; } voice; /* in steps; below an age of 0 it waits */
 
 static voice voices[12], grain;
 static float rate_Hz, x_mm, extreme_N;      /* where the finger is; the furthest force of this stroke */
@@ -21,7 +21,7 @@ static char played[65];                     /* of each trigger: not armed; a hea
 static long carrier, sinceGrain = 1000000, untilNext, untilJumpEnds; /* in steps */
 
 static long steps(float ms) { return (long)(ms * rate_Hz / 1000 + 0.5f); }
-static int sounds(const voice* v) { return v->age < steps(v->wave.duration_ms); }
+static int sounds(const voice* v) { return v->age < v->length; }
 static float limited(float value, float low, float high) { return value < low ? low : value > high ? high : value; }
 
 static detent_trigger triggerAt(const detent_state* s, unsigned i) { detent_trigger t; DETENT_COPY(t, s->triggers[i]); return t; }
@@ -35,12 +35,13 @@ static float sampleOf(voice* v, long cycleAge) {
 
 static void beginGrain(float level) {
   const float loudest = detent_loudest_grains_per_s, alone = 1000 / detent_grain.duration_ms;
-  if (loudest > 0)
-    level *= powf(limited(sinceGrain > 0 ? rate_Hz / (float)sinceGrain : loudest, alone, loudest) / loudest, detent_grain_level_power);
+  if (loudest > 0 && sinceGrain > 0)
+    level *= powf(limited(rate_Hz / (float)sinceGrain, alone, loudest) / loudest, detent_grain_level_power);
   for (unsigned i = 0; i < sizeof voices / sizeof *voices; ++i)
     if (voices[i].jump && voices[i].age >= 0 && sounds(&voices[i])) { level *= detent_slope_under_jump; break; }
   if (!sounds(&grain)) carrier = 0;
   grain.wave = detent_grain, grain.level = level, grain.age = sinceGrain = 0;
+  grain.length = steps(grain.wave.duration_ms);
 }
 
 /* In its turn: a bottom-out lets the jump before it end, and none begins right after another. */
@@ -53,19 +54,24 @@ static void begin(const detent_trigger* t) {
   unsigned i = 0;
   while (i + 1 < sizeof voices / sizeof *voices && sounds(&voices[i])) ++i;
   voices[i].wave = t->wave, voices[i].level = 1, voices[i].age = -wait, voices[i].jump = !t->kind;
+  voices[i].length = steps(t->wave.duration_ms);
 }
 
 static long cellOf(float mm) { return (long)floorf((mm - detent_grain_origin_mm) * detent_grains_per_mm + 1e-4f); }
 
-static void passGrains(const detent_slope* slopes, unsigned count, float to_mm) {
+static void passGrains(const detent_slope* slopes, unsigned count, float to_mm) { /* slopes rise in displacement */
   const float half_mm = 0.5f / detent_grains_per_mm;
   long k = cellOf(x_mm);
+  unsigned i = 0;
   for (const long end = cellOf(to_mm); k != end; k += releasing ? -1 : 1) {
     const float at_mm = detent_grain_origin_mm + (float)(releasing ? k : k + 1) / detent_grains_per_mm;
-    for (unsigned i = 0; i < count; ++i) {
+    for (; i < count; ++i) {
       detent_slope slope;
-      DETENT_COPY(slope, slopes[i]);
-      if (at_mm > slope.from_mm - half_mm && at_mm < slope.to_mm + half_mm) { beginGrain(slope.level); break; }
+      DETENT_COPY(slope, slopes[releasing ? count - 1 - i : i]);
+      const int below = at_mm <= slope.from_mm - half_mm, above = at_mm >= slope.to_mm + half_mm;
+      if (releasing ? below : above) continue;
+      if (!below && !above) beginGrain(slope.level);
+      break;
     }
   }
   x_mm = to_mm;
@@ -86,23 +92,28 @@ static void travel(const detent_state* s, float to_mm) {
   passGrains(slopes, count, to_mm);
 }
 
-/* Along the stroke's curve for as long as it lets this force. */
+static int beyond(float a, float b) { return releasing ? a < b : a > b; }
+
+/* Along the stroke's curve for as long as it lets this force. A jump passes many of its pieces in one step. */
 static void follow(const detent_state* s, float force_N, float end_mm) {
-  const float sign = releasing ? -1.0f : 1.0f;
   const float* mm = releasing ? s->release_mm : s->press_mm;
   const float* N = releasing ? s->release_N : s->press_N;
   const unsigned n = releasing ? s->release_points : s->press_points;
-  for (; piece + 1 < n && sign * x_mm < sign * end_mm; ++piece) {
+  float to_mm = x_mm;
+  for (; piece + 1 < n && beyond(end_mm, to_mm); ++piece) {
     const unsigned a = releasing ? n - 1 - piece : piece, b = releasing ? a - 1 : a + 1;
-    const float a_mm = DETENT_NUMBER(mm[a]), b_mm = DETENT_NUMBER(mm[b]), a_N = DETENT_NUMBER(N[a]), b_N = DETENT_NUMBER(N[b]);
-    if (sign * b_mm < sign * x_mm) continue;
-    const float here_N = a_mm == b_mm ? a_N : a_N + (b_N - a_N) * (x_mm - a_mm) / (b_mm - a_mm);
-    if (sign * here_N > sign * force_N) return;
-    const int stops = sign * b_N > sign * force_N;
-    const float to_mm = stops ? x_mm + (b_mm - x_mm) * (force_N - here_N) / (b_N - here_N) : b_mm;
-    travel(s, sign * to_mm > sign * end_mm ? end_mm : to_mm);
-    if (stops) return;
+    const float b_mm = DETENT_NUMBER(mm[b]);
+    if (beyond(to_mm, b_mm)) continue;
+    const float a_mm = DETENT_NUMBER(mm[a]), b_N = DETENT_NUMBER(N[b]);
+    float here_N = DETENT_NUMBER(N[a]);
+    if (a_mm != to_mm && a_mm != b_mm) here_N += (b_N - here_N) * (to_mm - a_mm) / (b_mm - a_mm);
+    if (beyond(here_N, force_N)) break;
+    const int stops = beyond(b_N, force_N);
+    to_mm = stops ? to_mm + (b_mm - to_mm) * (force_N - here_N) / (b_N - here_N) : b_mm;
+    if (stops) break;
   }
+  if (beyond(to_mm, end_mm)) to_mm = end_mm;
+  if (to_mm != x_mm) travel(s, to_mm);
 }
 
 static void turn(int release, float force_N) { releasing = release, extreme_N = force_N, piece = 0; }
@@ -128,6 +139,7 @@ void step(float steps_per_s) {
   if (releasing || !atRest) follow(s, force_N, releasing ? end_mm : 1e30f);
   if (!releasing && detent_state_count > 1 && x_mm >= s->operating_mm) actuated = 1;
   for (unsigned i = 0; i < s->trigger_count; ++i) {
+    if (!played[i]) continue;
     const detent_trigger t = triggerAt(s, i);
     if (t.release ? x_mm >= t.rearm_displacement_mm : x_mm <= t.rearm_displacement_mm) played[i] = 0;
   }

@@ -11,7 +11,7 @@
 float board_force_N(void);
 void board_play(float sample);
 
-typedef struct { detent_wave wave; long age; } voice; /* age in steps; below 0 it waits */
+typedef struct { detent_wave wave; long age, length; } voice; /* in steps; below an age of 0 it waits */
 
 static voice voices[12];
 static float rate_Hz, before_N;
@@ -22,7 +22,7 @@ static char spent[65];                /* of each trigger: not armed; a header ha
 static long untilNext, untilJumpEnds; /* in steps */
 
 static long steps(float ms) { return (long)(ms * rate_Hz / 1000 + 0.5f); }
-static int sounds(const voice* v) { return v->age < steps(v->wave.duration_ms); }
+static int sounds(const voice* v) { return v->age < v->length; }
 
 static detent_trigger triggerAt(unsigned i) { detent_trigger t; DETENT_COPY(t, now.triggers[i]); return t; }
 
@@ -41,7 +41,7 @@ static void begin(const detent_trigger* t) {
   if (!t->kind) untilJumpEnds = wait + steps(t->wave.duration_ms);
   unsigned i = 0;
   while (i + 1 < sizeof voices / sizeof *voices && sounds(&voices[i])) ++i;
-  voices[i].wave = t->wave, voices[i].age = -wait;
+  voices[i].wave = t->wave, voices[i].age = -wait, voices[i].length = steps(t->wave.duration_ms);
 }
 
 static float sampleOf(voice* v) {

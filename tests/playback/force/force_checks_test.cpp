@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <string>
 
 #include <catch2/catch.hpp>
 
+#include "playback/prepare/device_test.h"
 #include "playback/prepare/spring_button.h"
 #include "playback/realtime/direction_proof.h"
+#include "playback/realtime/test_forces.h"
 #include "tests/playback/force/force_run.h"
 #include "tests/playback/sample_buttons.h"
 
@@ -47,10 +50,14 @@ class Wired {
     ForceCommand acting = command_;
     acting.force_N *= motor;
     ForceReading reading = device_.exchange(acting);
+    const double before_mm = true_mm;
     true_mm = reading.position_mm;
+    // Read up to so many periods before its time.
+    reading.position_mm += share() * jitter * (before_mm - true_mm);
+    reading.fresh = share() >= lost;
     if (!stopped_mm && counts == 0) stopped_mm = encoder * reading.position_mm;
     if (counts != 0) stopped_mm.reset();
-    reading.position_mm = stopped_mm.value_or(encoder * reading.position_mm);
+    reading.position_mm = stopped_mm.value_or(turnedAt_mm + encoder * (reading.position_mm - turnedAt_mm));
     command_ = engine_.step(reading);
     time_s += prepared_.program.period_s;
     most_N = std::max(most_N, std::abs(command_.force_N));
@@ -70,14 +77,19 @@ class Wired {
   const ForceProgram& program() const { return prepared_.program; }
 
   double motor = 1, encoder = 1, counts = 1;
+  double turnedAt_mm = 0;       ///< where `encoder` began to count the other way
+  double jitter = 0, lost = 0;  ///< of the readings: in periods, as a share
   double true_mm = 0, most_N = 0, time_s = 0;
   std::optional<double> stopped_mm;
 
  private:
+  double share() { return static_cast<double>(chance_() >> 11) * 0x1p-53; }
+
   PreparedForce prepared_;
   SimulatedForceDevice device_;
   ForceEngine engine_;
   ForceCommand command_;
+  std::mt19937_64 chance_{46};
 };
 
 FingerPlan away() { return FingerForcePath{{0}, {0}}; }
@@ -213,6 +225,42 @@ TEST_CASE("a motor that turns round under a finger is off within 50 ms and 3 mm 
   }
 }
 
+TEST_CASE("an encoder that turns round as the finger leaves: off within 50 ms and 3 mm outside the travel") {
+  for (const double mass_kg : {0.05, 0.1}) {
+    for (const double jitter : {0.0, 0.25, 0.5}) {
+      for (const double lost : {0.0, 0.05, 0.1}) {
+        const ForceDeviceProfile profile = wiredDevice();
+        const Button button = plainSpring(1, 10);
+        const PreparedForce prepared = forceOf(button, profile);
+        SimulatedDeviceSettings handle = simulationOf(profile, prepared);
+        handle.mass_kg = mass_kg;
+        handle.lowest_mm = -40;
+        Wired w(button, profile, FingerForcePath{{0, 0.3, 0.5, 1.2, 1.202}, {0, 0, 2.7, 2.7, 0}}, &handle);
+        w.runUntil(1.2);
+        INFO(mass_kg << " kg, readings early by " << jitter << " periods, lost " << lost);
+        REQUIRE(w.engine().last().force_N > 2);
+        w.encoder = -1;
+        w.turnedAt_mm = w.true_mm;
+        w.jitter = jitter;
+        w.lost = lost;
+        CHECK(w.secondsToNothing() <= 0.05);
+        CHECK(w.engine().halt() == ForceHalt::runaway);
+        CHECK(w.true_mm >= -3);
+      }
+    }
+  }
+}
+
+TEST_CASE("a handle that drop-outs of the force threw beyond its travel: it is the drop-outs that are said") {
+  Wired w(plainSpring(1, 10), wiredDevice(), FingerForcePath{{0, 0.3, 0.5}, {0, 0, 4}});
+  w.runUntil(1.2);
+  REQUIRE(w.engine().halt() == ForceHalt::none);
+  w.lost = 0.34;
+  w.runUntil(2.2);
+  CHECK(w.engine().halt() == ForceHalt::dropOuts);
+  CHECK(w.engine().last().force_N == 0);
+}
+
 TEST_CASE("presses of any speed and strength within the limit are no runaways") {
   for (const ForceDeviceProfile& preset : {simulatedDevice(), voiceCoilRig(), wiredDevice()}) {
     for (const double press_s : {0.03, 0.06, 0.12, 0.5}) {
@@ -284,6 +332,50 @@ TEST_CASE("a handle that friction holds still is only probed: its encoder answer
       CHECK(w.engine().counts().probed > 0);
       CHECK(most_N - least_N < 0.4);
       CHECK(high_mm - low_mm < 0.3);
+    }
+  }
+}
+
+TEST_CASE("identify-device's first pushes: what moves is moved, a dead encoder or a blocked handle said") {
+  struct Case {
+    double motor, counts;
+    bool blocked;
+  };
+  for (const Case& c : {Case{1, 1, false}, Case{-1, 1, false}, Case{1, 0, false}, Case{1, 1, true}}) {
+    for (const double mass_kg : {0.02, 0.1, 1.0}) {
+      for (const double friction_N : {0.0, 0.05, 0.4}) {
+        for (const double step_mm : {0.001, 0.04}) {
+          ForceDeviceProfile profile = wiredDevice();
+          profile.step_mm = step_mm;
+          profile.limits.force_N = 1;
+          const PreparedForce prepared = forceOf(linearButton(), profile);
+          SimulatedDeviceSettings handle = simulationOf(profile, prepared);
+          handle.mass_kg = mass_kg;
+          handle.friction_N = friction_N;
+          handle.lowest_mm = c.blocked ? 0 : -60;
+          handle.highest_mm = c.blocked ? 0 : 60;
+          SimulatedForceDevice device(handle, SimulatedFinger({}, away()));
+          ForceProgram program = prepared.program;
+          program.excitation = relayTest(program, 10);
+          TestForces test(program);
+          ForceCommand command;
+          double farthest_mm = 0, read_mm = 0, followed_mm = 0;
+          for (int i = 0; i < 2000 && !test.reversed() && !test.unmoved(); ++i) {
+            const double true_mm = device.exchange(command).position_mm;
+            farthest_mm = std::max(farthest_mm, std::abs(true_mm));
+            read_mm = c.counts * true_mm;
+            followed_mm = std::max(followed_mm, read_mm);
+            command.force_N = c.motor * test.step_N(read_mm, 0);
+            if (followed_mm > 2) break;
+          }
+          INFO(mass_kg << " kg, " << friction_N << " N, " << step_mm << " mm, motor " << c.motor
+                       << ", counts " << c.counts << ", blocked " << c.blocked);
+          CHECK(test.reversed() == (c.motor < 0));
+          CHECK(test.unmoved() == (c.counts == 0 || c.blocked));
+          CHECK((followed_mm > 2) == (c.motor > 0 && c.counts == 1 && !c.blocked));
+          CHECK(farthest_mm < (c.counts == 0 ? 40 : c.motor < 0 ? 1 : 5));
+        }
+      }
     }
   }
 }

@@ -98,6 +98,9 @@ void OdriveEmulator::write(const std::string& name, double value) {
   if (name == "axis0.requested_state") request(static_cast<int>(value));
   if (name == "axis0.error" && value == 0) error_ = 0;
   if (name == "axis0.controller.input_torque") torque_Nm_ = value;
+  if (!armed_) return;
+  armedTorqueLimit_N_ = std::max(armedTorqueLimit_N_, torqueLimit_N());
+  armedVelocityLimit_mm_per_s_ = std::min(armedVelocityLimit_mm_per_s_, velocityLimit_mm_per_s());
 }
 
 void OdriveEmulator::watch() {

@@ -29,10 +29,10 @@ class OdriveEmulator : public PtyDevice {
 
   bool watchdogExpired() const { return watchdogExpired_; }
   bool everArmed() const { return everArmed_; }
-  /// Largest force its own limits let through (N), as configured at the end.
-  double torqueLimit_N() const;
-  /// The speed at which it interferes, as configured at the end.
-  double velocityLimit_mm_per_s() const;
+  /// Largest force that its own limits let through (N), and the lowest speed at which it interferes, at any time while the axis was armed: before
+  /// and after, its settings are its owner's.
+  double armedTorqueLimit_N() const { return armedTorqueLimit_N_; }
+  double armedVelocityLimit_mm_per_s() const { return armedVelocityLimit_mm_per_s_; }
   double property(const std::string& name) const;
 
  private:
@@ -45,12 +45,15 @@ class OdriveEmulator : public PtyDevice {
   void request(int state);
   void fail(unsigned error);
   void watch();
+  double torqueLimit_N() const;
+  double velocityLimit_mm_per_s() const;
   double forceOf_N(double torque_Nm) const;
 
   OdriveEmulatorSettings settings_;
   std::map<std::string, double> properties_;
   unsigned error_ = 0;
   bool armed_ = false, watchdogExpired_ = false, everArmed_ = false;
+  double armedTorqueLimit_N_ = 0, armedVelocityLimit_mm_per_s_ = 1e9;
   double fed_s_ = 0, torque_Nm_ = 0, resetAt_mm_ = 0, firstHeard_s_ = -1;
 };
 

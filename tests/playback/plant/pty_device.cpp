@@ -21,6 +21,8 @@ double clock_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+constexpr double notYet_s = 1e6;
+
 // A device keeps time by itself; where the system grants it, this one does too.
 void keepTime() {
   sched_param priority{};
@@ -32,7 +34,10 @@ void keepTime() {
 
 PtyDevice::PtyDevice(const PtySettings& settings)
     : settings_(settings),
-      world_(settings.handle, settings.finger, settings.plan, settings.start_mm),
+      sceneFrom_s_(settings.sceneWaits ? notYet_s : 0),
+      world_(
+          settings.handle, settings.finger,
+          [this](double time_s) { return settings_.plan(time_s - sceneFrom_s_); }, settings.start_mm),
       chance_(settings.seed) {
   static std::atomic<int> made{0};
   port_ = (std::filesystem::current_path() /
@@ -57,6 +62,10 @@ void PtyDevice::halt() {
   unplug();
 }
 
+void PtyDevice::beginScene() {
+  if (sceneFrom_s_ == notYet_s) sceneFrom_s_ = now_s_ - firstLine_s_;
+}
+
 double PtyDevice::largestMotor_N() const {
   double largest_N = 0;
   for (const PtyMoment& moment : moments_) largest_N = std::max(largest_N, std::abs(moment.motor_N));
@@ -64,7 +73,8 @@ double PtyDevice::largestMotor_N() const {
 }
 
 void PtyDevice::plug() {
-  master_ = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+  // Not for the program under test: a master that it holds too would never hang up.
+  master_ = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0)
     throw std::runtime_error("no pseudo terminal can be had");
   termios raw{};
@@ -116,14 +126,14 @@ void PtyDevice::move() {
     world_.advance(command_N());
     if (world_.time_s() < nextMoment_s_) continue;
     nextMoment_s_ += 0.001;
-    moments_.push_back(
-        {world_.time_s(), world_.position_mm(), world_.motorForce_N(), world_.fingerForce_N()});
+    moments_.push_back({world_.time_s() - sceneFrom_s_, world_.position_mm(), world_.motorForce_N(),
+                        world_.fingerForce_N()});
   }
 }
 
 void PtyDevice::events() {
-  if (firstLine_s_ < 0) return;
-  const double since_s = now_s_ - firstLine_s_;
+  const double since_s = scene_s();
+  if (since_s < 0) return;
   if (settings_.resetAt_s >= 0 && since_s >= settings_.resetAt_s && !resetDone_) {
     resetDone_ = true;
     waiting_.clear();

@@ -22,15 +22,18 @@ struct PtySettings {
   double replyDelay_s = 0;    ///< from a line to its answer
   double replyJitter_s = 0;   ///< 0..so much more
   double brokenAnswers = 0;   ///< share of answers whose bytes are damaged
-  double resetAt_s = -1;      ///< after the first line; < 0: never
-  double unplugAt_s = -1;     ///< after the first line; < 0: never
+  double resetAt_s = -1;      ///< of the scene; < 0: never
+  double unplugAt_s = -1;     ///< of the scene; < 0: never
   double pluggedAgain_s = 0;  ///< after it was unplugged; 0: never
+  /// The scene (finger and faults) begins with the first line, or waits until the device has something to run: a program may take its time
+  /// to measure a slow link and to push a free handle first.
+  bool sceneWaits = false;
   std::uint64_t seed = 1;
 };
 
 /// One moment of the device, taken every millisecond. Its world stands still until the first line comes.
 struct PtyMoment {
-  double time_s = 0;  ///< since the first line
+  double time_s = 0;  ///< of the scene; far below 0 before it has begun
   double position_mm = 0;
   double motor_N = 0;  ///< acting on the handle, against pressing
   double finger_N = 0;
@@ -62,7 +65,10 @@ class PtyDevice {
 
   /// Sends a line, with its end, after the reply delay; a share of them is damaged on the way.
   void answer(std::string line);
+  /// For a scene that waits; once.
+  void beginScene();
   double now_s() const { return now_s_; }  ///< since the device was made
+  double scene_s() const { return firstLine_s_ < 0 ? -1 : now_s_ - firstLine_s_ - sceneFrom_s_; }
   double truePosition_mm() const { return world_.position_mm(); }
   double trueSpeed_mm_per_s() const { return world_.velocity_mm_per_s(); }
 
@@ -79,6 +85,7 @@ class PtyDevice {
   void move();
 
   PtySettings settings_;
+  double sceneFrom_s_;  ///< since the first line
   HandleAndFinger world_;
   Chance chance_;
   std::string port_, partial_;

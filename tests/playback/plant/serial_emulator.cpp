@@ -104,7 +104,6 @@ void SerialEmulator::hear(const std::string& line) {
   const std::vector<std::string> fields = fieldsOf(line);
   if (fields.empty()) return;
   lastLine_s_ = now_s();
-  if (firstLine_s_ < 0) firstLine_s_ = now_s();
   const std::string& word = fields[0];
   if (word == "R" && ranTable() && ++rowsSinceTable_ % std::max(1, settings_.losesRow) == 0 &&
       settings_.losesRow > 0)
@@ -131,7 +130,7 @@ void SerialEmulator::hear(const std::string& line) {
     say("A");
   } else if (word == "G") {
     ownLaw_ = table_.rows.size() >= 2 && (settings_.version < 2 || limited_);
-    if (ownLaw_) ran_ = table_;
+    if (ownLaw_) ran_ = table_, beginScene();
     fade_ = force_N_ = 0;
     centre_mm_ = static_cast<double>(read_nm()) * 1e-6 + table_.radius_mm;
     say(ownLaw_ ? "A" : "N,no table");
@@ -162,9 +161,7 @@ double SerialEmulator::tableForce_N() {
 }
 
 double SerialEmulator::command_N() {
-  if (settings_.stopAt_s >= 0 && firstLine_s_ >= 0 && now_s() - firstLine_s_ > settings_.stopAt_s &&
-      !switched_)
-    switched_ = stopped_ = true;
+  if (settings_.stopAt_s >= 0 && scene_s() > settings_.stopAt_s && !switched_) switched_ = stopped_ = true;
   if (lastLine_s_ < 0 || now_s() - lastLine_s_ > silence_s_ || !mayPush()) {
     if (mayPush()) ownLaw_ = false;
     force_N_ = fade_ = 0;

@@ -17,7 +17,7 @@ struct SerialEmulatorSettings {
   std::uint32_t rate_Hz = 4000;
   std::uint32_t rows = 256;
   int version = 2;       ///< of the protocol; 2 knows limits, an emergency stop and a state
-  double stopAt_s = -1;  ///< its own emergency switch is opened so long after the first line; < 0: never
+  double stopAt_s = -1;  ///< its own emergency switch is opened at this time of the scene; < 0: never
   int losesRow = 0;      ///< once it has run a table, every so many-th row is lost on the way; 0: none
 };
 
@@ -61,7 +61,7 @@ class SerialEmulator : public PtyDevice {
   int rowsSinceTable_ = 0;
   std::int64_t limit_uN_;
   bool ownLaw_ = false, limited_ = false, stopped_ = false, switched_ = false;
-  double force_N_ = 0, lastLine_s_ = -1, firstLine_s_ = -1, resetAt_mm_ = 0, centre_mm_ = 0;
+  double force_N_ = 0, lastLine_s_ = -1, resetAt_mm_ = 0, centre_mm_ = 0;
   double slew_N_per_s_ = 1e9, speed_mm_per_s_ = 1e9, rise_s_ = 0, silence_s_ = 0.05, fade_ = 0,
          tableLimit_N_ = 1e9;
 };

@@ -50,6 +50,7 @@ class Outcome:
         self.exit_code, self.said, self.json = -1, "", ""
         self.second_exit_code, self.second_said = -1, ""
         self.moments = []  # (s after the first force, N at the motor, mm)
+        self.pause_s = 0.0  # longest time for which this computer kept the board from answering
         self.unknown, self.kept_before, self.kept_after = [], {}, {}
 
     def largest_N(self, from_s=0.0, to_s=1e9):
@@ -116,11 +117,12 @@ def play(program, scene, board):
     outcome.kept_before = board.kept()
     answers, received, moments = deque(), b"", outcome.moments
     began_s, plant_s, wakes_s, ended_s = None, 0.0, math.inf, math.inf
-    fault_done, second = False, None
+    fault_done, second, woken_s = False, None, math.inf
     start_s = time.monotonic()
     first = Program(arguments)
     while True:
         now_s = time.monotonic() - start_s
+        outcome.pause_s, woken_s = max(outcome.pause_s, now_s - woken_s), now_s
         if now_s > scene.wait_s or now_s > ended_s + 0.1:
             break
         since_s = -1.0 if began_s is None else now_s - began_s

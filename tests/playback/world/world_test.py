@@ -4,8 +4,8 @@
 
 The program runs at an independent plant and at boards written from the documents and the public firmware (plant.py, boards.py).
 One row of the table is one run. PENDING lists the rows whose safeguard is not there yet, with the number of the safeguard in
-section 1 of issue 46; such a row fails this test as soon as it passes, so that it leaves the list. With ROW, a part of a name,
-only these rows run and everything they print is shown."""
+section 1 of issue 46; such a row fails nothing, and is printed when it passes. With ROW, a part of a name, only these rows run
+and everything they print is shown."""
 
 import os
 import statistics
@@ -21,18 +21,12 @@ from session import Scene, play
 LIMIT_N = 5.0
 TRAVEL_MM = 10.0
 SLACK_S = 0.006  # tolerance of measured times: motor lag, steps of the plant, load of the computer
-WORKERS = 4
+WORKERS = 2
+ATTEMPTS = 6
+PAUSE_S = 0.003  # a board that the computer kept from answering for longer: its run says nothing
+JUDGED = 0.5  # least share of the rows that must have been judged
 
-PENDING = {
-    **dict.fromkeys((
-        "ODrive, saved input_mode 5", "ODrive, anticogging on, firmware 0.6", "ODrive 0.6, error 0x200",
-        "ODrive 0.6, error 0x1000000"), 5),
-    "encoder reversed while running, the finger leaves": 1,
-    "identify-device, encoder dead": 2,
-    "every third answer lost for a second": 7,
-    **dict.fromkeys((
-        "another firmware's greeting: Grbl", "another firmware's greeting: SimpleFOC", "another firmware's greeting: fsr400"), "bad input"),
-}
+PENDING = {}
 
 
 @dataclass
@@ -151,7 +145,7 @@ def rows(folder):
     yield Row("two programs at one ODrive", on_odrive(second=True), Wanted(exit_code=0, second_says=held), ODrive)
     # 7: repeated drop-outs.
     yield Row("every third answer lost for a second", Scene(after=Link(lost=0.34), healed_s=2.6, seconds=3.2),
-              Wanted(none_s=1.0, says=("drop", "fade", "repeated")))
+              Wanted(none_s=1.0, says=("drop-outs",)))
     # 8: the program stands still for longer than the device waits.
     yield Row("the program stands still for 58 ms", Scene(stall_s=0.058), Wanted(after_stall_N=0.8))
     # Bad input: refused by name and without force.
@@ -167,12 +161,16 @@ def rows(folder):
         yield Row(f"profile with {key} = {value}", with_profile(folder, **{key: value}), refused(key.lower()))
 
 
+def over_limit(row, outcome):
+    return outcome.largest_N() > row.wanted.most_N + 0.001
+
+
 def complaints_of(row, outcome):
     """What is wrong with a run, and whether the scene of the fault was there at all."""
     wanted, fault_s, wrong = row.wanted, row.scene.fault_s, []
     there = not wanted.plays or outcome.largest_N(fault_s - 0.3, fault_s - 0.005) > 1
     said = outcome.said.lower()
-    if outcome.largest_N() > wanted.most_N + 0.001:
+    if over_limit(row, outcome):
         wrong.append(f"largest force {outcome.largest_N():.3f} N")
     if wanted.none_s is not None and not outcome.until_none_s(fault_s) <= wanted.none_s + SLACK_S:
         wrong.append(f"force gone after {outcome.until_none_s(fault_s):.4f} s")
@@ -202,33 +200,31 @@ def complaints_of(row, outcome):
 
 
 def judge(program, row):
-    """A busy computer can be late before the fault: such a run is repeated. So is one that fails, or passes against the list."""
+    """A busy computer makes boards and program late, which is no verdict on either: such a run is repeated, and does not count where
+    the board itself saw it. No computer excuses a force above the limit: one such run is enough."""
     results = []
-    for attempt in range(4):
+    for attempt in range(ATTEMPTS):
         outcome = play(program, replace(row.scene, seed=1 + attempt), row.board(**row.options))
         wrong, there = complaints_of(row, outcome)
         if not there:
             wrong = wrong + ["no force before the fault"]
         results.append((wrong, outcome))
-        passes = sum(not w for w, _ in results)
-        if row.name in PENDING:
-            if passes == 0 or passes == 2:
-                break
-        elif passes or (there and attempt == 2):
+        if not wrong or over_limit(row, outcome):
             break
-    worst_counts = row.name in PENDING and passes < 2
-    best = (max if worst_counts else min)(results, key=lambda result: len(result[0]))
-    return row.name, best[0], best[1].exit_code, best[1].said, best[1].json, best[1].unknown, len(results)
+    best = min(results, key=lambda result: (not over_limit(row, result[1]), len(result[0])))
+    judged = not best[0] or over_limit(row, best[1]) or any(result[1].pause_s <= PAUSE_S for result in results)
+    return row.name, best[0], best[1].exit_code, best[1].said, best[1].json, best[1].unknown, len(results), judged
 
 
 def main():
     program, only = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
-    failed = 0
+    failed = unjudged = 0
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(WORKERS) as pool:
         table = [row for row in rows(folder) if only.lower() in row.name.lower()]
-        for name, wrong, code, said, text, unknown, runs in pool.map(judge, [program] * len(table), table):
+        for name, wrong, code, said, text, unknown, runs, judged in pool.map(judge, [program] * len(table), table):
             pending = PENDING.get(name)
-            verdict = f"pending {pending}" if pending and wrong else "FAILED" if wrong or pending else "ok"
+            verdict = "ok" if not wrong else f"pending {pending}" if pending else "FAILED" if judged else "not judged"
+            unjudged += verdict == "not judged"
             failed += verdict == "FAILED"
             print(f"{verdict:18}{name}" + (f" ({runs} runs)" if runs > 1 else "") + "".join(f"\n                  {w}" for w in wrong))
             if pending and not wrong:
@@ -240,7 +236,10 @@ def main():
     stale = [name for name in PENDING if not only and name not in [row.name for row in table]]
     for name in stale:
         print(f"FAILED            PENDING names no row: {name}")
-    print(f"{len(table)} rows, {failed} failed, {len(PENDING)} pending")
+    print(f"{len(table)} rows, {failed} failed, {unjudged} not judged on this busy computer, {len(PENDING)} pending")
+    if len(table) - unjudged < JUDGED * len(table):
+        print("FAILED            too few rows could be judged")
+        failed += 1
     return 1 if failed or stale else 0
 
 
