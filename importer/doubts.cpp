@@ -646,7 +646,11 @@ class Doubts {
     edges(strokes.press);
     if (strokes.release) edges(*strokes.release);
     const bool curvesChosen = hints_.trace.pressColor || !hints_.drawn.press.empty();
-    if (findings_.graph.axes.otherRightScale && !curvesChosen && !otherScaleHasItsCurve())
+    // A colour does not say which of two scales of forces a curve belongs to.
+    const RightScale right = findings_.graph.axes.rightScale;
+    const bool settled =
+        curvesChosen && !(right == RightScale::otherForces && findings_.strokes.value.release);
+    if (right != RightScale::none && !settled && !otherScaleHasItsCurve())
       add(DoubtCode::otherScale, unconfirmed, {},
           {{RemedyKind::pickPress, {}},
            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});

@@ -10017,6 +10017,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>sie ist keine Tabelle oder eine beschädigte</translation>
     </message>
     <message>
+        <source>spreadsheets need the library libzip.so.4, which is not installed</source>
+        <translation>Tabellen brauchen die Bibliothek libzip.so.4, die nicht installiert ist</translation>
+    </message>
+    <message>
+        <source>Install it (on Debian: libzip4), or save the sheet as CSV</source>
+        <translation>Sie installieren (unter Debian: libzip4) oder die Tabelle als CSV speichern</translation>
+    </message>
+    <message>
         <source>Save the spreadsheet again</source>
         <translation>Die Tabelle neu speichern</translation>
     </message>

@@ -78,6 +78,13 @@ struct SeenText {
   double angle_deg = 0;
 };
 
+/// Numbers on the right that are not the left ones in another unit of force.
+enum class RightScale {
+  none,
+  other,       ///< of something else, or unnamed
+  otherForces  ///< of forces: a curve may belong to either scale
+};
+
 struct AxesFound {
   Found<AxisCalibration> calibration;
   /// Tick labels, titles and the document's own texts; legend and callouts come with readGraphTexts.
@@ -86,7 +93,7 @@ struct AxesFound {
   /// where they could not be read.
   std::vector<SeenText> otherLines;
   std::vector<Remark> remarks;
-  bool otherRightScale = false;  ///< numbers on the right that are not the left ones in another unit of force
+  RightScale rightScale = RightScale::none;
 };
 
 /// Failure noForceGraph: no numbers; notCertain: numbers that make no progression (remedy: --x-axis /

@@ -352,7 +352,8 @@ int AxisLabels::numbers() const {
       std::count_if(readings.begin(), readings.end(), [](const auto& r) { return !r.empty(); }));
 }
 
-std::pair<std::string, std::string> numberAndSuffix(const std::string& text) {
+std::pair<std::string, std::string> numberAndSuffix(const std::string& label) {
+  const std::string text = withoutGroupSigns(label);
   const auto end = text.find_first_not_of("0123456789.,- ");
   if (end == std::string::npos || end == 0) return {text, ""};
   return {text.substr(0, end), text.substr(end)};

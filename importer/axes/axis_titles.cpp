@@ -271,4 +271,8 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   return left.unit ? left : title;
 }
 
+AxisTitle<ForceUnit> readRightTitle(GraphReading& r, const Box& labels) {
+  return readYTitleAt(r, placesBeside(r.box, labels));
+}
+
 }  // namespace detent::importer

@@ -22,5 +22,7 @@ struct AxisTitle {
 AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels);
 /// Left of the labels reading upwards, above the top left corner, or beside the axis' upper end.
 AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels);
+/// Right of the labels of a second scale there, and nowhere else.
+AxisTitle<ForceUnit> readRightTitle(GraphReading& r, const Box& labels);
 
 }  // namespace detent::importer

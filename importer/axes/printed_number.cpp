@@ -11,11 +11,14 @@
 namespace detent::importer {
 namespace {
 
+bool isDigitAt(std::string_view s, std::size_t at) { return at < s.size() && s[at] >= '0' && s[at] <= '9'; }
+
 /// ASCII with '.' and '-'; empty if a character is none of a number.
-std::string plain(std::string_view s) {
+std::string plain(std::string_view utf8) {
+  const std::string s = withoutGroupSigns(utf8);
   std::string out;
   for (std::size_t i = 0; i < s.size(); ++i) {
-    const auto rest = s.substr(i);
+    const auto rest = std::string_view(s).substr(i);
     const auto skip = [&](std::string_view token, std::string_view as) {
       if (!rest.starts_with(token)) return false;
       out += as;
@@ -65,6 +68,22 @@ SignIn signIn(std::string_view utf8) {
 
 }  // namespace
 
+std::string withoutGroupSigns(std::string_view utf8) {
+  constexpr std::string_view curved = "\xE2\x80\x99";  // U+2019
+  std::string out;
+  if (utf8.starts_with('+') && isDigitAt(utf8, 1)) utf8.remove_prefix(1);
+  for (std::size_t i = 0; i < utf8.size();) {
+    const std::size_t length = utf8[i] == '\'' ? 1 : utf8.substr(i).starts_with(curved) ? curved.size() : 0;
+    const std::size_t next = i + length;
+    const bool groups = length > 0 && !out.empty() && isDigitAt(out, out.size() - 1) && out != "0" &&
+                        isDigitAt(utf8, next) && isDigitAt(utf8, next + 1) && isDigitAt(utf8, next + 2) &&
+                        !isDigitAt(utf8, next + 3);
+    if (!groups) out += utf8[i];
+    i = groups ? next : i + 1;
+  }
+  return out;
+}
+
 bool looksLike(std::string_view read, std::string_view number) {
   constexpr std::array<std::string_view, 8> alike{"08", "06", "68", "38", "89", "56", "17", "09"};
   const std::string digits = digitsOf(read), other = digitsOf(number);
@@ -97,7 +116,9 @@ std::vector<NumberReading> numberReadings(std::string_view utf8, double confiden
   while (s.back() == '-' || s.back() == '.') s.pop_back();
   const auto digits = static_cast<std::size_t>(
       std::count_if(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; }));
-  if (s.find('.') != std::string::npos || digits < 2) return readings;
+  // Thousands set apart are no number that lost its point.
+  const bool grouped = utf8.front() != '+' && withoutGroupSigns(utf8).size() < utf8.size();
+  if (s.find('.') != std::string::npos || digits < 2 || grouped) return readings;
   const std::size_t lead = s.front() == '-' ? 1 : 0;
   const bool leadingZero = s.size() > lead && s[lead] == '0';
   // "05" can only be 0.5; "15" is 15 unless its neighbours say 1.5.

@@ -18,7 +18,12 @@ struct NumberReading {
   double weight = 1;
 };
 
-/// Decimal point or comma, any Unicode minus, blanks ignored. nullopt if anything else stands in it.
+/// A number as it is computed with: without a plus in front and without apostrophes that set thousands apart
+/// ("1'000").
+std::string withoutGroupSigns(std::string_view utf8);
+
+/// Decimal point or comma, any Unicode minus, blanks, plus and apostrophes of thousands ignored. nullopt if
+/// anything else stands in it.
 std::optional<double> printedNumber(std::string_view utf8);
 
 /// All readings of a label: as it stands, and with the decimal point that small print loses put back, which weighs less

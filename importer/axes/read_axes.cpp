@@ -7,7 +7,6 @@
 #include <initializer_list>
 #include <iterator>
 #include <numeric>
-#include <tuple>
 
 #include <opencv2/core.hpp>
 
@@ -44,7 +43,10 @@ RemedyKind rangeOf(Axis axis) { return axis == Axis::x ? RemedyKind::giveXAxis :
 const char* nameOf(Axis axis) { return axis == Axis::x ? "x" : "y"; }
 Message placeOf(Axis axis) { return Message("%1 axis", nameOf(axis)); }
 
-Failure unread(const std::optional<AxisLabels>& labels, Axis axis) {
+Failure unread(const std::optional<AxisLabels>& labels, Axis axis, const std::vector<GridLine>& lines) {
+  if (isLogarithmic(lines))
+    return failureOf({DoubtCode::otherQuantity, {nameOf(axis), logarithmicScale}, {}}, "plot frame",
+                     placeOf(axis));
   if (labels)
     if (const std::string scale = unevenScaleIn(*labels, axis); !scale.empty())
       return failureOf({DoubtCode::otherQuantity, {nameOf(axis), scale}, {}}, "plot frame", placeOf(axis));
@@ -266,11 +268,11 @@ EvidenceItem evidenceOf(Axis axis, const std::optional<AxisLabels>& labels, bool
   return {EvidenceCode::labelsInProgression, {nameOf(axis), p.labels, labels->numbers(), p.ticks}};
 }
 
-void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels) {
+void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels, bool rangeGiven) {
   if (!hasProgression(labels)) return;
   reading.ticks = tickLabels(*labels);
   reading.residual_px = labels->progression->residual_px;
-  reading.thousandsUnclear = labels->thousands == ThousandsSign::possible;
+  reading.thousandsUnclear = !rangeGiven && labels->thousands == ThousandsSign::possible;
 }
 
 /// A label that was read with certainty and stands at another value's line: some datasheets print it so. The
@@ -377,12 +379,14 @@ bool sameForces(const Progression& a, const Progression& b, double frameHeight_p
   });
 }
 
-bool hasOtherRightScale(GraphReading& r, const std::optional<AxisLabels>& left) {
-  if (!hasProgression(left) || left->extent.x0 > r.box.x1) return false;
+RightScale rightScaleBeside(GraphReading& r, const std::optional<AxisLabels>& left) {
+  if (!hasProgression(left) || left->extent.x0 > r.box.x1) return RightScale::none;
   // Where two scales share a frame, gridlines and ticks are the left one's.
   const auto right = readRightLabels(r, {});
-  if (!right || !reachesFar(*right, r.box)) return false;
-  return !right->progression || !sameForces(*left->progression, *right->progression, r.box.height());
+  if (!right || !reachesFar(*right, r.box)) return RightScale::none;
+  if (right->progression && sameForces(*left->progression, *right->progression, r.box.height()))
+    return RightScale::none;
+  return readRightTitle(r, right->extent).unit ? RightScale::otherForces : RightScale::other;
 }
 
 std::vector<SeenText> allTexts(const GraphReading& r, const std::optional<AxisLabels>& x,
@@ -548,10 +552,11 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
                            const Progress& progress) {
   const AxisGiven xGiven{hints.xMin, hints.xMax}, yGiven{hints.yMin, hints.yMax};
   GraphReading r(view, frame);
-  const auto xLabels = xGiven.range() ? std::nullopt : credibleLabels(r, Axis::x);
-  if (!xGiven.range() && !hasProgression(xLabels)) return unread(xLabels, Axis::x);
-  const auto yLabels = yGiven.range() ? std::nullopt : credibleLabels(r, Axis::y);
-  if (!yGiven.range() && !hasProgression(yLabels)) return unread(yLabels, Axis::y);
+  // Read where a range was given as well: numbers say where the frame ends and what kind of scale it is.
+  const auto xLabels = credibleLabels(r, Axis::x);
+  if (!xGiven.range() && !hasProgression(xLabels)) return unread(xLabels, Axis::x, frame.xLines);
+  const auto yLabels = credibleLabels(r, Axis::y);
+  if (!yGiven.range() && !hasProgression(yLabels)) return unread(yLabels, Axis::y, frame.yLines);
   if (progress.isCancelled()) return Failure::cancelled();
 
   // Values belong to where edges are meant to be, not to the pixels they were rounded to.
@@ -569,8 +574,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   const auto yUnit = yUnitOf(cal.y, hints, r, yLabels, y, found.remarks);
   cal.x.unit = symbolOf(xUnit);
   cal.y.unit = symbolOf(yUnit);
-  fillReading(cal.x, xLabels);
-  fillReading(cal.y, yLabels);
+  fillReading(cal.x, xLabels, xGiven.range());
+  fillReading(cal.y, yLabels, yGiven.range());
   cal.x.min = endOf(x.first, xGiven.min.has_value(), xLabels);
   cal.x.max = endOf(x.last, xGiven.max.has_value(), xLabels);
   cal.y.min = endOf(y.last, yGiven.min.has_value(), yLabels);
@@ -581,7 +586,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   scaleRow(cal.viewToUnits, 0, settleThousands(cal.x, mm, travels_mm));
   scaleRow(cal.viewToUnits, 1, settleThousands(cal.y, newton, forces_N));
 
-  found.otherRightScale = hasOtherRightScale(r, yLabels);
+  found.rightScale = rightScaleBeside(r, yLabels);
   found.texts = allTexts(r, xLabels, yLabels);
   found.calibration.confidence = sureOf(xLabels, xGiven.range(), corners[3].x, r.box.width()) *
                                  sureOf(yLabels, yGiven.range(), corners[3].y, r.box.height()) *
@@ -589,18 +594,22 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
   found.calibration.evidence = {evidenceOf(Axis::x, xLabels, xGiven.range()),
                                 evidenceOf(Axis::y, yLabels, yGiven.range())};
-  // A range that was given settles no scale that is not linear.
-  for (const auto& [axis, reading, given] :
-       {std::tuple(Axis::x, &cal.x, xGiven.range()), std::tuple(Axis::y, &cal.y, yGiven.range())})
-    if (const auto labels = given ? readAxisLabels(r, axis) : std::nullopt)
-      if (const std::string scale = unevenScaleIn(*labels, axis); !scale.empty()) {
-        reading->otherQuantity = scale;
-        found.calibration.confidence *= confidenceOfOther;
-      }
-  for (const auto& [axis, labels] : {std::pair(Axis::x, &xLabels), std::pair(Axis::y, &yLabels)}) {
-    if (hasProgression(*labels) && !(*labels)->progression->fromTicks)
+  for (const Axis axis : {Axis::x, Axis::y}) {
+    const bool isX = axis == Axis::x, given = (isX ? xGiven : yGiven).range();
+    const std::optional<AxisLabels>& labels = isX ? xLabels : yLabels;
+    AxisReading& reading = isX ? cal.x : cal.y;
+    // A range that was given settles no scale that is not linear.
+    const std::string scale = isLogarithmic(isX ? frame.xLines : frame.yLines) ? logarithmicScale
+                              : given && labels                                ? unevenScaleIn(*labels, axis)
+                                                                               : std::string();
+    if (!scale.empty()) {
+      reading.otherQuantity = scale;
+      found.calibration.confidence *= confidenceOfOther;
+    }
+    if (given) continue;
+    if (hasProgression(labels) && !labels->progression->fromTicks)
       found.remarks.push_back({RemarkCode::axisWithoutTicks, {nameOf(axis)}});
-    remarkContradictions(*labels, axis, found.remarks);
+    remarkContradictions(labels, axis, found.remarks);
   }
   takeHeadingUnits(found, r);
   return found;

@@ -39,11 +39,36 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   if (low > 0 && high >= leastRatio * low) {
     std::vector<std::pair<double, double>> logarithms = labels;
     for (auto& [at, value] : logarithms) value = std::log10(value);
-    if (offLine(logarithms) <= fits) return "values on a logarithmic scale";
+    if (offLine(logarithms) <= fits) return logarithmicScale;
   }
   std::vector<std::pair<double, double>> steps;
   for (const auto& [at, value] : labels) steps.emplace_back(static_cast<double>(steps.size()), at);
   return offLine(steps) <= fits ? "categories, not to scale" : "";
+}
+
+bool isLogarithmic(const std::vector<GridLine>& lines) {
+  constexpr double near = 0.012, near_px = 1;   // of a decade: linear ninths are 0.07 off
+  constexpr std::size_t between = 8, lost = 1;  // lines within a decade; of them, left out
+  std::vector<double> at;
+  for (const GridLine& line : lines) at.push_back(line.position_px);
+  std::ranges::sort(at);
+  for (std::size_t first = 0; first < at.size(); ++first)
+    for (std::size_t last = first + between - lost + 1; last < std::min(at.size(), first + between + 3);
+         ++last) {
+      const double length_px = at[last] - at[first];
+      int rising = 0, falling = 0;
+      for (std::size_t i = first + 1; i < last; ++i) {
+        const auto isOne = [&](double share) {
+          const double digit = std::round(std::pow(10.0, share));
+          return digit >= 2 && digit <= 9 &&
+                 std::abs(share - std::log10(digit)) * length_px <= std::max(near_px, near * length_px);
+        };
+        const double share = (at[i] - at[first]) / length_px;
+        rising += isOne(share), falling += isOne(1 - share);
+      }
+      if (std::max(rising, falling) >= static_cast<int>(between - lost)) return true;
+    }
+  return false;
 }
 
 std::string unevenScaleIn(const AxisLabels& labels, Axis axis) {

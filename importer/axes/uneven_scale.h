@@ -14,6 +14,11 @@ namespace detent::importer {
 /// scale", "categories, not to scale". Empty where a linear scale fits, or where too few labels say.
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels);
 
+inline constexpr char logarithmicScale[] = "values on a logarithmic scale";
+
+/// Returns true if gridlines or ticks stand as the logarithms of 1, 2, 3 to 10 do.
+bool isLogarithmic(const std::vector<GridLine>& lines);
+
 /// The same of an axis' labels that were read with certainty.
 std::string unevenScaleIn(const AxisLabels& labels, Axis axis);
 

@@ -77,6 +77,7 @@ ColumnUnit::Kind unitKindNamed(std::string_view name) {
 Vocabulary readVocabulary() {
   Vocabulary all;
   std::string_view rest = tableWords();
+  all.words.reserve(static_cast<std::size_t>(std::ranges::count(rest, '\n')));
   std::map<std::string, std::uint32_t> signs, ends;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -110,7 +111,7 @@ Vocabulary readVocabulary() {
     if (language == "fr" || language == "es" || language == "it" || language == "pt" || language == "ro")
       all.headFirst[small] |= meaning;
     else
-      all.headFirst[small] |= 0, all.headFirst.erase(small);
+      all.headFirst.erase(small);
     if ((language == "de" || language == "nl" || language == "sv" || language == "da" || language == "no") &&
         small.size() >= 3)
       ends[small] |= meaning;

@@ -578,7 +578,11 @@ bool isTransposed(const Table& table) {
   std::size_t named = 0, filled = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (table.cells(row) < fewestColumns) {
-      if (!joinedCells(table, row).empty()) ++filled;
+      for (std::size_t c = 0; c < table.cells(row); ++c)
+        if (!table.cell(row, c).empty()) {
+          ++filled;
+          break;
+        }
       continue;
     }
     ++filled;

@@ -4,7 +4,9 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <type_traits>
 
+#include <dlfcn.h>
 #include <pugixml.hpp>
 #include <zip.h>
 
@@ -18,29 +20,61 @@ constexpr std::size_t kMostUnpacked_bytes = std::size_t{64} << 20;
 constexpr std::size_t kMostSheetColumns = 256, kMostSheetRows = std::size_t{1} << 20;
 constexpr std::size_t kMostSheets = 64;
 
+/// libzip, loaded when the first spreadsheet is read: it brings libcrypto, and half of what starting a program costs.
+struct Libzip {
+  static const Libzip* get() {
+    static const Libzip loaded;
+    return loaded.isWhole ? &loaded : nullptr;
+  }
+
+  decltype(&zip_source_buffer_create) createSource = nullptr;
+  decltype(&zip_source_free) freeSource = nullptr;
+  decltype(&zip_open_from_source) open = nullptr;
+  decltype(&zip_discard) discard = nullptr;
+  decltype(&zip_name_locate) locate = nullptr;
+  decltype(&zip_fopen) openMember = nullptr;
+  decltype(&zip_fclose) closeMember = nullptr;
+  decltype(&zip_fread) read = nullptr;
+  bool isWhole = false;
+
+ private:
+  Libzip() {
+    void* const library = dlopen("libzip.so.4", RTLD_LAZY | RTLD_LOCAL);  // kept until the program ends
+    if (library == nullptr) return;
+    const auto find = [&](auto& function, const char* name) {
+      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
+      return function != nullptr;
+    };
+    isWhole = find(createSource, "zip_source_buffer_create") && find(freeSource, "zip_source_free") &&
+              find(open, "zip_open_from_source") && find(discard, "zip_discard") &&
+              find(locate, "zip_name_locate") && find(openMember, "zip_fopen") &&
+              find(closeMember, "zip_fclose") && find(read, "zip_fread");
+  }
+};
+
 /// An archive in memory, closed without writing.
 class Archive {
  public:
-  explicit Archive(const std::string& bytes) {
-    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr);
+  Archive(const Libzip& libzip, const std::string& bytes) : libzip_(libzip), zip_(nullptr, libzip.discard) {
+    zip_source_t* source = libzip_.createSource(bytes.data(), bytes.size(), 0, nullptr);
     if (!source) return;
-    zip_.reset(zip_open_from_source(source, ZIP_RDONLY, nullptr));
-    if (!zip_) zip_source_free(source);
+    zip_.reset(libzip_.open(source, ZIP_RDONLY, nullptr));
+    if (!zip_) libzip_.freeSource(source);
   }
   explicit operator bool() const { return zip_ != nullptr; }
-  bool has(const std::string& member) const { return zip_name_locate(zip_.get(), member.c_str(), 0) >= 0; }
+  bool has(const std::string& member) const { return libzip_.locate(zip_.get(), member.c_str(), 0) >= 0; }
 
   /// nullopt: missing, damaged, encrypted, or larger than the bound, whatever the archive claims.
   std::optional<std::string> read(const std::string& member) const {
-    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen(zip_.get(), member.c_str(), 0),
-                                                                 zip_fclose);
+    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+        libzip_.openMember(zip_.get(), member.c_str(), 0), libzip_.closeMember);
     if (!file) return {};
     std::string text;
     constexpr std::size_t piece_bytes = std::size_t{1} << 16;
     while (text.size() <= kMostUnpacked_bytes) {
       const std::size_t size = text.size();
       text.resize(size + piece_bytes);
-      const zip_int64_t got = zip_fread(file.get(), text.data() + size, piece_bytes);
+      const zip_int64_t got = libzip_.read(file.get(), text.data() + size, piece_bytes);
       if (got < 0) return {};
       text.resize(size + static_cast<std::size_t>(got));
       if (got == 0) return text;
@@ -49,10 +83,8 @@ class Archive {
   }
 
  private:
-  struct Discard {
-    void operator()(zip_t* zip) const { zip_discard(zip); }
-  };
-  std::unique_ptr<zip_t, Discard> zip_;
+  const Libzip& libzip_;
+  std::unique_ptr<zip_t, void (*)(zip_t*)> zip_;
 };
 
 /// pugixml expands the five references of XML and character references only; document types are passed over.
@@ -237,7 +269,14 @@ Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const s
                    std::move(problem),
                    Message("Save the spreadsheet again, as xlsx, ODS or CSV")};
   };
-  const Archive archive(bytes);
+  const Libzip* const libzip = Libzip::get();
+  if (libzip == nullptr)
+    return Failure{FailureCode::unreadableInput,
+                   subject,
+                   {},
+                   Message("spreadsheets need the library libzip.so.4, which is not installed"),
+                   Message("Install it (on Debian: libzip4), or save the sheet as CSV")};
+  const Archive archive(*libzip, bytes);
   if (!archive) return damaged(Message("it is no spreadsheet, or a damaged one"));
   std::vector<Table> tables;
   const auto keep = [&](Table table) {

@@ -186,17 +186,22 @@ std::size_t splitLine(std::string_view text, std::size_t at, char delimiter, Giv
   }
 }
 
+/// Where the line at `at` ends.
+std::size_t endOfLine(std::string_view text, std::size_t at) {
+  while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
+  return at;
+}
+
 /// Lines spread over the whole text, blank ones left out.
 std::vector<std::string_view> sampledLines(std::string_view text) {
   constexpr std::size_t most = 400;
   std::vector<std::string_view> lines;
   std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size(); ++count)
-    at = std::min(text.find_first_of("\n\r", at), text.size() - 1) + 1;
+  for (std::size_t at = 0; at < text.size(); ++count) at = endOfLine(text, at) + 1;
   const std::size_t every = std::max<std::size_t>(1, count / most);
   std::size_t index = 0;
   for (std::size_t at = 0; at < text.size(); ++index) {
-    const std::size_t end = std::min(text.find_first_of("\n\r", at), text.size());
+    const std::size_t end = endOfLine(text, at);
     if (index % every == 0 || index < most / 4) {
       const std::string_view line = text.substr(at, end - at);
       if (!trimmed(line).empty()) lines.push_back(line);
@@ -297,17 +302,30 @@ bool isCommaComma(const std::vector<std::string_view>& lines) {
   return widths.size() == 1 && rows >= 4 && rows * 10 >= lines.size() * 8;
 }
 
+/// Returns true if a sign stands between two digits, so that it may set thousands apart.
+bool isBetweenDigits(std::string_view text, char sign) {
+  for (std::size_t at = text.find(sign, 1); at < text.size() - 1; at = text.find(sign, at + 1))
+    if (isDigit(text[at - 1]) && isDigit(text[at + 1])) return true;
+  return false;
+}
+
 Dialect dialectOf(std::string_view text) {
   const std::vector<std::string_view> lines = sampledLines(text);
   if (isCommaComma(lines)) return {',', {',', 0}, true, 1};
   Dialect best;
   best.score = -std::numeric_limits<double>::infinity();
+  const bool isPlain = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  const bool hasQuotes = text.find('"') != std::string_view::npos;
+  const auto mayGroup = [&](char sign, char delimiter) {
+    return !isPlain || (sign == delimiter ? hasQuotes : isBetweenDigits(text, sign));
+  };
   // The plainest first: a later one has to read more.
   constexpr NumberStyle styles[] = {{'.', 0},   {',', 0},   {'.', ','},  {',', '.'},
                                     {'.', ' '}, {',', ' '}, {'.', '\''}, {',', '\''}};
   for (const char delimiter : {',', ';', '\t', '|', ' '})
     for (const NumberStyle& style : styles) {
       if (delimiter == ' ' && style.thousands == ' ') continue;
+      if (style.thousands && !mayGroup(style.thousands, delimiter)) continue;
       if (delimiter != ',' && text.find(delimiter) == std::string_view::npos) continue;
       Dialect dialect{delimiter, style, false, 0};
       judge(dialect, lines);
@@ -419,7 +437,7 @@ Result<Table> tableOfText(std::string content, const std::string& subject, const
     const std::size_t from = at;
     std::vector<std::string_view> halves;
     if (dialect.delimiter == ' ') {
-      const std::size_t end = std::min(text.find_first_of("\n\r", at), text.size());
+      const std::size_t end = endOfLine(text, at);
       for (const std::string_view cell : fixed.cellsOf(text.substr(at, end - at))) addTextCell(table, cell);
       at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
     } else {
@@ -446,8 +464,8 @@ Result<Table> tableOfText(std::string content, const std::string& subject, const
         for (const std::string_view half : halves) addTextCell(table, half);
     }
     const std::string_view given = text.substr(from, at - from);
-    line += std::max<long>(1, std::ranges::count(given, '\n') ? std::ranges::count(given, '\n')
-                                                              : std::ranges::count(given, '\r'));
+    const long feeds = std::ranges::count(given, '\n');
+    line += std::max<long>(1, feeds > 0 ? feeds : std::ranges::count(given, '\r'));
     if ((table.rows() & 0x3FFF) != 0) continue;
     if (progress.report) progress.report(0.5 * double(at) / double(text.size()), ImportStep::read);
     if (progress.isCancelled()) return Failure::cancelled(subject);

@@ -17,6 +17,13 @@ bool Visibility::mayCompare(std::size_t things) {
   return comparisons_ <= most;
 }
 
+bool Visibility::isSameWord(std::size_t before, std::size_t next) const {
+  constexpr double farthest = 1.5;  // of a letter's size: from one beginning to the next
+  const SetLetter &a = letters_[before].letter, &b = letters_[next].letter;
+  return letters_[before].sight == letters_[next].sight &&
+         std::hypot(a.x - b.x, a.y - b.y) <= farthest * a.size;
+}
+
 const Visibility::Cover* Visibility::coverUnder(Point place) const {
   const auto last = std::find_if(covers_.rbegin(), covers_.rend(),
                                  [&](const Cover& cover) { return cover.box.contains(place); });

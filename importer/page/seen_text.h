@@ -3,6 +3,7 @@
 // Which letters and lines of a page a person sees, and each of them once: fake bold, shadows and halos set a label
 // several times, and edited pages cover the old one. Private to importer/page.
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -47,16 +48,25 @@ class Visibility {
   /// An area that is filled. `hides`: nothing under it is seen, which takes it out of `paths` too.
   void cover(const Box& box, CoverKind kind, Rgb color, bool hides, std::vector<VectorPath>& paths);
 
-  /// The letters that are seen, each once; of a picture's text what no other letter stands on and `isShown` confirms.
+  /// The letters that are seen, each once; of a picture's text the words that no others stand on and of whose
+  /// letters `isShown` confirms half: thin ones have little contrast.
   template <class IsShown>
   LetterKeys seen(const IsShown& isShown) const {
     LetterKeys keys, before;
     const std::vector<bool> once = seenOnce();
+    std::vector<bool> shown(letters_.size(), true);
+    for (std::size_t first = 0, last = 0; first < letters_.size(); first = last) {
+      std::size_t confirmed = 0;
+      for (last = first; last < letters_.size() && (last == first || isSameWord(last - 1, last)); ++last)
+        confirmed += letters_[last].sight != Sight::ofPicture || isShown(letters_[last].letter.box) ? 1 : 0;
+      std::fill(shown.begin() + static_cast<std::ptrdiff_t>(first),
+                shown.begin() + static_cast<std::ptrdiff_t>(last), 2 * confirmed >= last - first);
+    }
     for (std::size_t i = 0; i < letters_.size(); ++i) {
       const SetLetter& letter = letters_[i].letter;
       const std::tuple key(letter.unicode, letter.x, letter.y);
       const int earlier = before[key]++;
-      if (once[i] && (letters_[i].sight == Sight::seen || isShown(letter.box))) keys.emplace(key, earlier);
+      if (once[i] && (letters_[i].sight == Sight::seen || shown[i])) keys.emplace(key, earlier);
     }
     return keys;
   }
@@ -72,6 +82,7 @@ class Visibility {
     Rgb color;
   };
 
+  bool isSameWord(std::size_t before, std::size_t next) const;
   const Cover* coverUnder(Point place) const;
   bool mayCompare(std::size_t things);
   std::vector<bool> seenOnce() const;

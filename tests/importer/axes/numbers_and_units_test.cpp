@@ -47,6 +47,13 @@ TEST_CASE("numbers as plots print them") {
                       "20") == -20);
   CHECK(printedNumber("4.") == 4);
   CHECK(printedNumber(" 60 ") == 60);
+  CHECK(printedNumber("+0.5") == 0.5);
+  CHECK(printedNumber("1'250") == 1250);
+  CHECK(printedNumber("12\xE2\x80\x99"
+                      "000") == 12000);
+  CHECK_FALSE(printedNumber("5'25").has_value());   // feet and inches
+  CHECK_FALSE(printedNumber("0'500").has_value());  // no thousand begins with zero
+  CHECK_FALSE(printedNumber("2+3").has_value());
 }
 
 TEST_CASE("numbers that readers take for each other") {
@@ -325,6 +332,23 @@ TEST_CASE("a power of ten at the end of an axis") {
     CAPTURE(text);
     CHECK_FALSE(multiplierIn(text));
   }
+}
+
+TEST_CASE("lines that stand as logarithms do tell a logarithmic scale, whatever its numbers look like") {
+  const auto lines = [](double top_px, double decade_px, int digits, bool logarithmic, bool upwards) {
+    std::vector<GridLine> found;
+    for (int decade = 0; decade < 2; ++decade)
+      for (int digit = 1; digit <= digits; ++digit) {
+        const double share = logarithmic ? std::log10(digit) : (digit - 1) / 9.0;
+        found.push_back({top_px + decade_px * (upwards ? 2 - decade - share : decade + share), 1, true});
+      }
+    return found;
+  };
+  CHECK(isLogarithmic(lines(13, 166, 9, true, true)));
+  CHECK(isLogarithmic(lines(13, 80, 9, true, false)));
+  CHECK_FALSE(isLogarithmic(lines(13, 166, 9, false, true)));
+  CHECK_FALSE(isLogarithmic(lines(13, 40, 9, false, true)));
+  CHECK_FALSE(isLogarithmic(lines(13, 166, 1, true, true)));  // the decades alone
 }
 
 TEST_CASE("a scale that is not linear is named") {

@@ -332,7 +332,7 @@ TEST_CASE("a force axis that stands at the right alone is read there") {
   CHECK(cal.y.unitFound);
   CHECK(cal.y.unit == "cN");
   CHECK(cal.y.max == Approx(s.ySteps * s.yStep));
-  CHECK_FALSE(axes.otherRightScale);
+  CHECK(axes.rightScale == RightScale::none);
   CHECK(worstCornerError_px(axes, s, 0.01) < 0.2);
 }
 
@@ -377,7 +377,7 @@ TEST_CASE("a second scale on the right is the same forces in another unit, or so
       const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, s.textScale, 1, nullptr);
       canvas.text(text, s.right + 14 + 0.5 * size.width, y, s.textGrey);
     }
-    return read(canvas.grey()).otherRightScale;
+    return read(canvas.grey()).rightScale != RightScale::none;
   };
   CHECK_FALSE(hasOther("", 0.2));  // 20 cN
   CHECK(hasOther("", 0.5));
@@ -801,7 +801,7 @@ TEST_CASE("names that count on in a legend are no second scale") {
   Canvas c(s.width, s.height, s.paperGrey);
   drawInto(c, s);
   for (int k = 0; k < 5; ++k) c.text(shown(30 + 5 * k), s.right + 30, s.top + 40 + apart_px * k, s.textGrey);
-  CHECK(read(c.grey()).otherRightScale == (apart_px > 50));
+  CHECK((read(c.grey()).rightScale != RightScale::none) == (apart_px > 50));
 }
 
 TEST_CASE("units that only the heading names, said and not contradicted") {

@@ -565,21 +565,30 @@ TEST_CASE("a curve that ends where the picture does, and a second scale") {
   cut.graph.view.raster.width_px = 421;
   CHECK(cut.doubted(DoubtCode::cutAtPictureEdge));
   Import scales;
-  scales.graph.axes.otherRightScale = true;
+  scales.graph.axes.rightScale = RightScale::other;
   CHECK(scales.doubted(DoubtCode::otherScale));
 }
 
 TEST_CASE("a second scale is denied by the colours of the curves that count") {
   Import scales;
-  scales.graph.axes.otherRightScale = true;
+  scales.graph.axes.rightScale = RightScale::other;
   CHECK(scales.doubted(DoubtCode::otherScale));
   scales.hints.trace.pressColor = Rgb{200, 30, 30};
   CHECK_FALSE(scales.doubted(DoubtCode::otherScale));
 }
 
+TEST_CASE("colours do not say which of two scales of forces a curve belongs to") {
+  Import scales;
+  scales.graph.axes.rightScale = RightScale::otherForces;
+  scales.hints.trace.pressColor = Rgb{200, 30, 30};
+  CHECK_FALSE(scales.doubted(DoubtCode::otherScale));  // the press alone, of the left one as asked
+  scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
+  CHECK(scales.doubted(DoubtCode::otherScale));
+}
+
 TEST_CASE("a second scale whose curve is known does not touch the strokes") {
   Import scales;
-  scales.graph.axes.otherRightScale = true;
+  scales.graph.axes.rightScale = RightScale::other;
   scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
   CurveTrace press, release, contact;
   press.color = {200, 0, 0}, release.color = {0, 160, 0}, contact.color = {0, 0, 200};
@@ -640,7 +649,7 @@ TEST_CASE("what was given by hand is not asked for again, and something is alway
   Import pulls;
   pulls.press = {{-1, -0.5}, {1, -0.7}, {1.5, -0.5}, {3, 0.1}};
   pulls.release = {{3, 0.1}, {2, 0.9}, {-1, -0.5}};
-  pulls.graph.axes.otherRightScale = true;
+  pulls.graph.axes.rightScale = RightScale::other;
   pulls.graph.axes.calibration.value.x.unitFound = false;
   pulls.graph.axes.calibration.value.y.otherQuantity = "kPa";
   pulls.tactilePoints = 9;
