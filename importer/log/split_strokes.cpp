@@ -109,7 +109,8 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   for (std::size_t i = 0; i < few; ++i) start.push_back(press[i].force_N);
   const auto [lowest, highest] = std::ranges::minmax(press, {}, &CurvePoint::force_N);
   const double first = medianOf(start), span = highest.force_N - lowest.force_N;
-  const double band = std::max(4 * noise_N, 2e-3 * span);
+  constexpr double leastBand = 2e-3, mostBand = 0.02;  // of the span
+  const double band = std::clamp(4 * noise_N, leastBand * span, mostBand * span);
   std::size_t end = 0;
   // Single readings off the band are noise; two in a row are the key.
   while (end < press.size() && (std::abs(press[end].force_N - first) <= band ||

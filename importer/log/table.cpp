@@ -15,6 +15,16 @@ namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+/// Digits behind the decimal point, less the exponent, of a number that from_chars reads.
+int decimalsOf(std::string_view plain) {
+  const std::size_t e = std::min(plain.find_first_of("eE"), plain.size()), point = plain.find('.');
+  int exponent = 0;
+  const bool positive = e + 1 < plain.size() && plain[e + 1] == '+';
+  if (e < plain.size())
+    std::from_chars(plain.data() + e + (positive ? 2 : 1), plain.data() + plain.size(), exponent);
+  return (point < e ? static_cast<int>(e - point - 1) : 0) - exponent;
+}
+
 /// Signs and blanks that typists and programs use for plain ones.
 constexpr std::array<std::pair<std::string_view, char>, 8> plainSigns{{{"\xE2\x88\x92", '-'},
                                                                        {"\xE2\x80\x93", '-'},
@@ -32,11 +42,9 @@ char plainSignAt(std::string_view text, std::size_t& length) {
 }
 
 /// Characters that a number may hold, plain, in `plain`; returns how many bytes of the cell they take.
-std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::string& plain, int& decimals,
-                        bool& grouped) {
+std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::string& plain) {
   std::size_t at = 0, group = 0;
   bool seenDecimal = false, seenDigit = false, seenExponent = false, seenThousands = false;
-  decimals = 0;
   while (at < cell.size()) {
     std::size_t length = 1;
     char c = cell[at];
@@ -44,7 +52,6 @@ std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::st
     if (isDigit(c)) {
       plain += c;
       seenDigit = true;
-      if (seenDecimal && !seenExponent) ++decimals;
       if (!seenDecimal && !seenExponent) ++group;
     } else if (c == style.decimalSign && !seenDecimal && !seenExponent) {
       plain += '.';
@@ -65,13 +72,12 @@ std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::st
                (isDigit(cell[at + 1]) || ((cell[at + 1] == '-' || cell[at + 1] == '+') &&
                                           at + 2 < cell.size() && isDigit(cell[at + 2])))) {
       plain += 'e';
-      seenExponent = true, decimals = 0;
+      seenExponent = true;
     } else {
       break;
     }
     at += length;
   }
-  grouped = seenThousands;
   if (!seenDigit || (seenThousands && group != 3)) return 0;
   return at;
 }
@@ -86,10 +92,7 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
   if (style.decimalSign == '.' && (isDigit(first) || first == '-')) {
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number.value);
     if (error == std::errc() && end == cell.data() + cell.size()) {
-      const std::size_t sign = cell.find('.');
-      const bool exponent = cell.find_first_of("eE") != std::string_view::npos;
-      number.decimals =
-          sign == std::string_view::npos || exponent ? 0 : static_cast<int>(cell.size() - sign - 1);
+      number.decimals = decimalsOf(cell);
       return number;
     }
   }
@@ -100,9 +103,9 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
     return {};
   }
   std::string plain;
-  bool grouped = false;
-  const std::size_t length = plainNumber(cell, style, plain, number.decimals, grouped);
+  const std::size_t length = plainNumber(cell, style, plain);
   if (length == 0) return {};
+  number.decimals = decimalsOf(plain);
   const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), number.value);
   if (error == std::errc::result_out_of_range)
     number.value = std::numeric_limits<double>::infinity();
@@ -113,8 +116,9 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
   if (!number.rest.empty()) {
     // Dates, times, versions, other number styles: not this number with a unit behind it.
     const char next = number.rest.front();
-    constexpr std::string_view otherStyles = ".,:;-/'|";
+    constexpr std::string_view otherStyles = ".,:;-/'|", delimiters = ";\t|";
     if (isDigit(next) || otherStyles.find(next) != std::string_view::npos) return {};
+    if (number.rest.find_first_of(delimiters) != std::string_view::npos) return {};
   }
   return number;
 }
@@ -275,7 +279,7 @@ void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
   double rough = 0;
   for (const auto& [column, values] : columns) rough += std::min(roughnessOf(values), 50.0);
   const double all = std::max(1.0, static_cast<double>(lines.size()));
-  constexpr double junkWorth = 1.5, oddWorth = 0.3, roughWorth = 0.01;  // shares of a row that is read
+  constexpr double junkWorth = 1.5, oddWorth = 1, roughWorth = 0.01;  // shares of a row that is read
   dialect.score =
       (rows == 0 ? -1 : 0) + (rows - junkWorth * junk - oddWorth * odd) / all - roughWorth * rough;
 }
@@ -327,11 +331,6 @@ class FixedColumns {
     if (dialect.delimiter != ' ') return;
     std::map<std::size_t, std::size_t> widths;
     const std::vector<std::string_view> lines = sampledLines(text);
-    const auto isOfNumbers = [&](const std::vector<std::string_view>& cells) {
-      return cells.size() >= 2 && std::ranges::all_of(cells, [&](std::string_view cell) {
-               return numberIn(cell, style_).has_value();
-             });
-    };
     for (const std::string_view line : lines)
       if (const auto cells = split(line, 1); isOfNumbers(cells)) ++widths[cells.size()];
     std::size_t usual = 0, most = 0;
@@ -351,9 +350,7 @@ class FixedColumns {
 
   std::vector<std::string_view> cellsOf(std::string_view line) const {
     std::vector<std::string_view> cells = split(line, 1);
-    if (cells.size() == middles_.size() &&
-        std::ranges::all_of(cells, [&](std::string_view cell) { return numberIn(cell, style_).has_value(); }))
-      return cells;
+    if (cells.size() == middles_.size() && isOfNumbers(cells)) return cells;
     const std::vector<std::string_view> parts = split(line, 2);
     if (parts.size() < 2 || parts.size() > middles_.size()) return cells;
     if (parts.size() == middles_.size()) return parts;
@@ -371,6 +368,13 @@ class FixedColumns {
  private:
   static double middleOf(std::string_view cell, std::string_view line) {
     return static_cast<double>(cell.data() - line.data()) + 0.5 * static_cast<double>(cell.size());
+  }
+
+  /// Two numbers or more, and words in one cell at most: "down", "up".
+  bool isOfNumbers(const std::vector<std::string_view>& cells) const {
+    const auto numbers = std::ranges::count_if(
+        cells, [&](std::string_view cell) { return numberIn(cell, style_).has_value(); });
+    return numbers >= 2 && static_cast<std::size_t>(numbers) + 1 >= cells.size();
   }
 
   /// Parts that at least so many blanks, or a tab, set apart.

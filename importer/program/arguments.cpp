@@ -118,7 +118,9 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_flag("--pair", a.pair, "two INPUTs are the press and the release of one button, a table each");
   app.add_flag("--ask", a.ask,
                "on a terminal: put what is not certain as a question and go on with the answer");
-  app.add_flag("--explain", a.explain, "print the evidence of the best three readings of a table");
+  app.add_flag(
+      "--explain", a.explain,
+      "print the evidence of the best three readings of a table; with --json as \"interpretations\"");
   app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
   app.add_flag(
       "--family", a.family,

@@ -101,11 +101,11 @@ std::string warningLines(const std::vector<Remark>& remarks) {
 
 /// What is said of an input's graphs.
 struct Told {
-  std::vector<std::string> objects;  ///< JSON, one for each graph
-  std::string text;
+  std::vector<std::string> objects = {};  ///< JSON, one for each graph
+  std::string text = {};
   bool written = true;                    ///< false: the disk refused an output
   std::optional<Question> question = {};  ///< of the last graph
-  std::string explanation = {};           ///< of the last graph; empty for pages
+  bool explains = false;                  ///< the evidence of readings is told too
 };
 
 std::string choiceLines(const std::optional<Question>& question) {
@@ -131,23 +131,25 @@ int importOne(ImportSession& session, const ImportRequest& request, const Output
   const ImportAttempt attempt = session.attempt(request, progress);
   const auto& [report, evidence, question, interpretations] = attempt;
   told.question = question;
-  if (!interpretations.empty()) told.explanation = explanationTable(interpretations);
+  const auto explained = told.explains ? interpretations : std::vector<ExplainedInterpretation>{};
   told.text += writeSteps(attempt, request.path, paths.steps);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
     told.objects.push_back(failureJson(failure, request.path,
-                                       evidence ? evidence->switches : std::vector<PlotSwitch>{}, question));
-    told.text += failure.sentence() + "\n" + choiceLines(question);
+                                       evidence ? evidence->switches : std::vector<PlotSwitch>{}, question,
+                                       explained));
+    told.text += failure.sentence() + "\n" + choiceLines(question) + explanationTable(explained);
     told.written = told.written && written;
     if (!report && evidence) told.text += writeRefusal(*evidence, failure, paths);
     return failure.exitCode();
   }
-  told.objects.push_back(reportJson(*report, request.path, *written));
+  told.objects.push_back(reportJson(*report, request.path, *written, explained));
   told.text += report->brief() + "\n";
   told.text += warningLines(report->remarks);
   for (const std::string& path : *written) told.text += "wrote " + path + "\n";
+  told.text += explanationTable(explained);
   return 0;
 }
 
@@ -220,7 +222,7 @@ int runImport(const Arguments& a, const Progress& progress) {
   request.path = a.inputs.front();
   if (a.timeLimit_s) request.timeLimit.emplace(*a.timeLimit_s);
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath, a.stepsPath};
-  Told told;
+  Told told{.explains = a.explain};
   int exitCode = 0;
   if (a.family) {
     const Result<Family> family = importFamily(a.inputs, request, progress);
@@ -245,12 +247,12 @@ int runImport(const Arguments& a, const Progress& progress) {
     while (a.ask && exitCode == static_cast<int>(FailureCode::notCertain) && told.question) {
       const std::optional<Choice> answer = answerTo(*told.question);
       if (!answer || !takeUp(*answer, request.hints)) break;
-      told = {};
+      told = {.explains = a.explain};
       exitCode = importOne(*session, request, paths, progress, told);
     }
-    if (a.explain) told.text += told.explanation;
   } else {
-    told = {{failureJson(session.failure(), request.path)}, session.failure().sentence() + "\n"};
+    told.objects = {failureJson(session.failure(), request.path)};
+    told.text = session.failure().sentence() + "\n";
     exitCode = session.failure().exitCode();
   }
   print(a, joined(told.objects, "\n") + "\n", told.text, exitCode);
@@ -484,7 +486,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   const auto handle = [&](const std::string& input, std::string& lines) {
     const std::string key = resultKey(input, a.settledBy);  // of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
-    Told told;
+    Told told{.explains = a.explain};
     const int code = handleInput(a, input,
                                  {base + ".button.json", base + ".csv", base + ".trace.csv",
                                   a.withoutOverlays ? "" : base + ".overlay.png", ""},
