@@ -257,16 +257,7 @@ void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
       if (const auto number = numberIn(cell, dialect.style); number && std::isfinite(number->value)) {
         ++inLine;
         columns[column].push_back(number->value);
-      } else if (std::ranges::all_of(cell,
-                                     [](char c) {
-                                       return isDigit(c) || c == '.' || c == ',' || c == '-' || c == ' ' ||
-                                              c == ';' || c == '\t' || c == '\'' || c == '+' || c == 'e' ||
-                                              c == 'E' || c == '|' || c == '"' ||
-                                              static_cast<unsigned char>(c) >= 0x80;
-                                     }) &&
-                 std::ranges::any_of(cell, isDigit) && !isDate(cell) &&
-                 std::ranges::count(cell, '-') <
-                     2 + std::ranges::count_if(cell, [](char c) { return c == 'e' || c == 'E'; })) {
+      } else if (isDigit(cell[cell.find_first_not_of("+-") % cell.size()]) && !isDate(cell)) {
         junkInLine += 1;  // digits that make no number
       }
     });
