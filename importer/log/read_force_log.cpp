@@ -896,6 +896,45 @@ bool isForceLogPath(const std::string& path) {
          !start.starts_with("<?xml");
 }
 
+namespace {
+
+/// A file's path without the word at its end that names a stroke.
+struct StrokeFile {
+  std::string path;
+  std::optional<Stroke> stroke;
+};
+
+StrokeFile strokeFileOf(const std::string& given) {
+  const std::filesystem::path path(given);
+  const std::string stem = path.stem().string();
+  const std::size_t at = stem.find_last_of(" ._-");
+  if (at == std::string::npos || at == 0) return {given, {}};
+  const KnownWords words = knownWordsIn(stem.substr(at + 1));
+  const bool press = words.has(ColumnWord::press), release = words.has(ColumnWord::release);
+  if (press == release) return {given, {}};
+  const std::string rest = stem.substr(0, stem.find_last_not_of(" ._-", at) + 1);
+  return {(path.parent_path() / (rest + path.extension().string())).string(),
+          press ? Stroke::press : Stroke::release};
+}
+
+}  // namespace
+
+std::string withoutStrokeWord(const std::string& path) { return strokeFileOf(path).path; }
+
+std::map<std::string, std::string> pairedFiles(const std::vector<std::string>& paths) {
+  struct Button {
+    std::vector<std::string> press, release;
+  };
+  std::map<std::string, Button> buttons;
+  for (const std::string& path : paths)
+    if (const StrokeFile file = strokeFileOf(path); file.stroke)
+      (*file.stroke == Stroke::press ? buttons[file.path].press : buttons[file.path].release).push_back(path);
+  std::map<std::string, std::string> pairs;
+  for (const auto& [name, button] : buttons)
+    if (button.press.size() == 1 && button.release.size() == 1) pairs[button.press[0]] = button.release[0];
+  return pairs;
+}
+
 LogReading readLog(const std::string& path, const LogHints& hints, const Progress& progress) {
   return LogReader(path, hints, progress).read();
 }

@@ -403,6 +403,8 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
   constexpr double beforeTheEnd = 0.9;  // of the limit: what is read by then can still be handed over
   ImportRequest request = a.request;
   request.path = input;
+  if (const auto pair = a.releaseOf.find(input); pair != a.releaseOf.end())
+    request.hints.releasePath = pair->second;
   request.timeLimit.emplace(a.batchOptions.timeLimit_s, beforeTheEnd);
   try {
     return importAll(request, paths, {}, told);
@@ -473,7 +475,9 @@ int refuseBatch(const Failure& failure) {
 int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   std::error_code error;
   fs::create_directories(a.outDir, error);
-  auto report = BatchReport::open(a.outDir, a.inputs, a.settledBy, a.resume);
+  std::string settledBy = a.settledBy;  // a release that changed does them all again
+  for (const auto& [press, release] : a.releaseOf) settledBy += resultKey(release, "") + "\n";
+  auto report = BatchReport::open(a.outDir, a.inputs, settledBy, a.resume);
   if (!report) return refuseBatch(report.failure());
   const std::vector<std::string> inputs = toDo(a.inputs, *report);
   const auto stems = uniqueStems(a.inputs);
@@ -484,7 +488,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   if (const auto before = readTextFile(report->path())) accepted.count(*before);  // kept by --resume
   Result<Done> kept = Done{};
   const auto handle = [&](const std::string& input, std::string& lines) {
-    const std::string key = resultKey(input, a.settledBy);  // of what is about to be read
+    const std::string key = resultKey(input, settledBy);  // of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
     Told told{.explains = a.explain};
     const int code = handleInput(a, input,
