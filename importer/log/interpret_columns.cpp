@@ -646,8 +646,8 @@ ColumnReading interpretColumns(const Table& table, const DataTable& data, const 
 }
 
 std::vector<AssumedUnit> possibleUnits(bool force) {
-  // Log-likelihoods of units where a table says none, against the commonest.
-  constexpr double seldom = -2, rare = -3, oddest = -4;
+  // Log-likelihoods of units where a table says none, against the commonest: prudent, for nobody has counted them.
+  constexpr double seldom = -1.5, rare = -2, oddest = -2.5;
   std::vector<AssumedUnit> all;
   if (force)
     for (const auto& [unit, prior] : {std::pair(ForceUnit::newton, 0.0),
@@ -661,7 +661,7 @@ std::vector<AssumedUnit> possibleUnits(bool force) {
   else
     for (const auto& [unit, prior] : {std::pair(LengthUnit::millimetre, 0.0),
                                       {LengthUnit::micrometre, seldom},
-                                      {LengthUnit::inch, rare},
+                                      {LengthUnit::inch, oddest},
                                       {LengthUnit::mil, oddest}})
       all.push_back({std::string(symbolOf(unit)), millimetresPer(unit), prior});
   return all;

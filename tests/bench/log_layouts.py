@@ -253,6 +253,7 @@ class Layout:
     def heading(self, titles):
         draw = self.draw
         self.place = draw.choices(["bracket", "square", "slash", "underscore", "line", "behind", "in", "missing"], [42, 14, 8, 8, 12, 5, 5, 6])[0]
+        self.unitsSaid = self.named and self.place != "missing" and not (self.place == "behind" and self.delimiter == "  ")
         if not self.named:
             return
         form = {"bracket": "{t} ({u})", "square": "{t} [{u}]", "slash": "{t}/{u}", "underscore": "{t}_{u}", "in": "{t} in {u}"}.get(self.place, "{t}")
@@ -350,7 +351,7 @@ def judged(program, seed):
         path.write_text(layout.text, encoding="utf-8")
         code, report, found = imported(program, path)
         row = {"seed": seed, "kind": layout.kind, "exit": code, "confidence": report.get("confidence"), "problem": report.get("problem"),
-               "open": layout.kind != "none" and (not layout.named or layout.place == "missing")}
+               "open": layout.kind != "none" and not layout.unitsSaid}
         best = lambda strokes: min((distance(t, strokes) for t in layout.truths), default=9.0)
         row["sums"] = [round(each["sum"], 3) for each in report.get("interpretations", [])]
         if code == 0:

@@ -103,7 +103,6 @@ TEST_CASE("a log of any size is read as it stands", "[finite]") {
       RC_ASSERT(alike(a[i].force_N, b[i].force_N, 1e-14, 1));
     }
     RC_ASSERT(alike(one->noise_N, other->noise_N, 1e-6));
-    RC_ASSERT(alike(one->noise_mm, other->noise_mm, 1e-6));
   });
   holdsAlways("the same with any separator and decimal sign", [] {
     const std::vector<CurvePoint> run = anyRun({4, 1});
