@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
@@ -18,8 +19,8 @@ constexpr std::size_t kMostColumns = 256;
 
 /// A row by what its cells are.
 struct RowFacts {
-  std::size_t numbers = 0, texts = 0, words = 0,
-              width = 0;  ///< words: texts with a letter that are no "nan" or "inf"
+  std::uint32_t numbers = 0, texts = 0, words = 0;  ///< words: texts with a letter that are no "nan" or "inf"
+  std::size_t width = 0;
   bool isBlank() const { return numbers + texts == 0; }
   bool isVoid() const {
     return !isBlank() && words == 0;
@@ -583,12 +584,9 @@ class ColumnFinder {
 bool isTransposed(const Table& table) {
   constexpr std::size_t mostRows = 12, fewestColumns = 13;
   std::size_t named = 0, filled = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.cells(row) < fewestColumns) {
-      if (!joinedCells(table, row).empty()) ++filled;
-      continue;
-    }
-    ++filled;
+  for (std::size_t row = 0; row < table.rows() && filled <= mostRows; ++row) {
+    filled += !joinedCells(table, row).empty();
+    if (table.cells(row) < fewestColumns) continue;
     std::size_t numbers = 0;
     for (std::size_t c = 1; c < table.cells(row); ++c) numbers += table.number(row, c).has_value();
     named +=

@@ -126,8 +126,11 @@ class Interpreter {
           weighed.offer({i, x, y, std::move(evidence)});
         }
     }
+    std::vector<std::size_t> uses(arrangements_.size());
+    for (const WeighedUnits& each : weighed.kept()) ++uses[each.arrangement];
     for (WeighedUnits& each : weighed.kept()) {
-      LogInterpretation made = arrangements_[each.arrangement];
+      LogInterpretation& arrangement = arrangements_[each.arrangement];
+      LogInterpretation made = --uses[each.arrangement] > 0 ? arrangement : std::move(arrangement);
       made.xUnit = each.x, made.yUnit = each.y, made.evidence = std::move(each.evidence);
       scale(made.records, each.x.size, each.y.size);
       result_.best.push_back(std::move(made));

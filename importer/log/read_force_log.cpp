@@ -168,10 +168,12 @@ class LogReader {
       return unreadable(Message("it is a folder"), Message("Give a file"));
     std::ifstream file(path, std::ios::binary);
     std::string bytes;
-    std::vector<char> piece(std::size_t{1} << 20);
+    constexpr std::size_t piece_bytes = std::size_t{1} << 20;
     while (file) {
-      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-      bytes.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+      const std::size_t size = bytes.size();
+      bytes.resize(size + piece_bytes);
+      file.read(bytes.data() + size, piece_bytes);
+      bytes.resize(size + static_cast<std::size_t>(file.gcount()));
       if (bytes.size() > kMostText_bytes)
         return unreadable(Message("it is larger than 256 MB"),
                           Message("Export one press with its release, or fewer rows"));

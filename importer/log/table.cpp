@@ -17,7 +17,9 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Digits behind the decimal point, less the exponent, of a number that from_chars reads.
 int decimalsOf(std::string_view plain) {
-  const std::size_t e = std::min(plain.find_first_of("eE"), plain.size()), point = plain.find('.');
+  std::size_t e = 0, point = plain.size();
+  for (; e < plain.size() && plain[e] != 'e' && plain[e] != 'E'; ++e)
+    if (plain[e] == '.') point = e;
   int exponent = 0;
   const bool positive = e + 1 < plain.size() && plain[e + 1] == '+';
   if (e < plain.size())
@@ -193,17 +195,22 @@ std::size_t splitLine(std::string_view text, std::size_t at, char delimiter, Giv
   }
 }
 
+std::size_t lineEnd(std::string_view text, std::size_t at) {
+  while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
+  return at;
+}
+
 /// Lines spread over the whole text, blank ones left out.
 std::vector<std::string_view> sampledLines(std::string_view text) {
   constexpr std::size_t most = 400;
   std::vector<std::string_view> lines;
   std::size_t count = 0;
   for (std::size_t at = 0; at < text.size(); ++count)
-    at = std::min(text.find_first_of("\n\r", at), text.size() - 1) + 1;
+    at = lineEnd(text, at) + 1;
   const std::size_t every = std::max<std::size_t>(1, count / most);
   std::size_t index = 0;
   for (std::size_t at = 0; at < text.size(); ++index) {
-    const std::size_t end = std::min(text.find_first_of("\n\r", at), text.size());
+    const std::size_t end = lineEnd(text, at);
     if (index % every == 0 || index < most / 4) {
       const std::string_view line = text.substr(at, end - at);
       if (!trimmed(line).empty()) lines.push_back(line);
@@ -394,7 +401,7 @@ class FixedColumns {
 /// A cell without quotes; doubled quotes inside become one.
 void addTextCell(Table& table, std::string_view raw) {
   const std::string_view cell = withoutQuotes(raw);
-  if (cell.find("\"\"") == std::string_view::npos) return table.addCell(cell);
+  if (cell.find('"') == std::string_view::npos) return table.addCell(cell);
   std::string plain;
   for (std::size_t i = 0; i < cell.size(); ++i) {
     plain += cell[i];
@@ -417,7 +424,7 @@ Result<Table> tableOfText(std::string content, const std::string& subject, const
     const std::size_t from = at;
     std::vector<std::string_view> halves;
     if (dialect.delimiter == ' ') {
-      const std::size_t end = std::min(text.find_first_of("\n\r", at), text.size());
+      const std::size_t end = lineEnd(text, at);
       for (const std::string_view cell : fixed.cellsOf(text.substr(at, end - at))) addTextCell(table, cell);
       at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
     } else {
@@ -444,8 +451,10 @@ Result<Table> tableOfText(std::string content, const std::string& subject, const
         for (const std::string_view half : halves) addTextCell(table, half);
     }
     const std::string_view given = text.substr(from, at - from);
-    line += std::max<long>(1, std::ranges::count(given, '\n') ? std::ranges::count(given, '\n')
-                                                              : std::ranges::count(given, '\r'));
+    // A quoted field may hold line breaks.
+    line += given.find('"') == std::string_view::npos
+                ? 1
+                : std::max<long>({1, std::ranges::count(given, '\n'), std::ranges::count(given, '\r')});
     if ((table.rows() & 0x3FFF) != 0) continue;
     if (progress.report) progress.report(0.5 * double(at) / double(text.size()), ImportStep::read);
     if (progress.isCancelled()) return Failure::cancelled(subject);
