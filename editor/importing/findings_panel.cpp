@@ -152,6 +152,10 @@ void FindingsPanel::showConfidence(const ImportGraph& graph) {
                                          : tr("%1 % sure").arg(percent));
   else
     confidence_->setText(state_.working() ? tr("Reading the graph …") : tr("Nothing to import yet"));
+  const QString explanation = graph.last ? QString::fromStdString(graph.last->explanation) : QString();
+  confidence_->setToolTip(
+      explanation.isEmpty() ? QString() : QStringLiteral("<pre>%1</pre>").arg(explanation.toHtmlEscaped()));
+  confidence_->setAccessibleDescription(explanation);
   const QString cause = report ? causeOf(*report, settings_.units()) : QString();
   cause_->setText(cause.isEmpty() ? QString() : tr("because: %1").arg(cause));
   cause_->setVisible(!cause.isEmpty());

@@ -111,6 +111,7 @@ Answer ImportAnswers::imported(const ImportOne& query, const importer::Progress&
   ImportedGraph answer{query.graph, {}, {}, {}, {}};
   auto [report, evidence, question, interpretations] = session_->attempt(request, progress);
   answer.evidence = std::move(evidence);
+  answer.explanation = importer::explanationTable(interpretations);
   if (report)
     answer.report = std::make_shared<const importer::ImportReport>(std::move(report).value());
   else

@@ -79,6 +79,8 @@ struct ImportedGraph {
   std::shared_ptr<const importer::GraphEvidence>
       evidence;      ///< how far it came; null if no frame was read, and for logs
   PagePicture view;  ///< the evidence's pixels; empty without it
+  std::string explanation =
+      {};  ///< of a log: its best readings with their evidence, as --explain prints them
 };
 using Answer = std::variant<Failure, DocumentFacts, PageThumbnail, PageSheet, FoundGraphs, ImportedGraph>;
 

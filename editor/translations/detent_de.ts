@@ -10089,6 +10089,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ein Paar ist ein Drücken und ein Loslassen, jedes in seiner Datei</translation>
     </message>
     <message>
+        <source>column %1 was taken in %2, the unit given by hand</source>
+        <translation>Spalte %1 wurde in %2 gelesen, der von Hand angegebenen Einheit</translation>
+    </message>
+    <message>
         <source>Give the file of the press first, then that of the release</source>
         <translation>Zuerst die Datei des Drückens angeben, dann die des Loslassens</translation>
     </message>

@@ -6,7 +6,11 @@
 
 namespace detent::importer {
 
-double confidenceOfMargin(double margin) { return 1 / (1 + std::exp(-margin)); }
+double confidenceOfMargins(const std::vector<double>& margins) {
+  double odds = 0;
+  for (const double margin : margins) odds += std::exp(-margin);
+  return 1 / (1 + odds);
+}
 
 std::string explanationTable(const std::vector<ExplainedInterpretation>& best) {
   std::string table;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Interpretations compete: each candidate carries named evidence in one unit, the natural logarithm of a likelihood ratio.
-// The best few are kept; the margin to the best one that would give a different result is the confidence.
+// The best few are kept; the margins to those that would give a different result are the confidence.
 
 #include <algorithm>
 #include <cstddef>
@@ -17,18 +17,26 @@ struct EvidenceTerm {
   double logLikelihood = 0;  ///< > 0 speaks for it
 };
 
-/// The sum of named evidence.
+/// The sum of named evidence. Rules of thumb overlap: each is worth a share of what it says alone, calibrated on drawn tables
+/// (docs/measurements/import-confidence.md). Counted distributions count in full.
 class Evidence {
  public:
-  void add(std::string name, std::string about, double logLikelihood) {
+  /// A rule of thumb: the log-likelihood that it would have alone.
+  void add(std::string name, std::string about, double ruleOfThumb) {
+    addCounted(std::move(name), std::move(about), kRuleWorth * ruleOfThumb);
+  }
+  void addCounted(std::string name, std::string about, double logLikelihood) {
     terms_.push_back({std::move(name), std::move(about), logLikelihood});
     total_ += logLikelihood;
   }
   void add(const Evidence& other) {
-    for (const EvidenceTerm& term : other.terms_) add(term.name, term.about, term.logLikelihood);
+    terms_.insert(terms_.end(), other.terms_.begin(), other.terms_.end());
+    total_ += other.total_;
   }
   double total() const { return total_; }
   const std::vector<EvidenceTerm>& terms() const { return terms_; }
+
+  static constexpr double kRuleWorth = 0.5;  ///< share of a rule's log-likelihood
 
  private:
   std::vector<EvidenceTerm> terms_;
@@ -72,8 +80,8 @@ class BestFew {
   std::vector<Candidate> kept_;
 };
 
-/// Probability of the better of two interpretations, given by how much its evidence exceeds the other's; 0.5 at no margin.
-double confidenceOfMargin(double margin);
+/// Probability of an interpretation among its rivals, by the margins of its evidence over theirs; 1 without rivals.
+double confidenceOfMargins(const std::vector<double>& margins);
 
 /// The table that --explain prints: a column per interpretation, a row per term.
 std::string explanationTable(const std::vector<ExplainedInterpretation>& best);

@@ -16,6 +16,7 @@
 
 #include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
+#include "importer/log/force_log.h"
 #include "model/file/text_file.h"
 #include "model/sha256.h"
 #include "model/text.h"
@@ -33,7 +34,8 @@ constexpr std::int64_t settled_ns = 2'000'000'000;  // the coarsest clock of a f
 /// A file to look at, with the folder that was asked for.
 struct Candidate {
   fs::path path, root;
-  FileStamp stamp;
+  FileStamp stamp;           ///< with the release's
+  std::string release = {};  ///< the file of the release where the press has one of its own
 };
 
 std::optional<FileStamp> stampOf(const fs::path& path) {
@@ -47,6 +49,16 @@ std::optional<FileStamp> stampOf(const fs::path& path) {
   };
   return FileStamp{static_cast<std::int64_t>(bytes), count_ns(modified),
                    count_ns(fs::file_time_type::clock::now())};
+}
+
+/// Of both files of a pair.
+std::optional<FileStamp> stampOf(const Candidate& candidate) {
+  auto stamp = stampOf(candidate.path);
+  if (!stamp || candidate.release.empty()) return stamp;
+  const auto release = stampOf(fs::path(candidate.release));
+  if (!release) return {};
+  stamp->bytes += release->bytes, stamp->modified_ns = std::max(stamp->modified_ns, release->modified_ns);
+  return stamp;
 }
 
 bool sameFile(const FileStamp& a, const FileStamp& b) {
@@ -94,6 +106,13 @@ class Walk {
   }
 
   const std::vector<Candidate>& found() {
+    const auto pairs = pairedFiles({seen_.begin(), seen_.end()});
+    for (Candidate& each : found_)
+      if (const auto pair = pairs.find(each.path.string()); pair != pairs.end()) each.release = pair->second;
+    for (const auto& [press, release] : pairs) seen_.erase(release);
+    std::erase_if(found_, [&](const Candidate& each) { return !has(each.path.string()); });
+    for (Candidate& each : found_)
+      if (const auto stamp = stampOf(each)) each.stamp = *stamp;
     std::ranges::sort(found_, {}, &Candidate::path);
     return found_;
   }
@@ -117,14 +136,6 @@ class Walk {
   std::vector<fs::path> roots_;
   std::set<std::string> seen_;
 };
-
-std::string hashOf(const fs::path& path, std::int64_t bytes) {
-  std::string content(static_cast<std::size_t>(bytes), '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(content.data(), bytes);
-  content.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return sha256Hex(content);
-}
 
 /// Reads a file once; `same` where its content is what is known.
 struct FileRead {
@@ -162,7 +173,12 @@ FileRead lookAt(const Candidate& candidate, const FileStamp& stamp, const KnownF
                                                    "it is larger than 32 MB", "Export one switch to a file"});
     return read;
   }
-  read.file.sha256 = hashOf(candidate.path, stamp.bytes);
+  const auto hash = contentHash(candidate.path.string(), candidate.release);
+  if (!hash) {
+    read.file.refused = refusalOf(read.file.path, hash.failure());
+    return read;
+  }
+  read.file.sha256 = *hash;
   read.same = known && known->sha256 == read.file.sha256 && known->version == version();
   return read;
 }
@@ -171,7 +187,7 @@ FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Orig
                   const KnownFile* known) {
   FileRead read = lookAt(candidate, stamp, known);
   if (read.same || read.file.refused) return read;
-  take(read, readSwitches(read.file.path), origin);
+  take(read, readSwitches(read.file.path, true, candidate.release), origin);
   if (read.file.refused) takeRatings(read, origin);
   return read;
 }
@@ -182,7 +198,7 @@ FileRead readWhole(const Candidate& candidate, const Origin& origin, const Known
   FileStamp before = candidate.stamp;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     FileRead read = readOnce(candidate, before, origin, known);
-    const auto after = stampOf(candidate.path);
+    const auto after = stampOf(candidate);
     if (after && sameFile(before, *after)) return read;
     if (!after) break;
     before = *after;

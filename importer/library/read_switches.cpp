@@ -10,6 +10,7 @@
 #include "importer/importer.h"
 #include "importer/library/measured_figures.h"
 #include "importer/library/switch_name.h"
+#include "importer/log/force_log.h"
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
 #include "model/sha256.h"
@@ -81,9 +82,10 @@ std::vector<ReadState> statesOfPage(const std::vector<PageButton>& buttons, cons
 }
 
 /// Every state of every switch in a file.
-Result<std::vector<ReadState>> readStates(const std::string& path, Quality quality, bool errors) {
+Result<std::vector<ReadState>> readStates(const std::string& path, const std::string& releasePath,
+                                          Quality quality, bool errors) {
   std::vector<ReadState> all;
-  const std::string fileName = switchNameFrom(path).name;
+  const std::string fileName = switchNameFrom(releasePath.empty() ? path : withoutStrokeWord(path)).name;
   if (isButtonFile(path)) {
     const auto button = readButtonFile(path);
     if (!button) return button.failure();
@@ -95,12 +97,14 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
     if (!buttons) return buttons.failure();
     return statesOfPage(*buttons, path);
   }
-  const std::vector<std::string> recorded = switchesIn(path);
+  const std::vector<std::string> recorded =
+      releasePath.empty() ? switchesIn(path) : std::vector<std::string>{""};
   auto session = ImportSession::open(path);
   if (!session) return session.failure();
   ImportRequest request;
   request.path = path;
   request.quality = quality;
+  request.hints.releasePath = releasePath;
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     if (recorded.size() > 1) request.hints.strokes.curve = std::to_string(i + 1);
     const auto report = session->importGraph(request);
@@ -115,9 +119,22 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
   return all;
 }
 
+/// The file of the release that belongs to a press; empty: none.
+std::string releaseBeside(const std::string& path) {
+  if (withoutStrokeWord(path) == path) return {};
+  std::vector<std::string> folder;
+  std::error_code error;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(path).parent_path(), error))
+    folder.push_back(entry.path().string());
+  const auto pairs = pairedFiles(folder);
+  const auto pair = pairs.find(path);
+  return pair == pairs.end() ? std::string() : pair->second;
+}
+
 /// Rows of what a file holds.
 Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, const std::string& path) {
-  const SwitchName fromFile = switchNameFrom(path);
+  const SwitchName fromFile = switchNameFrom(withoutStrokeWord(path));
   std::vector<LibrarySwitch> all;
   for (const ReadState& read : states) {
     auto shape = feltShapeOf(read.state.graph);
@@ -147,10 +164,21 @@ bool isLibraryFile(const std::filesystem::path& path) {
   return std::ranges::find(endings, lowered(path.extension().string())) != endings.end();
 }
 
-Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors) {
-  const auto states = readStates(path, forFigures, errors);
+Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors,
+                                                const std::string& releasePath) {
+  const auto states = readStates(path, releasePath, forFigures, errors);
   if (!states) return states.failure();
   return rowsOf(*states, path);
+}
+
+Result<std::string> contentHash(const std::string& path, const std::string& releasePath) {
+  auto content = readTextFile(path);
+  if (content && !releasePath.empty()) {
+    const auto release = readTextFile(releasePath);
+    if (!release) return release.failure();
+    *content += *release;
+  }
+  return content ? Result<std::string>(sha256Hex(*content)) : content.failure();
 }
 
 bool isPageFile(const std::filesystem::path& path) {
@@ -190,12 +218,13 @@ Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<PageButton>&
 }
 
 Result<Button> buttonOf(const LibrarySwitch& entry, Quality quality) {
-  const auto file = readTextFile(entry.source);
+  const std::string release = releaseBeside(entry.source);
+  const auto hash = contentHash(entry.source, release);
   const Failure changed{FailureCode::unreadableInput, entry.source, "", "it has changed since it was indexed",
                         "Index its folder again"};
-  if (!file) return file.failure();
-  if (sha256Hex(*file) != entry.sha256) return changed;
-  auto states = readStates(entry.source, quality, false);
+  if (!hash) return hash.failure();
+  if (*hash != entry.sha256) return changed;
+  auto states = readStates(entry.source, release, quality, false);
   if (!states) return states.failure();
   const auto part = static_cast<std::size_t>(entry.part);
   if (part > states->size()) return changed;

@@ -33,9 +33,13 @@ Result<std::vector<PageButton>> readPageButtons(const std::string& path, Quality
 Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<PageButton>& buttons,
                                                   const std::string& path);
 
-/// At least one; name, unit, run, part, figures, their `errors` where asked for (a third of the time) and shape are filled in. Failure: why
-/// the file is refused. Any thread.
-Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors = true);
+/// At least one; name, unit, run, part, figures, their `errors` where asked for (a third of the time) and shape are filled in. `releasePath`:
+/// the release of a press that has a file of its own. Failure: why the file is refused. Any thread.
+Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors = true,
+                                                const std::string& releasePath = {});
+
+/// SHA-256 of a file, and of its release's where that is in a file of its own.
+Result<std::string> contentHash(const std::string& path, const std::string& releasePath);
 
 /// The switch as a button of one state, named and with where it came from. Failure unreadableInput: the file is not what was indexed.
 /// Any thread.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
@@ -18,8 +19,8 @@ constexpr std::size_t kMostColumns = 256;
 
 /// A row by what its cells are.
 struct RowFacts {
-  std::size_t numbers = 0, texts = 0, words = 0,
-              width = 0;  ///< words: texts with a letter that are no "nan" or "inf"
+  std::uint32_t numbers = 0, texts = 0, words = 0;  ///< words: texts with a letter that are no "nan" or "inf"
+  std::size_t width = 0;
   bool isBlank() const { return numbers + texts == 0; }
   bool isVoid() const {
     return !isBlank() && words == 0;
@@ -89,6 +90,46 @@ bool isCondition(std::string_view title) {
   return !title.empty() && title.front() >= '0' && title.front() <= '9';
 }
 
+/// Log-likelihood that a column is a force, or a displacement, by its title, unit and values.
+double likelihood(const DataColumn& column, bool force) {
+  if (column.isText) return -20;
+  using Kind = ColumnUnit::Kind;
+  const Kind own = force ? Kind::force : Kind::displacement, rival = force ? Kind::displacement : Kind::force;
+  double sum = 0;
+  if (column.unit.kind == own)
+    sum += 3;
+  else if (column.unit.kind == rival || column.unit.kind == Kind::time)
+    sum -= 8;
+  else if (column.unit.kind == Kind::other)
+    sum -= 10;
+  else if (column.unit.kind == Kind::unknown)
+    sum -= 1;
+  const bool ownWord = column.quantity == (force ? ColumnQuantity::force : ColumnQuantity::displacement);
+  const bool ownWeak =
+      column.quantity == (force ? ColumnQuantity::forceWeak : ColumnQuantity::displacementWeak);
+  if (ownWord)
+    sum += 3;
+  else if (ownWeak)
+    sum += 1;
+  else if (column.quantity == ColumnQuantity::forceWeak ||
+           column.quantity == ColumnQuantity::displacementWeak)
+    sum -= 2;
+  else if (column.quantity != ColumnQuantity::none && !column.ratioGiven)
+    sum -= 6;
+  else if (column.unit.kind == Kind::none && !column.title.empty() && !column.has(ColumnWord::press) &&
+           !column.has(ColumnWord::release))
+    sum -= 1;
+  // "Stress" in newtons is a force with an odd name; "Peak force", "Filtered force" are second forms of one.
+  if (column.words.has(ColumnWord::copy) || column.words.has(ColumnWord::spread)) sum -= 3;
+  if (column.words.has(ColumnWord::other) && column.quantity != ColumnQuantity::other) sum -= 1.5;
+  if (column.isConstant()) sum -= 15;
+  return sum;
+}
+
+void weigh(DataColumn& column) {
+  column.displacement = likelihood(column, false), column.force = likelihood(column, true);
+}
+
 class ColumnFinder {
  public:
   explicit ColumnFinder(const Table& table) : table_(table) {}
@@ -114,7 +155,7 @@ class ColumnFinder {
     for (std::size_t row = 0; row < table_.rows(); ++row) width = std::max(width, table_.cells(row));
     width_ = std::min(width, kMostColumns);
     numbers_.assign(width_, std::vector<double>(table_.rows(), kNoNumber));
-    decimals_.assign(width_, 0);
+    decimals_.assign(width_, std::numeric_limits<int>::min());
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       RowFacts& facts = facts_[row];
       facts.width = table_.cells(row);
@@ -497,42 +538,6 @@ class ColumnFinder {
     }
   }
 
-  static double likelihood(const DataColumn& column, bool force) {
-    if (column.isText) return -20;
-    using Kind = ColumnUnit::Kind;
-    const Kind own = force ? Kind::force : Kind::displacement,
-               rival = force ? Kind::displacement : Kind::force;
-    double sum = 0;
-    if (column.unit.kind == own)
-      sum += 3;
-    else if (column.unit.kind == rival || column.unit.kind == Kind::time)
-      sum -= 8;
-    else if (column.unit.kind == Kind::other)
-      sum -= 10;
-    else if (column.unit.kind == Kind::unknown)
-      sum -= 1;
-    const bool ownWord = column.quantity == (force ? ColumnQuantity::force : ColumnQuantity::displacement);
-    const bool ownWeak =
-        column.quantity == (force ? ColumnQuantity::forceWeak : ColumnQuantity::displacementWeak);
-    if (ownWord)
-      sum += 3;
-    else if (ownWeak)
-      sum += 1;
-    else if (column.quantity == ColumnQuantity::forceWeak ||
-             column.quantity == ColumnQuantity::displacementWeak)
-      sum -= 2;
-    else if (column.quantity != ColumnQuantity::none && !column.ratioGiven)
-      sum -= 6;
-    else if (column.unit.kind == Kind::none && !column.title.empty() && !column.has(ColumnWord::press) &&
-             !column.has(ColumnWord::release))
-      sum -= 1;
-    // "Stress" in newtons is a force with an odd name; "Peak force", "Filtered force" are second forms of one.
-    if (column.words.has(ColumnWord::copy) || column.words.has(ColumnWord::spread)) sum -= 3;
-    if (column.words.has(ColumnWord::other) && column.quantity != ColumnQuantity::other) sum -= 1.5;
-    if (column.isConstant()) sum -= 15;
-    return sum;
-  }
-
   static void settle(DataColumn& column) {
     column.words = knownWordsIn(outsideBrackets(column.title));
     column.groupWords = knownWordsIn(outsideBrackets(splitTitle(column.group).name));
@@ -558,8 +563,11 @@ class ColumnFinder {
     if (column.unit.kind == ColumnUnit::Kind::displacement && column.quantity == ColumnQuantity::force &&
         column.words.has(ColumnWord::press))
       column.quantity = ColumnQuantity::none;
-    column.displacement = likelihood(column, false);
-    column.force = likelihood(column, true);
+    // Ounces are a force where a force is named, else of anything.
+    if (lowered(column.unit.text) == "oz" && !column.title.empty() && !column.has(ColumnWord::force) &&
+        !column.has(ColumnWord::forceWeak))
+      column.unit.kind = ColumnUnit::Kind::unknown;
+    weigh(column);
   }
 
   const Table& table_;
@@ -576,16 +584,9 @@ class ColumnFinder {
 bool isTransposed(const Table& table) {
   constexpr std::size_t mostRows = 12, fewestColumns = 13;
   std::size_t named = 0, filled = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.cells(row) < fewestColumns) {
-      for (std::size_t c = 0; c < table.cells(row); ++c)
-        if (!table.cell(row, c).empty()) {
-          ++filled;
-          break;
-        }
-      continue;
-    }
-    ++filled;
+  for (std::size_t row = 0; row < table.rows() && filled <= mostRows; ++row) {
+    filled += !joinedCells(table, row).empty();
+    if (table.cells(row) < fewestColumns) continue;
     std::size_t numbers = 0;
     for (std::size_t c = 1; c < table.cells(row); ++c) numbers += table.number(row, c).has_value();
     named +=
@@ -601,6 +602,11 @@ std::string DataColumn::label() const {
   std::string name = group.empty() || title.find(group) != std::string::npos ? title : group + ": " + title;
   if (!unit.text.empty() && unit.text != name) name += name.empty() ? unit.text : " (" + unit.text + ")";
   return name.empty() ? text : text + " \"" + name + "\"";
+}
+
+void giveUnit(DataColumn& column, ColumnUnit unit) {
+  column.unit = std::move(unit);
+  weigh(column);
 }
 
 std::optional<DataTable> dataIn(const Table& table) {

@@ -36,7 +36,7 @@ struct DataColumn {
   std::vector<double> values;  ///< one for each data row; NaN where there is no number
   std::size_t count = 0;       ///< finite values
   double low = 0, high = 0;
-  int decimals = 0;  ///< most digits behind the decimal sign
+  int decimals = 0;  ///< the finest last digit counts 10^-decimals of its unit
   bool isInteger = false;
   bool isText = false;      ///< words instead of numbers
   bool ratioGiven = false;  ///< its unit comes from a line such as "steps_per_mm = 800"
@@ -47,6 +47,9 @@ struct DataColumn {
   std::string label() const;
   double displacement = 0, force = 0;  ///< log-likelihood of the role, by title, unit and values
 };
+
+/// Takes a unit given by hand for the column's own, whatever the file says.
+void giveUnit(DataColumn& column, ColumnUnit unit);
 
 /// Where rows without numbers or blank rows interrupt the data.
 struct DataBreak {

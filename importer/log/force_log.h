@@ -3,6 +3,7 @@
 // The other way in: tables of a force meter, whatever they are kept in. Which columns are what is decided between
 // interpretations (interpret_columns.h). JSON and projects that keep strokes apart: recorded_switches.h.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,13 @@ LogReading readLog(const std::string& path, const LogHints& hints = {}, const Pr
 /// The log of readLog alone.
 Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints = {},
                               const Progress& progress = {});
+
+/// The files of releases by those of the presses that they belong to: in one folder, named alike but for the word of the stroke
+/// ("NAME.downstroke.csv", "NAME.upstroke.csv").
+std::map<std::string, std::string> pairedFiles(const std::vector<std::string>& paths);
+
+/// A path without the word of a stroke that stands at the end of its name; as it is where none does.
+std::string withoutStrokeWord(const std::string& path);
 
 /// Names of the records of a file, as `curve` takes their numbers; empty ones where it gives none, none where it is no log.
 std::vector<std::string> recordNames(const std::string& path);

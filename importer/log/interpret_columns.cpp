@@ -109,30 +109,44 @@ class Interpreter {
     chooseCandidates();
     if (result_.lack != TableLack::none) return std::move(result_);
     arrange();
-    constexpr std::size_t kept = 6;
-    BestFew<LogInterpretation> best(kept);
+    // Units are weighed before records are copied: a table without units has dozens of readings.
+    BestFew<WeighedUnits> weighed(kKept);
     TableLack lack = TableLack::strokes;
-    for (LogInterpretation& arrangement : arrangements_) {
+    for (std::size_t i = 0; i < arrangements_.size(); ++i) {
+      LogInterpretation& arrangement = arrangements_[i];
       if (const TableLack why = formRecords(arrangement); why != TableLack::none) {
         lack = why == TableLack::strokes ? lack : why;
         continue;
       }
       judgeStrokes(arrangement);
-      for (const AssumedUnit& x : xUnitsOf(arrangement))
-        for (const AssumedUnit& y : yUnitsOf(arrangement)) {
-          LogInterpretation candidate = arrangement;
-          candidate.xUnit = x, candidate.yUnit = y;
-          scale(candidate.records, x.size, y.size);
-          judgeUnits(candidate);
-          best.offer(std::move(candidate));
+      for (const AssumedUnit& x : unitsOf(arrangement, false))
+        for (const AssumedUnit& y : unitsOf(arrangement, true)) {
+          Evidence evidence = arrangement.evidence;
+          evidence.add(unitEvidence(arrangement.records.front(), x, y));
+          weighed.offer({i, x, y, std::move(evidence)});
         }
     }
-    result_.best = std::move(best.kept());
+    std::vector<std::size_t> uses(arrangements_.size());
+    for (const WeighedUnits& each : weighed.kept()) ++uses[each.arrangement];
+    for (WeighedUnits& each : weighed.kept()) {
+      LogInterpretation& arrangement = arrangements_[each.arrangement];
+      LogInterpretation made = --uses[each.arrangement] > 0 ? arrangement : std::move(arrangement);
+      made.xUnit = each.x, made.yUnit = each.y, made.evidence = std::move(each.evidence);
+      scale(made.records, each.x.size, each.y.size);
+      result_.best.push_back(std::move(made));
+    }
     if (result_.best.empty()) result_.lack = lack;
     return std::move(result_);
   }
 
  private:
+  static constexpr std::size_t kKept = 12;  // readings
+  struct WeighedUnits {
+    std::size_t arrangement = 0;
+    AssumedUnit x, y;
+    Evidence evidence;
+  };
+
   const DataColumn& column(std::size_t c) const { return data_.columns[c]; }
 
   bool takeHints() {
@@ -345,6 +359,11 @@ class Interpreter {
     const std::size_t firstX = made.groups.front().displacement, firstF = made.groups.front().force;
     made.evidence.add("displacement", column(firstX).label(), x / count);
     made.evidence.add("force", column(firstF).label(), f / count);
+    constexpr double byHand = 3;  // log-likelihood, as a unit in the title
+    if (hints_.xUnit && column(firstX).unit.kind == ColumnUnit::Kind::none)
+      made.evidence.add("given", std::string(symbolOf(*hints_.xUnit)), byHand);
+    if (hints_.yUnit && column(firstF).unit.kind == ColumnUnit::Kind::none)
+      made.evidence.add("given", std::string(symbolOf(*hints_.yUnit)), byHand);
     made.evidence.add(evidence);
     // Columns called forces that are left over.
     double left = 0;
@@ -484,18 +503,15 @@ class Interpreter {
     return evidence;
   }
 
-  std::vector<AssumedUnit> xUnitsOf(const LogInterpretation& made) const {
-    if (hints_.xUnit) return {{std::string(symbolOf(*hints_.xUnit)), millimetresPer(*hints_.xUnit), false}};
-    const ColumnUnit& unit = column(made.groups.front().displacement).unit;
-    if (unit.kind == ColumnUnit::Kind::displacement) return {{unit.text, unit.size, false}};
-    return {{"mm", 1, true}, {"\xC2\xB5m", 1e-3, true}, {"in", 25.4, true}};
-  }
-
-  std::vector<AssumedUnit> yUnitsOf(const LogInterpretation& made) const {
-    if (hints_.yUnit) return {{std::string(symbolOf(*hints_.yUnit)), newtonsPer(*hints_.yUnit), false}};
-    const ColumnUnit& unit = column(made.groups.front().force).unit;
-    if (unit.kind == ColumnUnit::Kind::force) return {{unit.text, unit.size, false}};
-    return {{"N", 1, true}, {"gf", newtonsPer(ForceUnit::gramForce), true}, {"mN", 1e-3, true}};
+  /// The unit given by hand, the column's own, or those that it may have.
+  std::vector<AssumedUnit> unitsOf(const LogInterpretation& made, bool force) const {
+    const ColumnGroup& group = made.groups.front();
+    const ColumnUnit& unit = column(force ? group.force : group.displacement).unit;
+    const bool isOwn = unit.kind == (force ? ColumnUnit::Kind::force : ColumnUnit::Kind::displacement);
+    if (force ? hints_.yUnit.has_value() : hints_.xUnit.has_value())
+      return {force ? AssumedUnit{std::string(symbolOf(*hints_.yUnit)), newtonsPer(*hints_.yUnit)}
+                    : AssumedUnit{std::string(symbolOf(*hints_.xUnit)), millimetresPer(*hints_.xUnit)}};
+    return isOwn ? std::vector<AssumedUnit>{{unit.text, unit.size}} : possibleUnits(force);
   }
 
   TableLack formRecords(LogInterpretation& made) {
@@ -510,38 +526,6 @@ class Interpreter {
     for (LogRecord& record : records)
       for (std::vector<CurvePoint>* stroke : {&record.press, &record.release})
         for (CurvePoint& p : *stroke) p.displacement_mm *= mm, p.force_N *= newton;
-  }
-
-  void judgeUnits(LogInterpretation& made) const {
-    double travel_mm = 0, force_N = 0;
-    const LogRecord& record = made.records.front();
-    double low = record.press.front().displacement_mm, high = low;
-    for (const CurvePoint& p : record.press) {
-      low = std::min(low, p.displacement_mm), high = std::max(high, p.displacement_mm);
-      force_N = std::max(force_N, p.force_N);
-    }
-    travel_mm = high - low;
-    char text[40];
-    // Of 154 presses of keyboards, tact switches, domes and industrial buttons: log-normal, with wider tails than counted.
-    constexpr double usualTravel_mm = 2.6, travelSpread = 0.8;
-    constexpr double usualForce_N = 1.8, forceSpread = 1.1;  // spreads: of the logarithm
-    const auto logNormal = [](double value, double usual, double spread) {
-      if (!(value > 0)) return -12.0;
-      const double z = std::log(value / usual) / spread;
-      return std::max(-12.0, -0.5 * z * z);
-    };
-    std::snprintf(text, sizeof text, "%.4g mm", travel_mm);
-    made.evidence.add("travel", text, logNormal(travel_mm, usualTravel_mm, travelSpread));
-    std::snprintf(text, sizeof text, "%.4g N", force_N);
-    made.evidence.add("highest force", text, logNormal(force_N, usualForce_N, forceSpread));
-    const auto prior = [&](const AssumedUnit& unit) {
-      if (unit.symbol == "in") return -4.0;
-      if (unit.symbol == "\xC2\xB5m") return -1.5;
-      if (unit.symbol == "mN") return -3.0;
-      return 0.0;
-    };
-    if (made.xUnit.isAssumed) made.evidence.add("unit assumed", made.xUnit.symbol, prior(made.xUnit));
-    if (made.yUnit.isAssumed) made.evidence.add("unit assumed", made.yUnit.symbol, prior(made.yUnit));
   }
 
   /// Evidence from the shape of a button's strokes.
@@ -661,6 +645,49 @@ std::string LogInterpretation::reading(const DataTable& data) const {
 ColumnReading interpretColumns(const Table& table, const DataTable& data, const LogHints& hints,
                                bool eitherStroke) {
   return Interpreter(table, data, hints, eitherStroke).read();
+}
+
+std::vector<AssumedUnit> possibleUnits(bool force) {
+  // Log-likelihoods of units where a table says none, against the commonest: prudent, for nobody has counted them.
+  constexpr double seldom = -1.5, rare = -2, oddest = -2.5;
+  std::vector<AssumedUnit> all;
+  if (force)
+    for (const auto& [unit, prior] : {std::pair(ForceUnit::newton, 0.0),
+                                      {ForceUnit::gramForce, -0.3},
+                                      {ForceUnit::centinewton, rare},
+                                      {ForceUnit::millinewton, rare},
+                                      {ForceUnit::kilogramForce, rare},
+                                      {ForceUnit::poundForce, oddest},
+                                      {ForceUnit::ounceForce, oddest}})
+      all.push_back({std::string(symbolOf(unit)), newtonsPer(unit), prior});
+  else
+    for (const auto& [unit, prior] : {std::pair(LengthUnit::millimetre, 0.0),
+                                      {LengthUnit::micrometre, seldom},
+                                      {LengthUnit::inch, oddest},
+                                      {LengthUnit::mil, oddest}})
+      all.push_back({std::string(symbolOf(unit)), millimetresPer(unit), prior});
+  return all;
+}
+
+Evidence unitEvidence(const LogRecord& record, const AssumedUnit& x, const AssumedUnit& y) {
+  Evidence evidence;
+  const auto [low, high] = std::ranges::minmax(record.press, {}, &CurvePoint::displacement_mm);
+  const double highest = std::ranges::max_element(record.press, {}, &CurvePoint::force_N)->force_N;
+  // Of 154 presses of keyboards, tact switches, domes and industrial buttons: log-normal, with wider tails than counted.
+  constexpr double usualTravel_mm = 2.6, travelSpread = 0.8;
+  constexpr double usualForce_N = 1.8, forceSpread = 1.1;  // spreads: of the logarithm
+  const auto judge = [&](const char* name, const char* unit, double value, double usual, double spread) {
+    constexpr double least = -12;  // log-likelihood
+    const double z = value > 0 ? std::log(value / usual) / spread : 0;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4g %s", value, unit);
+    evidence.addCounted(name, text, value > 0 ? std::max(least, -0.5 * z * z) : least);
+  };
+  judge("travel", "mm", (high.displacement_mm - low.displacement_mm) * x.size, usualTravel_mm, travelSpread);
+  judge("highest force", "N", std::max(0.0, highest) * y.size, usualForce_N, forceSpread);
+  for (const AssumedUnit& unit : {x, y})
+    if (unit.prior) evidence.addCounted("unit assumed", unit.symbol, *unit.prior);
+  return evidence;
 }
 
 double differenceOf(const LogRecord& a, const LogRecord& b) {

@@ -22,6 +22,12 @@ struct ColumnReading {
 ColumnReading interpretColumns(const Table& table, const DataTable& data, const LogHints& hints,
                                bool eitherStroke = false);
 
+/// The units that a table may have where it says none.
+std::vector<AssumedUnit> possibleUnits(bool force);
+
+/// How well units fit a button's travel and highest force. `record` as the file has it.
+Evidence unitEvidence(const LogRecord& record, const AssumedUnit& x, const AssumedUnit& y);
+
 /// Difference of two records: mean distance of their strokes along force, as a share of the first's force span; 1 where
 /// one has a stroke that the other has not, or their travels differ by more than a tenth.
 double differenceOf(const LogRecord& a, const LogRecord& b);

@@ -25,11 +25,12 @@ struct ColumnGroup {
   std::string name;
 };
 
-/// A unit as the file gives it, or as it is assumed.
+/// A unit as the file or a person gives it, or as it is assumed.
 struct AssumedUnit {
   std::string symbol;
-  double size = 1;  ///< mm or N
-  bool isAssumed = false;
+  double size = 1;                   ///< mm or N
+  std::optional<double> prior = {};  ///< log-likelihood of an assumed one; nullopt: it is given
+  bool isAssumed() const { return prior.has_value(); }
 };
 
 /// One reading of a table.

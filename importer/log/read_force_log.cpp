@@ -24,10 +24,8 @@ namespace {
 constexpr std::size_t kMostText_bytes = std::size_t{256} << 20;
 constexpr std::size_t kMostArchive_bytes = std::size_t{32} << 20;
 constexpr std::size_t kMostSamples = std::size_t{1} << 20;
-constexpr double kSameButton = 0.01;    // of the span: readings that differ by less give one button
-constexpr double kSurestTable = 0.995;  // confidence: of 200 tables read so surely one may be wrong
-constexpr double kUnitUnsaid = 0.89;    // the same, where a unit is guessed by sizes
-constexpr double kLeastLog = 1;  // log-likelihood of a table of unknown columns being a log, at even odds
+constexpr double kSameButton = 0.01;  // of the span: readings that differ by less give one button
+constexpr double kStrokesApart = 6;   // evidence of a file that keeps strokes apart being a log
 
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
@@ -101,6 +99,11 @@ struct FileRecords {
   std::vector<LogInterpretation> best;
   // Of files that keep strokes apart:
   std::vector<RecordedSwitch> switches;
+  struct Units {
+    AssumedUnit x, y;
+    Evidence evidence;
+  };
+  BestFew<Units> units{12};  // readings
   AssumedUnit xUnit, yUnit;
 };
 
@@ -165,10 +168,12 @@ class LogReader {
       return unreadable(Message("it is a folder"), Message("Give a file"));
     std::ifstream file(path, std::ios::binary);
     std::string bytes;
-    std::vector<char> piece(std::size_t{1} << 20);
+    constexpr std::size_t piece_bytes = std::size_t{1} << 20;
     while (file) {
-      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-      bytes.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+      const std::size_t size = bytes.size();
+      bytes.resize(size + piece_bytes);
+      file.read(bytes.data() + size, piece_bytes);
+      bytes.resize(size + static_cast<std::size_t>(file.gcount()));
       if (bytes.size() > kMostText_bytes)
         return unreadable(Message("it is larger than 256 MB"),
                           Message("Export one press with its release, or fewer rows"));
@@ -244,20 +249,7 @@ class LogReader {
   Result<FileRecords> fromSwitches(std::vector<RecordedSwitch> switches) const {
     FileRecords found;
     found.switches = std::move(switches);
-    const RecordedSwitch& first = found.switches.front();
-    found.xUnit =
-        hints_.xUnit ? AssumedUnit{std::string(symbolOf(*hints_.xUnit)), millimetresPer(*hints_.xUnit), false}
-        : first.xUnit ? AssumedUnit{std::string(symbolOf(*first.xUnit)), millimetresPer(*first.xUnit), false}
-                      : AssumedUnit{"mm", 1, true};
-    double greatest = 0;
-    for (const RecordedSwitch& each : found.switches)
-      for (const auto* points : {&each.press, &each.release, &each.run})
-        for (const CurvePoint& p : *points) greatest = std::max(greatest, std::abs(p.force_N));
-    // Buttons press with 0.1 to 10 N; written in gf the same forces are 10 to 1000.
-    constexpr double mostNewtons_N = 18;
-    const ForceUnit guessed = greatest > mostNewtons_N ? ForceUnit::gramForce : ForceUnit::newton;
-    const ForceUnit y = hints_.yUnit ? *hints_.yUnit : first.yUnit.value_or(guessed);
-    found.yUnit = {std::string(symbolOf(y)), newtonsPer(y), !hints_.yUnit && !first.yUnit};
+    weighUnits(found);
     for (RecordedSwitch& each : found.switches) {
       const double mm = hints_.xUnit ? found.xUnit.size
                         : each.xUnit ? millimetresPer(*each.xUnit)
@@ -281,6 +273,28 @@ class LogReader {
     for (const LogRecord& each : found.records)
       if (each.press.size() < 2) return strokeless("press stroke", each.press.size());
     return found;
+  }
+
+  /// The units given by hand, the file's own, or those that fit a button best.
+  void weighUnits(FileRecords& found) const {
+    const RecordedSwitch& first = found.switches.front();
+    std::vector<AssumedUnit> xUnits = possibleUnits(false), yUnits = possibleUnits(true);
+    if (const auto x = hints_.xUnit ? hints_.xUnit : first.xUnit)
+      xUnits = {{std::string(symbolOf(*x)), millimetresPer(*x)}};
+    if (const auto y = hints_.yUnit ? hints_.yUnit : first.yUnit)
+      yUnits = {{std::string(symbolOf(*y)), newtonsPer(*y)}};
+    LogRecord all;
+    for (const RecordedSwitch& each : found.switches)
+      for (const auto* points : {&each.press, &each.release, &each.run})
+        all.press.insert(all.press.end(), points->begin(), points->end());
+    for (const AssumedUnit& x : xUnits)
+      for (const AssumedUnit& y : yUnits) {
+        Evidence evidence;
+        evidence.addCounted("strokes", "kept apart", kStrokesApart);
+        if (!all.press.empty()) evidence.add(unitEvidence(all, x, y));
+        found.units.offer({x, y, std::move(evidence)});
+      }
+    found.xUnit = found.units.kept().front().x, found.yUnit = found.units.kept().front().y;
   }
 
   /// One run of a file that keeps no strokes apart.
@@ -330,8 +344,9 @@ class LogReader {
                            Message("the spreadsheet holds no table of numbers"),
                            Message("Give a sheet with a column of displacement and one of force")};
     // A sheet of titled columns is the log; sheets of numbers beside it are notes.
-    const auto isSure = [](const FileRecords& each) {
-      return each.best.empty() || (each.best.front().evidence.total() > 8);
+    constexpr double sure = 4;  // log-likelihood
+    const auto isSure = [&](const FileRecords& each) {
+      return each.best.empty() || each.best.front().evidence.total() > sure;
     };
     if (std::ranges::any_of(read, isSure))
       std::erase_if(read, [&](const FileRecords& each) { return !isSure(each); });
@@ -370,6 +385,7 @@ class LogReader {
                     Message("Give a table with a column of displacement and one of force, for example "
                             "\"displacement_mm,force_N\""));
     found.table = std::move(table);
+    takeGivenUnits(*found.data);
     const DataTable& data = *found.data;
     if (data.rows() < 2) return strokeless("press stroke", data.rows());
     ColumnReading read = interpretColumns(*found.table, data, hints_, eitherStroke);
@@ -396,6 +412,27 @@ class LogReader {
     found.records = found.best.front().records;
     found.xUnit = found.best.front().xUnit, found.yUnit = found.best.front().yUnit;
     return found;
+  }
+
+  /// A unit given by hand settles a column whose title and unit contradict each other.
+  void takeGivenUnits(DataTable& data) {
+    const auto take = [&](ColumnQuantity quantity, ColumnUnit::Kind kind, std::string_view symbol,
+                          double size) {
+      for (DataColumn& each : data.columns) {
+        if (each.isText || each.quantity != quantity || each.unit.kind == kind ||
+            each.unit.kind == ColumnUnit::Kind::none || each.unit.kind == ColumnUnit::Kind::unknown)
+          continue;
+        remark(
+            Message("column %1 was taken in %2, the unit given by hand", each.label(), std::string(symbol)));
+        giveUnit(each, {kind, size, std::string(symbol)});
+      }
+    };
+    if (hints_.xUnit)
+      take(ColumnQuantity::displacement, ColumnUnit::Kind::displacement, symbolOf(*hints_.xUnit),
+           millimetresPer(*hints_.xUnit));
+    if (hints_.yUnit)
+      take(ColumnQuantity::force, ColumnUnit::Kind::force, symbolOf(*hints_.yUnit),
+           newtonsPer(*hints_.yUnit));
   }
 
   static bool usesUnknownUnit(const LogInterpretation& made, const DataTable& data) {
@@ -509,10 +546,10 @@ class LogReader {
   std::optional<Failure> finish(const FileRecords& found, LogRecord record) {
     std::vector<CurvePoint>&press = record.press, &release = record.release;
     log_.xUnit = found.xUnit.symbol, log_.yUnit = found.yUnit.symbol;
-    if (found.xUnit.isAssumed)
+    if (found.xUnit.isAssumed())
       log_.remarks.push_back(
           {RemarkCode::displacementUnitAssumed, {log_.xUnit}, {{RemedyKind::giveXUnit, "if it is another"}}});
-    if (found.yUnit.isAssumed)
+    if (found.yUnit.isAssumed())
       log_.remarks.push_back(
           {RemarkCode::forceUnitAssumed, {log_.yUnit}, {{RemedyKind::giveYUnit, "if it is another"}}});
     if (press.size() < 2) return strokeless("press stroke", press.size());
@@ -759,28 +796,32 @@ class LogReader {
 
   // -- confidence -----------------------------------------------------------------------------------------------
 
-  /// The margin to the best other reading that gives a different button, and the question that parts the two.
+  /// The margins to other readings that give a different button, and to its being no log, which has no evidence; and the
+  /// question that parts the best two.
   void rate(const FileRecords& found) {
-    log_.confidence =
-        found.best.empty()
-            ? kSurestTable
-            : std::min(kSurestTable, confidenceOfMargin(found.best.front().evidence.total() - kLeastLog));
-    if (found.xUnit.isAssumed || found.yUnit.isAssumed)
-      log_.confidence = std::min(log_.confidence, kUnitUnsaid);
-    for (std::size_t i = 1; i < found.best.size(); ++i) {
-      const LogInterpretation &best = found.best.front(), &rival = found.best[i];
-      const std::size_t k = std::min(chosenIndex_, std::min(best.records.size(), rival.records.size()) - 1);
-      if (best.records.size() == rival.records.size() &&
-          differenceOf(best.records[k], rival.records[k]) < kSameButton &&
-          sameScale(best.records[k], rival.records[k]))
-        continue;
-      const double sure = confidenceOfMargin(best.evidence.total() - rival.evidence.total());
-      if (sure < log_.confidence) {
-        log_.confidence = sure;
-        reading_.question = between(best, rival, *found.data);
+    std::vector<double> margins;
+    if (found.best.empty()) {
+      const auto& units = found.units.kept();
+      margins.push_back(units.front().evidence.total());
+      for (std::size_t i = 1; i < units.size(); ++i)
+        margins.push_back(units.front().evidence.total() - units[i].evidence.total());
+    } else {
+      const LogInterpretation& best = found.best.front();
+      margins.push_back(best.evidence.total());
+      for (std::size_t i = 1; i < found.best.size(); ++i) {
+        const LogInterpretation& rival = found.best[i];
+        if (sameButton(best, rival)) continue;
+        if (margins.size() == 1) reading_.question = between(best, rival, *found.data);
+        margins.push_back(best.evidence.total() - rival.evidence.total());
       }
-      break;
     }
+    log_.confidence = confidenceOfMargins(margins);
+  }
+
+  bool sameButton(const LogInterpretation& a, const LogInterpretation& b) const {
+    if (a.records.size() != b.records.size()) return false;
+    const std::size_t k = std::min(chosenIndex_, a.records.size() - 1);
+    return sameScale(a.records[k], b.records[k]) && differenceOf(a.records[k], b.records[k]) < kSameButton;
   }
 
   static bool sameScale(const LogRecord& a, const LogRecord& b) {
@@ -855,6 +896,45 @@ bool isForceLogPath(const std::string& path) {
   return !start.starts_with("%PDF") && !start.starts_with("%!PS") &&
          !(start.starts_with('<') && start.find("svg") != std::string_view::npos) &&
          !start.starts_with("<?xml");
+}
+
+namespace {
+
+/// A file's path without the word at its end that names a stroke.
+struct StrokeFile {
+  std::string path;
+  std::optional<Stroke> stroke;
+};
+
+StrokeFile strokeFileOf(const std::string& given) {
+  const std::filesystem::path path(given);
+  const std::string stem = path.stem().string();
+  const std::size_t at = stem.find_last_of(" ._-");
+  if (at == std::string::npos || at == 0) return {given, {}};
+  const KnownWords words = knownWordsIn(stem.substr(at + 1));
+  const bool press = words.has(ColumnWord::press), release = words.has(ColumnWord::release);
+  if (press == release) return {given, {}};
+  const std::string rest = stem.substr(0, stem.find_last_not_of(" ._-", at) + 1);
+  return {(path.parent_path() / (rest + path.extension().string())).string(),
+          press ? Stroke::press : Stroke::release};
+}
+
+}  // namespace
+
+std::string withoutStrokeWord(const std::string& path) { return strokeFileOf(path).path; }
+
+std::map<std::string, std::string> pairedFiles(const std::vector<std::string>& paths) {
+  struct Button {
+    std::vector<std::string> press, release;
+  };
+  std::map<std::string, Button> buttons;
+  for (const std::string& path : paths)
+    if (const StrokeFile file = strokeFileOf(path); file.stroke)
+      (*file.stroke == Stroke::press ? buttons[file.path].press : buttons[file.path].release).push_back(path);
+  std::map<std::string, std::string> pairs;
+  for (const auto& [name, button] : buttons)
+    if (button.press.size() == 1 && button.release.size() == 1) pairs[button.press[0]] = button.release[0];
+  return pairs;
 }
 
 LogReading readLog(const std::string& path, const LogHints& hints, const Progress& progress) {

@@ -82,6 +82,8 @@ std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke) {
 }
 
 double noiseOf(const std::vector<double>& values, double lastDigit) {
+  constexpr std::size_t enough = 4096;  // bends: they tell the median to 2 %
+  const std::size_t every = values.size() / enough + 1;
   std::vector<double> bends;
   double resolution = std::numeric_limits<double>::infinity();
   double greatest = 0;
@@ -90,7 +92,8 @@ double noiseOf(const std::vector<double>& values, double lastDigit) {
     const double step = std::abs(values[i] - values[i - 1]);
     // Rounding of decimal fractions leaves differences of a few ulp between equal numbers.
     if (step > 1e-12 * greatest) resolution = std::min(resolution, step);
-    if (i + 1 < values.size()) bends.push_back(std::abs(values[i + 1] - 2 * values[i] + values[i - 1]));
+    if (i % every == 0 && i + 1 < values.size())
+      bends.push_back(std::abs(values[i + 1] - 2 * values[i] + values[i - 1]));
   }
   constexpr std::size_t fewest = 16;
   double noise = 0;
@@ -109,7 +112,8 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   for (std::size_t i = 0; i < few; ++i) start.push_back(press[i].force_N);
   const auto [lowest, highest] = std::ranges::minmax(press, {}, &CurvePoint::force_N);
   const double first = medianOf(start), span = highest.force_N - lowest.force_N;
-  const double band = std::max(4 * noise_N, 2e-3 * span);
+  constexpr double leastBand = 2e-3, mostBand = 0.02;  // of the span
+  const double band = std::clamp(4 * noise_N, leastBand * span, mostBand * span);
   std::size_t end = 0;
   // Single readings off the band are noise; two in a row are the key.
   while (end < press.size() && (std::abs(press[end].force_N - first) <= band ||

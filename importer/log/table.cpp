@@ -15,6 +15,18 @@ namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+/// Digits behind the decimal point, less the exponent, of a number that from_chars reads.
+int decimalsOf(std::string_view plain) {
+  std::size_t e = 0, point = plain.size();
+  for (; e < plain.size() && plain[e] != 'e' && plain[e] != 'E'; ++e)
+    if (plain[e] == '.') point = e;
+  int exponent = 0;
+  const bool positive = e + 1 < plain.size() && plain[e + 1] == '+';
+  if (e < plain.size())
+    std::from_chars(plain.data() + e + (positive ? 2 : 1), plain.data() + plain.size(), exponent);
+  return (point < e ? static_cast<int>(e - point - 1) : 0) - exponent;
+}
+
 /// Signs and blanks that typists and programs use for plain ones.
 constexpr std::array<std::pair<std::string_view, char>, 8> plainSigns{{{"\xE2\x88\x92", '-'},
                                                                        {"\xE2\x80\x93", '-'},
@@ -32,11 +44,9 @@ char plainSignAt(std::string_view text, std::size_t& length) {
 }
 
 /// Characters that a number may hold, plain, in `plain`; returns how many bytes of the cell they take.
-std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::string& plain, int& decimals,
-                        bool& grouped) {
+std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::string& plain) {
   std::size_t at = 0, group = 0;
   bool seenDecimal = false, seenDigit = false, seenExponent = false, seenThousands = false;
-  decimals = 0;
   while (at < cell.size()) {
     std::size_t length = 1;
     char c = cell[at];
@@ -44,7 +54,6 @@ std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::st
     if (isDigit(c)) {
       plain += c;
       seenDigit = true;
-      if (seenDecimal && !seenExponent) ++decimals;
       if (!seenDecimal && !seenExponent) ++group;
     } else if (c == style.decimalSign && !seenDecimal && !seenExponent) {
       plain += '.';
@@ -62,13 +71,12 @@ std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::st
                (isDigit(cell[at + 1]) || ((cell[at + 1] == '-' || cell[at + 1] == '+') &&
                                           at + 2 < cell.size() && isDigit(cell[at + 2])))) {
       plain += 'e';
-      seenExponent = true, decimals = 0;
+      seenExponent = true;
     } else {
       break;
     }
     at += length;
   }
-  grouped = seenThousands;
   if (!seenDigit || (seenThousands && group != 3)) return 0;
   return at;
 }
@@ -83,10 +91,7 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
   if (style.decimalSign == '.' && (isDigit(first) || first == '-')) {
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number.value);
     if (error == std::errc() && end == cell.data() + cell.size()) {
-      const std::size_t sign = cell.find('.');
-      const bool exponent = cell.find_first_of("eE") != std::string_view::npos;
-      number.decimals =
-          sign == std::string_view::npos || exponent ? 0 : static_cast<int>(cell.size() - sign - 1);
+      number.decimals = decimalsOf(cell);
       return number;
     }
   }
@@ -97,9 +102,9 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
     return {};
   }
   std::string plain;
-  bool grouped = false;
-  const std::size_t length = plainNumber(cell, style, plain, number.decimals, grouped);
+  const std::size_t length = plainNumber(cell, style, plain);
   if (length == 0) return {};
+  number.decimals = decimalsOf(plain);
   const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), number.value);
   if (error == std::errc::result_out_of_range)
     number.value = std::numeric_limits<double>::infinity();
@@ -110,8 +115,9 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
   if (!number.rest.empty()) {
     // Dates, times, versions, other number styles: not this number with a unit behind it.
     const char next = number.rest.front();
-    constexpr std::string_view otherStyles = ".,:;-/'|";
+    constexpr std::string_view otherStyles = ".,:;-/'|", delimiters = ";\t|";
     if (isDigit(next) || otherStyles.find(next) != std::string_view::npos) return {};
+    if (number.rest.find_first_of(delimiters) != std::string_view::npos) return {};
   }
   return number;
 }
@@ -186,8 +192,7 @@ std::size_t splitLine(std::string_view text, std::size_t at, char delimiter, Giv
   }
 }
 
-/// Where the line at `at` ends.
-std::size_t endOfLine(std::string_view text, std::size_t at) {
+std::size_t lineEnd(std::string_view text, std::size_t at) {
   while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
   return at;
 }
@@ -197,11 +202,11 @@ std::vector<std::string_view> sampledLines(std::string_view text) {
   constexpr std::size_t most = 400;
   std::vector<std::string_view> lines;
   std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size(); ++count) at = endOfLine(text, at) + 1;
+  for (std::size_t at = 0; at < text.size(); ++count) at = lineEnd(text, at) + 1;
   const std::size_t every = std::max<std::size_t>(1, count / most);
   std::size_t index = 0;
   for (std::size_t at = 0; at < text.size(); ++index) {
-    const std::size_t end = endOfLine(text, at);
+    const std::size_t end = lineEnd(text, at);
     if (index % every == 0 || index < most / 4) {
       const std::string_view line = text.substr(at, end - at);
       if (!trimmed(line).empty()) lines.push_back(line);
@@ -255,16 +260,7 @@ void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
       if (const auto number = numberIn(cell, dialect.style); number && std::isfinite(number->value)) {
         ++inLine;
         columns[column].push_back(number->value);
-      } else if (std::ranges::all_of(cell,
-                                     [](char c) {
-                                       return isDigit(c) || c == '.' || c == ',' || c == '-' || c == ' ' ||
-                                              c == ';' || c == '\t' || c == '\'' || c == '+' || c == 'e' ||
-                                              c == 'E' || c == '|' || c == '"' ||
-                                              static_cast<unsigned char>(c) >= 0x80;
-                                     }) &&
-                 std::ranges::any_of(cell, isDigit) && !isDate(cell) &&
-                 std::ranges::count(cell, '-') <
-                     2 + std::ranges::count_if(cell, [](char c) { return c == 'e' || c == 'E'; })) {
+      } else if (isDigit(cell[cell.find_first_not_of("+-") % cell.size()]) && !isDate(cell)) {
         junkInLine += 1;  // digits that make no number
       }
     });
@@ -277,7 +273,7 @@ void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
   double rough = 0;
   for (const auto& [column, values] : columns) rough += std::min(roughnessOf(values), 50.0);
   const double all = std::max(1.0, static_cast<double>(lines.size()));
-  constexpr double junkWorth = 1.5, oddWorth = 0.3, roughWorth = 0.01;  // shares of a row that is read
+  constexpr double junkWorth = 1.5, oddWorth = 1, roughWorth = 0.01;  // shares of a row that is read
   dialect.score =
       (rows == 0 ? -1 : 0) + (rows - junkWorth * junk - oddWorth * odd) / all - roughWorth * rough;
 }
@@ -342,11 +338,6 @@ class FixedColumns {
     if (dialect.delimiter != ' ') return;
     std::map<std::size_t, std::size_t> widths;
     const std::vector<std::string_view> lines = sampledLines(text);
-    const auto isOfNumbers = [&](const std::vector<std::string_view>& cells) {
-      return cells.size() >= 2 && std::ranges::all_of(cells, [&](std::string_view cell) {
-               return numberIn(cell, style_).has_value();
-             });
-    };
     for (const std::string_view line : lines)
       if (const auto cells = split(line, 1); isOfNumbers(cells)) ++widths[cells.size()];
     std::size_t usual = 0, most = 0;
@@ -366,9 +357,7 @@ class FixedColumns {
 
   std::vector<std::string_view> cellsOf(std::string_view line) const {
     std::vector<std::string_view> cells = split(line, 1);
-    if (cells.size() == middles_.size() &&
-        std::ranges::all_of(cells, [&](std::string_view cell) { return numberIn(cell, style_).has_value(); }))
-      return cells;
+    if (cells.size() == middles_.size() && isOfNumbers(cells)) return cells;
     std::vector<std::string_view> parts = split(line, 2);
     if (parts.size() < 2 || parts.size() > middles_.size()) return cells;
     if (parts.size() == middles_.size()) return parts;
@@ -386,6 +375,13 @@ class FixedColumns {
  private:
   static double middleOf(std::string_view cell, std::string_view line) {
     return static_cast<double>(cell.data() - line.data()) + 0.5 * static_cast<double>(cell.size());
+  }
+
+  /// Two numbers or more, and words in one cell at most: "down", "up".
+  bool isOfNumbers(const std::vector<std::string_view>& cells) const {
+    const auto numbers = std::ranges::count_if(
+        cells, [&](std::string_view cell) { return numberIn(cell, style_).has_value(); });
+    return numbers >= 2 && static_cast<std::size_t>(numbers) + 1 >= cells.size();
   }
 
   /// Parts that at least so many blanks, or a tab, set apart.
@@ -414,7 +410,7 @@ class FixedColumns {
 /// A cell without quotes; doubled quotes inside become one.
 void addTextCell(Table& table, std::string_view raw) {
   const std::string_view cell = withoutQuotes(raw);
-  if (cell.find("\"\"") == std::string_view::npos) return table.addCell(cell);
+  if (cell.find('"') == std::string_view::npos) return table.addCell(cell);
   std::string plain;
   for (std::size_t i = 0; i < cell.size(); ++i) {
     plain += cell[i];
@@ -437,7 +433,7 @@ Result<Table> tableOfText(std::string content, const std::string& subject, const
     const std::size_t from = at;
     std::vector<std::string_view> halves;
     if (dialect.delimiter == ' ') {
-      const std::size_t end = endOfLine(text, at);
+      const std::size_t end = lineEnd(text, at);
       for (const std::string_view cell : fixed.cellsOf(text.substr(at, end - at))) addTextCell(table, cell);
       at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
     } else {
@@ -464,8 +460,10 @@ Result<Table> tableOfText(std::string content, const std::string& subject, const
         for (const std::string_view half : halves) addTextCell(table, half);
     }
     const std::string_view given = text.substr(from, at - from);
-    const long feeds = std::ranges::count(given, '\n');
-    line += std::max<long>(1, feeds > 0 ? feeds : std::ranges::count(given, '\r'));
+    // A quoted field may hold line breaks.
+    line += given.find('"') == std::string_view::npos
+                ? 1
+                : std::max<long>({1, std::ranges::count(given, '\n'), std::ranges::count(given, '\r')});
     if ((table.rows() & 0x3FFF) != 0) continue;
     if (progress.report) progress.report(0.5 * double(at) / double(text.size()), ImportStep::read);
     if (progress.isCancelled()) return Failure::cancelled(subject);

@@ -26,7 +26,7 @@ struct NumberStyle {
 struct NumberCell {
   double value = 0;
   std::string_view rest;
-  int decimals = 0;  ///< digits behind the decimal sign; 0 with an exponent
+  int decimals = 0;  ///< its last digit counts 10^-decimals: 2 in "0.25", 5 in "2.5e-4", -2 in "1.5e3"
 };
 
 /// The number a trimmed cell starts with; nullopt for dates, times and words. May be NaN or infinite.

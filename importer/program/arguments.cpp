@@ -115,10 +115,15 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
          "NAME|N|mean: of several records in a table (cycles, specimens, switches) the one to import, or "
          "their mean; --list shows them")
       ->excludes("--curve");
-  app.add_flag("--pair", a.pair, "two INPUTs are the press and the release of one button, a table each");
+  app.add_flag("--pair", a.pair,
+               "two INPUTs are the press and the release of one button, a table each; in a batch those named "
+               "alike but for a word such as "
+               "downstroke and upstroke");
   app.add_flag("--ask", a.ask,
                "on a terminal: put what is not certain as a question and go on with the answer");
-  app.add_flag("--explain", a.explain, "print the evidence of the best three readings of a table");
+  app.add_flag(
+      "--explain", a.explain,
+      "print the evidence of the best three readings of a table; with --json as \"interpretations\"");
   app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
   app.add_flag(
       "--family", a.family,
@@ -319,10 +324,12 @@ void settle(const RawOptions& raw, Arguments& a) {
       (a.batch || a.all || a.list || !a.csvPath.empty() || !a.tracePath.empty() || !a.overlayPath.empty()))
     throw CLI::ValidationError(
         "--family", "cannot be combined with --batch, --all, --list, --csv, --trace-csv, --overlay");
-  if (a.pair) {
-    if (a.inputs.size() != 2 || a.batch || a.family || a.all)
-      throw CLI::ValidationError("--pair",
-                                 "needs two INPUTs, the press first, and no --batch, --family, --all");
+  if (a.pair && a.batch) {
+    a.releaseOf = pairedFiles(a.inputs);
+    for (const auto& [press, release] : a.releaseOf) std::erase(a.inputs, release);
+  } else if (a.pair) {
+    if (a.inputs.size() != 2 || a.family || a.all)
+      throw CLI::ValidationError("--pair", "needs two INPUTs, the press first, and no --family, --all");
     hints.releasePath = a.inputs.back();
     a.inputs.pop_back();
   }

@@ -3,6 +3,7 @@
 // The command line of detent-import: a fixed contract, scripts rely on it.
 
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct Arguments {
   bool list = false;
   bool all = false;
   bool json = false;
-  bool pair = false;  ///< the release's file is in the hints, no longer among `inputs`
+  bool pair = false;  ///< the release's file is in the hints, or in `releaseOf`, no longer among `inputs`
+  std::map<std::string, std::string> releaseOf;  ///< of a batch, by the press
   bool ask = false;
   bool explain = false;
   bool jsonLines = false;                                              ///< with it json

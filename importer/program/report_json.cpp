@@ -79,6 +79,16 @@ void addRemarks(Json& json, const std::vector<Remark>& remarks) {
   }
 }
 
+void addInterpretations(Json& json, const std::vector<ExplainedInterpretation>& explained) {
+  for (const ExplainedInterpretation& each : explained) {
+    Json terms = Json::array();
+    for (const EvidenceTerm& term : each.evidence.terms())
+      terms.push_back({{"name", term.name}, {"about", term.about}, {"log_likelihood", term.logLikelihood}});
+    json["interpretations"].push_back(
+        {{"reading", each.reading}, {"sum", each.evidence.total()}, {"evidence", std::move(terms)}});
+  }
+}
+
 void appendRows(std::string& csv, const char* stroke, const std::vector<CurvePoint>& points) {
   char row[96];
   for (const CurvePoint& p : points) {
@@ -90,7 +100,8 @@ void appendRows(std::string& csv, const char* stroke, const std::vector<CurvePoi
 }  // namespace
 
 std::string reportJson(const ImportReport& report, const std::string& input,
-                       const std::vector<std::string>& outputs) {
+                       const std::vector<std::string>& outputs,
+                       const std::vector<ExplainedInterpretation>& explained) {
   Json json = {{"status", "ok"}, {"input", input}, {"page", report.page}, {"graph", report.graph}};
   if (report.curve) {
     const std::vector<PlotSwitch>& all = report.evidence->switches;
@@ -115,12 +126,14 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   if (report.endedByTimeLimit) json["ended_by_time_limit"] = true;
   addRemarks(json, report.remarks);
   if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);
+  addInterpretations(json, explained);
   json["outputs"] = outputs;
   return jsonText(json);
 }
 
 std::string failureJson(const Failure& failure, const std::string& input,
-                        const std::vector<PlotSwitch>& switches, const std::optional<Question>& question) {
+                        const std::vector<PlotSwitch>& switches, const std::optional<Question>& question,
+                        const std::vector<ExplainedInterpretation>& explained) {
   Json remedies = Json::array();
   for (const Remedy& remedy : failure.remedies) remedies.push_back(nameOf(remedy.kind));
   Json json = {{"status", nameOf(failure.code)},     {"input", input},
@@ -135,19 +148,8 @@ std::string failureJson(const Failure& failure, const std::string& input,
       choices.push_back({{"text", choice.text}, {"option", choice.option}});
     json["question"] = {{"what", question->what}, {"choices", std::move(choices)}};
   }
+  addInterpretations(json, explained);
   return jsonText(json);
-}
-
-std::string interpretationsJson(const std::vector<ExplainedInterpretation>& best) {
-  Json all = Json::array();
-  for (const ExplainedInterpretation& each : best) {
-    Json terms = Json::array();
-    for (const EvidenceTerm& term : each.evidence.terms())
-      terms.push_back({{"name", term.name}, {"about", term.about}, {"log_likelihood", term.logLikelihood}});
-    all.push_back(
-        {{"reading", each.reading}, {"sum", each.evidence.total()}, {"evidence", std::move(terms)}});
-  }
-  return jsonText(all);
 }
 
 std::string recordsJson(const std::vector<ListedRecord>& records) {

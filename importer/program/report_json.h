@@ -9,15 +9,16 @@
 
 namespace detent::importer {
 
-/// One object, one line. `input` as the user wrote it; `outputs` are the files written.
+/// One object, one line. `input` as the user wrote it; `outputs` are the files written. `explained`, the best first, where it is asked for:
+/// "interpretations": [{"reading", "evidence": [{"name", "about", "log_likelihood"}], "sum"}].
 std::string reportJson(const ImportReport& report, const std::string& input,
-                       const std::vector<std::string>& outputs);
+                       const std::vector<std::string>& outputs,
+                       const std::vector<ExplainedInterpretation>& explained = {});
 /// `switches` of the plot it is about: "curves" where there are several.
 std::string failureJson(const Failure& failure, const std::string& input,
                         const std::vector<PlotSwitch>& switches = {},
-                        const std::optional<Question>& question = {});
-/// [{"reading", "evidence": [{"name", "about", "log_likelihood"}], "sum"}], the best first.
-std::string interpretationsJson(const std::vector<ExplainedInterpretation>& best);
+                        const std::optional<Question>& question = {},
+                        const std::vector<ExplainedInterpretation>& explained = {});
 /// {"records":[...]}: what a table holds.
 std::string recordsJson(const std::vector<ListedRecord>& records);
 

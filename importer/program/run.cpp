@@ -101,11 +101,11 @@ std::string warningLines(const std::vector<Remark>& remarks) {
 
 /// What is said of an input's graphs.
 struct Told {
-  std::vector<std::string> objects;  ///< JSON, one for each graph
-  std::string text;
+  std::vector<std::string> objects = {};  ///< JSON, one for each graph
+  std::string text = {};
   bool written = true;                    ///< false: the disk refused an output
   std::optional<Question> question = {};  ///< of the last graph
-  std::string explanation = {};           ///< of the last graph; empty for pages
+  bool explains = false;                  ///< the evidence of readings is told too
 };
 
 std::string choiceLines(const std::optional<Question>& question) {
@@ -131,23 +131,25 @@ int importOne(ImportSession& session, const ImportRequest& request, const Output
   const ImportAttempt attempt = session.attempt(request, progress);
   const auto& [report, evidence, question, interpretations] = attempt;
   told.question = question;
-  if (!interpretations.empty()) told.explanation = explanationTable(interpretations);
+  const auto explained = told.explains ? interpretations : std::vector<ExplainedInterpretation>{};
   told.text += writeSteps(attempt, request.path, paths.steps);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
     told.objects.push_back(failureJson(failure, request.path,
-                                       evidence ? evidence->switches : std::vector<PlotSwitch>{}, question));
-    told.text += failure.sentence() + "\n" + choiceLines(question);
+                                       evidence ? evidence->switches : std::vector<PlotSwitch>{}, question,
+                                       explained));
+    told.text += failure.sentence() + "\n" + choiceLines(question) + explanationTable(explained);
     told.written = told.written && written;
     if (!report && evidence) told.text += writeRefusal(*evidence, failure, paths);
     return failure.exitCode();
   }
-  told.objects.push_back(reportJson(*report, request.path, *written));
+  told.objects.push_back(reportJson(*report, request.path, *written, explained));
   told.text += report->brief() + "\n";
   told.text += warningLines(report->remarks);
   for (const std::string& path : *written) told.text += "wrote " + path + "\n";
+  told.text += explanationTable(explained);
   return 0;
 }
 
@@ -220,7 +222,7 @@ int runImport(const Arguments& a, const Progress& progress) {
   request.path = a.inputs.front();
   if (a.timeLimit_s) request.timeLimit.emplace(*a.timeLimit_s);
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath, a.stepsPath};
-  Told told;
+  Told told{.explains = a.explain};
   int exitCode = 0;
   if (a.family) {
     const Result<Family> family = importFamily(a.inputs, request, progress);
@@ -245,12 +247,12 @@ int runImport(const Arguments& a, const Progress& progress) {
     while (a.ask && exitCode == static_cast<int>(FailureCode::notCertain) && told.question) {
       const std::optional<Choice> answer = answerTo(*told.question);
       if (!answer || !takeUp(*answer, request.hints)) break;
-      told = {};
+      told = {.explains = a.explain};
       exitCode = importOne(*session, request, paths, progress, told);
     }
-    if (a.explain) told.text += told.explanation;
   } else {
-    told = {{failureJson(session.failure(), request.path)}, session.failure().sentence() + "\n"};
+    told.objects = {failureJson(session.failure(), request.path)};
+    told.text = session.failure().sentence() + "\n";
     exitCode = session.failure().exitCode();
   }
   print(a, joined(told.objects, "\n") + "\n", told.text, exitCode);
@@ -401,6 +403,8 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
   constexpr double beforeTheEnd = 0.9;  // of the limit: what is read by then can still be handed over
   ImportRequest request = a.request;
   request.path = input;
+  if (const auto pair = a.releaseOf.find(input); pair != a.releaseOf.end())
+    request.hints.releasePath = pair->second;
   request.timeLimit.emplace(a.batchOptions.timeLimit_s, beforeTheEnd);
   try {
     return importAll(request, paths, {}, told);
@@ -471,7 +475,9 @@ int refuseBatch(const Failure& failure) {
 int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   std::error_code error;
   fs::create_directories(a.outDir, error);
-  auto report = BatchReport::open(a.outDir, a.inputs, a.settledBy, a.resume);
+  std::string settledBy = a.settledBy;  // a release that changed does them all again
+  for (const auto& [press, release] : a.releaseOf) settledBy += resultKey(release, "") + "\n";
+  auto report = BatchReport::open(a.outDir, a.inputs, settledBy, a.resume);
   if (!report) return refuseBatch(report.failure());
   const std::vector<std::string> inputs = toDo(a.inputs, *report);
   const auto stems = uniqueStems(a.inputs);
@@ -482,9 +488,9 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   if (const auto before = readTextFile(report->path())) accepted.count(*before);  // kept by --resume
   Result<Done> kept = Done{};
   const auto handle = [&](const std::string& input, std::string& lines) {
-    const std::string key = resultKey(input, a.settledBy);  // of what is about to be read
+    const std::string key = resultKey(input, settledBy);  // of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
-    Told told;
+    Told told{.explains = a.explain};
     const int code = handleInput(a, input,
                                  {base + ".button.json", base + ".csv", base + ".trace.csv",
                                   a.withoutOverlays ? "" : base + ".overlay.png", ""},

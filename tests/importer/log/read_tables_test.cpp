@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Layouts of tables that instruments, programs and people write, each of one known button.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -243,6 +244,45 @@ TEST_CASE("a unit that is not known is a question, never newton") {
   const auto log = readForceLog(file.path(), newton);
   REQUIRE(log);
   checkButton(*log);
+}
+
+TEST_CASE("a unit given by hand settles a column whose title and unit contradict each other") {
+  const LayoutFile file("Travel (mm),Force (s)\n" +
+                        rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
+  CHECK_FALSE(readForceLog(file.path()));
+  LogHints newton;
+  newton.yUnit = ForceUnit::newton;
+  const auto log = readForceLog(file.path(), newton);
+  REQUIRE(log);
+  checkButton(*log);
+  CHECK(
+      std::ranges::any_of(log->remarks, [](const Remark& each) { return each.code == RemarkCode::doubted; }));
+}
+
+TEST_CASE("the more a table says, the surer its reading is") {
+  const auto rows = rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); });
+  double before = 0;
+  for (const char* header :
+       {"", "Position,Value\n", "Travel,Force\n", "Travel (mm),Force\n", "Travel (mm),Force (N)\n"}) {
+    CAPTURE(header);
+    const LayoutFile file(header + rows);
+    const auto log = readForceLog(file.path());
+    REQUIRE(log);
+    CHECK(log->confidence > before);
+    CHECK(log->confidence < 1);
+    before = log->confidence;
+  }
+  CHECK(before > 0.99);
+}
+
+TEST_CASE("files that differ in the word of a stroke are pairs") {
+  const auto pairs =
+      pairedFiles({"a/Red.downstroke.csv", "a/Red.upstroke.csv", "a/Blue press.csv", "a/Blue release.csv",
+                   "b/Red.upstroke.csv", "a/Green.csv", "a/Gold.downstroke.csv"});
+  CHECK(pairs == std::map<std::string, std::string>{{"a/Red.downstroke.csv", "a/Red.upstroke.csv"},
+                                                    {"a/Blue press.csv", "a/Blue release.csv"}});
+  CHECK(withoutStrokeWord("a/Red.upstroke.csv") == "a/Red.csv");
+  CHECK(withoutStrokeWord("a/Green.csv") == "a/Green.csv");
 }
 
 TEST_CASE("an approach through air is cut off and said, and the offset of the gauge with it") {

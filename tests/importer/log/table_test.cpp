@@ -74,6 +74,13 @@ TEST_CASE("numbers in cells") {
   CHECK(value("12.5 gf") == 12.5);
   CHECK(numberIn("12.50gf", plain)->rest == "gf");
   CHECK(numberIn("12.50gf", plain)->decimals == 2);
+  // The last digit counts as much with an exponent as without.
+  CHECK(numberIn("0.00025", plain)->decimals == 5);
+  CHECK(numberIn("2.5e-4", plain)->decimals == 5);
+  CHECK(numberIn("+2.50E+01", plain)->decimals == 1);
+  CHECK(numberIn("1.5e3", plain)->decimals == -2);
+  CHECK(numberIn("2,5e-4 mm", NumberStyle{',', 0})->decimals == 5);
+  CHECK_FALSE(numberIn("0000 mm;0", plain));
   for (const char* none : {"12:30:01", "2024-05-01", "1,5", "gf", "", "2026/03/11"}) {
     CAPTURE(none);
     CHECK_FALSE(value(none));
@@ -152,4 +159,20 @@ TEST_CASE("columns are called what their words and units say") {
     CHECK(data->columns[c.displacement].force < 0);
     CHECK(data->columns[c.force].displacement < 0);
   }
+}
+
+TEST_CASE("ounces are a force where a force is named") {
+  const auto forceOf = [](const char* header) {
+    const auto data = dataIn(tableFrom(std::string(header) + "\n0;1\n1;2\n2;3\n"));
+    return data->columns[1].force;
+  };
+  CHECK(forceOf("Travel (mm);Force (oz)") >= 2);
+  CHECK(forceOf("mm;oz") >= 2);
+  CHECK(forceOf("Travel (mm);Filling (oz)") < 0);
+}
+
+TEST_CASE("delimiter and decimal comma are told where units stand behind the numbers") {
+  const Table table = tableFrom("Weg;Kraft\n0,0 um;0,0004 N\n27,5 um;0,0285 N\n55,0 um;0,0573 N\n");
+  CHECK(table.style.decimalSign == ',');
+  CHECK(table.cells(1) == 2);
 }
