@@ -220,7 +220,9 @@ QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
   const KeyFigure which = figureOf(index);
   const auto at = static_cast<std::size_t>(index.row());
   const std::optional<double> value = figures_[which];
-  if (role == Qt::ToolTipRole) return definitionOf(which);
+  if (role == Qt::ToolTipRole)
+    return value ? definitionOf(which) : QStringLiteral("%1\n%2").arg(definitionOf(which), absenceOf(index));
+  if (role == Qt::ForegroundRole && !value) return QPalette().brush(QPalette::Disabled, QPalette::Text);
   switch (index.column()) {
     case figure:
       if (role == Qt::DisplayRole) {
@@ -233,6 +235,7 @@ QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
     case now:
     case wanted: {
       if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+      if (!value && index.column() == now && role == Qt::DisplayRole) return QStringLiteral("–");
       if (!value) return {};
       const bool exact = role == Qt::EditRole;
       if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::FontRole) return {};
@@ -287,8 +290,9 @@ QVariant KeyFiguresModel::headerData(int section, Qt::Orientation orientation, i
 
 Qt::ItemFlags KeyFiguresModel::flags(const QModelIndex& index) const {
   if (!index.isValid() || index.row() >= rowCount()) return Qt::NoItemFlags;
-  if (!figures_[figureOf(index)]) return Qt::ItemIsSelectable;
+  // A disabled cell would not become the current one, and the text typed next would go to another row.
   Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  if (!figures_[figureOf(index)]) return flags;
   if (index.column() == now || index.column() == wanted) flags |= Qt::ItemIsEditable;
   if (index.column() == keep) flags |= Qt::ItemIsUserCheckable;
   return flags;
@@ -311,9 +315,44 @@ QString KeyFiguresModel::refusalOf(const QModelIndex& index, const QString& text
   return reading.value ? QString() : editor::refusalOf(reading, quantity, settings_.units());
 }
 
+QString KeyFiguresModel::absenceOf(const QModelIndex& index) const {
+  const KeyFigure which = figureOf(index);
+  if (figures_[which]) return {};
+  using enum KeyFigure;
+  const bool hasPeak = figures_[peakForce].has_value();
+  switch (which) {
+    case preTravel:
+    case operatingForce:
+    case overTravel:
+      return tr("No operating point is set. Set it in Edit > Operating and reset point (Ctrl+Shift+O).");
+    case resetTravel:
+    case resetForce:
+      return tr("No reset point is set. Set it in Edit > Operating and reset point (Ctrl+Shift+O).");
+    case differentialTravel:
+      return tr(
+          "Needs an operating point and a reset point: Edit > Operating and reset point (Ctrl+Shift+O).");
+    case hysteresis:
+      return tr("The button has no release curve. Add one with Edit > Mirror press to release.");
+    case peakForce:
+    case peakTravel:
+    case valleyForce:
+    case valleyTravel:
+    case drop:
+    case snapRatio:
+    case slopeOfDrop:
+    case slopeToBottomOut:
+      if (!hasPeak) return tr("The press has no tactile point. Add one with Edit > Add jump (Ctrl+Shift+J).");
+      break;
+    default:
+      break;
+  }
+  return tr("The curve is too short there for a slope or ratio.");
+}
+
 bool KeyFiguresModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (!index.isValid() || !(flags(index) & Qt::ItemIsEnabled)) return false;
-  if (role == Qt::CheckStateRole && index.column() == keep) {
+  const Qt::ItemFlags can = flags(index);
+  if (role == Qt::EditRole && !(can & Qt::ItemIsEditable)) return false;
+  if (role == Qt::CheckStateRole && (can & Qt::ItemIsUserCheckable)) {
     kept_[static_cast<std::size_t>(index.row())] = value.toInt() == Qt::Checked;
     emit dataChanged(index, index);
     if (anyWanted()) lookAhead();

@@ -44,6 +44,9 @@ class KeyFiguresModel : public QAbstractTableModel {
   /// Reason why a text cannot be read; empty if it can. Does not involve the curve.
   QString refusalOf(const QModelIndex& index, const QString& text) const;
 
+  /// Reason why the active state has no such figure, and how to get it; empty if it has one.
+  QString absenceOf(const QModelIndex& index) const;
+
   /// Doubt about a readable text; empty: none.
   QString doubtOf(const QModelIndex& index, const QString& text) const;
 

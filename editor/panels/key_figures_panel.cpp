@@ -31,7 +31,7 @@ constexpr int patience_ms = 200;  // a shorter solve is not announced
 KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
     : QWidget(parent),
       model_(new KeyFiguresModel(document, settings, this)),
-      table_(described(new QTableView, "keyFiguresTable", {}, tr("Key figures of the button"))),
+      table_(described(new ValueTable, "keyFiguresTable", {}, tr("Key figures of the button"))),
       about_(new QWidget),
       picture_(described(new QLabel, "keyFigurePicture")),
       meaning_(described(new QLabel, "keyFigureMeaning")),
@@ -95,8 +95,14 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   connect(&patience_, &QTimer::timeout, solving_, &QLabel::show);
   connect(&document, &ButtonDocument::changed, this, [this] { setTrouble(model_->conflict()); });
   connect(model_, &QAbstractItemModel::headerDataChanged, this, &KeyFiguresPanel::layOut);
-  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          &KeyFiguresPanel::showMeaning);
+  connect(table_, &ValueTable::editRefused, this, [this](const QModelIndex& cell) {
+    if (const QString why = model_->absenceOf(cell); !why.isEmpty()) showRefusal(cell, why);
+  });
+  connect(model_, &QAbstractItemModel::dataChanged, this, &KeyFiguresPanel::showMeaning);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    setTrouble(model_->conflict());
+    showMeaning();
+  });
   connect(take_, &QPushButton::clicked, model_, &KeyFiguresModel::take);
   connect(giveUp_, &QPushButton::clicked, model_, &KeyFiguresModel::giveUp);
   table_->viewport()->installEventFilter(this);
@@ -146,7 +152,10 @@ void KeyFiguresPanel::showMeaning() {
   const GraphColors colors = graphColors(isDark(palette()));
   picture_->setPixmap(keyFigurePicture(panelPictureSize, devicePixelRatioF(), figure, colors));
   picture_->setAccessibleName(termOf(figure));
-  meaning_->setText(QStringLiteral("<b>%1</b><br>%2").arg(termOf(figure), definitionOf(figure)));
+  QString text = QStringLiteral("<b>%1</b><br>%2").arg(termOf(figure), definitionOf(figure).toHtmlEscaped());
+  if (const QString why = model_->absenceOf(current); !why.isEmpty())
+    text += QStringLiteral("<br><i>%1</i>").arg(why.toHtmlEscaped());
+  meaning_->setText(text);
 }
 
 // A disabled button loses the keyboard focus, and Qt gives it to the next widget.

@@ -10,11 +10,11 @@
 
 class QLabel;
 class QPushButton;
-class QTableView;
 
 namespace detent::editor {
 
 class KeyFiguresModel;
+class ValueTable;
 
 /// A table, below it a drawing of the chosen figure, and whether the requested figures are possible. GUI
 /// thread.
@@ -38,7 +38,7 @@ class KeyFiguresPanel : public QWidget {
   void showSolving();
 
   KeyFiguresModel* model_;
-  QTableView* table_;
+  ValueTable* table_;
   QWidget* about_;
   QLabel *picture_, *meaning_, *trouble_;
   QPushButton *take_, *giveUp_;

@@ -50,6 +50,15 @@ bool ValueDelegate::eventFilter(QObject* object, QEvent* event) {
   return true;
 }
 
+bool ValueTable::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+  const bool attempted = trigger == DoubleClicked || trigger == EditKeyPressed || trigger == AnyKeyPressed;
+  if (attempted && index.isValid() && !(model()->flags(index) & Qt::ItemIsEditable)) {
+    emit editRefused(index);
+    return false;
+  }
+  return QTableView::edit(index, trigger, event);
+}
+
 void ValueDelegate::mark(QLineEdit& editor, const QString& why) {
   QPalette colors = editor.palette();
   const bool dark = isDark(editor.parentWidget()->palette());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A table cell for a number with a unit.
+// Table of numbers with units, and the editor of a cell.
 
 #include <functional>
 #include <QStyledItemDelegate>
+#include <QTableView>
 
 class QLineEdit;
 
@@ -39,6 +40,24 @@ class ValueDelegate : public QStyledItemDelegate {
   Doubt doubt_;
   QPersistentModelIndex askedAt_;  ///< place of the last question
   QString askedAbout_;             ///< its text; empty: none
+};
+
+/// Table in which typing changes the current cell or nothing: a cell that cannot be edited never passes the
+/// text on to another row. GUI thread.
+class ValueTable : public QTableView {
+  Q_OBJECT
+
+ public:
+  using QTableView::QTableView;
+  /// Does nothing: Qt would move to a row that begins with the typed digit, and the next digit would edit it.
+  void keyboardSearch(const QString&) override {}
+
+ signals:
+  /// The user tried to edit a cell that cannot be edited.
+  void editRefused(const QModelIndex& index);
+
+ protected:
+  bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
 };
 
 }  // namespace detent::editor

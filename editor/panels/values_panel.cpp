@@ -25,7 +25,7 @@ constexpr int cellTextMargin_px = 12;  // of a cell
 ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
     : QWidget(parent),
       model_(new ValuesModel(document, settings, this)),
-      table_(new QTableView),
+      table_(new ValueTable),
       refusal_(new QLabel) {
   setObjectName(QStringLiteral("valuesPanel"));
   table_->setObjectName(QStringLiteral("valuesTable"));

@@ -5691,6 +5691,30 @@ Lizenz: %3</translation>
         <source>Set: %1</source>
         <translation>Setzen: %1</translation>
     </message>
+    <message>
+        <source>No operating point is set. Set it in Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Es ist kein Schaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>No reset point is set. Set it in Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Es ist kein Rückschaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>Needs an operating point and a reset point: Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Braucht Schalt- und Rückschaltpunkt: Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>The button has no release curve. Add one with Edit &gt; Mirror press to release.</source>
+        <translation>Der Taster hat keinen Rückweg. Fügen Sie ihn mit Bearbeiten &gt; Drücken zum Rückweg spiegeln hinzu.</translation>
+    </message>
+    <message>
+        <source>The press has no tactile point. Add one with Edit &gt; Add jump (Ctrl+Shift+J).</source>
+        <translation>Das Drücken hat keinen Druckpunkt. Fügen Sie ihn mit Bearbeiten &gt; Sprung hinzufügen (Strg+Umschalt+J) hinzu.</translation>
+    </message>
+    <message>
+        <source>The curve is too short there for a slope or ratio.</source>
+        <translation>Die Kurve ist dort zu kurz für eine Steigung oder ein Verhältnis.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::KeyFiguresPanel</name>

@@ -73,6 +73,7 @@ class KeyFiguresPanelTest : public QObject {
   void theWindowLivesWhileItSolves();
   void whatIsTypedWaitsForTheHandAndItsTurn();
   void figuresTheButtonLacksCannotBeTyped();
+  void typingAfterAClickChangesThatCellOrNothing();
   void whatIsShownIsWhatCanBeTyped();
   void everyFigureHasItsOwnPicture();
   void undoAndHandsKeepTheTableTrue();
@@ -287,6 +288,62 @@ void KeyFiguresPanelTest::figuresTheButtonLacksCannotBeTyped() {
   QVERIFY(!(model.flags(peak) & Qt::ItemIsEditable));
   QVERIFY(!model.setData(peak, "60", Qt::EditRole));
   QCOMPARE(rig.steps(), 0);
+}
+
+// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says why.
+void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
+  using enum KeyFigure;
+  WorkspaceRig rig(
+      require(setResetPoint(require(setOperatingPoint(require(tactileButton()), 0, {})), 0, {})));
+  KeyFiguresPanel panel(rig.document, rig.settings);
+  panel.resize(700, 1000);
+  panel.show();
+  QVERIFY(QTest::qWaitForWindowActive(&panel));
+  auto* table = panel.findChild<QTableView*>();
+  const auto* trouble = panel.findChild<QLabel*>("keyFiguresTrouble");
+  const auto* meaning = panel.findChild<QLabel*>("keyFigureMeaning");
+  KeyFiguresModel& model = panel.model();
+  const Button before = rig.button();
+  int absent = 0;
+  for (int row = 0; row < model.rowCount(); ++row)
+    for (int column = 0; column < KeyFiguresModel::columns; ++column) {
+      const QModelIndex at = model.index(row, column);
+      if (model.flags(at) & Qt::ItemIsEditable) continue;
+      const auto figure = static_cast<KeyFigure>(row);
+      table->setCurrentIndex(cell(model, peakForce, KeyFiguresModel::now));
+      for (const bool twice : {false, true}) {
+        table->scrollTo(at);
+        const QPoint place = table->visualRect(at).center();
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, place);
+        if (twice) QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, place);
+        QCOMPARE(table->currentIndex(), at);
+        for (const char digit : {'2', '5'}) QTest::keyClick(QApplication::focusWidget(), digit);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(table->currentIndex(), at);
+        QVERIFY(!model.solving());
+        QVERIFY2(rig.button() == before && !model.anyWanted(), qPrintable(termOf(figure)));
+        if (keyFiguresOf(before.states()[0])[figure]) continue;
+        ++absent;
+        QVERIFY2(trouble->isVisible() && !trouble->text().isEmpty(), qPrintable(termOf(figure)));
+        QVERIFY(meaning->text().contains(model.absenceOf(at).toHtmlEscaped()));
+      }
+    }
+  // Pre-travel, operating force, over-travel, reset point, reset force, differential travel.
+  QCOMPARE(absent, 6 * KeyFiguresModel::columns * 2);
+  QVERIFY(model.absenceOf(cell(model, preTravel, KeyFiguresModel::now)).contains("Ctrl+Shift+O"));
+  rig.document.history().apply(require(setOperatingPoint(rig.button(), 0, 1.6)), "operating point");
+  QVERIFY(model.absenceOf(cell(model, preTravel, KeyFiguresModel::now)).isEmpty());
+  // Both columns have one set of rules: what one refuses, the other refuses, too.
+  for (const char* text : {"-1 cN", "2 cN", "70 cN"}) {
+    WorkspaceRig same(require(tactileButton()));
+    KeyFiguresPanel both(same.document, same.settings);
+    QVERIFY(typed(both.model(), peakForce, KeyFiguresModel::wanted, text));
+    const std::optional<ButtonState> wanted = both.model().preview();
+    both.model().giveUp();
+    QVERIFY(typed(both.model(), peakForce, KeyFiguresModel::now, text));
+    QCOMPARE(same.steps() == 1, wanted.has_value());
+    if (wanted) QVERIFY(same.button().states()[0] == *wanted);
+  }
 }
 
 void KeyFiguresPanelTest::whatIsShownIsWhatCanBeTyped() {

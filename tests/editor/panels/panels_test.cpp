@@ -73,6 +73,7 @@ class PanelsTest : public QObject {
   void valuesAreTypedInTheUsersUnits();
   void invalidValuesSayWhyAndRestore();
   void sectionEndsAndSlopesAreTyped();
+  void typingIntoACellThatCannotBeEditedChangesNothing();
   void nothingInTheTableIsCut();
   void namesTakeWhatTheNumbersLeave();
   void readValuesHaveTheDigitsTheirErrorLeaves();
@@ -339,6 +340,33 @@ void PanelsTest::sectionEndsAndSlopesAreTyped() {
   QVERIFY(model.setData(cell(model, reset, ValuesModel::displacement), "1.2", Qt::EditRole));
   QCOMPARE(*rig.canvas().state().resetPoint_mm, 1.2);
   QVERIFY(!(model.flags(cell(model, reset, ValuesModel::force)) & Qt::ItemIsEditable));
+}
+
+void PanelsTest::typingIntoACellThatCannotBeEditedChangesNothing() {
+  WorkspaceRig rig(require(tactileButton()));
+  ValuesPanel panel(rig.document, rig.settings);
+  panel.resize(700, 900);
+  panel.show();
+  QVERIFY(QTest::qWaitForWindowActive(&panel));
+  auto* table = panel.findChild<QTableView*>();
+  const ValuesModel& model = panel.model();
+  const Button before = rig.button();
+  int tried = 0;
+  for (int row = 0; row < model.rowCount(); ++row)
+    for (int column = 0; column < model.columnCount(); ++column) {
+      const QModelIndex at = model.index(row, column);
+      if ((model.flags(at) & Qt::ItemIsEditable) || table->visualRect(at).isEmpty()) continue;
+      table->scrollTo(at);
+      QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(at).center());
+      const QModelIndex current = table->currentIndex();
+      QCOMPARE(current.row(), row);
+      for (const char digit : {'2', '5'}) QTest::keyClick(QApplication::focusWidget(), digit);
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+      QCOMPARE(table->currentIndex(), current);
+      QVERIFY(rig.button() == before);
+      ++tried;
+    }
+  QVERIFY(tried > 20);
 }
 
 // Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden table seemed to have.
