@@ -11015,6 +11015,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Fügen Sie den Effekt dort ein</translation>
     </message>
     <message>
+        <source>its version is 1, a draft&apos;s; it is played as the edition of 2023</source>
+        <translation>ihre Version ist 1, die eines Entwurfs; sie wird wie die Ausgabe von 2023 gespielt</translation>
+    </message>
+    <message>
+        <source>commas before a closing bracket are no JSON; they are left out</source>
+        <translation>Kommas vor einer schließenden Klammer sind kein JSON; sie werden ausgelassen</translation>
+    </message>
+    <message>
         <source>is %1: another edition than those of 2023 and 2025</source>
         <translation>ist %1: eine andere Ausgabe als die von 2023 und 2025</translation>
     </message>

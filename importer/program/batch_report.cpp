@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/program/batch_report.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -16,57 +16,47 @@ namespace detent::importer {
 namespace {
 
 namespace fs = std::filesystem;
-using Keys = std::map<std::string, std::string>;
+
+struct Entry {
+  std::string key;
+  std::size_t lines = 0;
+};
+using Journal = std::map<std::string, Entry>;
 
 std::string memberOf(const nlohmann::json& object, const char* name) {
   return object.is_object() && object.contains(name) && object[name].is_string() ? object[name] : "";
 }
 
-std::string journalLine(const std::string& input, const std::string& key) {
-  return jsonText(nlohmann::json{{"input", input}, {"key", key}}) + "\n";
+std::string journalLine(const std::string& input, const Entry& entry) {
+  return jsonText(nlohmann::json{{"input", input}, {"key", entry.key}, {"lines", entry.lines}}) + "\n";
 }
 
 /// Inputs of the journal with the key they were done under. A line that was cut off counts for nothing.
-Keys journalIn(const std::string& path) {
-  Keys keys;
+Journal journalIn(const std::string& path) {
+  Journal entries;
   std::ifstream journal(path);
   for (std::string line; std::getline(journal, line);) {
     const auto json = nlohmann::json::parse(line, nullptr, false);
-    if (const std::string input = memberOf(json, "input"); !input.empty())
-      keys[input] = memberOf(json, "key");
+    const std::string input = memberOf(json, "input");
+    if (input.empty() || !json.contains("lines") || !json["lines"].is_number_unsigned()) continue;
+    entries[input] = {memberOf(json, "key"), json["lines"]};
   }
-  return keys;
+  return entries;
 }
 
-Keys stillValid(const Keys& journal, const std::vector<std::string>& inputs, const std::string& options) {
-  Keys valid;
-  for (const std::string& input : inputs) {
-    const auto known = journal.find(input);
-    if (known == journal.end() || known->second.empty() || valid.count(input)) continue;
-    if (known->second == resultKey(input, options)) valid.insert(*known);
-  }
-  return valid;
-}
-
-/// The report's lines of the inputs for which `wanted` is true, in the order of `inputs`.
-template <typename Wanted>
-std::string linesInOrder(const std::string& path, const std::vector<std::string>& inputs,
-                         const Wanted& wanted) {
+/// The whole lines of a report per input.
+std::map<std::string, std::string> linesOfInputs(const std::string& path) {
   std::map<std::string, std::string> linesOf;
   std::ifstream report(path);
-  for (std::string line; std::getline(report, line);) {
-    const std::string input = memberOf(nlohmann::json::parse(line, nullptr, false), "input");
-    if (wanted(input)) linesOf[input] += line + "\n";
-  }
-  std::string lines;
-  for (const std::string& input : inputs) lines += std::exchange(linesOf[input], "");
-  return lines;
+  for (std::string line; std::getline(report, line);)
+    if (const std::string input = memberOf(nlohmann::json::parse(line, nullptr, false), "input");
+        !input.empty())
+      linesOf[input] += line + "\n";
+  return linesOf;
 }
 
-std::string journalOf(const Keys& done) {
-  std::string lines;
-  for (const auto& [input, key] : done) lines += journalLine(input, key);
-  return lines;
+std::size_t countLines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
 Failure unwritable(const std::string& path) {
@@ -83,17 +73,25 @@ std::string resultKey(const std::string& input, const std::string& options) {
 }
 
 Result<BatchReport> BatchReport::open(const std::string& folder, const std::vector<std::string>& inputs,
-                                      const std::string& options, bool resume) {
+                                      const std::function<std::string(const std::string&)>& keyOf,
+                                      bool resume) {
   BatchReport report;
   report.path_ = (fs::path(folder) / "report.jsonl").string();
   const std::string journal = (fs::path(folder) / "report.done").string();
   if (resume) {
-    report.done_ = stillValid(journalIn(journal), inputs, options);
+    const Journal entries = journalIn(journal);
+    auto linesOf = linesOfInputs(report.path_);
+    std::string lines, journalLines;
+    for (const std::string& input : inputs) {
+      const auto known = entries.find(input);
+      if (known == entries.end() || known->second.key.empty() || report.has(input)) continue;
+      if (countLines(linesOf[input]) != known->second.lines || keyOf(input) != known->second.key) continue;
+      report.done_.insert(input);
+      journalLines += journalLine(input, known->second);
+      lines += linesOf[input];
+    }
     // The journal shrinks first: what it names is in the report at any moment.
-    if (!writeTextFileAtomically(journal, journalOf(report.done_)) ||
-        !writeTextFileAtomically(report.path_, linesInOrder(report.path_, inputs, [&](const auto& input) {
-                                   return report.has(input);
-                                 })))
+    if (!writeTextFileAtomically(journal, journalLines) || !writeTextFileAtomically(report.path_, lines))
       return unwritable(report.path_);
   }
   const auto mode = resume ? std::ios::app : std::ios::trunc;
@@ -106,7 +104,8 @@ Result<BatchReport> BatchReport::open(const std::string& folder, const std::vect
 }
 
 Result<Done> BatchReport::add(const std::string& input, const std::string& key, const std::string& lines) {
-  if (report_ << lines << std::flush && journal_ << journalLine(input, key) << std::flush) {
+  if (report_ << lines << std::flush && journal_ << journalLine(input, {key, countLines(lines)})
+                                                 << std::flush) {
     size_ += lines.size();
     return Done{};
   }
@@ -120,7 +119,10 @@ Result<Done> BatchReport::add(const std::string& input, const std::string& key, 
 Result<Done> BatchReport::sortAs(const std::vector<std::string>& inputs) {
   if (done_.empty()) return Done{};  // added in order
   report_.close();
-  return writeTextFileAtomically(path_, linesInOrder(path_, inputs, [](const auto&) { return true; }));
+  auto linesOf = linesOfInputs(path_);
+  std::string lines;
+  for (const std::string& input : inputs) lines += std::exchange(linesOf[input], "");
+  return writeTextFileAtomically(path_, lines);
 }
 
 }  // namespace detent::importer

@@ -4,7 +4,8 @@
 
 #include <cstdint>
 #include <fstream>
-#include <map>
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,14 +17,16 @@ namespace detent::importer {
 /// read: such an input is never done.
 std::string resultKey(const std::string& input, const std::string& options);
 
-/// `report.jsonl` of a folder, one line per graph, and `report.done` beside it, which names an input with its key once all of its lines are
-/// complete: what a killed batch left half is dropped by the next one and made anew. One thread.
+/// `report.jsonl` of a folder, one line per graph, and `report.done` beside it, which names an input with its key and the number of its
+/// lines once all of them are complete: what a killed batch or a power cut left half, in either file, is dropped by the next one and made
+/// anew. One thread.
 class BatchReport {
  public:
-  /// An empty report, or with `resume` the one that is there, cut down to those of `inputs` whose key is the one of now.
+  /// An empty report, or with `resume` the one that is there, cut down to those of `inputs` whose key is the one of now (`keyOf`) and whose
+  /// lines are all there.
   /// Failure wrongUsage: the folder cannot be written to.
   static Result<BatchReport> open(const std::string& folder, const std::vector<std::string>& inputs,
-                                  const std::string& options, bool resume);
+                                  const std::function<std::string(const std::string&)>& keyOf, bool resume);
 
   const std::string& path() const { return path_; }
   bool has(const std::string& input) const { return done_.count(input) > 0; }
@@ -38,7 +41,7 @@ class BatchReport {
 
  private:
   std::string path_;
-  std::map<std::string, std::string> done_;
+  std::set<std::string> done_;
   std::uintmax_t size_ = 0;  ///< of the report, whole lines
   std::ofstream report_, journal_;
 };

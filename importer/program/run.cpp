@@ -342,15 +342,13 @@ int runList(const Arguments& a, const Progress& progress) {
 std::map<std::string, std::string> uniqueStems(const std::vector<std::string>& inputs) {
   std::map<std::string, std::string> stems;
   std::set<std::string> taken;
-  const auto clashes = [&](const std::string& stem) {
-    return std::count_if(inputs.begin(), inputs.end(), [&](const std::string& other) {
-             return fs::path(other).stem().string() == stem;
-           }) > 1;
-  };
+  std::map<std::string, std::size_t> inputsOf;
+  for (const std::string& input : inputs) ++inputsOf[fs::path(input).stem().string()];
   for (const std::string& input : inputs) {
     const fs::path path = fs::absolute(input).lexically_normal();
     std::string stem = path.stem().string();
-    if (clashes(stem)) stem.insert(0, path.parent_path().filename().string().append("-"));
+    if (inputsOf[fs::path(input).stem().string()] > 1)
+      stem.insert(0, path.parent_path().filename().string().append("-"));
     std::string unique = stem;
     for (int n = 2; !taken.insert(unique).second; ++n) unique = stem + "-" + std::to_string(n);
     stems[input] = unique;
@@ -477,10 +475,14 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   fs::create_directories(a.outDir, error);
   std::string settledBy = a.settledBy;  // a release that changed does them all again
   for (const auto& [press, release] : a.releaseOf) settledBy += resultKey(release, "") + "\n";
-  auto report = BatchReport::open(a.outDir, a.inputs, settledBy, a.resume);
+  const auto stems = uniqueStems(a.inputs);
+  // A page whose results would get another name is read again: its old name may be another page's now.
+  const auto keyOf = [&](const std::string& input) {
+    return resultKey(input, settledBy + "\n" + stems.at(input));
+  };
+  auto report = BatchReport::open(a.outDir, a.inputs, keyOf, a.resume);
   if (!report) return refuseBatch(report.failure());
   const std::vector<std::string> inputs = toDo(a.inputs, *report);
-  const auto stems = uniqueStems(a.inputs);
 
   ProgressLine line;
   BatchCounts counts;
@@ -488,7 +490,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   if (const auto before = readTextFile(report->path())) accepted.count(*before);  // kept by --resume
   Result<Done> kept = Done{};
   const auto handle = [&](const std::string& input, std::string& lines) {
-    const std::string key = resultKey(input, settledBy);  // of what is about to be read
+    const std::string key = keyOf(input);  // of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
     Told told{.explains = a.explain};
     const int code = handleInput(a, input,

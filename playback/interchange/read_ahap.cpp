@@ -184,7 +184,7 @@ PlayedWave waveOf(const ReadAhapEvent& event, const Controls& controls) {
 }  // namespace
 
 ReferenceWaves ahapWaves(const JsonPlace& file) {
-  const double version = file.at("Version").number(0, anyNumber);
+  const double version = file.numberOr("Version", 1, 0, anyNumber);
   if (!(version >= 1 && version < 2))
     file.at("Version").refuse(Message("is %1: another version of AHAP than 1", version),
                               Message("Export it as version 1"));

@@ -192,11 +192,13 @@ void readEffect(const JsonPlace& effect, const Library& library, const Band& ban
 
 ReferenceWaves hjifWaves(const JsonPlace& file) {
   const std::string version = file.at("version").text();
-  if (!version.starts_with("2023") && !version.starts_with("2025"))
+  const bool draft = version == "1";  // written by the reference software until it named the edition
+  if (!draft && !version.starts_with("2023") && !version.starts_with("2025"))
     file.at("version").refuse(Message("is %1: another edition than those of 2023 and 2025", version),
                               Message("Export it for one of these"));
   const double ticks_per_s = file.numberOr("timescale", 1000, 1, 48000);
   ReferenceWaves result;
+  if (draft) result.note(Message("its version is 1, a draft's; it is played as the edition of 2023"));
   std::size_t channels = 0;
   for (const JsonPlace& perception : file.at("perceptions").elements()) {
     const Library library = libraryOf(perception);

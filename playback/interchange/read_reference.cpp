@@ -131,6 +131,30 @@ Result<ReferenceSignal> soundReference(const Head& head, const std::filesystem::
   return signal;
 }
 
+/// The text without commas that nothing follows but a closing bracket: Apple's own AHAP samples have them.
+std::string withoutClosingCommas(std::string_view text) {
+  std::string kept;
+  kept.reserve(text.size());
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') quoted = !quoted;
+    const std::size_t next = c == ',' && !quoted ? text.find_first_not_of(" \t\r\n", i + 1) : text.npos;
+    if (next == text.npos || (text[next] != '}' && text[next] != ']')) kept += c;
+    if (c == '\\' && i + 1 < text.size()) kept += text[++i];
+  }
+  return kept;
+}
+
+/// Throws nlohmann's parse_error, with its place in `text`. `closingCommas`: it is JSON but for those.
+nlohmann::json jsonOf(std::string_view text, bool& closingCommas) {
+  const std::string kept = withoutClosingCommas(text);
+  closingCommas = kept.size() < text.size();
+  if (closingCommas)
+    if (nlohmann::json json = nlohmann::json::parse(kept, nullptr, false); !json.is_discarded()) return json;
+  return nlohmann::json::parse(text.begin(), text.end());
+}
+
 ReferenceSignal playedOrThrown(const nlohmann::json& json, const std::string& name) {
   const JsonPlace file(json, "", name);
   const auto give = [&](const ReferenceWaves& waves, ReferenceFormat format) {
@@ -198,7 +222,12 @@ Result<ReferenceSignal> referenceFromText(std::string_view text, const std::stri
     return unreadable(name, {}, Message("is larger than %1 MB", largestText >> 20),
                       Message("Give a shorter one"));
   try {
-    return playedOrThrown(nlohmann::json::parse(text.begin(), text.end()), name);
+    bool closingCommas = false;
+    const nlohmann::json json = jsonOf(text, closingCommas);
+    ReferenceSignal signal = playedOrThrown(json, name);
+    if (closingCommas)
+      signal.notes.emplace_back(Message("commas before a closing bracket are no JSON; they are left out"));
+    return signal;
   } catch (const Failure& failure) {
     return failure;
   } catch (const nlohmann::json::parse_error& error) {

@@ -432,6 +432,14 @@ TEST_CASE("A batch takes its inputs from a list and repeats what is no longer th
     CHECK(again({"--quality", "draft"}) == "1 inputs handled, 1 failed, 1 already done");
     CHECK(folder.read("out/report.jsonl") == report);
   }
+  SECTION("lines that a power cut took from the report alone are made anew") {
+    folder.write("out/report.jsonl", report.substr(0, report.find('\n') + 1));
+    CHECK(again({"--quality", "draft"}) == "1 inputs handled, 1 failed, 1 already done");
+    CHECK(folder.read("out/report.jsonl") == report);
+    folder.write("out/report.jsonl", "");
+    CHECK(again({"--quality", "draft"}) == "2 inputs handled, 2 failed, 0 already done");
+    CHECK(folder.read("out/report.jsonl") == report);
+  }
   SECTION("a disk that takes no more ends the batch by name") {
     std::filesystem::create_directories(folder.path() / "full");
     std::filesystem::create_symlink("/dev/full", folder.path() / "full/report.jsonl");
@@ -476,6 +484,29 @@ TEST_CASE("Two inputs of one name get results of their own") {
   REQUIRE(import(folder, {"--batch", "a/p.png", "b/p.png", "--out-dir", "out"}).exitCode == 0);
   CHECK_FALSE(folder.read("out/a-p.button.json").empty());
   CHECK_FALSE(folder.read("out/b-p.button.json").empty());
+}
+
+TEST_CASE("No results are written over those of a page that is kept") {
+  const ProgramFolder folder("import_kept_names");
+  for (const char* parent : {"v", "w", "x"}) {
+    std::filesystem::create_directories(folder.path() / parent / "q");
+    folder.write(std::string(parent) + "/q/p.csv", bytesOf(plots + "force-meter-log.csv"));
+  }
+  const auto batch = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "--batch");
+    words.insert(words.end(), {"--out-dir", "out", "--resume", "--quality", "draft"});
+    REQUIRE(import(folder, words).exitCode == 0);
+  };
+  batch({"w/q/p.csv", "x/q/p.csv"});
+  batch({"v/q/p.csv", "w/q/p.csv", "x/q/p.csv"});
+  std::vector<std::string> buttons;
+  std::istringstream report(folder.read("out/report.jsonl"));
+  for (std::string line; std::getline(report, line);)
+    buttons.push_back(json::parse(line)["input"].get<std::string>() + " " +
+                      json::parse(line)["outputs"][0].get<std::string>());
+  CHECK(buttons == std::vector<std::string>{"v/q/p.csv out/q-p.button.json",
+                                            "w/q/p.csv out/q-p-2.button.json",
+                                            "x/q/p.csv out/q-p-3.button.json"});
 }
 
 TEST_CASE("an SVG without the program that draws it is refused by that program's name") {
