@@ -87,8 +87,8 @@ int main(int argc, char** argv) {
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication::setStyle(outlinedStyle());
     QApplication app(argc, argv);
-    // Qt has taken the desktop's rules over for the C library, too. Files and drawings are read and written with a point;
-    // what a person sees goes through QLocale.
+    // Qt has taken the desktop's rules over for the C library, too. Files and drawings are read and written
+    // with a point; what a person sees goes through QLocale.
     std::setlocale(LC_NUMERIC, "C");
     QCoreApplication::setOrganizationName("Detent");
     QCoreApplication::setApplicationName("detent-edit");

@@ -164,7 +164,8 @@ Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const Draw
   return Found<StrokePair>{std::move(pair), 1, DecidedBy::given, {}};
 }
 
-/// A switch asked for by a name that no text engine read is asked for by its number where the name is seen in the legend.
+/// A switch asked for by a name that no text engine read is asked for by its number where the name is seen in
+/// the legend.
 StrokeHints asSeen(StrokeHints hints, const std::vector<CurveTrace>& curves, const PageView& view) {
   const std::vector<PlotSwitch> switches = switchesAmong(curves);
   if (chosenSwitch(switches, curves, hints.curve)) return hints;
@@ -409,7 +410,8 @@ struct ImportSession::Impl {
     LocatedGraph& asRead() const { return onPage->located.graphs[index]; }  // as it stands on the page
   };
 
-  /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons differ.
+  /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons
+  /// differ.
   std::string buttonName(const Choice& choice) const {
     const bool alone = document->pageCount() == 1 && choice.onPage->located.graphs.size() == 1;
     const std::string title = alone ? std::string() : titleAbove(choice.asRead());
@@ -667,8 +669,8 @@ struct ImportSession::Impl {
     return f;
   }
 
-  /// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a camera. One whose
-  /// pixels were averaged shows no grain, the page's own still do.
+  /// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a
+  /// camera. One whose pixels were averaged shows no grain, the page's own still do.
   PageClass classOf(const Choice& choice, const StrokePair& strokes, const Progress& progress) {
     const PageView& view = choice.located().view;
     if (strokes.press.fromVector) return PageClass::vector;

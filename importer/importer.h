@@ -35,8 +35,8 @@
 namespace detent::importer {
 
 /// Strokes drawn by hand along the curve on the page: points in page units, from the start of the press (the
-/// end of the release) to the other end; empty where none was drawn. What lies between is followed with a pull
-/// to the ink (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
+/// end of the release) to the other end; empty where none was drawn. What lies between is followed with a
+/// pull to the ink (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
 struct DrawnStrokes {
   std::vector<Point> press, release;
   bool operator==(const DrawnStrokes&) const = default;
@@ -57,12 +57,13 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
-/// Of what helps against a doubt that which has not been given by hand yet: what was given and left the doubt as it was is not asked for
-/// again. Where nothing else is left: to draw the strokes by hand, then the person's own word.
+/// Of what helps against a doubt that which has not been given by hand yet: what was given and left the doubt
+/// as it was is not asked for again. Where nothing else is left: to draw the strokes by hand, then the
+/// person's own word.
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
 
-/// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets another bar. Set
-/// from the corpus (docs/develop/decisions/0800-import-confidence.md).
+/// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets
+/// another bar. Set from the corpus (docs/develop/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
 /// Wall-clock time that the imports of one input may take together.
@@ -88,8 +89,8 @@ struct ImportRequest {
   ImportHints hints;
   PageLimits limits;
   double sure = confidenceBar;  ///< 0..1: what is less certain is refused
-  /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not as a
-  /// Failure.
+  /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not
+  /// as a Failure.
   bool acceptDoubt = false;
   /// Once it has passed what was read so far is taken, with a remark; where nothing was, unreadableInput.
   std::optional<TimeLimit> timeLimit;
@@ -112,7 +113,8 @@ struct RejectedFrame {
   Failure why;
 };
 
-/// What pages show. Where several were asked for, one that cannot be read costs only itself, unless it is the only one.
+/// What pages show. Where several were asked for, one that cannot be read costs only itself, unless it is the
+/// only one.
 struct GraphList {
   std::vector<ListedGraph> graphs;      ///< reading order
   std::vector<RejectedFrame> rejected;  ///< looked at and not listed
@@ -182,16 +184,18 @@ struct ImportReport {
   std::string brief() const;                            ///< one line for people
 };
 
-/// Takes up a choice of a question: its option as hints. Returns false if the option is none that a question offers.
+/// Takes up a choice of a question: its option as hints. Returns false if the option is none that a question
+/// offers.
 bool takeUp(const Choice& choice, ImportHints& hints);
 
 /// An import, and what it looked at even where it failed.
 struct ImportAttempt {
   Result<ImportReport> report;
-  /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no frame
-  /// was found and for force logs.
+  /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no
+  /// frame was found and for force logs.
   std::shared_ptr<const GraphEvidence> evidence;
-  /// Of a force log that is not certain: what its readings differ in. Each choice was tried and leads to an accepted result.
+  /// Of a force log that is not certain: what its readings differ in. Each choice was tried and leads to an
+  /// accepted result.
   std::optional<Question> question = {};
   std::vector<ExplainedInterpretation> interpretations = {};  ///< of a force log, the best three
 };
@@ -216,8 +220,9 @@ class ImportSession {
   /// Graphs of one page, or of all without a number.
   Result<GraphList> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                          const ImportHints& hints = {}, const Progress& progress = {});
-  /// The switches that a listed graph shows (one, as a rule), for choosing one by StrokeHints::curve; empty where it is
-  /// not clear which curves belong together. Traces the graph; what a later import needs of that is kept.
+  /// The switches that a listed graph shows (one, as a rule), for choosing one by StrokeHints::curve; empty
+  /// where it is not clear which curves belong together. Traces the graph; what a later import needs of that
+  /// is kept.
   Result<std::vector<PlotSwitch>> switches(const ListedGraph& graph, Quality quality = Quality::standard,
                                            const ImportHints& hints = {}, const Progress& progress = {});
   /// `path` and `limits` of the request are those of the session. With `page` and `graph`, the axis hints

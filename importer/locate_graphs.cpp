@@ -56,10 +56,12 @@ PlotFrame frameInView(const PlotFrame& frame, const Homography& toView) {
   return moved;
 }
 
-/// A frame of a picture keeps as many: with 1000 x 700 its lines and numbers are as sharp as in most pictures of plots.
+/// A frame of a picture keeps as many: with 1000 x 700 its lines and numbers are as sharp as in most pictures
+/// of plots.
 constexpr double leastFramePixels = 7e5;
 
-/// A region around the candidate. Of a picture that shows the frame larger than any plot needs pixels are averaged.
+/// A region around the candidate. Of a picture that shows the frame larger than any plot needs pixels are
+/// averaged.
 Result<PageView> viewOf(const Document& document, const Page& page, const Box& region,
                         const FrameCandidate& candidate, const ViewOptions& options,
                         const Progress& progress) {

@@ -12,22 +12,25 @@
 namespace detent::importer {
 namespace {
 
-/// What a reading is worth that another one contradicts, both certain of themselves: below any bar that a person would
-/// choose, and no nought, for one of them is right as a rule.
+/// What a reading is worth that another one contradicts, both certain of themselves: below any bar that a
+/// person would choose, and no nought, for one of them is right as a rule.
 constexpr double contradictedConfidence = 0.4;
-/// Of two certain readings that differ the one that is surer by so much stands: of 107 charts of foreign software each that
-/// differed was such a pair, and its surer one right.
+/// Of two certain readings that differ the one that is surer by so much stands: of 107 charts of foreign
+/// software each that differed was such a pair, and its surer one right.
 constexpr double surerBy = 0.1;
-/// Pictures with more pixels than these are not enlarged to four times as many, or at all: what a second look costs.
+/// Pictures with more pixels than these are not enlarged to four times as many, or at all: what a second look
+/// costs.
 constexpr double enlarged_px = 1.2e6, large_px = 6e6;
 
 /// Doubts about what stands on the page, not about how it was seen.
 constexpr std::array standOnThePage{DoubtCode::severalSwitches,  DoubtCode::tooManyCurves,
                                     DoubtCode::otherQuantity,    DoubtCode::otherScale,
                                     DoubtCode::thousandsUnclear, DoubtCode::valueContradicts};
-/// A look that takes another's place is worth at most this: below the 0.9 from which something is promised of one look.
+/// A look that takes another's place is worth at most this: below the 0.9 from which something is promised of
+/// one look.
 constexpr double takenAtMost = 0.8;
-/// What the steps' confidence is worth on a photograph that three looks read alike: counted, docs/develop/decisions/0812.
+/// What the steps' confidence is worth on a photograph that three looks read alike: counted,
+/// docs/develop/decisions/0812.
 constexpr double worthOnPhotosReadAlike = 0.85;
 
 double highest_N(const ImportReport& report) {

@@ -19,8 +19,9 @@ struct Reach {
   int right_px = 0, top_px = 0;
 };
 
-/// Where the ink that begins on a curve, its own or that of others which cover it, ends beyond the frame's right edge, and beyond its upper one where `most_px.y` is more than nothing; empty where it
-/// does not end within `most_px` of them.
+/// Where the ink that begins on a curve, its own or that of others which cover it, ends beyond the frame's
+/// right edge, and beyond its upper one where `most_px.y` is more than nothing; empty where it does not end
+/// within `most_px` of them.
 std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveTrace>& all, const Box& frame,
                                Point most_px, const Raster& picture) {
   constexpr int reach = 2;  // over what a line's edge or a pale gridline takes out of it
@@ -52,8 +53,8 @@ std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveT
   return ends;
 }
 
-/// Whether ink that hangs together with a curve's end lies to the right of it and above: a wall that begins just beyond the edge is no straight
-/// continuation of the level line that came there.
+/// Whether ink that hangs together with a curve's end lies to the right of it and above: a wall that begins
+/// just beyond the edge is no straight continuation of the level line that came there.
 bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
   constexpr int nearest_px = 4, farthest_px = 14;  // to the right: a frame's own line ends before
   constexpr int wallHeight_px = 12;
@@ -87,8 +88,8 @@ double stepOf(const AxisReading& axis) {
   return step;
 }
 
-/// The last number that was read above the frame, of its line; the frame's edge where none was. Writing over the plot hides
-/// gridlines and curves, the numbers beside them stand.
+/// The last number that was read above the frame, of its line; the frame's edge where none was. Writing over
+/// the plot hides gridlines and curves, the numbers beside them stand.
 double lastNumberAbove_px(const AxisReading& y, const Box& frame) {
   double last_px = frame.y0;
   for (const TickLabel& tick : y.ticks)

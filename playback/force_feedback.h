@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Force feedback, as playback offers it to other rooms: press a button and feel its force, or watch a simulated finger do so.
+// Force feedback, as playback offers it to other rooms: press a button and feel its force, or watch a
+// simulated finger do so.
 //
-// Reading order: prepare/force_device_profile.h   what a device is      prepare/prepare_force.h   button -> program
-//                realtime/force_engine.h          one step of the loop  this file                 running it
-// Threads: as for playback.h, ordinary threads only. Built without devices (DETENT_WITH_DEVICE=OFF), ForcePlayer answers
-// deviceTrouble.
+// Reading order:
+//   prepare/force_device_profile.h  limits and dynamics of a device
+//   prepare/prepare_force.h         button -> program
+//   realtime/force_engine.h         one step of the loop
+//   this file                       running it
+// Threads: as for playback.h, ordinary threads only. Built without devices (DETENT_WITH_DEVICE=OFF),
+// ForcePlayer answers deviceTrouble.
 
 #include <cstdint>
 #include <functional>
@@ -28,8 +32,8 @@ namespace detent::playback {
 
 enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
 
-/// Which device, as the command line and Setup name it: "sim", "sim:falcon", "sim:rig", "serial:PORT", "odrive:PORT",
-/// "falcon", "falcon:N".
+/// Which device, as the command line and Setup name it: "sim", "sim:falcon", "sim:rig", "serial:PORT",
+/// "odrive:PORT", "falcon", "falcon:N".
 struct ForceDeviceChoice {
   ForceDeviceKind kind = ForceDeviceKind::simulated;
   std::string port;          ///< of serial and odrive
@@ -51,7 +55,8 @@ struct FingerChoice {
   std::optional<double> hold_mm;  ///< none: in the middle of the travel
   PressTrace trace;               ///< intended positions, or forces
 };
-/// "hold", "hold=X" (mm), "press", or the name of a press trace. Failure: wrongUsage, or what is wrong with the file.
+/// "hold", "hold=X" (mm), "press", or the name of a press trace. Failure: wrongUsage, or what is wrong with
+/// the file.
 Result<FingerChoice> fingerFrom(const std::string& text);
 
 struct ForcePlayerSettings {
@@ -113,8 +118,9 @@ struct DeviceMeasurement {
   double roundTrip_s = 0;     ///< of the link; 0: none, or quick
   double longestPause_s = 0;  ///< of this computer; what a pause hides does not enter
 };
-/// Some ten seconds. `onward` is asked often and told what has been done (0..1): false cancels. Failure: wrongUsage, deviceTrouble where the
-/// device cannot be had, does not move, or moves the other way; unreadableInput where its movement tells nothing.
+/// Some ten seconds. `onward` is asked often and told what has been done (0..1): false cancels. Failure:
+/// wrongUsage, deviceTrouble where the device cannot be had, does not move, or moves the other way;
+/// unreadableInput where its movement tells nothing.
 Result<DeviceMeasurement> measureForceDevice(const DeviceMeasurementSettings& settings,
                                              const std::function<bool(double done)>& onward);
 
@@ -130,7 +136,8 @@ class ForcePlayer {
   virtual Result<Done> setButton(const Button& button) = 0;
   /// What the device could not render as the button has it, its slope limit, its play radius.
   virtual const ForceSummary& summary() const = 0;
-  /// The device as the force was prepared for it: its rate and delay are the measured ones where the link is slow.
+  /// The device as the force was prepared for it: its rate and delay are the measured ones where the link is
+  /// slow.
   virtual const ForceDeviceProfile& device() const = 0;
   virtual ForceLinkPace pace() const = 0;
   virtual ForceStatus status() const = 0;
@@ -140,7 +147,8 @@ class ForcePlayer {
 
   /// No force within 15 ms, and none until `rearm`. Any thread; waits for nothing.
   virtual void emergencyStop() = 0;
-  /// A person wants force again, after an emergency stop, a fault, or a place that was lost: it rises from nothing.
+  /// A person wants force again, after an emergency stop, a fault, or a place that was lost: it rises from
+  /// nothing.
   virtual void rearm() = 0;
   /// Hold-to-run: to be said again at least every 0.1 s.
   virtual void hold(bool held) = 0;

@@ -66,7 +66,8 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
   return FingerPlan{FingerPath{times_s, values}};
 }
 
-/// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its travel.
+/// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its
+/// travel.
 double plainestSlope_N_per_mm(const Button& button, double largest_N) {
   double plainest = 0;
   for (const ButtonState& state : button.states()) {
@@ -144,8 +145,8 @@ Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& dev
   return fitted;
 }
 
-/// The button, or the nearest one that the device's measured profile bears, damped where it would give energy. A preset is a guess and
-/// limits nothing.
+/// The button, or the nearest one that the device's measured profile bears, damped where it would give
+/// energy. A preset is a guess and limits nothing.
 Result<FittedForce> keptTo(const ForceDeviceProfile& profile, const Button& button,
                            const ForceSettings& settings, PreparedForce prepared) {
   FittedForce unlimited{std::move(prepared), profile, {}};
@@ -160,8 +161,8 @@ Result<FittedForce> keptTo(const ForceDeviceProfile& profile, const Button& butt
   return fittedTo(button, unlimited.device, settings, {});
 }
 
-/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do. `computer_s`: what this
-/// computer alone takes.
+/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do.
+/// `computer_s`: what this computer alone takes.
 Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings& settings, FittedForce kept,
                                  double computer_s, ForceDevice& opened) {
   const double period_s = kept.prepared.program.period_s;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The front door's way to what a force device is: shaken without a finger by test_forces.h, told by identify_motion.h.
+// The front door's way to what a force device is: shaken without a finger by test_forces.h, told by
+// identify_motion.h.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -24,7 +25,8 @@ constexpr double shortestRange_mm = 4, longestRange_mm = 80;
 // A device's own ramp and the loop's are over after this: what is asked is what is given.
 constexpr double rampsOver_s = 0.25;
 constexpr double moved_mm = 0.25;
-// After a pause of so long no device still gives the force it was asked for (docs/reference/force-protocol.md).
+// After a pause of so long no device still gives the force it was asked for
+// (docs/reference/force-protocol.md).
 constexpr double longPause_s = 0.01;
 constexpr auto lookEvery = std::chrono::milliseconds(20);
 
@@ -85,7 +87,8 @@ class Measuring {
     Result<PreparedForce> prepared = prepareForce(*none, device_.profile, force);
     if (!prepared) return prepared.failure();
     program_ = std::make_unique<ForceProgram>(prepared->program);
-    // The relay's own growing push proves the direction, wherever the handle stands; there is no button whose end it could pass.
+    // The relay's own growing push proves the direction, wherever the handle stands; there is no button whose
+    // end it could pass.
     program_->proof.present = false;
     program_->limits.deadCountFrom_mm = -std::numeric_limits<double>::infinity();
     program_->limits.travelEnd_mm = std::numeric_limits<double>::infinity();

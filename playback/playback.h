@@ -55,7 +55,8 @@ struct SoundDevice {
 bool livePlaybackAvailable();
 Result<std::vector<SoundDevice>> listSoundDevices();
 
-/// Masking noise (rain), so that the vibration is felt and not heard (K&L's noisy group wore headphones with it).
+/// Masking noise (rain), so that the vibration is felt and not heard (K&L's noisy group wore headphones with
+/// it).
 struct MaskingNoise {
   double level = 0;    ///< rms, share of full scale, 0..0.3; 0: none
   std::string device;  ///< the headphones'; empty: the player's, on up to two outputs behind the signal's
@@ -148,22 +149,25 @@ class LivePlayer {
                                     const SensorCalibration& calibration) = 0;
   /// Lets go of the sensor's port; nothing to do where there is none.
   virtual void detachSensor() = 0;
-  /// Signal messages of other programs (docs/reference/osc.md): FUDI over UDP, OSC. Port 0: the system chooses. Gives
-  /// the port. Only this machine is heard unless another of its IPv4 addresses is given (0.0.0.0: all).
+  /// Signal messages of other programs (docs/reference/osc.md): FUDI over UDP, OSC. Port 0: the system
+  /// chooses. Gives the port. Only this machine is heard unless another of its IPv4 addresses is given
+  /// (0.0.0.0: all).
   virtual Result<std::uint16_t> listenFudi(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;
   virtual Result<std::uint16_t> listenOsc(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;
   /// The paper's own route beside or instead of our sound: a message per event to a synthesizer such as Pure
   /// Data.
   virtual Result<Done> sendSignals(const std::string& host, std::uint16_t port) = 0;
 
-  /// Plays a recorded trace, sample for sample what renderPress gives (of a button with several speeds: of the
-  /// program nearest to the trace's); begins `lead_s` from now. Gives the stream sample at which time 0 of the trace lies. Ends by itself; a second call replaces the first.
+  /// Plays a recorded trace, sample for sample what renderPress gives (of a button with several speeds: of
+  /// the program nearest to the trace's); begins `lead_s` from now. Gives the stream sample at which time 0
+  /// of the trace lies. Ends by itself; a second call replaces the first.
   virtual Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) = 0;
   virtual bool tracePlaying() const = 0;
 
-  /// Plays samples that another program made, beside whatever is pressed: with the player's gain, at most to full scale, without the
-  /// device's equalizer. They begin within one buffer and end by themselves; a second call replaces the first. Failure wrongUsage: no
-  /// sample, one beyond [-1, 1], a rate outside 8000..192000 Hz, 16 that have not ended, or a player without a sound device.
+  /// Plays samples that another program made, beside whatever is pressed: with the player's gain, at most to
+  /// full scale, without the device's equalizer. They begin within one buffer and end by themselves; a second
+  /// call replaces the first. Failure wrongUsage: no sample, one beyond [-1, 1], a rate outside 8000..192000
+  /// Hz, 16 that have not ended, or a player without a sound device.
   virtual Result<Done> playSamples(const std::vector<float>& samples, double sampleRate_Hz) = 0;
   /// What plays of them fades out.
   virtual void stopSamples() = 0;
@@ -187,15 +191,15 @@ struct SoundRecording {
   std::uint64_t dropouts = 0;  ///< blocks the sound system says were lost or came too late
 };
 
-/// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`. `cancelled` is asked often;
-/// Failure cancelled once it says so.
+/// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`.
+/// `cancelled` is asked often; Failure cancelled once it says so.
 Result<SoundRecording> playAndRecordSamples(const PlayerSettings& settings, const std::string& inputDevice,
                                             const std::vector<float>& samples,
                                             const std::function<bool()>& cancelled);
 
 /// Mean and standard deviation of a sensor's raw readings over `seconds`, for calibration. What had waited in
-/// the port is thrown away, and it waits up to 10 s for readings that no longer drift. Failure: deviceTrouble if
-/// it cannot be opened or sends nothing; cancelled, as above.
+/// the port is thrown away, and it waits up to 10 s for readings that no longer drift. Failure: deviceTrouble
+/// if it cannot be opened or sends nothing; cancelled, as above.
 struct RawReading {
   double mean = 0, sd = 0;
   std::size_t n = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How the feel panel reaches sound and force devices: playback's front door, or what a test puts in its place.
+// How the feel panel reaches sound and force devices: playback's front door, or what a test puts in its
+// place.
 
 #include <functional>
 #include <memory>

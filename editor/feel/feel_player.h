@@ -66,8 +66,8 @@ class FeelPlayer : public QObject {
   bool pushDepth(double displacement_mm);
   void lift();  ///< ends a followed press: back to nothing within 60 ms
 
-  /// A force device under the finger: its position (mm) is asked for 1000 times a second on a thread of its own, and
-  /// nothing else presses meanwhile. May open the sound device, as a press does. Null lets go.
+  /// A force device under the finger: its position (mm) is asked for 1000 times a second on a thread of its
+  /// own, and nothing else presses meanwhile. May open the sound device, as a press does. Null lets go.
   void followDevice(std::function<double()> position_mm);
 
   /// Plays a press on the sound device, opening it if need be. Nothing can be pressed meanwhile. False: sound

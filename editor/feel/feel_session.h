@@ -90,7 +90,8 @@ class FeelSession : public QObject {
   /// Plays the drawn press on the sound device, from the state in which it was drawn.
   void play();
 
-  /// A signal of another program beside the button's; null: none, or it could not be read. No part of any document.
+  /// A signal of another program beside the button's; null: none, or it could not be read. No part of any
+  /// document.
   const std::shared_ptr<const ReferenceDrawing>& reference() const { return reference_; }
   /// Why there is none; empty where nothing is wrong.
   const QString& referenceTrouble() const { return referenceTrouble_; }

@@ -101,8 +101,8 @@ void ForceSession::stop() {
   setState(ForceState::off);
 }
 
-// A device may take seconds to open or to let go, and can be open only once: the one in use goes first, on the thread
-// that opens the next.
+// A device may take seconds to open or to let go, and can be open only once: the one in use goes first, on
+// the thread that opens the next.
 void ForceSession::exchange() {
   exchangeAgain_ = busy_;
   timer_.stop();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The pressed button as force on a force device, without widgets: the running loop, what it does to the finger, and
-// whether the device can render the button at all. docs/guide/force-feedback.md.
+// The pressed button as force on a force device, without widgets: the running loop, what it does to the
+// finger, and whether the device can render the button at all. docs/guide/force-feedback.md.
 
 #include <memory>
 #include <optional>
@@ -34,8 +34,8 @@ struct ForceEnergy {
   double lowestBalance_mJ = 0;  ///< since the start; below 0: it gave more than it held
 };
 
-/// Starts by hand only: no force without being asked for. GUI thread; devices are opened and closed on a thread of
-/// its own.
+/// Starts by hand only: no force without being asked for. GUI thread; devices are opened and closed on a
+/// thread of its own.
 class ForceSession : public QObject {
   Q_OBJECT
 
@@ -69,8 +69,8 @@ class ForceSession : public QObject {
   /// What the device cannot render as the button has it; empty until it runs.
   const std::vector<playback::ForceRemark>& remarks() const { return remarks_; }
 
-  /// What slopes the chosen device bears along the button's travel; null without a device or a button. Shared and
-  /// never changed.
+  /// What slopes the chosen device bears along the button's travel; null without a device or a button. Shared
+  /// and never changed.
   const std::shared_ptr<const playback::StabilityMargin>& margin() const { return margin_; }
   /// One undoable step to the nearest button that the device can render.
   void makeStable();

@@ -15,7 +15,8 @@ struct RecoveryRecord {
   QString path;
   QString title;
   QDateTime written;  ///< UTC
-  /// ButtonDocument::knownContent(), so that the guard against writing over somebody's change outlives the editor.
+  /// ButtonDocument::knownContent(), so that the guard against writing over somebody's change outlives the
+  /// editor.
   QByteArray knownContent = {};
   std::optional<PageCutout> cutout = {};
   Annotations annotations = {};

@@ -28,9 +28,9 @@ struct Forecast {
   QString trouble;  ///< why there are none; empty otherwise
 };
 
-/// One worker thread, begun with the first request. What a button feels like and what was said of a pair is kept, so
-/// that an edit of one of fifty costs one button and its pairs. Its end gives up what runs, and waits some milliseconds. GUI
-/// thread, except where said.
+/// One worker thread, begun with the first request. What a button feels like and what was said of a pair is
+/// kept, so that an edit of one of fifty costs one button and its pairs. Its end gives up what runs, and
+/// waits some milliseconds. GUI thread, except where said.
 class ForecastSource : public QObject {
   Q_OBJECT
 

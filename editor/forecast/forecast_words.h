@@ -8,7 +8,8 @@
 
 namespace detent::editor {
 
-/// "People tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is." As the terminal and the report say it.
+/// "People tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is." As the
+/// terminal and the report say it.
 QString forecastWords(const playback::PredictedPair& pair);
 /// "told apart: 0 to 7 errors in 90", for a line of a list.
 QString shortForecastWords(const playback::PredictedPair& pair);

@@ -18,7 +18,8 @@ struct AxisQuantity {
 /// `printedUnit` as AxisReading::unit; where it is none we know, numbers have no unit.
 AxisQuantity axisQuantity(GraphAxis axis, const std::string& printedUnit);
 
-/// An end of an axis that spans `span`, as it was read: to a thousandth of the axis, no finer than a page tells it.
+/// An end of an axis that spans `span`, as it was read: to a thousandth of the axis, no finer than a page
+/// tells it.
 QString endText(double end, double span);
 
 }  // namespace detent::editor

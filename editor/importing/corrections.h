@@ -34,8 +34,8 @@ struct AxisCorrection {
   friend bool operator==(const AxisCorrection&, const AxisCorrection&) = default;
 };
 
-/// A point with a name as a person has it: moved, added (`from` empty), or taken away (`to` empty). Of operating and reset
-/// point there is one at most, and only `to` counts.
+/// A point with a name as a person has it: moved, added (`from` empty), or taken away (`to` empty). Of
+/// operating and reset point there is one at most, and only `to` counts.
 struct MarkCorrection {
   enum class Kind { tactile, operating, reset } kind = Kind::tactile;
   Stroke stroke = Stroke::press;            ///< of a tactile point
@@ -75,8 +75,8 @@ std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, im
 /// The place on the axis' edge with this share.
 importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);
 
-/// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them. Without corners
-/// they are lost.
+/// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them.
+/// Without corners they are lost.
 void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners);
 
 /// The ends that given ticks define: the line through them, by least squares. A single given tick is joined

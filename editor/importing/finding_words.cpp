@@ -10,7 +10,8 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("detent::editor::ImportDialog", text); }
 
-/// How the person corrects a finding: the end of a sentence that says what to do, and the text of the button that does it.
+/// How the person corrects a finding: the end of a sentence that says what to do, and the text of the button
+/// that does it.
 struct CorrectionWords {
   const char* instruction;
   const char* button;

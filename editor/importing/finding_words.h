@@ -35,8 +35,8 @@ QString inWords(const std::vector<importer::EvidenceItem>& evidence, const Displ
 /// "Draw plot frame", on a button; empty of what is not a correction.
 QString textOnButton(RemedyKind correction);
 
-/// What keeps an import from being surer, in a line: its doubts, else the weakest step with what speaks for and against it.
-/// Empty where it is sure.
+/// What keeps an import from being surer, in a line: its doubts, else the weakest step with what speaks for
+/// and against it. Empty where it is sure.
 QString causeOf(const importer::ImportReport& report, const DisplayUnits& units);
 
 /// "Plot frame": of what a step's finding speaks.

@@ -17,8 +17,8 @@
 
 namespace detent::editor {
 
-/// How sure the import is, and a box for each thing that can be corrected: every change is a labelled step of the
-/// current graph, each given value has a button that goes back to what was found. GUI thread.
+/// How sure the import is, and a box for each thing that can be corrected: every change is a labelled step of
+/// the current graph, each given value has a button that goes back to what was found. GUI thread.
 class FindingsPanel : public QScrollArea {
   Q_OBJECT
 
@@ -30,7 +30,8 @@ class FindingsPanel : public QScrollArea {
   void focusField(GraphAxis axis);
   void focusUnit(GraphAxis axis);
   void focusDpi();
-  /// Whether all that is typed can be read. Where not, puts the keyboard on the first such field, which says why.
+  /// Whether all that is typed can be read. Where not, puts the keyboard on the first such field, which says
+  /// why.
   bool acceptable();
 
  signals:

@@ -66,7 +66,8 @@ struct ImportGraph {
   importer::Quality askedQuality = importer::Quality::standard;
   bool asked = false;
 
-  /// The switches that the newest reading saw in the plot, if there are several, with what chooses each of them.
+  /// The switches that the newest reading saw in the plot, if there are several, with what chooses each of
+  /// them.
   std::vector<SwitchChoice> switches() const;
   bool framedByHand() const { return history.now().frame.has_value(); }
   /// Corners in force, page units: given, else found; nothing before either is known.
@@ -146,9 +147,9 @@ class ImportState : public QObject {
   /// Nothing is worked on any more; what is known stays.
   void stopAll();
 
-  /// Gives out the ticked graphs and switches (without any, the current graph), each by `accepted` when its result is there;
-  /// then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which is then the
-  /// current one.
+  /// Gives out the ticked graphs and switches (without any, the current graph), each by `accepted` when its
+  /// result is there; then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which
+  /// is then the current one.
   void acceptAll();
   bool accepting() const { return !toAccept_.empty(); }
 

@@ -16,7 +16,8 @@ class OriginMark : public QWidget {
   Q_OBJECT
 
  public:
-  /// `reset` is applied to the current graph as the step `label`; `state` must outlive this. `name` is the button's.
+  /// `reset` is applied to the current graph as the step `label`; `state` must outlive this. `name` is the
+  /// button's.
   OriginMark(ImportState& state, const QString& name, const QString& label,
              std::function<void(Corrections&)> reset, QWidget* parent = nullptr);
 

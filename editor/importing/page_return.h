@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The page of a button that was imported once: found again by name and hash, and put behind the curves. Its curves
-// are traced again where somebody wants the points.
+// The page of a button that was imported once: found again by name and hash, and put behind the curves. Its
+// curves are traced again where somebody wants the points.
 
 #include <atomic>
 #include <functional>
@@ -23,8 +23,8 @@ namespace detent::editor {
 importer::ImportRequest requestAgain(const Provenance& provenance);
 
 /// A file is the sheet only if its contents are: name and place alone prove nothing. One thread of its own
-/// looks and reads; documents may be closed meanwhile, and are never changed. A page that cannot be laid behind the curves by
-/// what the file keeps of it (placed_page.h) is read again at once. GUI thread.
+/// looks and reads; documents may be closed meanwhile, and are never changed. A page that cannot be laid
+/// behind the curves by what the file keeps of it (placed_page.h) is read again at once. GUI thread.
 class PageReturn : public QObject {
   Q_OBJECT
 
@@ -38,8 +38,8 @@ class PageReturn : public QObject {
   void attend(ButtonDocument& document);
   /// Where a sheet was imported from.
   void remember(const Provenance& provenance, const QString& path);
-  /// Looks beside the button's file and where the sheet was last; else shows the page that the file keeps. Nothing for
-  /// buttons that came from no sheet, and for those that have their page.
+  /// Looks beside the button's file and where the sheet was last; else shows the page that the file keeps.
+  /// Nothing for buttons that came from no sheet, and for those that have their page.
   void bringBack(ButtonDocument& document);
   /// From a file that a person chose.
   void bringBackFrom(ButtonDocument& document, const QString& path);

@@ -24,7 +24,8 @@ importer::Box boxOf(importer::Point a, importer::Point b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
 }
 
-/// Click a place of an axis, type the value that stands there. Clings to ticks, gridlines and the ends of the axis.
+/// Click a place of an axis, type the value that stands there. Clings to ticks, gridlines and the ends of the
+/// axis.
 class ScaleTool : public PageTool {
  public:
   using PageTool::PageTool;

@@ -37,7 +37,8 @@ importer::Box around(const importer::Box& frame, const importer::Page& page) {
           std::min(page.width, frame.x1 + room), std::min(page.height, frame.y1 + room)};
 }
 
-/// Corners of the frame in the picture, from the one at the start of the press and full force, clockwise on the graph.
+/// Corners of the frame in the picture, from the one at the start of the press and full force, clockwise on
+/// the graph.
 QPolygonF cornersOf(const importer::Box& frame, const importer::Homography& pageToPicture, int quarterTurns) {
   std::array<importer::Point, 4> corners{
       {{frame.x0, frame.y0}, {frame.x1, frame.y0}, {frame.x1, frame.y1}, {frame.x0, frame.y1}}};

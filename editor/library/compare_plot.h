@@ -20,8 +20,8 @@ struct ComparedGraph {
   ForceGraph graph;
 };
 
-/// Press solid, release dashed, a colour per button. The pointer moves a cursor, a click pins a second one from
-/// which differences are counted; Escape or a click on it takes it away. GUI thread.
+/// Press solid, release dashed, a colour per button. The pointer moves a cursor, a click pins a second one
+/// from which differences are counted; Escape or a click on it takes it away. GUI thread.
 class ComparePlot : public QCustomPlot {
   Q_OBJECT
 

@@ -24,7 +24,8 @@ class OpenButtonsModel : public QAbstractListModel {
 
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   ButtonDocument* documentAt(const QModelIndex& index) const;
-  /// Whether people will tell each of them from the one shown, by document; those that are missing say nothing.
+  /// Whether people will tell each of them from the one shown, by document; those that are missing say
+  /// nothing.
   void setForecasts(std::map<ButtonDocument*, playback::PredictedPair> forecasts);
   /// Draws every picture anew, after the colours changed.
   void redraw();

@@ -39,7 +39,8 @@ constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20;
 constexpr std::size_t comparedSwitches = seriesColors;
 constexpr int longestList = 4;  // of credits and licences in a line
 
-/// A header whose sections cannot be dragged has no grips: a click beside a line between two rows chooses the row.
+/// A header whose sections cannot be dragged has no grips: a click beside a line between two rows chooses the
+/// row.
 class NoGrips : public QProxyStyle {
  public:
   NoGrips() : QProxyStyle(QStringLiteral("Fusion")) {}  // what outlinedStyle() stands on

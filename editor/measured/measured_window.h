@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The measured switches of a library: table, map, overlay; which of them feels like a button; credit and licence always in view.
+// The measured switches of a library: table, map, overlay; which of them feels like a button; credit and
+// licence always in view.
 
 #include <functional>
 #include <optional>

@@ -11,7 +11,8 @@
 
 namespace detent::editor {
 
-/// Reads the switches' logs anew, since a forecast needs the whole button; the latest question wins. GUI thread.
+/// Reads the switches' logs anew, since a forecast needs the whole button; the latest question wins. GUI
+/// thread.
 class NearestForecasts : public QObject {
   Q_OBJECT
 

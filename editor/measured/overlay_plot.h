@@ -20,7 +20,8 @@ struct ScatterPoint {
 /// Over the travel that all have; empty for fewer than two.
 std::vector<ScatterPoint> scatterOf(const std::vector<const importer::FeltShape*>& shapes);
 
-/// Press solid, release dashed, a colour each; beyond `mostCurves` only the band speaks for the rest. GUI thread.
+/// Press solid, release dashed, a colour each; beyond `mostCurves` only the band speaks for the rest. GUI
+/// thread.
 class OverlayPlot : public QCustomPlot {
   Q_OBJECT
 

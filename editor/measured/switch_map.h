@@ -19,8 +19,8 @@ struct MapScale {
   friend bool operator==(const MapScale&, const MapScale&) = default;
 };
 
-/// A click chooses the nearest dot, a drag all in the rectangle; with Ctrl they are added to those chosen. The wheel zooms, a double
-/// click shows all again. Switches without a figure have no place. GUI thread.
+/// A click chooses the nearest dot, a drag all in the rectangle; with Ctrl they are added to those chosen.
+/// The wheel zooms, a double click shows all again. Switches without a figure have no place. GUI thread.
 class SwitchMap : public QCustomPlot {
   Q_OBJECT
 
@@ -36,7 +36,8 @@ class SwitchMap : public QCustomPlot {
   void redraw();
   /// Where a switch lies in the widget; empty where it has no place or is not shown.
   std::optional<QPointF> placeOf(SwitchIndex which);
-  /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes with most.
+  /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes
+  /// with most.
   QString titleOf(const MapScale& scale) const;
 
  signals:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How people will press the buttons that are compared: figures of a forecast, misses against effort, and what if the contact closed
-// elsewhere.
+// How people will press the buttons that are compared: figures of a forecast, misses against effort, and what
+// if the contact closed elsewhere.
 
 #include <QCheckBox>
 #include <QLabel>

@@ -46,9 +46,9 @@ QuantityReading readQuantity(const QString& text, Quantity quantity, const Displ
 /// Why a text was refused, and what can be typed instead: one sentence or two for the person.
 QString refusalOf(const QuantityReading& reading, Quantity quantity, const DisplayUnits& units);
 
-/// A question where what was typed is no button's: more than 20 N or 30 mm, either way; more than the whole of a share, or less than
-/// a hundredth where its sign was not typed. "… Meant: 60 gf? …" with the same number in the unit that fits, if one does. Empty where
-/// nothing is odd, and for slopes and all else.
+/// A question where what was typed is no button's: more than 20 N or 30 mm, either way; more than the whole
+/// of a share, or less than a hundredth where its sign was not typed. "… Meant: 60 gf? …" with the same
+/// number in the unit that fits, if one does. Empty where nothing is odd, and for slopes and all else.
 QString doubtOf(const QString& text, double value, Quantity quantity, const DisplayUnits& units);
 
 /// Size of the shown unit in mm, N, N/mm; 0.01 for shares, 1 for numbers without a unit.

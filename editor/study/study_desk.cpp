@@ -341,7 +341,8 @@ QScreen* StudyDesk::participantScreen() const {
   return chosen < screens.size() ? screens[chosen] : QGuiApplication::primaryScreen();
 }
 
-/// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own the desk stays.
+/// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own
+/// the desk stays.
 void StudyDesk::showStation(StudyWork work) {
   atWork_ = QString::fromStdString(work.participant);
   window_ = new StudyWindow(std::move(work));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The participant's station: consent, what is asked, one question at a time, rests, the end. Large plain controls, each with its key, in
-// the participant's language; no label of any button. The experimenter's view is study_desk.h.
+// The participant's station: consent, what is asked, one question at a time, rests, the end. Large plain
+// controls, each with its key, in the participant's language; no label of any button. The experimenter's view
+// is study_desk.h.
 
 #include <memory>
 #include <optional>
@@ -39,8 +40,8 @@ struct StudyProgress {
   std::size_t answered = 0, questions = 0;  ///< practice too
 };
 
-/// Works through one participant's trials. Every answer is on the disk before the next question is shown. Shown over a whole screen;
-/// closing it from outside (Alt+F4) pauses. GUI thread.
+/// Works through one participant's trials. Every answer is on the disk before the next question is shown.
+/// Shown over a whole screen; closing it from outside (Alt+F4) pauses. GUI thread.
 class StudyWindow : public QWidget {
   Q_OBJECT
 

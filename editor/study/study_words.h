@@ -8,7 +8,8 @@
 
 namespace detent::editor {
 
-/// sentenceOf(), where an option of the program is named as the field of maker or desk that asks for the same.
+/// sentenceOf(), where an option of the program is named as the field of maker or desk that asks for the
+/// same.
 QString studySentence(Failure failure);
 
 }  // namespace detent::editor

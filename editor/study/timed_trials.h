@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Timed trials in a participant's window, one after the other: playback's TimedRun with a page in front of it.
+// Timed trials in a participant's window, one after the other: playback's TimedRun with a page in front of
+// it.
 
 #include <optional>
 #include <QObject>
@@ -21,8 +22,9 @@ struct TimedWords {
   QString notKept;  ///< %1: why
 };
 
-/// Presses are timed by the stamp that the window system gives them, in ms of the system's steady clock; where it gives none, by when they reached
-/// this window. How late a stamp may be is watched while a trial is shown. GUI thread.
+/// Presses are timed by the stamp that the window system gives them, in ms of the system's steady clock;
+/// where it gives none, by when they reached this window. How late a stamp may be is watched while a trial is
+/// shown. GUI thread.
 class TimedTrials : public QObject {
   Q_OBJECT
 

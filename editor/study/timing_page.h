@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A timed question as a participant sees it: beats, a ball that runs into its window, or the time that is left; and a large pad. It knows no label
-// of any button.
+// A timed question as a participant sees it: beats, a ball that runs into its window, or the time that is
+// left; and a large pad. It knows no label of any button.
 
 #include "editor/study/question_page.h"
 #include "playback/study.h"

@@ -7,8 +7,8 @@
 
 namespace detent::editor {
 
-/// Asks to be woken every millisecond, on a thread of its own. What stamps an event waits for it in the same way: this is as late as a stamp may be,
-/// as far as a program can know.
+/// Asks to be woken every millisecond, on a thread of its own. What stamps an event waits for it in the same
+/// way: this is as late as a stamp may be, as far as a program can know.
 class WakeWatch {
  public:
   WakeWatch();

@@ -14,8 +14,9 @@ namespace detent::editor {
 QPalette lightPalette();
 QPalette darkPalette();
 
-/// Qt's Fusion style with outlines of fields, boxes and buttons that have a contrast of 3 : 1 or more to every ground
-/// (Fusion derives them from the window's colour: on dark ground they cannot be seen). The caller owns it.
+/// Qt's Fusion style with outlines of fields, boxes and buttons that have a contrast of 3 : 1 or more to
+/// every ground (Fusion derives them from the window's colour: on dark ground they cannot be seen). The
+/// caller owns it.
 QStyle* outlinedStyle();
 
 /// The palette for a choice; `system` is what the desktop gave the program at its start: whether it is dark

@@ -15,7 +15,8 @@
 
 namespace detent::editor {
 
-/// A preset fills in everything; what is changed afterwards stays. The picture follows every change. GUI thread.
+/// A preset fills in everything; what is changed afterwards stays. The picture follows every change. GUI
+/// thread.
 class GraphExportDialog : public QDialog {
   Q_OBJECT
 

@@ -6,8 +6,8 @@
 
 namespace detent::editor {
 
-/// Nothing is thrown away unasked, and nothing left behind goes before it lies in this editor's own store. GUI
-/// thread.
+/// Nothing is thrown away unasked, and nothing left behind goes before it lies in this editor's own store.
+/// GUI thread.
 class RecoveryDesk : public QObject {
   Q_OBJECT
 

@@ -70,7 +70,8 @@ std::vector<Box> joinedParts(std::vector<Box> lines) {
   return textLines(lines, 1.3);
 }
 
-/// Whether a line is long enough to be a title, and says no unit by itself, or one so short that a letter of it may be lost.
+/// Whether a line is long enough to be a title, and says no unit by itself, or one so short that a letter of
+/// it may be lost.
 bool mayHideUnit(const Box& line, const std::string& text) {
   if (line.width() < 2 * line.height() || !otherQuantityIn(text).empty()) return false;
   const auto force = forceUnitIn(text);
@@ -78,7 +79,8 @@ bool mayHideUnit(const Box& line, const std::string& text) {
   return !lengthUnitIn(text);
 }
 
-/// The bracketed unit of a line whose letters the engine does not know, though it saw a bracket, and in which nothing else names one.
+/// The bracketed unit of a line whose letters the engine does not know, though it saw a bracket, and in which
+/// nothing else names one.
 std::optional<std::string> unreadUnit(const cv::Mat& darkness, const Box& place, double height_px,
                                       int quarterTurns, const std::string& text) {
   constexpr double largest_px = 16;  // the engine tells larger brackets and letters apart

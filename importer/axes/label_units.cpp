@@ -32,7 +32,8 @@ std::optional<Unit> unitBehindNumbers(GraphReading& r, const AxisLabels& labels,
   return most->first;
 }
 
-/// What stands on an axis in the highest number's neighbour's stead; empty where a number stands there or nothing does.
+/// What stands on an axis in the highest number's neighbour's stead; empty where a number stands there or
+/// nothing does.
 Box placeBelowHighest(const GraphReading& r, const AxisLabels& labels, bool alongX) {
   constexpr double near = 0.3, beside = 0.5;  // of a step along the axis; of a number's height across it
   const Progression& p = *labels.progression;

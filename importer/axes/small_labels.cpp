@@ -67,8 +67,8 @@ struct JudgedLabel {
   double likeness = -1;                                ///< of the least alike label
 };
 
-/// Nats of a label's pixels, noise and the difference of typefaces not known beforehand; what scaling and blur join is
-/// counted once.
+/// Nats of a label's pixels, noise and the difference of typefaces not known beforehand; what scaling and
+/// blur join is counted once.
 double natsOf(double likeness, const Box& word) {
   constexpr double independent = 0.25, most = 0.99;  // of the pixels; highest correlation that is believed
   const double pixels = independent * (word.width() + 2) * (word.height() + 2);

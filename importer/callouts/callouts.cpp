@@ -108,8 +108,9 @@ class InkTest {
 
 constexpr double leastShare = 0.8;  // of a leader that is a thin stroke
 
-/// Share of the straight line between two points that is a thin stroke of ink: ink on it, none beside it. 0..1; 0 as
-/// soon as it cannot reach `leastShare` any more, as nearly all lines from a word to a curve cross blank paper.
+/// Share of the straight line between two points that is a thin stroke of ink: ink on it, none beside it.
+/// 0..1; 0 as soon as it cannot reach `leastShare` any more, as nearly all lines from a word to a curve cross
+/// blank paper.
 double leaderShare(const InkTest& ink, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};

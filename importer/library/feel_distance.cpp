@@ -15,9 +15,11 @@ constexpr double steepest_gf_per_mm = 60;
 
 /// Cells of the wanted travel: 0.04 mm on a key switch, below which slopes are of the meters' noise.
 constexpr int cells = 96;
-/// Contacts are laid apart by up to so many cells, in strides: preload and the first resistance differ between meters.
+/// Contacts are laid apart by up to so many cells, in strides: preload and the first resistance differ
+/// between meters.
 constexpr int farthestShift = 8, shiftStride = 2;
-/// Left out at either end of what both have, as a share of it: contact and wall, where a hundredth of a millimetre decides.
+/// Left out at either end of what both have, as a share of it: contact and wall, where a hundredth of a
+/// millimetre decides.
 constexpr double leftOutOfEnds = 0.05;
 
 /// Forces at 0, step, ... while the shape lasts, at most `most` of them, linear in between.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What of a force graph two laboratories agree on: the curve from first contact to where the bottom-out begins.
+// What of a force graph two laboratories agree on: the curve from first contact to where the bottom-out
+// begins.
 
 #include <optional>
 #include <vector>

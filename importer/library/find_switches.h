@@ -29,7 +29,8 @@ struct FoundSwitch {
   std::vector<Rating> ratings = {};  ///< what people said of a switch of this name
 };
 
-/// 1: nobody can say that it differs; 2: within two lab noises, and so on. Who stands first in a group says little.
+/// 1: nobody can say that it differs; 2: within two lab noises, and so on. Who stands first in a group says
+/// little.
 inline std::size_t groupOf(double distance_labNoise) {
   return 1 + static_cast<std::size_t>(distance_labNoise);
 }

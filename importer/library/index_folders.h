@@ -40,8 +40,8 @@ struct IndexProgress {
   std::function<bool()> cancelled;  ///< asked from any thread; may be empty
 };
 
-/// What was read before a Failure or an end by force stays read. Failure unreadableInput: no such folder; those of
-/// LibraryStore::openToWrite and put; cancelled.
+/// What was read before a Failure or an end by force stays read. Failure unreadableInput: no such folder;
+/// those of LibraryStore::openToWrite and put; cancelled.
 Result<IndexSummary> indexFolders(const IndexRequest& request, const IndexProgress& progress = {});
 
 }  // namespace detent::importer

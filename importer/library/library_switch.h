@@ -14,8 +14,8 @@ namespace detent::importer {
 enum class SwitchKind { linear, between, tactile };
 std::string_view nameOf(SwitchKind kind);
 SwitchKind kindOf(const KeyFigures& figures);
-/// Takes peak, valley and what follows from them from a linear switch whose peak lies where it is first touched: there its preload is
-/// met, which is no tactile point. `start_mm`: of the press.
+/// Takes peak, valley and what follows from them from a linear switch whose peak lies where it is first
+/// touched: there its preload is met, which is no tactile point. `start_mm`: of the press.
 void forgetContactBump(KeyFigures& figures, KeyFigures& sigmas, double start_mm);
 
 struct LibrarySwitch {

@@ -17,8 +17,8 @@ struct Origin {
   std::string credit;  ///< "owner/name" of the clone the file stands in; empty where there is none
 };
 
-/// Looks for licence files and clones, from a file's folder up to the root it was reached by. Remembers what it saw of each folder.
-/// One thread.
+/// Looks for licence files and clones, from a file's folder up to the root it was reached by. Remembers what
+/// it saw of each folder. One thread.
 class Origins {
  public:
   /// What was given by hand settles itself; empty: found.
@@ -31,10 +31,12 @@ class Origins {
   std::map<std::filesystem::path, Origin> seen_;
 };
 
-/// The name of the licence that a text is; its first line where it is none that is known; empty for an empty text.
+/// The name of the licence that a text is; its first line where it is none that is known; empty for an empty
+/// text.
 std::string licenceNamed(std::string_view text);
 
-/// "owner/name" from a git configuration's first URL, without what it may hold of passwords; empty where there is none.
+/// "owner/name" from a git configuration's first URL, without what it may hold of passwords; empty where
+/// there is none.
 std::string creditFrom(std::string_view gitConfig);
 
 }  // namespace detent::importer

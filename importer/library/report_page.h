@@ -9,8 +9,9 @@
 
 namespace detent::importer {
 
-/// One self-contained HTML page: no script, nothing loaded. `like` is what was asked for, `found` the answer, nearest first (with
-/// distances), `fitting` how many were compared. Every text of a file is escaped. Same input, same bytes. Any thread.
+/// One self-contained HTML page: no script, nothing loaded. `like` is what was asked for, `found` the answer,
+/// nearest first (with distances), `fitting` how many were compared. Every text of a file is escaped. Same
+/// input, same bytes. Any thread.
 std::string reportPage(const LibrarySwitch& like, const std::vector<FoundSwitch>& found, std::size_t fitting);
 
 }  // namespace detent::importer

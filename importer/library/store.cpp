@@ -131,7 +131,8 @@ KeyFigures figuresIn(const Statement& row, int first) {
   return figures;
 }
 
-/// A row's curveColumns from `first` on, into `shape`, whose memory is used again. Throws DatabaseFault where they are no whole curve.
+/// A row's curveColumns from `first` on, into `shape`, whose memory is used again. Throws DatabaseFault where
+/// they are no whole curve.
 void readShape(const Statement& row, int first, FeltShape& shape) {
   shape.travel_mm = row.real(first).value_or(0);
   unpack(row.view(first + 1), shape.press_N);

@@ -19,7 +19,8 @@
 
 namespace detent::importer {
 
-/// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
+/// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are
+/// made anew.
 inline constexpr int libraryVersion = 7;
 
 /// Why a file is not in the library.
@@ -69,11 +70,12 @@ bool byName(const LibrarySwitch& a, const LibrarySwitch& b);
 /// One open library. One thread; any number of processes.
 class LibraryStore {
  public:
-  /// Makes the file where there is none. One of another version is emptied, a damaged one moved aside: `rebuilt` says so. Failure
-  /// wrongUsage: a database of another program, a folder, what is no database by name and content.
+  /// Makes the file where there is none. One of another version is emptied, a damaged one moved aside:
+  /// `rebuilt` says so. Failure wrongUsage: a database of another program, a folder, what is no database by
+  /// name and content.
   static Result<LibraryStore> openToWrite(const std::string& path);
-  /// All that is asked of it is of one moment: who writes waits until it is gone. Failure unreadableInput: missing, damaged, of
-  /// another version.
+  /// All that is asked of it is of one moment: who writes waits until it is gone. Failure unreadableInput:
+  /// missing, damaged, of another version.
   static Result<LibraryStore> openToRead(const std::string& path);
   LibraryStore(LibraryStore&&) noexcept;
   LibraryStore& operator=(LibraryStore&&) noexcept;

@@ -21,7 +21,8 @@ const cv::Scalar leftOverColor(230, 159, 0), pressColor(213, 94, 0), releaseColo
 constexpr int subPixelBits = 4;
 constexpr double subPixel = 1 << subPixelBits;
 
-/// Draws in view pixels on a picture enlarged by `scale`; one that was followed in a mirror is shown as it stands on the page.
+/// Draws in view pixels on a picture enlarged by `scale`; one that was followed in a mirror is shown as it
+/// stands on the page.
 class Canvas {
  public:
   Canvas(const PageView& view, double scale)

@@ -9,8 +9,8 @@ namespace detent::importer {
 
 struct GraphEvidence;
 
-/// Frame, ticks with the values read, traced points, fitted curves, tactile points and unexplained ink over the (paled) view,
-/// enlarged so that one curve pixel is visible. Any thread.
+/// Frame, ticks with the values read, traced points, fitted curves, tactile points and unexplained ink over
+/// the (paled) view, enlarged so that one curve pixel is visible. Any thread.
 Raster drawOverlay(const GraphEvidence& evidence, const StrokePair& strokes, const Button& button);
 
 /// What a refused import looked at: frame, ticks, traced curves, and the ink that none of it explains.

@@ -31,8 +31,8 @@ struct Family {
   std::vector<std::pair<FamilyDoubt, std::string>> doubts;  ///< with their sentences
 };
 
-/// Failures: those of an import; unreadableInput for a record without times; wrongUsage for what is no record, for fewer than two speeds, and
-/// for more than four records; a broken rule of Button.
+/// Failures: those of an import; unreadableInput for a record without times; wrongUsage for what is no
+/// record, for fewer than two speeds, and for more than four records; a broken rule of Button.
 Result<Family> importFamily(const std::vector<std::string>& inputs, const ImportRequest& request,
                             const Progress& progress);
 

@@ -8,8 +8,9 @@
 
 namespace detent::importer {
 
-/// While one lives, the process ends `grace_s` after `cancelled` was first true: files that are not complete go, the exit code is that of
-/// a cancelled import. What asks `cancelled` itself has that time to end in order. `cancelled` is asked from a thread of its own.
+/// While one lives, the process ends `grace_s` after `cancelled` was first true: files that are not complete
+/// go, the exit code is that of a cancelled import. What asks `cancelled` itself has that time to end in
+/// order. `cancelled` is asked from a thread of its own.
 class ForcedEnd {
  public:
   explicit ForcedEnd(std::function<bool()> cancelled, double grace_s = 0.3);

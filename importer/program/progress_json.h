@@ -20,7 +20,8 @@ class StepLines {
   double shown_ = 0;
 };
 
-/// Of a batch: an input is done, the `done`th of `total`. `exitCode` is what detent-import would have ended with for it.
+/// Of a batch: an input is done, the `done`th of `total`. `exitCode` is what detent-import would have ended
+/// with for it.
 void showInputDone(const std::string& input, int exitCode, std::size_t done, std::size_t total);
 
 }  // namespace detent::importer

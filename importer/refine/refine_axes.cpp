@@ -166,7 +166,8 @@ class SheetProblem {
   double cost_ = 0;
 };
 
-/// How many neighbouring residuals along a line share one error: the integrated autocorrelation, lag by lag until it is spent.
+/// How many neighbouring residuals along a line share one error: the integrated autocorrelation, lag by lag
+/// until it is spent.
 double placesPerError(const std::vector<double>& residuals, const std::vector<int>& lineOf) {
   double variance = 0;
   for (const double r : residuals) variance += r * r;
@@ -241,7 +242,8 @@ Told toldBy(const std::vector<SightedLine>& lines, bool ofForce) {
   return told;
 }
 
-/// Whether so much less cost is worth so many more unknowns (Schwarz 1978), with the places that stand for themselves.
+/// Whether so much less cost is worth so many more unknowns (Schwarz 1978), with the places that stand for
+/// themselves.
 bool worthIt(double before, double after, int unknowns, int lines) {
   const double independent = toldByALine * lines;
   return independent * std::log(before / std::max(after, 1e-12)) > unknowns * std::log(independent);

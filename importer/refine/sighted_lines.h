@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where the lines of a plot really run: gridlines, edges and ticks of known axes, seen at many places along each.
+// Where the lines of a plot really run: gridlines, edges and ticks of known axes, seen at many places along
+// each.
 
 #include <optional>
 #include <vector>
@@ -19,8 +20,8 @@ struct SightedLine {
   std::vector<Point> points_px;  ///< view pixels, sub-pixel across the line, in order along it; 1 for a tick
 };
 
-/// The plot's lines in a view, looked for where the calibration has them. Lines of which less than a third is seen, or that
-/// stand within 3 px of another, are left out. Any thread.
+/// The plot's lines in a view, looked for where the calibration has them. Lines of which less than a third is
+/// seen, or that stand within 3 px of another, are left out. Any thread.
 std::vector<SightedLine> sightLines(const PageView& view, const PlotFrame& frame,
                                     const AxisCalibration& calibration);
 

@@ -135,8 +135,8 @@ class CurveSearch {
     }
   }
 
-  /// Moves every stage one column on. Later stages come first, because they use the previous column of earlier
-  /// ones.
+  /// Moves every stage one column on. Later stages come first, because they use the previous column of
+  /// earlier ones.
   void arrive(int x) {
     const std::size_t n = rows();
     const float* gain = gain_.data();

@@ -216,8 +216,8 @@ class TintedAreas {
     return contrast > kInkTimes * its || (contrast > its && onTheWay(pixel, tint).off > otherHue);
   }
 
-  /// Returns the colour near the pixel that differs most from the tint in the pixel's direction: the core of the
-  /// line on whose pale rim the pixel lies. Returns the pixel's own colour if there is none.
+  /// Returns the colour near the pixel that differs most from the tint in the pixel's direction: the core of
+  /// the line on whose pale rim the pixel lies. Returns the pixel's own colour if there is none.
   static Color3 coreOfLine(const Raster& picture, int x, int y, Color3 tint) {
     constexpr int reach_px = 2;
     constexpr float sameInk = 0.9F;  // cosine between differences to the tint

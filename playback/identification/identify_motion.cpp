@@ -15,15 +15,16 @@ namespace {
 
 constexpr double motionMmPerM = 1000;
 constexpr double longestSubstep_s = 100e-6;
-// The record is cut into stretches with a beginning of their own: long enough to tell a force from a speed, short enough that an
-// error of friction does not add up over many turns.
-// At first they are briefer: from far off, long ones lead to a place that is no solution.
+// The record is cut into stretches with a beginning of their own: long enough to tell a force from a speed,
+// short enough that an error of friction does not add up over many turns. At first they are briefer: from far
+// off, long ones lead to a place that is no solution.
 constexpr double stretch_s = 0.05, briefStretch_s = 0.02, goodOfStretch = 0.7, movedSteps = 6,
                  moved_mm = 0.02;
 // At slow links' rates they are longer: by samples, not by time, a beginning is known.
 constexpr double stretchPeriods = 16, briefStretchPeriods = 8;
 constexpr std::size_t leastStretches = 12;
-// Nothing was heard for so many periods: the host or the link paused. A device lets go meanwhile, so what it gave is not known.
+// Nothing was heard for so many periods: the host or the link paused. A device lets go meanwhile, so what it
+// gave is not known.
 constexpr double pausePeriods = 5;
 constexpr int mostRounds = 60;
 constexpr double converged = 1e-5;
@@ -32,8 +33,8 @@ constexpr double oddTimes = 4, mostOdd = 0.25;
 // What is left may be so much more than rounding before something else must act.
 constexpr double unexplainedTimes = 2.5, unexplained_mm = 0.004;
 
-// A short lag looks like a delay of the same length but for a part that grows with its square: so lateness in all and that square, in
-// milliseconds, are what is solved for.
+// A short lag looks like a delay of the same length but for a part that grows with its square: so lateness in
+// all and that square, in milliseconds, are what is solved for.
 enum Parameter : std::uint8_t { logMass, friction, damping, late_ms, lag_ms2, offset };
 constexpr std::size_t parameters = 6;
 using Globals = Eigen::Matrix<double, parameters, 1>;
@@ -44,7 +45,8 @@ using MotionColumns = Eigen::Matrix<double, Eigen::Dynamic, parameters>;
 
 // Steps of the differences, and what no parameter falls below.
 constexpr std::array<double, parameters> difference{1e-3, 1e-3, 1e-5, 0.02, 0.01, 1e-3};
-// What is not noise: friction that sticks more than it slides, turns between two substeps. Measured on handles that are known.
+// What is not noise: friction that sticks more than it slides, turns between two substeps. Measured on
+// handles that are known.
 constexpr std::array<double, parameters> systematic{0.004, 0.0006, 8e-6, 0.012, 0.04, 1e-3};
 constexpr std::array<double, parameters> least{-9.2, 0, 0, 0, 0, -100};
 
@@ -316,7 +318,8 @@ class MotionFit {
     return std::isfinite(cost) ? cost : std::numeric_limits<double>::max();
   }
 
-  /// Each stretch's own beginning is eliminated: what is left of the other columns is what its beginning cannot do.
+  /// Each stretch's own beginning is eliminated: what is left of the other columns is what its beginning
+  /// cannot do.
   Equations equationsAt(const Globals& theta) {
     Equations e;
     motor_.follow(delayOf_s(theta), lagOf_s(theta));
@@ -356,7 +359,8 @@ class MotionFit {
     return part;
   }
 
-  /// Each stretch takes its new beginning where that is the better one: where friction turns, a straight line leads astray. Gives the cost.
+  /// Each stretch takes its new beginning where that is the better one: where friction turns, a straight line
+  /// leads astray. Gives the cost.
   double moveStarts(const Equations& e, const Globals& theta, const Globals& by) {
     motor_.follow(delayOf_s(theta), lagOf_s(theta));
     double cost = 0;
@@ -431,7 +435,8 @@ class MotionFit {
     const double used = static_cast<double>(2 * found.stretches + parameters);
     found.residual_mm = std::sqrt(cost / std::max(1.0, n - used));
     found.expected_mm = record_.step_mm / std::sqrt(12.0);
-    // Errors within a stretch go together: they are counted by stretches. No less than independent rounding would give.
+    // Errors within a stretch go together: they are counted by stretches. No less than independent rounding
+    // would give.
     const Square inverse = (e.normal + 1e-15 * Square::Identity()).inverse();
     const double m = static_cast<double>(found.stretches);
     const Square byStretches =

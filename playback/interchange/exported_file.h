@@ -6,7 +6,8 @@
 
 namespace detent::playback {
 
-/// One file of an export. Its path is the path asked for with `part` before the ending, and `ending` instead of it where there is one.
+/// One file of an export. Its path is the path asked for with `part` before the ending, and `ending` instead
+/// of it where there is one.
 struct ExportedFile {
   std::string part;    ///< ".press", ".release" or empty
   std::string ending;  ///< ".h" or empty

@@ -13,8 +13,9 @@ struct GainPoint {
   double gain = 1;
 };
 
-/// As few points, one after another, as give `limited` of `whole` within `tolerance` (> 0, share of full scale) at every sample. Both of
-/// one length; where a sample of `whole` is the larger one it was turned down. Empty for no samples. Any thread; allocates.
+/// As few points, one after another, as give `limited` of `whole` within `tolerance` (> 0, share of full
+/// scale) at every sample. Both of one length; where a sample of `whole` is the larger one it was turned
+/// down. Empty for no samples. Any thread; allocates.
 std::vector<GainPoint> limiterCourse(const std::vector<float>& whole, const std::vector<float>& limited,
                                      double tolerance);
 

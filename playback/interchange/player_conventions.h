@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What players of other makers are taken to do: Apple's, on which every format of phones leans (intensity is the root of an
-// amplitude), and motors that choose their frequency themselves.
+// What players of other makers are taken to do: Apple's, on which every format of phones leans (intensity is
+// the root of an amplitude), and motors that choose their frequency themselves.
 
 #include <algorithm>
 

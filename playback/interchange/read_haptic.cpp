@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lofelt's and Meta's .haptic, version 1: played as its own conversion to AHAP has it (NiceVibrations): intensity is the root of an
-// amplitude, sharpness the root of a frequency; at an emphasis the envelope is ducked and a transient stands on it.
+// Lofelt's and Meta's .haptic, version 1: played as its own conversion to AHAP has it (NiceVibrations):
+// intensity is the root of an amplitude, sharpness the root of a frequency; at an emphasis the envelope is
+// ducked and a transient stands on it.
 
 #include <cmath>
 

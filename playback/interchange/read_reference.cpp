@@ -92,7 +92,8 @@ std::uint64_t littleEndian(const Head& head, std::size_t at, std::size_t bytes) 
   return value;
 }
 
-/// Size that a file's own header gives it; 0 where it gives none. 0 and the largest number stand in streams that did not know.
+/// Size that a file's own header gives it; 0 where it gives none. 0 and the largest number stand in streams
+/// that did not know.
 std::uint64_t statedSize(const Head& head) {
   const std::string_view kind = wordOf(head, 0);
   constexpr std::uint64_t unknown = 0xFFFFFFFF, chunkHead = 8;

@@ -15,7 +15,8 @@
 namespace detent::playback {
 
 struct Reduction {
-  /// What a player makes of it, on the plan's time line and at its rate; press and release apart where each is begun by itself.
+  /// What a player makes of it, on the plan's time line and at its rate; press and release apart where each
+  /// is begun by itself.
   std::vector<std::vector<double>> played;
   ExportLoss loss;  ///< all but the energies, which follow from `played`
   std::function<std::vector<ExportedFile>(const ExportLoss&)> write;

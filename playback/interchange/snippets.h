@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Courses of levels as snippets of the DA728x's waveform memory: 100 bytes for all. docs/develop/decisions/0913-exporting-presses.md
+// Courses of levels as snippets of the DA728x's waveform memory: 100 bytes for all.
+// docs/develop/decisions/0913-exporting-presses.md
 
 #include <array>
 #include <cstddef>
@@ -39,8 +40,9 @@ struct SnippetRow {
   bool cut = false;               ///< the memory was full before the end
 };
 
-/// One row per course, by one price a byte for both: the lowest found at which they fit the memory together, which comes near the least squared error.
-/// Every onset that is held begins a point. Where not even the dearest fits, each course gets the share that the others leave, half at least, and is cut.
+/// One row per course, by one price a byte for both: the lowest found at which they fit the memory together,
+/// which comes near the least squared error. Every onset that is held begins a point. Where not even the
+/// dearest fits, each course gets the share that the others leave, half at least, and is cut.
 std::array<SnippetRow, 2> snippetsOf(const std::array<LevelCourse, 2>& courses);
 
 /// The memory: row 0 is sequence 0. Of rows that snippetsOf gave.

@@ -104,7 +104,8 @@ class SliceWriter {
       if (frame < static_cast<double>(step.to)) return step;
     return steps_.back();
   }
-  /// What begins with a step is what it plays, be the slope stronger: the slope's longer cycle might not end before the next onset.
+  /// What begins with a step is what it plays, be the slope stronger: the slope's longer cycle might not end
+  /// before the next onset.
   double frequency_Hz(const EnvelopeStep& step) const {
     if (step.onset)
       for (const PlannedBurst& planned : plan_.bursts)
@@ -398,7 +399,8 @@ Reduction da728xOf(const ExportSource& source) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const DaPart& part = parts[i];
     reduction.played.push_back(playedBy({waveOf(part, plan.sampleRate_Hz)}, plan));
-    // Of what is held; what is cut off is told by itself. A burst half a cell before the end would begin there.
+    // Of what is held; what is cut off is told by itself. A burst half a cell before the end would begin
+    // there.
     Stretch held = halves[i];
     if (part.row.cut)
       held.to =

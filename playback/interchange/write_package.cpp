@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force-triggered package: at which force what is to be played, for devices that sense force themselves. As JSON and as a C header.
+// The force-triggered package: at which force what is to be played, for devices that sense force themselves.
+// As JSON and as a C header.
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,8 @@ double forceBetween(const TablePoint& a, const TablePoint& b, double displacemen
   return a.force_N + (b.force_N - a.force_N) * share;
 }
 
-/// The force at which a press first comes to a place: the strongest on the way, not that of the place. Where a wall stands there, its foot.
+/// The force at which a press first comes to a place: the strongest on the way, not that of the place. Where
+/// a wall stands there, its foot.
 double pressedAt_N(const StateProgram& state, double displacement_mm) {
   const StrokeTable& table = state.press;
   if (table.pointCount == 0) return 0;
@@ -91,7 +93,8 @@ double releasedAt_N(const StateProgram& state, double displacement_mm) {
   return least_N;
 }
 
-/// Back is reached on the other stroke: what a press plays is armed by a release, and never above its own force.
+/// Back is reached on the other stroke: what a press plays is armed by a release, and never above its own
+/// force.
 std::vector<Trigger> triggersOf(const StateProgram& state, bool release) {
   std::vector<Trigger> triggers;
   const StrokeTable& table = release ? state.release : state.press;
@@ -144,7 +147,8 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
     package.reset_N = releasedAt_N(program, program.reset_mm);
   }
   package.settled_N = releasedAt_N(program, program.rest_mm);
-  // What a device switches at is what is felt: the first jump; without one the operating point, then the bottom-out.
+  // What a device switches at is what is felt: the first jump; without one the operating point, then the
+  // bottom-out.
   for (const Trigger& trigger : package.triggers) {
     auto& at_N = trigger.release ? package.release_N : package.press_N;
     auto& at_mm = trigger.release ? package.release_mm : package.press_mm;
@@ -541,7 +545,8 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
          ";\n" + cOrder(source.program) + "\n#endif\n";
 }
 
-/// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in place of the last.
+/// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in
+/// place of the last.
 std::vector<double> unfiltered(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   std::vector<double> samples(plan.samples.size(), 0);

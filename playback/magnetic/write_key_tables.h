@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What firmware of a magnetic keyboard takes in: a table from reading to displacement and the settings of the key.
+// What firmware of a magnetic keyboard takes in: a table from reading to displacement and the settings of the
+// key.
 
 #include <string>
 #include <vector>

@@ -76,7 +76,8 @@ class Leftover {
     return true;
   }
 
-  /// Places far off the rest (hum, a lost block) count less: 1 within three times the usual residual, falling beyond (Huber).
+  /// Places far off the rest (hum, a lost block) count less: 1 within three times the usual residual, falling
+  /// beyond (Huber).
   void holdDown(const Eigen::VectorXd& left) {
     std::vector<double> sizes(left.data(), left.data() + left.size());
     for (double& size : sizes) size = std::fabs(size);
@@ -136,8 +137,9 @@ Eigen::VectorXd varianceAround(const Eigen::VectorXd& left) {
   return variance;
 }
 
-/// The covariance of the unknowns; empty where the response does not tell one of them. Noise of a recording is the less in dB the
-/// higher the response: so each place has the variance around it, in proportion to that (White 1980), and neighbours are taken as one where they agree.
+/// The covariance of the unknowns; empty where the response does not tell one of them. Noise of a recording
+/// is the less in dB the higher the response: so each place has the variance around it, in proportion to that
+/// (White 1980), and neighbours are taken as one where they agree.
 std::optional<Eigen::MatrixXd> covarianceOf(const Leftover& leftover, const Eigen::VectorXd& at,
                                             const std::vector<double>& gain_dB) {
   Eigen::VectorXd left(leftover.NumResiduals());

@@ -27,8 +27,9 @@ struct PressTrace {
   std::vector<PressReading> readings;
 };
 
-/// From `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and lines
-/// starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line; `name` for messages.
+/// From `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and
+/// lines starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line; `name`
+/// for messages.
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
 
 /// The readings that survive conditioning, with times in samples from `origin_s`. What the live path plays of
@@ -54,15 +55,16 @@ struct RenderSettings {
   double tail_s = 0.5;  ///< at most this much after the last reading; ends early when all is silent
 };
 
-/// What can be said of a rendering before anything is computed or written. Failure wrongUsage: settings outside their ranges, a trace
-/// without readings, one whose times begin more than a week after 0.
+/// What can be said of a rendering before anything is computed or written. Failure wrongUsage: settings
+/// outside their ranges, a trace without readings, one whose times begin more than a week after 0.
 Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& settings);
 
 struct RenderSummary {
   double duration_s = 0;
   double computing_s = 0;
   float peak = 0;
-  /// Strongest 10 ms, dB above threshold (felt_meter.h); of what goes into a file: nobody else asks, and it costs a tenth.
+  /// Strongest 10 ms, dB above threshold (felt_meter.h); of what goes into a file: nobody else asks, and it
+  /// costs a tenth.
   double felt_dB = -std::numeric_limits<double>::infinity();
   EngineCounts counts;
   ConditionerCounts sensor;

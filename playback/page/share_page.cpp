@@ -79,7 +79,8 @@ const char* wordOf(FigureUnit unit) {
   return "";
 }
 
-/// All of them, without a value where the button has none: a page's rows stand in one order whatever is in it.
+/// All of them, without a value where the button has none: a page's rows stand in one order whatever is in
+/// it.
 Json figuresOf(const ButtonState& state) {
   const KeyFigures values = keyFiguresOf(state);
   Json figures = Json::array();
@@ -111,7 +112,8 @@ Result<Json> described(const Button& button, std::size_t index) {
   return described;
 }
 
-/// JSON that cannot end the element it stands in, whatever a button is called; bytes that are no UTF-8 become U+FFFD.
+/// JSON that cannot end the element it stands in, whatever a button is called; bytes that are no UTF-8 become
+/// U+FFFD.
 std::string insideScript(const Json& json) {
   std::string text;
   for (const char c : jsonText(json)) {

@@ -25,7 +25,8 @@ inline constexpr double restingSpreadWithin = 0.30;
 /// How many fingers a forecast asks.
 inline constexpr int fingerCount = 64;
 
-/// The population: each range cut into as many equal parts as there are fingers, every part used once. Always the same.
+/// The population: each range cut into as many equal parts as there are fingers, every part used once. Always
+/// the same.
 std::vector<Finger> allFingers();
 
 }  // namespace detent::playback

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Front of the room: a button in, what 64 simulated fingers make of it out, and how two buttons differ.
-// Reading order: elementary.h, fingers.h, key_tables.h, press_plant.h, press_response.h, press_policy.h, forecast.h, timed_press.h, limits.h.
-// Model, parameters and where the forecast was wrong: docs/reference/press-forecast.md.
+// Reading order: elementary.h, fingers.h, key_tables.h, press_plant.h, press_response.h, press_policy.h,
+// forecast.h, timed_press.h, limits.h. Model, parameters and where the forecast was wrong:
+// docs/reference/press-forecast.md.
 
 #include <array>
 #include <functional>

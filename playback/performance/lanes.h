@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One formula for one press and for two at once. Each of two is worked on as one is, operation by operation: the result is the same to the last bit,
-// and takes little more time than one (docs/develop/decisions/1210-two-presses-at-once.md).
+// One formula for one press and for two at once. Each of two is worked on as one is, operation by operation:
+// the result is the same to the last bit, and takes little more time than one
+// (docs/develop/decisions/1210-two-presses-at-once.md).
 
 #include <cmath>
 #include <cstddef>

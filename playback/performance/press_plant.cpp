@@ -89,7 +89,8 @@ Real pulpEnergy_J(const Finger& finger, const Real& pulp_m) {
   return select(pulp_m > 0, 0.5 * finger.pulp_N_per_m * pulp_m * pulp_m, Real{});
 }
 
-/// The bodies of a press in touch, over one step. `Real`: of one press, or of two by the same finger on the same key.
+/// The bodies of a press in touch, over one step. `Real`: of one press, or of two by the same finger on the
+/// same key.
 template <class Real>
 class StepOf {
  public:
@@ -170,7 +171,8 @@ class StepOf {
     return clamped(now_.play + 2 * (depth_m - now_.cap_m) / play_m, -1, 1);
   }
 
-  /// The end of the step under these forces; positions by the mean speed, so that force times way is energy, exactly.
+  /// The end of the step under these forces; positions by the mean speed, so that force times way is energy,
+  /// exactly.
   Moving movedBy(const Forces& f, const Real& muscle_N) const {
     Moving to = now_;
     to.finger_m_per_s += fingerStep_s_per_kg_ * (muscle_N - f.pulp_N() - f.posture_N - f.joint_N);
@@ -191,8 +193,9 @@ class StepOf {
     return answer + select(f.pulpDamper_N > 0, Real{} + 0.5 * finger_.pulpDamping_Ns_per_m, Real{});
   }
 
-  /// What `wanted` would be had the pulp been taken at the end it leads to instead of at the guess: Newton's step for the
-  /// stiffest of the forces, which couples both bodies. Where rounds end is the same, they get there in fewer.
+  /// What `wanted` would be had the pulp been taken at the end it leads to instead of at the guess: Newton's
+  /// step for the stiffest of the forces, which couples both bodies. Where rounds end is the same, they get
+  /// there in fewer.
   Moving withPulpFollowing(Moving wanted, const Moving& guess, const Forces& f) const {
     const Real answer = pulpAnswer_Ns_per_m(guess, f);
     const Real finger = answer * fingerStep_s_per_kg_, cap = answer * capStep_s_per_kg;
@@ -310,8 +313,9 @@ class Press {
       advanceInAir(muscle_N);
   }
 
-  /// Whether no contact comes any more: nothing that acts on the finger pushes it down again, the cap is above it while they touch, and where they
-  /// part the press has ended. The cap does not fly farther in one step than `flight_m`: that were 2 m/s.
+  /// Whether no contact comes any more: nothing that acts on the finger pushes it down again, the cap is
+  /// above it while they touch, and where they part the press has ended. The cap does not fly farther in one
+  /// step than `flight_m`: that were 2 m/s.
   bool retreats(double time_s) const {
     constexpr double flight_m = 1e-4;
     return touched_ && muscle_.pullsAway(time_s) && now_.finger_m_per_s < 0 &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One press of one finger on one button, in steps of 50 µs (docs/reference/press-forecast.md, "Plant"). Lengths in m, downwards.
+// One press of one finger on one button, in steps of 50 µs (docs/reference/press-forecast.md, "Plant").
+// Lengths in m, downwards.
 
 #include <array>
 #include <optional>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is known about one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`,
-// kept in a text file (study/profile_file.h, docs/reference/device-profile.md), used when a button is prepared for it.
+// kept in a text file (study/profile_file.h, docs/reference/device-profile.md), used when a button is
+// prepared for it.
 
 #include <cmath>
 #include <optional>
@@ -49,7 +50,8 @@ struct DeviceProfile {
   Transducer transducer;
   SensorCalibration sensor;
   std::optional<MeasuredLatency> latency;
-  /// Of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a fingertip; empty: nobody measured it.
+  /// Of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a fingertip; empty:
+  /// nobody measured it.
   std::optional<double> fullScale_dB;
 };
 

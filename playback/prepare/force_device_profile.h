@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What is known about one force-feedback device: mechanics, encoder, timing and limits. Presets of the simulated devices; a
-// real one starts from the preset nearest to it (docs/guide/force-feedback.md).
+// What is known about one force-feedback device: mechanics, encoder, timing and limits. Presets of the
+// simulated devices; a real one starts from the preset nearest to it (docs/guide/force-feedback.md).
 
 #include <array>
 #include <cstdint>
@@ -26,7 +26,8 @@ struct ForceDeviceProfile {
   double largestSlope_N_per_mm = 2;  ///< > 0; stiffest wall it is asked for
   ForceLimits limits;
   ForceGuide guide;  ///< present on three-axis devices
-  /// Mass, friction, damping, delay and lag were measured on this device (detent-play identify-device); else they are a preset's.
+  /// Mass, friction, damping, delay and lag were measured on this device (detent-play identify-device); else
+  /// they are a preset's.
   bool measured = false;
   bool provesDirection =
       false;  ///< wired by its user: motor and encoder are checked against each other before any force

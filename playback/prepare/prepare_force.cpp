@@ -20,17 +20,21 @@ namespace {
 
 constexpr double shortestTravel_mm = 0.1, longestTravel_mm = 100;
 constexpr double slowest_Hz = 50, fastest_Hz = 20000;
-// Below its rest a state holds the handle where a button's cap would stop, over a way and with a force that cannot surprise.
+// Below its rest a state holds the handle where a button's cap would stop, over a way and with a force that
+// cannot surprise.
 constexpr double restraint_N = 0.5, restraint_mm = 3, restraintEnd_mm = 1;
 // A state that has come back to within this of its rest is there.
 constexpr double settle_mm = 0.05;
 constexpr double widestPlayOfTravel = 0.25;
 constexpr double noticedCrossing_N = 0.001;
-// Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a press.
+// Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a
+// press.
 constexpr double mostFedShare = 0.02;
-// A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is about as drawn.
+// A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is
+// about as drawn.
 constexpr double risenShare = 0.96;
-// The push before the first force: more than the friction of a preset, too little to hurt; of a measured device more than its friction.
+// The push before the first force: more than the friction of a preset, too little to hurt; of a measured
+// device more than its friction.
 constexpr double largestPush_N = 0.1, pushedFrictions = 1.5, followedSteps = 4;
 // An encoder is watched under more force than this, and than so many times the friction.
 constexpr double leastWatched_N = 0.25, watchedFrictions = 5;
@@ -212,9 +216,9 @@ class ForcePreparation {
     return {from_mm, to_mm};
   }
 
-  // Whatever is pressed at one speed and released at another takes energy: no release lies above a press of any speed; and a force
-  // that falls with speed drives the handle no harder than its damper takes, one that rises damps no more than its mass bears.
-  // docs/develop/decisions/1111-graphs-at-several-speeds.md
+  // Whatever is pressed at one speed and released at another takes energy: no release lies above a press of
+  // any speed; and a force that falls with speed drives the handle no harder than its damper takes, one that
+  // rises damps no more than its mass bears. docs/develop/decisions/1111-graphs-at-several-speeds.md
   void limitSpeeds(const Graphs& members, const ButtonState& from, ForceStateTable& to, std::size_t s) {
     const SpeedDamping allowed = renderedSpeedDamping(from, device_, 1 / prepared_.program.period_s);
     const auto [from_mm, to_mm] = comparedOn(members);
@@ -270,7 +274,8 @@ class ForcePreparation {
     if (damped.value > 0) remark(ForceRemarkKind::speedLimited, s, damped.at_mm, damped.value, damped.limit);
   }
 
-  /// A press alone is released with the least of its forces: with any other a press at one speed would pay for a release at another.
+  /// A press alone is released with the least of its forces: with any other a press at one speed would pay
+  /// for a release at another.
   static void shareLeast(ForceStateTable& to, std::size_t speeds, std::size_t row) {
     float least_N = to.rows[row].press_N;
     for (std::size_t k = 1; k < speeds; ++k) least_N = std::min(least_N, curveRow(to, k, row).press_N);
@@ -351,7 +356,8 @@ class ForcePreparation {
     };
   }
 
-  // Nothing is known about a press that begins deeper than the release ends: there it has the release's force.
+  // Nothing is known about a press that begins deeper than the release ends: there it has the release's
+  // force.
   Force beforePress(const StrokeCurve& press, const StrokeCurve& release) const {
     if (release.start_mm() >= press.start_mm()) return restOf(press);
     return
@@ -360,7 +366,8 @@ class ForcePreparation {
         };
   }
 
-  // A self-locking state comes to rest where its release ends; a momentary button has to come back to where the press began.
+  // A self-locking state comes to rest where its release ends; a momentary button has to come back to where
+  // the press began.
   Force beforeRelease(const StrokeCurve& press, const StrokeCurve& release) const {
     if (button_.selfLocking() || press.start_mm() >= release.start_mm()) return restOf(release);
     const double largest_N = device_.limits.force_N, start_N = startForce_N(release, largest_N);
@@ -374,8 +381,8 @@ class ForcePreparation {
     return t.first_mm + static_cast<double>(row) * t.spacing_mm;
   }
 
-  /// A stroke on the table's places, nowhere steeper than the device can render: steeper rises come later, steeper falls last
-  /// longer, so a peak keeps its force.
+  /// A stroke on the table's places, nowhere steeper than the device can render: steeper rises come later,
+  /// steeper falls last longer, so a peak keeps its force.
   void fill(const StrokeCurve& curve, const Force& beforeStart, ForceStateTable& to,
             float ForceCurveRow::*force, std::size_t speed) const {
     const double change_N = slope_ * to.spacing_mm;
@@ -425,7 +432,8 @@ class ForcePreparation {
     if (strongest > largest) remark(ForceRemarkKind::dampingLimited, s, strongest_mm, strongest, largest);
   }
 
-  /// How far behind the last row the wall pushes back as strongly as the curve's end pulls; 0 where it does not pull.
+  /// How far behind the last row the wall pushes back as strongly as the curve's end pulls; 0 where it does
+  /// not pull.
   static double pulledIntoWall_mm(const ForceStateTable& t, float end_N) {
     return std::max(0.0, -static_cast<double>(end_N)) / t.wallSlope_N_per_mm;
   }
@@ -464,7 +472,8 @@ class ForcePreparation {
     to.operating_mm = std::min(std::max(risen_mm, leave_mm), std::max(last_mm, leave_mm));
   }
 
-  /// From an operating point on, where a press first has its drawn force: a softened wall has it later than drawn.
+  /// From an operating point on, where a press first has its drawn force: a softened wall has it later than
+  /// drawn.
   double risenTo_mm(const ForceStateTable& t, double operating_mm, double drawn_N) const {
     const double force_N = risenShare * std::min(drawn_N, device_.limits.force_N);
     const auto rowAt = static_cast<std::size_t>(std::max(0.0, (operating_mm - t.first_mm) / t.spacing_mm));
@@ -488,7 +497,8 @@ class ForcePreparation {
       prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoWall_mm(t, last.*force);
   }
 
-  // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the slope limit.
+  // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the
+  // slope limit.
   void setPlayRadius() {
     double radius_mm = 2 * device_.step_mm;
     for (std::size_t s = 0; s < prepared_.program.stateCount; ++s) {

@@ -21,8 +21,8 @@ constexpr double largestCoefficient = 1e9;  // N; a divider's linear quantity go
 constexpr double largestNoise_N = 50, longestLatency_s = 10;
 constexpr double faintestCeiling = 1e-6;  // -120 dB: below it a profile's transducer bears nothing at all
 
-// Following the finger (docs/develop/decisions/0906). What reaches the tracker is steadied already (force_steadier.h);
-// these keep the strokes apart where a sensor's steps or a tremor remain.
+// Following the finger (docs/develop/decisions/0906). What reaches the tracker is steadied already
+// (force_steadier.h); these keep the strokes apart where a sensor's steps or a tremor remain.
 constexpr double unknownSensorsHysteresis_N = 0.02;  // above one count of 10 bit over 12 N (0.0117 N)
 constexpr double smallestHysteresis_N = 0.005;
 constexpr double noiseInHysteresis = 4;
@@ -241,7 +241,8 @@ class HapticPreparation {
     }
   }
 
-  /// Slope and bottom-out stay below the weakest jump of their stroke. A stroke without one keeps what it has.
+  /// Slope and bottom-out stay below the weakest jump of their stroke. A stroke without one keeps what it
+  /// has.
   void letJumpsThrough(StateProgram& state) {
     const HapticProgram& p = prepared_.program;
     const auto below = [&](const StrokeTable& stroke, double level_dB) {
@@ -359,7 +360,8 @@ class HapticPreparation {
            {"more than the %1 slopes a program holds; the last ones are silent", maxSlopes});
   }
 
-  /// Steepness at a place of a slope, over a fifth of a millimetre to both sides but not beyond the slope, nor up the wall it ends at.
+  /// Steepness at a place of a slope, over a fifth of a millimetre to both sides but not beyond the slope,
+  /// nor up the wall it ends at.
   static double steepness_N_per_mm(const StrokeCurve& curve, double at_mm, double from_mm, double to_mm) {
     constexpr double reach_mm = 0.2;
     const double low_mm = std::max(at_mm - reach_mm, from_mm), high_mm = std::min(at_mm + reach_mm, to_mm);
@@ -377,7 +379,8 @@ class HapticPreparation {
   /// At which a grain reaches full scale.
   double loudestGrain() const { return settings_.grainAmplitude > 0 ? 1 / settings_.grainAmplitude : 1; }
 
-  /// Cut where the steepness changes by what is hardly felt, or by more where a program would not hold the pieces.
+  /// Cut where the steepness changes by what is hardly felt, or by more where a program would not hold the
+  /// pieces.
   std::vector<GrainRange> splitBySteepness(const StrokeCurve& curve,
                                            const std::vector<GrainRange>& slopes) const {
     constexpr double finest_dB = 0.5, coarsest_dB = 64;

@@ -111,7 +111,8 @@ class MarginOfState {
     return std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
   }
 
-  /// The least of what the loop bears at rest and at speeds between stated ones, where force follows speed late.
+  /// The least of what the loop bears at rest and at speeds between stated ones, where force follows speed
+  /// late.
   double loopLimitAt(double at_mm) const {
     const double damping = state_.damping.empty() ? 0 : dampingAt(state_.damping, at_mm);
     const double still = limits_.at_N_per_mm(damping);
@@ -134,7 +135,8 @@ class MarginOfState {
   SpeedDamping rendered_;
 };
 
-/// The least damping under which the loop bears the slope, of a few up to `most`; that which bears most where none does.
+/// The least damping under which the loop bears the slope, of a few up to `most`; that which bears most where
+/// none does.
 double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, double rate_Hz,
                   double most_Ns_per_mm) {
   constexpr int tries = 8;
@@ -149,7 +151,8 @@ double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, doubl
   return best_Ns_per_mm;
 }
 
-/// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps what fits.
+/// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps
+/// what fits.
 Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
   const double spacing_mm = curve.travel_mm() / static_cast<double>(travelSamples);
   const auto [low_N, high_N] = curve.forceRange_N();

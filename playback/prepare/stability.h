@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether a device can render a button, told before it is felt: the margin along the travel, and the nearest button that it can
-// render as drawn. Formulas and what simulation says about them: docs/develop/decisions/1101-stability-margin.md.
+// Whether a device can render a button, told before it is felt: the margin along the travel, and the nearest
+// button that it can render as drawn. Formulas and what simulation says about them:
+// docs/develop/decisions/1101-stability-margin.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +17,8 @@ namespace detent::playback {
 /// Why a slope is too steep. Of several the one that allows least.
 enum class StabilityBound : std::uint8_t {
   damping,  ///< the handle alone would swing more and more: the loop limit (loop_limit.h)
-  quantisation,  ///< K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
+  /// K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
+  quantisation,
   device  ///< the steepest slope the device is asked for
 };
 
@@ -40,8 +42,8 @@ struct StabilityMargin {
   std::vector<std::vector<MarginPoint>> states;  ///< per state, evenly over the travel
   std::vector<UnstableStretch> unstable;
   MarginPoint least;
-  /// Colgate and Schenkel's bound for any finger whatever, b / (T / 2 + delay) less the button's own damping: stricter than what a
-  /// hand needs, and below 0 where the button damps more than the device does.
+  /// Colgate and Schenkel's bound for any finger whatever, b / (T / 2 + delay) less the button's own damping:
+  /// stricter than what a hand needs, and below 0 where the button damps more than the device does.
   double anyFinger_N_per_mm = 0;
   bool stable() const { return unstable.empty(); }
 };
@@ -61,8 +63,9 @@ struct StableButton {
   std::vector<StabilityChange> changes;  ///< empty: the button was stable as it is
 };
 
-/// The nearest button whose margin is nowhere below 0: first damping is added, as much as the device's mass bears, then slopes
-/// are limited; a peak keeps its force. Failure: wrongUsage where no button is stable on the device (no friction, no damping).
+/// The nearest button whose margin is nowhere below 0: first damping is added, as much as the device's mass
+/// bears, then slopes are limited; a peak keeps its force. Failure: wrongUsage where no button is stable on
+/// the device (no friction, no damping).
 Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfile& device, double rate_Hz);
 
 }  // namespace detent::playback

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person at the live view should know before anything else: codes with values, and one clear sentence for each.
+// What a person at the live view should know before anything else: codes with values, and one clear sentence
+// for each.
 
 #include <array>
 #include <cstdint>

@@ -95,7 +95,8 @@ std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& resp
                      : std::string());
 }
 
-/// One sweep proves nothing on a busy machine: a dropout looks like a resonance. Two without any, that agree, do.
+/// One sweep proves nothing on a busy machine: a dropout looks like a resonance. Two without any, that agree,
+/// do.
 Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const PlayerSettings& player,
                                                const SweepSettings& settings, const Cancelled& cancelled) {
   const std::vector<float> played = sweepSignal(settings);

@@ -36,7 +36,8 @@ struct XyPlot {
   std::vector<PlotMark> marks = {};
 };
 
-/// A whole SVG document with the plots one below the other. Lines are thinned to what a screen shows. Deterministic.
+/// A whole SVG document with the plots one below the other. Lines are thinned to what a screen shows.
+/// Deterministic.
 std::string svgOf(const std::vector<XyPlot>& plots);
 
 }  // namespace detent::playback

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How strongly what is played is felt at a fingertip, in dB above its threshold: the samples behind what the device makes of them and behind
-// the weight of the Pacinian channel (docs/reference/predicted-confusion.md).
+// How strongly what is played is felt at a fingertip, in dB above its threshold: the samples behind what the
+// device makes of them and behind the weight of the Pacinian channel (docs/reference/predicted-confusion.md).
 
 #include <array>
 #include <cstddef>

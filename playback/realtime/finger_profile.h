@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a key, a mouse button or a pad without a force sensor presses: the force of a human-like finger over time.
+// How a key, a mouse button or a pad without a force sensor presses: the force of a human-like finger over
+// time.
 
 namespace detent::playback {
 
-/// 0 to 1 over `share` 0 to 1 with no jerk at the ends: the profile of reaching movements (Flash & Hogan, J. Neurosci.
-/// 1985). Outside it stays at the nearer end.
+/// 0 to 1 over `share` 0 to 1 with no jerk at the ends: the profile of reaching movements (Flash & Hogan, J.
+/// Neurosci. 1985). Outside it stays at the nearer end.
 double minimumJerk(double share);
 
 /// How a key press becomes force. Press and release follow the minimum-jerk profile of reaching movements

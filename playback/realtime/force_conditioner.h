@@ -25,7 +25,8 @@ struct ConditionerSettings {
   double mostNoise = 0;   ///< a larger SD, or swing, is movement; 0: readings are passed on as they are
 };
 
-/// Limits for forces on this program's button: the defaults, widened for heavy buttons, and its sensor's noise.
+/// Limits for forces on this program's button: the defaults, widened for heavy buttons, and its sensor's
+/// noise.
 ConditionerSettings limitsFor(const HapticProgram& program);
 
 /// What was rejected so far.
@@ -47,8 +48,9 @@ enum class ConditionerVerdict : std::uint8_t {
   resume   ///< pass it on as a new start: the readings before it are too old to connect to
 };
 
-/// Judges readings one by one, and takes the noise and the swing of a resting hand out of what it lets through (force_steadier.h,
-/// rest_band.h). Pure function of its inputs; one owner, any thread; no allocation.
+/// Judges readings one by one, and takes the noise and the swing of a resting hand out of what it lets
+/// through (force_steadier.h, rest_band.h). Pure function of its inputs; one owner, any thread; no
+/// allocation.
 class ForceConditioner {
  public:
   explicit ForceConditioner(const ConditionerSettings& settings = {}) { setSettings(settings); }

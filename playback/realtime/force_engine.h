@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One step of the force loop: a reading in, a force out. Same rules as the audio callback: no allocation, lock, clock, file or
-// exception. Reading order: velocity_estimator.h, play_operator.h, force_law.h, force_guard.h, this file.
+// One step of the force loop: a reading in, a force out. Same rules as the audio callback: no allocation,
+// lock, clock, file or exception. Reading order: velocity_estimator.h, play_operator.h, force_law.h,
+// force_guard.h, this file.
 
 #include <array>
 #include <cstdint>
@@ -62,7 +63,8 @@ class ForceEngine {
   /// The program must outlive the engine.
   explicit ForceEngine(const ForceProgram& program);
 
-  /// Exchanges the button: the old force becomes the new one's over `startRamp_s`. The old program may go afterwards.
+  /// Exchanges the button: the old force becomes the new one's over `startRamp_s`. The old program may go
+  /// afterwards.
   void setProgram(const ForceProgram& program);
 
   /// One period. Bad readings and too much force never leave here (force_guard.h).

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The force of a button at a position and a velocity: F = F(x, v) + b(x) v, with press and release joined by a play operator
-// and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in the place of k(x) x. Where there are
-// graphs at several speeds, the press curve follows the speed of pressing and the release curve that of releasing: at rest and where
-// the handle turns both are those of the lowest speed, so that no force jumps with a velocity's sign.
+// The force of a button at a position and a velocity: F = F(x, v) + b(x) v, with press and release joined by
+// a play operator and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in
+// the place of k(x) x. Where there are graphs at several speeds, the press curve follows the speed of
+// pressing and the release curve that of releasing: at rest and where the handle turns both are those of the
+// lowest speed, so that no force jumps with a velocity's sign.
 
 #include <cstdint>
 
@@ -30,7 +31,8 @@ class ForceLaw {
   bool actuated() const { return actuated_; }
   /// Energy held at a position, with the memory the law has now (mJ, >= 0).
   double stored_mJ(double position_mm) const;
-  /// By how much actuations and changes of state have raised what is held since `restart` (mJ): what they may give.
+  /// By how much actuations and changes of state have raised what is held since `restart` (mJ): what they may
+  /// give.
   double stateEnergy_mJ() const { return stateEnergy_mJ_; }
 
  private:

@@ -4,9 +4,9 @@
 // inputs, sample index) and of nothing else: no clock, no allocation, no lock, no file, no throw, no unseeded
 // chance. The live path and the offline render call this same class.
 //
-// Reading order: haptic_program.h (what is played), stroke_tracker.h, speed_tracker.h (readings -> crossings), grain_voice.h,
-// voice.h, biquad.h, sound_chain.h, limiter.h (crossings -> samples), this file (when), live_session.h (the
-// bridge to other threads).
+// Reading order: haptic_program.h (what is played), stroke_tracker.h, speed_tracker.h (readings ->
+// crossings), grain_voice.h, voice.h, biquad.h, sound_chain.h, limiter.h (crossings -> samples), this file
+// (when), live_session.h (the bridge to other threads).
 
 #include <array>
 #include <cstddef>
@@ -86,8 +86,8 @@ class HapticEngine {
   HapticEngine& operator=(const HapticEngine&) = delete;
 
   double sampleRate_Hz() const { return sampleRate_Hz_; }
-  /// Goes on at another rate, within the same limits: program, position, gain and counts stay, what sounded or waited is gone.
-  /// While no callback runs.
+  /// Goes on at another rate, within the same limits: program, position, gain and counts stay, what sounded
+  /// or waited is gone. While no callback runs.
   void setSampleRate(double sampleRate_Hz);
   std::int64_t frame() const { return now_; }
 
@@ -95,7 +95,8 @@ class HapticEngine {
   /// What sounds, ends as its own program meant it; a pressed finger is taken over without a sound. Callback
   /// thread or before the stream starts.
   void use(const HapticProgram* program) { use(program, nullptr); }
-  /// Of a button that feels different at different speeds (live_program.h); `speeds` must outlive its use too.
+  /// Of a button that feels different at different speeds (live_program.h); `speeds` must outlive its use
+  /// too.
   void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds);
   const HapticProgram* program() const { return program_; }
 

@@ -133,7 +133,8 @@ struct HapticProgram {
   double highPass_Hz = 20;  ///< of the slope's grains; 0: none. Nothing constant reaches a transducer
   std::uint32_t equalizerBandCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> equalizer{};
-  /// What the device makes of a signal, for felt_meter.h alone: its resonances, strongest first, and the level beside them.
+  /// What the device makes of a signal, for felt_meter.h alone: its resonances, strongest first, and the
+  /// level beside them.
   std::uint32_t resonanceCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> resonances{};
   double fullScale_dB = 0;  ///< of a sine of full scale at 250 Hz, above threshold

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What plays under a finger: a button's program, and of one that feels different at different speeds a program for each of a row of speeds.
-// Built by playback/prepare/prepare_speeds.h, followed by speed_tracker.h.
+// What plays under a finger: a button's program, and of one that feels different at different speeds a
+// program for each of a row of speeds. Built by playback/prepare/prepare_speeds.h, followed by
+// speed_tracker.h.
 
 #include <cmath>
 #include <utility>

@@ -90,10 +90,11 @@ class LiveSession {
   /// Any thread.
   double sampleRate_Hz() const;
 
-  /// These two belong to whoever opens and closes the stream, while no callback runs.
-  /// The next stream runs at this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
+  /// These two belong to whoever opens and closes the stream, while no callback runs. The next stream runs at
+  /// this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
   void setSampleRate(double sampleRate_Hz);
-  /// Takes the programs and gains that were sent meanwhile, so that nothing piles up; what was to be felt is dropped.
+  /// Takes the programs and gains that were sent meanwhile, so that nothing piles up; what was to be felt is
+  /// dropped.
   void takeWhileAway();
 
   /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Rate-independent memory of a direction: the play (backlash) operator. Choosing press or release by the sign of the
-// velocity chatters on a resting finger; this does not (docs/develop/decisions/1100-force-between-curves.md).
+// Rate-independent memory of a direction: the play (backlash) operator. Choosing press or release by the sign
+// of the velocity chatters on a resting finger; this does not
+// (docs/develop/decisions/1100-force-between-curves.md).
 
 #include <algorithm>
 

@@ -18,8 +18,8 @@ struct PressCount {
   double travel_mm = 0;  ///< deepest place, from where the press stroke begins
 };
 
-/// Counts presses from the positions a tracker gives. A finger that is down when a program comes under it has to come up first: that press
-/// belongs to the program before. One thread; no allocation.
+/// Counts presses from the positions a tracker gives. A finger that is down when a program comes under it has
+/// to come up first: that press belongs to the program before. One thread; no allocation.
 class PressCounter {
  public:
   /// `program` must outlive its use here; nullptr: nothing is counted.

@@ -7,7 +7,8 @@
 
 namespace detent::playback {
 
-/// Cycles from one sample to the next: whole ones between samples cannot be told from none; 0, silence, for no number.
+/// Cycles from one sample to the next: whole ones between samples cannot be told from none; 0, silence, for
+/// no number.
 inline double cyclesPerSample(double frequency_Hz, double sampleRate_Hz) {
   return std::isfinite(frequency_Hz) ? std::fmod(frequency_Hz, sampleRate_Hz) / sampleRate_Hz : 0;
 }

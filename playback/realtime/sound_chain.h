@@ -37,7 +37,8 @@ class SoundChain {
   bool silent() const;
   bool grainSounds() const { return grain_.active(); }
   double grainLoudness() const { return grain_.active() ? grain_.loudest() : 0; }
-  /// What the sum of its voices hardly passes in the next `samples`: their envelopes, as much as gain and equalizer raise them.
+  /// What the sum of its voices hardly passes in the next `samples`: their envelopes, as much as gain and
+  /// equalizer raise them.
   double loudestWithin(double samples) const;
 
   /// Adds `count` samples to `mix`; `bus` is working space of that length.

@@ -7,7 +7,8 @@ namespace detent::playback {
 
 namespace {
 
-// Of the travel. From the first to the second mark a press is timed by its first touch, later as `render` does: it begins slowly.
+// Of the travel. From the first to the second mark a press is timed by its first touch, later as `render`
+// does: it begins slowly.
 constexpr double touchShare = 0.02, fromShare = 0.1, toShare = 0.9;
 constexpr double timedFrom = 0.03;        // of the way from 10 to 90 %: so much shows a speed
 constexpr double settledAt = 0.5;         // of the travel, where there is no jump before

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A stroke tracker on a button that may feel different at different speeds: how fast a press is, is told while it goes on, and the tables
-// of that speed are put under the finger (docs/develop/decisions/1111).
+// A stroke tracker on a button that may feel different at different speeds: how fast a press is, is told
+// while it goes on, and the tables of that speed are put under the finger (docs/develop/decisions/1111).
 
 #include <array>
 #include <cstdint>
@@ -19,11 +19,13 @@ struct PressMarks {
 };
 /// Of places: from 10 to 90 % of the travel.
 PressMarks placeMarks(const StateProgram& state);
-/// Of forces: from 10 % of the strongest force of the press to the strongest of its first half, where a press is known at the latest. A
-/// finger goes as far as its force rises: the whole travel for the strongest force. Where the button jumps, the finger does not.
+/// Of forces: from 10 % of the strongest force of the press to the strongest of its first half, where a press
+/// is known at the latest. A finger goes as far as its force rises: the whole travel for the strongest force.
+/// Where the button jumps, the finger does not.
 PressMarks forceMarks(const StateProgram& state);
 
-/// How fast a press is, foretold from the way so far, by the marks of the graph in front. Callback thread; no allocation.
+/// How fast a press is, foretold from the way so far, by the marks of the graph in front. Callback thread; no
+/// allocation.
 class PressPace {
  public:
   void use(const HapticProgram& front);
@@ -47,13 +49,16 @@ class PressPace {
   bool heard_ = false, begun_ = false, timed_ = false;
 };
 
-/// As StrokeTracker, of a button with or without graphs at several speeds. One speed belongs to one press: until its first jump, at most
-/// until half the travel, the press goes over to the program of the speed it shows; from then on, and on its way back, it keeps it. A press
-/// begins on the program of the lowest speed. It goes over only with a reading that presses on: under a finger that rests nothing moves. What
-/// lies behind the finger is not met again, and no jump is lost. Without speeds it is the StrokeTracker. Callback thread; no allocation.
+/// As StrokeTracker, of a button with or without graphs at several speeds. One speed belongs to one press:
+/// until its first jump, at most until half the travel, the press goes over to the program of the speed it
+/// shows; from then on, and on its way back, it keeps it. A press begins on the program of the lowest speed.
+/// It goes over only with a reading that presses on: under a finger that rests nothing moves. What lies
+/// behind the finger is not met again, and no jump is lost. Without speeds it is the StrokeTracker. Callback
+/// thread; no allocation.
 class SpeedTracker {
  public:
-  /// Both must outlive their use here; `speeds` as in LiveProgram, nullptr: none. A press under way keeps its speed.
+  /// Both must outlive their use here; `speeds` as in LiveProgram, nullptr: none. A press under way keeps its
+  /// speed.
   void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds = nullptr);
 
   /// As StrokeTracker's, with the time of the reading.

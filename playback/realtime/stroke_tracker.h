@@ -63,8 +63,9 @@ class StrokeTracker {
   /// Keeps a reference; `program` must outlive its use here. Silent: starts at rest, all armed.
   void use(const HapticProgram* program);
 
-  /// The same button at another speed, under a finger that presses: what lies behind it has been met, and where it stands within a jump it
-  /// stands before it. Silent by itself; the next reading leads on from here.
+  /// The same button at another speed, under a finger that presses: what lies behind it has been met, and
+  /// where it stands within a jump it stands before it. Silent by itself; the next reading leads on from
+  /// here.
   void exchange(const HapticProgram* program);
 
   /// Follows one force reading; the answer is valid until the next call.

@@ -39,7 +39,8 @@ HapticProgram beginningLocked(HapticProgram program) {
   return program;
 }
 
-/// A press has a time: where the button says nothing of a contact, it closes at half the travel. Nothing that is felt changes.
+/// A press has a time: where the button says nothing of a contact, it closes at half the travel. Nothing that
+/// is felt changes.
 void giveContact(HapticProgram& program) {
   for (std::size_t i = 0; i < program.stateCount; ++i) {
     StateProgram& state = program.states[i];

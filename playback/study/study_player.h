@@ -19,8 +19,8 @@ struct StudyPlayerSettings {
   std::string sensorPort;  ///< empty: press() presses by itself
   unsigned baud = 230400;
   SensorCalibration calibration;
-  /// A force-feedback device under the finger, in place of a sensor; sound comes from `player` only where that names a device, or
-  /// masks. A simulated one is a rehearsal.
+  /// A force-feedback device under the finger, in place of a sensor; sound comes from `player` only where
+  /// that names a device, or masks. A simulated one is a rehearsal.
   std::optional<ForceDeviceChoice> force{};
 };
 
@@ -41,15 +41,17 @@ const char* nameOf(StudyTrouble trouble);
 /// all are prepared before the first trial. One thread.
 class StudyPlayer {
  public:
-  /// Failure: as LivePlayer::start, attachSensor, ForcePlayer::start and prepareProgram; deviceTrouble: the sensor sends nothing within 3 s;
-  /// wrongUsage: a force device for a study of what only a vibration has, or beside a sensor.
+  /// Failure: as LivePlayer::start, attachSensor, ForcePlayer::start and prepareProgram; deviceTrouble: the
+  /// sensor sends nothing within 3 s; wrongUsage: a force device for a study of what only a vibration has, or
+  /// beside a sensor.
   static Result<std::unique_ptr<StudyPlayer>> start(const Study& study, const StudyPlayerSettings& settings);
   virtual ~StudyPlayer() = default;
 
   virtual bool sounding() const = 0;  ///< false: a rehearsal
   virtual std::string device() const = 0;
   virtual StudyRoute route() const = 0;
-  /// Every stimulus begins as it was made: a self-locking button unlocked, X as well as the choice that is the same button.
+  /// Every stimulus begins as it was made: a self-locking button unlocked, X as well as the choice that is
+  /// the same button.
   virtual void beginTrial() = 0;
   /// Puts a button under the finger as the trial's stimulus `slot` (TrialDesk), which keeps its own lock.
   virtual void place(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
@@ -63,8 +65,8 @@ class StudyPlayer {
   virtual std::vector<ContactClosing> takeClosings() = 0;
   /// Now, on the clock of takeClosings().
   virtual double clock_s() const = 0;
-  /// Timing: short tones so many seconds from now (>= 0, rising), each a buffer late at most, then what the device takes. Nothing sounds in a
-  /// rehearsal.
+  /// Timing: short tones so many seconds from now (>= 0, rising), each a buffer late at most, then what the
+  /// device takes. Nothing sounds in a rehearsal.
   virtual void soundBeats(const std::vector<double>& delays_s) = 0;
   /// What went wrong since this was last asked, or is wrong.
   virtual StudyTrouble troubleSinceAsked() = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forecast against K&L's noisy group (Table 2), beside three measures of others; confusion_fit.py judges it. Figures: docs/reference/predicted-confusion.md
+// The forecast against K&L's noisy group (Table 2), beside three measures of others; confusion_fit.py judges
+// it. Figures: docs/reference/predicted-confusion.md
 
 #include <algorithm>
 #include <chrono>

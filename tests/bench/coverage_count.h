@@ -12,7 +12,8 @@
 
 namespace detent::test {
 
-/// Counts estimates against their truth. A standard error promises 68.3 % within one and 95.0 % within 1.96 of it.
+/// Counts estimates against their truth. A standard error promises 68.3 % within one and 95.0 % within 1.96
+/// of it.
 class CoverageCount {
  public:
   void add(double value, double sigma, double truth) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_offers_bench: what *make distinguishable* offers, against every whole per cent of each lever. Figures: docs/reference/predicted-confusion.md
+// detent_offers_bench: what *make distinguishable* offers, against every whole per cent of each lever.
+// Figures: docs/reference/predicted-confusion.md
 
 #include <algorithm>
 #include <cmath>

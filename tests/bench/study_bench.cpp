@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_study_bench: how often the tests that a study's report prints cry wolf, and how often they find what is there. Its table stands in
-// docs/measurements/coverage.md.
+// detent_study_bench: how often the tests that a study's report prints cry wolf, and how often they find what
+// is there. Its table stands in docs/measurements/coverage.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

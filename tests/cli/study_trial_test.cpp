@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A participant at a real terminal with a sound server: keys, answers, masking noise, and how soon a key is felt.
+// A participant at a real terminal with a sound server: keys, answers, masking noise, and how soon a key is
+// felt.
 
 #include <algorithm>
 #include <cmath>

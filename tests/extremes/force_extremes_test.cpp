@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force loop on any readings and any button: never more force than the limits, never energy below what is held, and a record
-// of a press back to its spring and damper.
+// The force loop on any readings and any button: never more force than the limits, never energy below what is
+// held, and a record of a press back to its spring and damper.
 
 #include <cmath>
 #include <memory>

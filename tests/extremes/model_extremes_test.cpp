@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The model from 1 µm to 100 m and 1 nN to 10 MN: finite in, finite out; one button in any unit; the bounds its headers state.
+// The model from 1 µm to 100 m and 1 nN to 10 MN: finite in, finite out; one button in any unit; the bounds
+// its headers state.
 
 #include <cmath>
 

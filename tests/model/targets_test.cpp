@@ -75,7 +75,8 @@ std::vector<FigureTarget> anyTargets(const KeyFigures& figures, std::mt19937& ra
   return targets;
 }
 
-// How far a figure is from its target, in shares of what the bar allows; what is no force and no length, of 0.1 %.
+// How far a figure is from its target, in shares of what the bar allows; what is no force and no length, of
+// 0.1 %.
 double missed(const KeyFigures& figures, const FigureTarget& target) {
   const auto& value = figures[target.figure];
   if (!value) return 1e9;
@@ -93,7 +94,8 @@ std::string textOf(const std::vector<FigureTarget>& targets, const KeyFigures& n
   return text;
 }
 
-// The limit of a figure that cannot be had even alone: between now and what was asked, met itself, and nothing farther on.
+// The limit of a figure that cannot be had even alone: between now and what was asked, met itself, and
+// nothing farther on.
 void checkLimit(const Sample& sample, const FigureTarget& asked, double limit) {
   const double now = *keyFiguresOf(sample.button.states()[sample.state])[asked.figure];
   CHECK(std::abs(limit - now) + std::abs(asked.value - limit) <= 1.000001 * std::abs(asked.value - now));
@@ -193,7 +195,8 @@ TEST_CASE("a search that may do no more says so, and of what") {
   CHECK(!bentToTargets(all[3].button, 0, asked).conflict->undecided);
 }
 
-// What is allowed is counted: a machine that is slower, here by a pause at every question, gives the same answer.
+// What is allowed is counted: a machine that is slower, here by a pause at every question, gives the same
+// answer.
 TEST_CASE("how far a search goes is the same on every machine") {
   const std::vector<Sample> all = samples();
   const std::vector<FigureTarget> asked = {
@@ -219,7 +222,8 @@ TEST_CASE("how far a search goes is the same on every machine") {
   CHECK(decided.size() == 2);
 }
 
-// The foot of D's wall is found elsewhere before its travel is so short; the figure leaps, and no step leads on.
+// The foot of D's wall is found elsewhere before its travel is so short; the figure leaps, and no step leads
+// on.
 TEST_CASE("a foot that would leap is told as the wall that would begin elsewhere") {
   const Sample sample = samples()[3];
   REQUIRE(sample.name == "D");

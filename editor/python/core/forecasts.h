@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What detent-play renders and foretells, and what detent-import library finds, as functions. All throw Refusal; JSON as the programs
-// print it. Any thread.
+// What detent-play renders and foretells, and what detent-import library finds, as functions. All throw
+// Refusal; JSON as the programs print it. Any thread.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,8 @@
 
 namespace detent::python {
 
-/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale. `feel` as --feel takes it.
+/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale. `feel` as --feel
+/// takes it.
 std::vector<float> renderedPress(const Button& button, const std::string& traceFile, double rate_Hz,
                                  const std::string& feel, const Cancelled& cancelled);
 

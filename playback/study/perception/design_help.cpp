@@ -30,8 +30,8 @@ class DesignSearch {
                const std::function<bool()>& cancelled)
       : button_(button), other_(other), settings_(settings), cancelled_(cancelled) {}
 
-  /// The first factor on the way from 1 to `farthest` at which the two are told apart: found in strides, then looked for in the two strides
-  /// before it, because a verdict may come, go and come again.
+  /// The first factor on the way from 1 to `farthest` at which the two are told apart: found in strides, then
+  /// looked for in the two strides before it, because a verdict may come, go and come again.
   std::optional<Suggestion> along(Lever lever, double farthest) const {
     constexpr int strides = 12;
     int below = 100, beforeThat = 100;

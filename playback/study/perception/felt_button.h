@@ -19,8 +19,9 @@ namespace detent::playback {
 /// Lengths of the presses that are averaged; people press in 60 to 300 ms.
 inline constexpr std::array<double, 4> pressLengths_s{0.06, 0.10, 0.17, 0.30};
 
-/// One hand for all buttons: how hard it presses at least, by the lengths above; a quick press is a hard one. A button that asks for
-/// more gets a quarter more than its strongest force. docs/reference/predicted-confusion.md has the range over hands.
+/// One hand for all buttons: how hard it presses at least, by the lengths above; a quick press is a hard one.
+/// A button that asks for more gets a quarter more than its strongest force.
+/// docs/reference/predicted-confusion.md has the range over hands.
 struct Hand {
   std::array<double, pressLengths_s.size()> least_N{3, 2, 1.5, 1};
 };

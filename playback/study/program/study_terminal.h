@@ -26,8 +26,9 @@ struct AskedParticipant {
   Listening listening = Listening::quiet;
 };
 
-/// Asks for consent, then until all is answered, the participant stops, or `cancelled`. Gives what the journal holds then; who does not agree is in no journal.
-/// Failure deviceTrouble: no terminal to ask at, or no device where earlier answers had one.
+/// Asks for consent, then until all is answered, the participant stops, or `cancelled`. Gives what the
+/// journal holds then; who does not agree is in no journal. Failure deviceTrouble: no terminal to ask at, or
+/// no device where earlier answers had one.
 Result<ParticipantRecord> askParticipant(const Study& study, const AskedParticipant& asked,
                                          const StudyDevices& devices, const Cancelled& cancelled);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One timed trial at a terminal: beats or a moving target, presses by the space bar, the sensor or the force device.
+// One timed trial at a terminal: beats or a moving target, presses by the space bar, the sensor or the force
+// device.
 
 #include "playback/device/terminal.h"
 #include "playback/program/command.h"

@@ -124,7 +124,8 @@ FigureTable overPeopleTable() {
 
 // ---- ratings
 
-/// What one person gave one button or pair on average: a rating, the logarithm of one, or 1 where the pair's first was preferred.
+/// What one person gave one button or pair on average: a rating, the logarithm of one, or 1 where the pair's
+/// first was preferred.
 using PersonMeans = std::map<std::size_t, std::map<std::size_t, double>>;  // by thing, by person
 
 PersonMeans meansOf(const std::vector<Counted>& answers,
@@ -142,8 +143,9 @@ PersonMeans meansOf(const std::vector<Counted>& answers,
   return means;
 }
 
-/// Everybody uses numbers of their own: what a person's logarithms are beyond the person's mean, added to the mean of all (Stevens;
-/// Lane, Catania & Stevens, JASA 1961). Persons who did not rate every button are left out.
+/// Everybody uses numbers of their own: what a person's logarithms are beyond the person's mean, added to the
+/// mean of all (Stevens; Lane, Catania & Stevens, JASA 1961). Persons who did not rate every button are left
+/// out.
 PersonMeans onOneScale(const PersonMeans& logs, std::size_t things) {
   std::map<std::size_t, std::pair<double, std::size_t>> byPerson;
   for (const auto& [thing, people] : logs)

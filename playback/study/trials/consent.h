@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a participant is asked to agree to, and what they decided. The texts lie in the study's folder: consent.LANGUAGE.txt, and consent.txt
-// for every other language. Who agrees begins a journal; who does not is counted, and nothing else about them is kept. Any thread.
+// What a participant is asked to agree to, and what they decided. The texts lie in the study's folder:
+// consent.LANGUAGE.txt, and consent.txt for every other language. Who agrees begins a journal; who does not
+// is counted, and nothing else about them is kept. Any thread.
 
 #include <cstddef>
 #include <filesystem>

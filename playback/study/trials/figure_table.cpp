@@ -62,8 +62,8 @@ std::size_t wholeWidth(const std::vector<std::size_t>& widths, const std::vector
   return width;
 }
 
-/// Of the columns of words the one that says something new least often: it can stand above the rows it is the same for. None where each of them
-/// does in every row.
+/// Of the columns of words the one that says something new least often: it can stand above the rows it is the
+/// same for. None where each of them does in every row.
 std::optional<std::size_t> rarestChange(const FigureTable& table, const std::vector<std::size_t>& columns) {
   std::optional<std::size_t> rarest;
   std::size_t least = table.rows.size();

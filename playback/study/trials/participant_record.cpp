@@ -224,7 +224,8 @@ class Replay {
            (json.at("interval_s") == trial.interval_s && json.at("window_s") == trial.window_s);
   }
 
-  /// What was felt counts, not what this machine would have asked: where two levels promise the same, the last digit of a logarithm decides.
+  /// What was felt counts, not what this machine would have asked: where two levels promise the same, the
+  /// last digit of a logarithm decides.
   void takeLevel(const Json& json) {
     if (study_.design.kind != StudyKind::threshold) return;
     Trial& trial = record_.plan[record_.answers.size()];

@@ -35,12 +35,13 @@ inline const char* nameOf(Listening listening) { return listenings.word(listenin
 struct TimingRoute {
   std::string press;  ///< source of the presses' times, and what a time means: "key: read from the terminal"
   std::string cue;    ///< what shows the time: "picture", "picture and sound"
-  /// From the time a trial gives its tone to where it leaves this computer: half a buffer and what the sound system says; none: not known, or
-  /// no tone.
+  /// From the time a trial gives its tone to where it leaves this computer: half a buffer and what the sound
+  /// system says; none: not known, or no tone.
   std::optional<double> cueLatency_s{};
 };
 
-/// What presses, and through what it is felt; as the device says it. Kept in the journal's first line and with every stretch.
+/// What presses, and through what it is felt; as the device says it. Kept in the journal's first line and
+/// with every stretch.
 struct StudyRoute {
   std::string sensorPort;         ///< empty: keys and large buttons press
   std::string sensorCalibration;  ///< "100 g = 0.98 N ..." in one line; empty without a sensor
@@ -129,21 +130,25 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
 /// The file of a participant's journal.
 std::filesystem::path journalOf(const Study& study, const std::string& participant);
 
-/// One participant; nothing planned or answered where there is no journal yet. Failure: as replayJournal and checkHead.
+/// One participant; nothing planned or answered where there is no journal yet. Failure: as replayJournal and
+/// checkHead.
 Result<ParticipantRecord> readParticipant(const Study& study, const std::string& participant);
 
-/// All participants of a study by id; journals are read while they are written, too. One that cannot be used costs that person only:
-/// see ParticipantRecord::damage.
+/// All participants of a study by id; journals are read while they are written, too. One that cannot be used
+/// costs that person only: see ParticipantRecord::damage.
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study);
 
-/// Whether an answer was felt: X and both others pressed through; in matching at least one other; where there is no X, all choices.
+/// Whether an answer was felt: X and both others pressed through; in matching at least one other; where there
+/// is no X, all choices.
 bool feltEnough(const Study& study, const Answer& answer);
 
-/// Cue, window: the press that counts, if there is one: the first from half an interval before the cue (or the window's beginning) to an
-/// interval after it. Whoever beats time with what comes before is not taken at their word.
+/// Cue, window: the press that counts, if there is one: the first from half an interval before the cue (or
+/// the window's beginning) to an interval after it. Whoever beats time with what comes before is not taken at
+/// their word.
 std::optional<double> countedPress(const Trial& trial, const std::vector<double>& presses_s);
 
-/// Whether the times of a trial's presses can be: finite, rising, and one that counts; of tapping at least two. None in other studies.
+/// Whether the times of a trial's presses can be: finite, rising, and one that counts; of tapping at least
+/// two. None in other studies.
 bool pressesFit(const Study& study, const Trial& trial, const Answer& answer);
 
 /// Whether a rating lies on the study's scale; none where it has none.
@@ -151,11 +156,13 @@ bool ratingFits(const Study& study, const std::optional<double>& rating);
 
 // ---- what is compared next, where that follows from the answers so far: thresholds (next_level.cpp)
 
-/// What is believed of one button's threshold in one mode after a participant's first `answers` answers; practice does not count.
+/// What is believed of one button's threshold in one mode after a participant's first `answers` answers;
+/// practice does not count.
 QuestPlus beliefAfter(const Study& study, const ParticipantRecord& record, std::size_t reference,
                       FeedbackMode mode, std::size_t answers);
 
-/// Puts the level that tells most into the trial that comes next. Does nothing where nothing adapts or all is answered.
+/// Puts the level that tells most into the trial that comes next. Does nothing where nothing adapts or all is
+/// answered.
 void placeNextLevel(const Study& study, ParticipantRecord& record);
 
 // ---- lines
@@ -169,11 +176,13 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& ans
 std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain);
 std::string endLine(const std::string& reason, std::string& chain);
 
-/// What the journal held when it was last written, beside it: a journal whose end was cut off or that was emptied is noticed. Written before
-/// the first line, which says so, and after each line; a crash between leaves it behind by a line.
+/// What the journal held when it was last written, beside it: a journal whose end was cut off or that was
+/// emptied is noticed. Written before the first line, which says so, and after each line; a crash between
+/// leaves it behind by a line.
 std::filesystem::path headFileOf(const std::filesystem::path& journal);
 Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, const std::string& chain);
-/// Failure unreadableInput: the journal holds less than it held, or its head is gone. Journals begun before heads were kept have none.
+/// Failure unreadableInput: the journal holds less than it held, or its head is gone. Journals begun before
+/// heads were kept have none.
 Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<std::string>& lines);
 
 /// The hash after those lines.

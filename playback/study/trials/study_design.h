@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a study with people is: which buttons, which task, how often. One study is one folder that can be
-// copied: study.json, buttons/, device.device (optional), consent.txt and consent.LANGUAGE.txt (consent.h), participants/ID.jsonl.
+// copied: study.json, buttons/, device.device (optional), consent.txt and consent.LANGUAGE.txt (consent.h),
+// participants/ID.jsonl.
 
 #include <cstdint>
 #include <filesystem>
@@ -96,7 +97,8 @@ struct StudyDesign {
       consents;  ///< one for each language; empty: a short standard text in English and in German
 };
 
-/// Trials a kind, and of timing a task, usually needs. Threshold: docs/guide/studies.md has what they come to.
+/// Trials a kind, and of timing a task, usually needs. Threshold: docs/guide/studies.md has what they come
+/// to.
 std::size_t usualTrials(StudyKind kind, TimingTask task = TimingTask::cue);
 
 /// One button of a study.
@@ -152,7 +154,8 @@ std::string spokenId(const std::string& id);
 /// Whether two buttons at a time are asked about, as pairsOf() lists them.
 bool asksForPairs(const StudyDesign& design);
 
-/// Range checks of a design for so many buttons. Failure wrongUsage: its subject is the option of `study new`, or the study.
+/// Range checks of a design for so many buttons. Failure wrongUsage: its subject is the option of
+/// `study new`, or the study.
 Result<Done> checkDesign(const StudyDesign& design, std::size_t buttons);
 
 /// Makes the folder, whole or not at all. `buttonFiles`: at least two (threshold, scales and timing:
@@ -172,29 +175,34 @@ Result<Done> checkStimuli(const Study& study);
 /// What a participant feels for a button in a mode.
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode);
 
-// ---- one study that several laboratories ran (merged_study.cpp): a folder with a whole study of each below sites/NAME, and a study.json
-// that names them. Its participants are called NAME-ID.
+// ---- one study that several laboratories ran (merged_study.cpp): a folder with a whole study of each below
+// sites/NAME, and a study.json that names them. Its participants are called NAME-ID.
 
-/// Copies studies into `folder`, whole or not at all. `sites`: one name for each, as of a participant; empty: the names of the folders.
-/// Failure wrongUsage: they differ in task or feel, in their rule for the unfinished, or two sites have one name.
+/// Copies studies into `folder`, whole or not at all. `sites`: one name for each, as of a participant; empty:
+/// the names of the folders. Failure wrongUsage: they differ in task or feel, in their rule for the
+/// unfinished, or two sites have one name.
 Result<Study> mergeStudies(const std::vector<std::filesystem::path>& studies, std::vector<std::string> sites,
                            const std::filesystem::path& folder);
-/// Opens the study of these sites; not empty. Failures: those of openStudy, for each site, and of mergeStudies.
+/// Opens the study of these sites; not empty. Failures: those of openStudy, for each site, and of
+/// mergeStudies.
 Result<Study> openSites(const std::vector<std::string>& sites, const std::filesystem::path& folder);
 /// The folder of one site's study.
 std::filesystem::path siteFolder(const std::filesystem::path& folder, const std::string& site);
 
-// ---- levels of a threshold study: buttons with more of one quantity than the one they are compared with (study_levels.cpp)
+// ---- levels of a threshold study: buttons with more of one quantity than the one they are compared with
+// (study_levels.cpp)
 
-/// The settings with so much more of the quantity; those of quantities of the button itself stay. Jumps whose size is asked about play at half
-/// their strength, so that there is room for more. `increase` >= 0; 0: the reference.
+/// The settings with so much more of the quantity; those of quantities of the button itself stay. Jumps whose
+/// size is asked about play at half their strength, so that there is room for more. `increase` >= 0; 0: the
+/// reference.
 PlaybackSettings raised(PlaybackSettings settings, LevelQuantity quantity, double increase);
 
-/// Puts a level behind the study's buttons. `reference`: one of the given buttons; `increase` > 0. Failure: as the edit.
+/// Puts a level behind the study's buttons. `reference`: one of the given buttons; `increase` > 0. Failure:
+/// as the edit.
 Result<Done> addLevel(Study& study, std::size_t reference, double increase);
 
-/// A hundredth to the double, twelve a decade, as far as the button can be changed and the vibration is not at full scale. Failure wrongUsage
-/// names a button that has too few such levels.
+/// A hundredth to the double, twelve a decade, as far as the button can be changed and the vibration is not
+/// at full scale. Failure wrongUsage names a button that has too few such levels.
 Result<Done> addUsualLevels(Study& study);
 
 /// Of a button, rising.

@@ -20,7 +20,8 @@ struct ForetoldPair {
   std::string reason;
 };
 
-/// A page up to the beginning of its body, which is given `bodyClass` (may be empty). Style and printing are those of all pages of a study.
+/// A page up to the beginning of its body, which is given `bodyClass` (may be empty). Style and printing are
+/// those of all pages of a study.
 std::string pageBeginning(const std::string& title, const std::string& bodyClass = {});
 
 /// UTF-8. `foretold` may be empty; it stands beside the groups of its mode.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One timed trial as it is worked on: when its cue comes, which presses count, when it is over. The same for a terminal, a window and a
-// simulation. Every time comes from the caller's steady clock. One thread.
+// One timed trial as it is worked on: when its cue comes, which presses count, when it is over. The same for
+// a terminal, a window and a simulation. Every time comes from the caller's steady clock. One thread.
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +14,8 @@ namespace detent::playback {
 enum class TimingFault : std::uint8_t {
   none,
   noPress,  ///< none that counts; tapping: fewer than two
-  held,  ///< presses so close upon another that no finger made them: a key that repeats, a contact that chatters
+  /// presses so close upon another that no finger made them: a key that repeats, a contact that chatters
+  held,
   notFelt  ///< the button under the finger was not pressed
 };
 /// As the journal keeps it: "no press".
@@ -26,7 +27,8 @@ class TimingDesk {
   TimingDesk(const Study& study, const Trial& trial, double began_s, double now_s);
 
   const Trial& trial() const { return *trial_; }
-  /// Cue: four beats an interval apart, the last of them is the cue. Window: one, at which the target has come to its window. Tapping: none.
+  /// Cue: four beats an interval apart, the last of them is the cue. Window: one, at which the target has
+  /// come to its window. Tapping: none.
   const std::vector<double>& beats_s() const { return beats_s_; }
   /// Cue, window: the last beat.
   double cue_s() const { return beats_s_.back(); }

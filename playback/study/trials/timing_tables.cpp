@@ -163,7 +163,8 @@ std::vector<FittedPerson> fitted(const TimedPeople& presses) {
   return people;
 }
 
-/// How the rows of a table say which timingCell they are of: not at all, of a file that tells neither; by the title, where all are of one condition.
+/// How the rows of a table say which timingCell they are of: not at all, of a file that tells neither; by the
+/// title, where all are of one condition.
 struct Naming {
   bool button = false, condition = false;
   std::string title;  ///< behind a table's own

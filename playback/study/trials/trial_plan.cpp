@@ -32,8 +32,8 @@ struct PlanCell {
   std::size_t side() const { return swapped == secondIsX ? 0 : 1; }
 };
 
-/// Every cell a quarter of the time. What four do not divide: one by chance; two that differ in both, on the side that `toTheRight`
-/// says; three of the four.
+/// Every cell a quarter of the time. What four do not divide: one by chance; two that differ in both, on the
+/// side that `toTheRight` says; three of the four.
 std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom& random) {
   constexpr std::array<PlanCell, 4> all{
       {{false, false}, {true, true}, {false, true}, {true, false}}};  // left, left, right, right
@@ -204,7 +204,8 @@ std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, 
   return abxTrials(study, pairs, mode, random);
 }
 
-/// Each mode as often first, second and last as the number of people allows: rotated from one to the next, then the same backwards.
+/// Each mode as often first, second and last as the number of people allows: rotated from one to the next,
+/// then the same backwards.
 std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t place) {
   std::vector<FeedbackMode> modes = study.design.modes;
   if (study.version == 1) return modes;

@@ -341,7 +341,8 @@ void PanelsTest::sectionEndsAndSlopesAreTyped() {
   QVERIFY(!(model.flags(cell(model, reset, ValuesModel::force)) & Qt::ItemIsEditable));
 }
 
-// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden table seemed to have.
+// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden
+// table seemed to have.
 void PanelsTest::namesTakeWhatTheNumbersLeave() {
   WorkspaceRig rig(require(twoLevelButton()));
   QWidget dock;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How people will press what is compared: computed beside the window and only while it is seen, said in words, never as a bare number.
+// How people will press what is compared: computed beside the window and only while it is seen, said in
+// words, never as a bare number.
 
 #include "editor/pressing/press_view.h"
 

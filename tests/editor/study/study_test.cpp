@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies in the window: made, worked through by a participant with keys and large buttons, followed by the experimenter.
+// Studies in the window: made, worked through by a participant with keys and large buttons, followed by the
+// experimenter.
 
 #include <chrono>
 #include <csignal>

@@ -533,7 +533,8 @@ void ToolsTest::shiftAddsAndTakesAway() {
   QVERIFY(rig.canvas().selection().empty());
 }
 
-// With the mouse held on empty ground the keys still work: what the rectangle adds to are the same knots afterwards.
+// With the mouse held on empty ground the keys still work: what the rectangle adds to are the same knots
+// afterwards.
 void ToolsTest::undoUnderARectangleKeepsTheSelectionTrue() {
   WorkspaceRig rig(require(tactileButton()));
   const std::size_t knots = rig.press().knots().size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every field for a quantity that the windows have, whatever it is called: what is typed means the same in every language, with
-// every unit typed and every unit shown; what cannot be read leaves the value alone.
+// Every field for a quantity that the windows have, whatever it is called: what is typed means the same in
+// every language, with every unit typed and every unit shown; what cannot be read leaves the value alone.
 
 #include <algorithm>
 #include <cmath>

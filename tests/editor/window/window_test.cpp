@@ -1020,7 +1020,8 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
   }
 
-  // By choice the button's file holds the page: where the sheet is gone, it lies behind the curves where it lay.
+  // By choice the button's file holds the page: where the sheet is gone, it lies behind the curves where it
+  // lay.
   void thePageIsKeptInTheFile() {
     const QString sheet = at("sheet.pdf"), button = at("b.button.json");
     QVERIFY(QFile::copy(sample("plots/white-vector.pdf"), sheet));
@@ -1085,8 +1086,8 @@ class WindowTest : public QObject {
     QVERIFY(!placedFrom({"\x89PNG\r\n\x1a\nbroken", cutout->pixelToAxes}));
   }
 
-  // A button that was reshaped so far that its page does not prove itself is read again at once, as is a page on its side
-  // that nothing says is on its side.
+  // A button that was reshaped so far that its page does not prove itself is read again at once, as is a page
+  // on its side that nothing says is on its side.
   void aPageThatDoesNotProveItselfIsReadAgain() {
     const QString sheet = at("sheet.png"), button = at("b.button.json");
     QVERIFY(QFile::copy(sample("plots/two-level-legend.png"), sheet));
@@ -1301,7 +1302,8 @@ class WindowTest : public QObject {
     QVERIFY2(printed.contains("locked: Release at 1 mm: a scrape"), qPrintable(printed));
   }
 
-  // Sentences of classes that are no QObject too: the hints of all tools of the import, a refusal of the model.
+  // Sentences of classes that are no QObject too: the hints of all tools of the import, a refusal of the
+  // model.
   void everySentenceIsFoundInGerman() {
     ViewSettings settings;
     ImportDialog dialog(settings);
@@ -1428,7 +1430,8 @@ class WindowTest : public QObject {
     }
   }
 
-  // What is seen of every label, button and field of every window, light and dark: its ground is the colour it has most of.
+  // What is seen of every label, button and field of every window, light and dark: its ground is the colour
+  // it has most of.
   void everyTextCanBeRead() {
     Rig rig(folder_->path());
     rig.window->resize(1500, 950);
@@ -1507,7 +1510,8 @@ class WindowTest : public QObject {
       QVERIFY(plot->plottable(i)->pen().color() != colors.release);  // that colour means a stroke
   }
 
-  // The desktop turns dark and light again while the editor runs: every open window follows, and what it says can be read.
+  // The desktop turns dark and light again while the editor runs: every open window follows, and what it says
+  // can be read.
   void theDesktopsChangeOfThemeIsFollowed() {
     bool dark = false;
     Rig rig(folder_->path(), [&dark] { return dark ? darkPalette() : lightPalette(); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Print of four by five pixels, typed here pixel by pixel, so that it is drawn by another hand than the reader's.
+// Print of four by five pixels, typed here pixel by pixel, so that it is drawn by another hand than the
+// reader's.
 
 #include "importer/axes/small_labels.h"
 

@@ -205,7 +205,8 @@ TEST_CASE("a scan a degree askew keeps its four corners") {
 
 namespace {
 
-/// The plot as a camera sees its sheet: `map` from the drawn plot to the picture; a light falls off to the right.
+/// The plot as a camera sees its sheet: `map` from the drawn plot to the picture; a light falls off to the
+/// right.
 cv::Mat photographOf(const PlotStyle& s, const cv::Matx33d& map) {
   cv::Mat seen;
   cv::warpPerspective(drawn(s), seen, map, {s.width, s.height}, cv::INTER_CUBIC, cv::BORDER_CONSTANT,

@@ -155,7 +155,8 @@ TEST_CASE("A document from memory is imported as one from a file") {
   CHECK_FALSE(ImportSession::fromBytes({}, "nothing"));
 }
 
-// Lines scaled up are off by more pixels, and a filter with lobes leaves pale copies beside them: neither is a doubt.
+// Lines scaled up are off by more pixels, and a filter with lobes leaves pale copies beside them: neither is
+// a doubt.
 TEST_CASE("A plot that imports at its own size imports scaled up to the most pixels that are read") {
   const cv::Mat plot = cv::imread(plots + "black-red-curves.png");
   REQUIRE(!plot.empty());

@@ -126,7 +126,8 @@ class Plot {
         view_.raster.rgb[3 * i + k] = static_cast<std::uint8_t>(std::lround(c * ink[k] + (1 - c) * under));
       }
   }
-  /// What lies between a curve and the plot's foot, as programs fill it; `opacity` at the top and at the foot.
+  /// What lies between a curve and the plot's foot, as programs fill it; `opacity` at the top and at the
+  /// foot.
   void area(const Curve& points, Rgb color, double opacity, double atFoot) {
     Raster& r = view_.raster;
     const double ink[3] = {double(color.r), double(color.g), double(color.b)};

@@ -141,7 +141,8 @@ Polyline part(const Polyline& line, std::size_t from, std::size_t to) {
           line.begin() + static_cast<std::ptrdiff_t>(to) + 1};
 }
 
-/// The outline of a line with butt ends: each segment's own edges; on a bend's inner side they meet over its corner.
+/// The outline of a line with butt ends: each segment's own edges; on a bend's inner side they meet over its
+/// corner.
 Polyline outlineOf(const Polyline& line, double width) {
   Polyline sides[2];
   for (std::size_t i = 1; i < line.size(); ++i) {

@@ -207,7 +207,8 @@ void checkHjif(const Json& file, Limits& limits) {
         for (const Json& key : effect["keyframes"]) {
           limits.within("relative_position", key["relative_position"], place + 1, 1e9);
           limits.within("amplitude_modulation", key["amplitude_modulation"], -1, 1);
-          // One frequency of an effect, on its first keyframe: the reference software mistakes the phase of several.
+          // One frequency of an effect, on its first keyframe: the reference software mistakes the phase of
+          // several.
           limits.holds("a frequency on a later keyframe",
                        key.contains("frequency_modulation") == (place < 0));
           if (place < 0) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sensor's noise under a still finger and under presses, on every sample button: docs/develop/decisions/0906.
+// A sensor's noise under a still finger and under presses, on every sample button:
+// docs/develop/decisions/0906.
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The oracle of stroke_tracker_oracle_test.cpp: the reverse function, force -> displacement, written a second time and by
-// another way than playback/realtime/stroke_tracker.h. It asks the curve for its monotone stretches where the tracker walks
-// the vertices of a table, knows neither time nor crossings, and is slow and plain.
+// The oracle of stroke_tracker_oracle_test.cpp: the reverse function, force -> displacement, written a second
+// time and by another way than playback/realtime/stroke_tracker.h. It asks the curve for its monotone
+// stretches where the tracker walks the vertices of a table, knows neither time nor crossings, and is slow
+// and plain.
 
 #include <vector>
 

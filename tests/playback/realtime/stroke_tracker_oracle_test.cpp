@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// StrokeTracker against reverse_function.h on the same polylines: whatever the curve and the way, both stand at the same place.
+// StrokeTracker against reverse_function.h on the same polylines: whatever the curve and the way, both stand
+// at the same place.
 
 #include <memory>
 #include <vector>

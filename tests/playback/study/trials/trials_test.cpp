@@ -920,7 +920,8 @@ namespace {
 
 enum class Sensor { good, zeros, silent, stuck, lost, light };
 
-/// A person who tries to answer everything while the sensor does this; how many answers the journal holds then.
+/// A person who tries to answer everything while the sensor does this; how many answers the journal holds
+/// then.
 std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor) {
   StudyRandom random = randomSeededBy(id);
   Result<ParticipantSession> session =
