@@ -48,7 +48,7 @@ struct ForceDeviceChoice {
 /// Failure: wrongUsage with the words that are known.
 Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text);
 
-/// What the simulated finger does. Real devices have a real one.
+/// Behaviour of the simulated finger. Real devices have a real one.
 struct FingerChoice {
   enum class Kind : std::uint8_t { hold, press, trace };
   Kind kind = Kind::press;
@@ -95,10 +95,10 @@ struct ForceStatus {
   bool finished = false;
 };
 
-/// What the link asks for; all 0 where it is as quick as the device was prepared for.
+/// Pace that the link allows; all 0 if it is as quick as the device was prepared for.
 struct ForceLinkPace {
   double roundTrip_s = 0;  ///< measured: nine of ten answers take no longer
-  double asked_Hz = 0;     ///< the rate that was asked for
+  double asked_Hz = 0;     ///< requested rate
   double computer_s = 0;   ///< of the round trip, what this computer alone takes
   double addedDamping_Ns_per_mm = 0,
          largestForceChange_N = 0;  ///< what the button lost to it, besides slopes
@@ -118,9 +118,9 @@ struct DeviceMeasurement {
   double roundTrip_s = 0;     ///< of the link; 0: none, or quick
   double longestPause_s = 0;  ///< of this computer; what a pause hides does not enter
 };
-/// Some ten seconds. `onward` is asked often and told what has been done (0..1): false cancels. Failure:
-/// wrongUsage, deviceTrouble where the device cannot be had, does not move, or moves the other way;
-/// unreadableInput where its movement tells nothing.
+/// Takes some ten seconds. Calls `onward` often with the completed share (0..1); false cancels. Failure:
+/// wrongUsage; deviceTrouble if the device cannot be opened, does not move, or moves the other way;
+/// unreadableInput if its movement determines nothing.
 Result<DeviceMeasurement> measureForceDevice(const DeviceMeasurementSettings& settings,
                                              const std::function<bool(double done)>& onward);
 
@@ -134,7 +134,7 @@ class ForcePlayer {
 
   /// Exchanges the button under the finger.
   virtual Result<Done> setButton(const Button& button) = 0;
-  /// What the device could not render as the button has it, its slope limit, its play radius.
+  /// Parts of the button that the device cannot render, its slope limit, its play radius.
   virtual const ForceSummary& summary() const = 0;
   /// The device as the force was prepared for it: its rate and delay are the measured ones where the link is
   /// slow.

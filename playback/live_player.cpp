@@ -621,7 +621,7 @@ class Player : public LivePlayer {
       }
       sleepUntil(now_s() + traceStep_s);
     }
-    // What was sent ahead must have been applied before another source may speak.
+    // Readings that were sent ahead must have been applied before another source may send.
     if (!stopTrace_) sleepUntil(now_s() + traceAhead_s + 0.05);
   }
 

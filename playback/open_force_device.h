@@ -27,7 +27,7 @@ void watchOnly(ForceProgram& program, double longestUnheard_s);
 inline constexpr double answerOfSlowPeriod = 0.8;
 /// Answers after `roundTrip_s` come too late for a loop of this period.
 bool tooSlowFor(double period_s, double roundTrip_s);
-/// The period such a link sets, never shorter than the one asked for.
+/// Period that such a link allows, never shorter than the requested one.
 double slowPeriod_s(double period_s, double roundTrip_s);
 
 Result<std::unique_ptr<ForceOrders>> startForceOrders(ForceLoop& loop, const ForcePlayerSettings& settings);

@@ -81,7 +81,7 @@ struct ContactClosing {
   double within_s = 0;  ///< how far apart these two readings were
 };
 
-/// What a display shows; a snapshot.
+/// Values for a display; a snapshot.
 struct PlayerStatus {
   bool sounding = true;  ///< false: a player without a sound device (LivePlayer::startSilent)
   std::string device;
@@ -169,7 +169,7 @@ class LivePlayer {
   /// call replaces the first. Failure wrongUsage: no sample, one beyond [-1, 1], a rate outside 8000..192000
   /// Hz, 16 that have not ended, or a player without a sound device.
   virtual Result<Done> playSamples(const std::vector<float>& samples, double sampleRate_Hz) = 0;
-  /// What plays of them fades out.
+  /// Fades out the samples that are playing.
   virtual void stopSamples() = 0;
   virtual bool samplesPlaying() = 0;
 
@@ -178,7 +178,7 @@ class LivePlayer {
   virtual double clock_s() const = 0;
   /// Everything felt since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;
-  /// What the finger did since the last call, whoever it belongs to.
+  /// Presses since the last call, from any source.
   virtual PressCount takePresses() = 0;
   /// Every time the contact closed since the last call, oldest first (the last 1024 are kept).
   virtual std::vector<ContactClosing> takeClosings() = 0;
@@ -192,7 +192,7 @@ struct SoundRecording {
 };
 
 /// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`.
-/// `cancelled` is asked often; Failure cancelled once it says so.
+/// `cancelled` is called often; Failure cancelled if it returns true.
 Result<SoundRecording> playAndRecordSamples(const PlayerSettings& settings, const std::string& inputDevice,
                                             const std::vector<float>& samples,
                                             const std::function<bool()>& cancelled);
@@ -227,7 +227,8 @@ struct LatencyResult {
   std::string device;
 };
 
-/// `progress(done, all)` before each trial. Failure cancelled once `cancelled`, asked often, says so.
+/// Calls `progress(done, all)` before each trial. Failure cancelled if `cancelled`, which is called often,
+/// returns true.
 Result<LatencyResult> measureLatency(const LatencySettings& settings,
                                      const std::function<void(std::size_t, std::size_t)>& progress,
                                      const std::function<bool()>& cancelled);

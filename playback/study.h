@@ -36,8 +36,8 @@
 
 namespace detent::playback {
 
-/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(), nothing where
-/// nobody says which one X is. Some ten milliseconds a button and mode. Failure: as feel(). Any thread.
+/// Forecast for a study's buttons, on its device, mode by mode by pairsOf(); nothing if no answer says which
+/// one X is. Some ten milliseconds a button and mode. Failure: as feel(). Any thread.
 Result<std::vector<ForetoldPair>> foretold(const Study& study);
 
 }  // namespace detent::playback

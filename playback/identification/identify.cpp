@@ -65,8 +65,8 @@ void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, 
   addSlope(n, i + 1, -factor * u * u * rest, out);
 }
 
-/// What the shares of one interval between two knots add up to from its left knot to `u` of its width, as
-/// shares of the values (and slopes) at both: the integrals of Hermite's four cubics.
+/// Sums of the shares of one interval between two knots, from its left knot to `u` of its width, as shares of
+/// the values (and slopes) at both knots: the integrals of Hermite's four cubics.
 struct CellIntegral {
   double left, right, leftSlope, rightSlope;
   explicit CellIntegral(double u)
@@ -168,8 +168,7 @@ Equations equationsOf(const Samples& s, const RecordWindows& windows, const Colu
   return e;
 }
 
-/// What a fit without errors gives at every sample: how much its force changes with the place, and its
-/// damping there.
+/// Values of a fit without errors at every sample: change of force with displacement, and damping.
 struct Local {
   Eigen::VectorXd slope_N_per_mm, damping_Ns_per_mm;
   double mass_kg = 0;
@@ -265,8 +264,8 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
   return solution;
 }
 
-/// What one unit of error in each sample's force, and in its place, does to the normal equations: the
-/// windows' way back.
+/// Effect of one unit of error in each sample's force and displacement on the normal equations (the
+/// transposed windows).
 struct Influence {
   Eigen::MatrixXd ofForce, ofPlace;  ///< samples x parameters
   double forceSquares = 0;           ///< of what each sample's force does to each equation
@@ -343,8 +342,8 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
     const Eigen::MatrixXd ofForce = influence.ofForce.transpose() * influence.ofForce;
     const double freedom = influence.forceSquares - (solution->inverse * ofForce).trace();
     const double squares = (equations.design * solution->parameters - equations.force_N).squaredNorm();
-    // What rounding leaves in the equations is no noise of the force; where the record has none, little is
-    // left of the squares.
+    // Rounding leaves residuals that are not noise of the force; without noise, little is left of the
+    // squares.
     const double ofRounding = rounding_mm * rounding_mm * influence.placeSquares;
     fit.residual_N =
         std::sqrt(std::max(squares - ofRounding, leastNoiseShare * squares) / std::max(freedom, 1e-300));

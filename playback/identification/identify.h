@@ -24,7 +24,7 @@ struct IdentifySettings {
 /// Why b is not named.
 enum class DampingDoubt : std::uint8_t {
   none,
-  constantSpeed,  ///< speed hardly varies: damping and friction cannot be told apart
+  constantSpeed,  ///< speed hardly varies: damping and friction cannot be separated
   notCertain      ///< its standard error is too large
 };
 

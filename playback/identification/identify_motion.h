@@ -12,11 +12,11 @@
 
 namespace detent::playback {
 
-/// What a loop saw: all of one length. A positive force is against growing displacement.
+/// Record of a loop; all columns have one length. A positive force acts against growing displacement.
 struct MotionRecord {
   std::vector<double> time_s;  ///< increasing
   std::vector<double> position_mm;
-  std::vector<double> force_N;  ///< asked for at this time, and kept until the next
+  std::vector<double> force_N;  ///< commanded at this time, and kept until the next
   std::vector<bool> good;       ///< the position was read here; else it stands for nothing
   double step_mm = 0.01;        ///< > 0; of the encoder
 };
@@ -31,8 +31,8 @@ struct MotionIdentification {
   double residual_mm = 0;                  ///< rms of what the model leaves
   double expected_mm = 0;                  ///< rms of what the encoder's steps alone would leave
   std::size_t stretches = 0, samples = 0;  ///< of movement that entered
-  /// The handle moves as mass, friction and damping do. False: something else acts on it (a hand, a spring, a
-  /// stop), or its force is not what it is asked for.
+  /// Returns true if the handle moves as mass, friction and damping predict. False: something else acts on it
+  /// (a hand, a spring, a stop), or its force is not the commanded one.
   bool explained() const;
 };
 

@@ -12,8 +12,8 @@
 
 namespace detent::playback {
 
-/// How much one sample of a window counts: average = sum of mean q, rate = sum of perS q, curvature = sum of
-/// perS2 q.
+/// Weights of one sample of a window: average = sum of mean q, rate = sum of perS q, curvature = sum of perS2
+/// q.
 struct SampleShare {
   double mean = 0, perS = 0, perS2 = 0;
 };

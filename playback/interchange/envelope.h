@@ -70,7 +70,7 @@ double worstTimingError_ms(const PressPlan& plan, const Stretch& stretch,
                            const std::vector<std::int64_t>& onsets);
 std::vector<std::int64_t> onsetsOf(const std::vector<EnvelopeStep>& steps);
 
-/// How far a motor at its own resonance moves the press's frequencies, at most.
+/// Largest shift of the press's frequencies by a motor that plays at its own resonance.
 double furthestFromResonance_Hz(const PressPlan& plan);
 
 /// Grain positions that were played within.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What of a press a format does not carry, told with every export.
+// Parts of a press that a format does not carry, reported with every export.
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How far the limiter turned a press down, so that a file can say it.
+// Largest gain reduction of a press by the limiter, for the exported file.
 
 #include <cstdint>
 #include <vector>

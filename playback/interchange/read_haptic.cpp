@@ -34,7 +34,7 @@ double straight(const std::vector<Breakpoint>& points, std::size_t next, double 
                              : b.value;
 }
 
-/// Both courses over one list of times. A step of one, two points at one time, stays a step.
+/// Both envelopes over one list of times. A step (two points at one time) stays a step.
 std::vector<WavePoint> merged(const std::vector<Breakpoint>& amplitudes,
                               const std::vector<Breakpoint>& frequencies) {
   std::vector<WavePoint> points;

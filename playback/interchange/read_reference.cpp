@@ -38,7 +38,7 @@ void turnDown(std::vector<double>& samples, ReferenceSignal& signal) {
   double peak = 0;
   for (const double sample : samples) peak = std::fmax(peak, std::fabs(sample));
   const double gain = peak > 1 ? 1 / peak : 1;
-  // What rounding adds to full scale is not worth a word.
+  // Rounding beyond full scale is not reported.
   if (peak > 1 + 1e-6)
     signal.notes.emplace_back(Message("it passes full scale by a factor of %1 and is turned down", peak));
   signal.samples.reserve(samples.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a press becomes in one format, before it is text: so that the file can carry its own loss record.
+// The form of a press in one format, before it becomes text: the file can thus carry its own loss record.
 
 #include <functional>
 #include <string>
@@ -15,14 +15,14 @@
 namespace detent::playback {
 
 struct Reduction {
-  /// What a player makes of it, on the plan's time line and at its rate; press and release apart where each
-  /// is begun by itself.
+  /// Signal that a player makes of it, on the plan's time axis and at its rate; press and release apart if
+  /// they are started separately.
   std::vector<std::vector<double>> played;
   ExportLoss loss;  ///< all but the energies, which follow from `played`
   std::function<std::vector<ExportedFile>(const ExportLoss&)> write;
 };
 
-/// What stands at the head of every file.
+/// Contents of every file's header.
 struct ExportSource {
   const Button& button;
   const HapticProgram& program;

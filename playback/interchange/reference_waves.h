@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What each format's reader makes of its JSON: waves, before they are samples.
+// Reads the JSON of each format into waves, before they become samples.
 
 #include <cstddef>
 #include <string>

@@ -17,7 +17,7 @@ constexpr std::size_t freeBytes = snippetMemoryBytes - 4;  // two counts, two en
 constexpr double cheapest = 1e-3, dearest = 1e7;  // squared levels that a byte is worth, at least and at most
 constexpr int halvings = 14;                      // of the range between, on a logarithmic scale
 
-/// The points of a course that cost least up to each cell: squared error, and `perByte` for every byte.
+/// The cheapest points of an envelope up to each cell: squared error, and `perByte` for every byte.
 class CheapestPoints {
  public:
   CheapestPoints(const LevelCourse& course, double perByte)

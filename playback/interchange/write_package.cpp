@@ -28,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is played where on a stroke.
+/// An event on a stroke and its wave.
 struct Trigger {
   const char* kind = "";  ///< "jump" or "bottom_out"
   bool release = false;
@@ -63,8 +63,8 @@ double forceBetween(const TablePoint& a, const TablePoint& b, double displacemen
   return a.force_N + (b.force_N - a.force_N) * share;
 }
 
-/// The force at which a press first comes to a place: the strongest on the way, not that of the place. Where
-/// a wall stands there, its foot.
+/// The force at which a press first reaches a displacement: the largest on the way, not that of the
+/// displacement. At a vertical rise, its lower end.
 double pressedAt_N(const StateProgram& state, double displacement_mm) {
   const StrokeTable& table = state.press;
   if (table.pointCount == 0) return 0;
@@ -79,7 +79,8 @@ double pressedAt_N(const StateProgram& state, double displacement_mm) {
   return strongest_N;
 }
 
-/// The same for a release, which comes from below: the least on the way; of a wall, its top.
+/// The same for a release, which comes from the end: the smallest on the way; at a vertical rise, its upper
+/// end.
 double releasedAt_N(const StateProgram& state, double displacement_mm) {
   const StrokeTable& table = state.release;
   if (table.pointCount == 0) return 0;
@@ -147,7 +148,7 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
     package.reset_N = releasedAt_N(program, program.reset_mm);
   }
   package.settled_N = releasedAt_N(program, program.rest_mm);
-  // What a device switches at is what is felt: the first jump; without one the operating point, then the
+  // The device switches at the felt event: the first jump; without one the operating point, then the
   // bottom-out.
   for (const Trigger& trigger : package.triggers) {
     auto& at_N = trigger.release ? package.release_N : package.press_N;
@@ -244,7 +245,7 @@ Json coefficients(const BiquadCoefficients& c) {
   return {{"b0", c.b0}, {"b1", c.b1}, {"b2", c.b2}, {"a1", c.a1}, {"a2", c.a2}};
 }
 
-/// What the bursts go through, so that a reader can make the engine's samples of them.
+/// Filters behind the bursts, so that a reader can reproduce the engine's samples.
 Json chainOf(const HapticProgram& program, double sampleRate_Hz) {
   Json equalizer = Json::array();
   for (std::uint32_t i = 0; i < program.equalizerBandCount; ++i) {
@@ -496,7 +497,7 @@ typedef struct {
 
 )";
 
-/// How loud grains are beside each other and under jumps, and what waits for what.
+/// Relative levels of grains and jumps, and which event waits for which.
 std::string cOrder(const HapticProgram& program) {
   const auto constant = [](const char* name, double value) {
     return std::string("static const float detent_") + name + " = " + cFloat(value) + ";\n";

@@ -187,7 +187,7 @@ double openxrValue(double frequency_Hz) {
 
 std::int64_t nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-/// What lies between two points of its level and frequency says nothing: silence costs no points.
+/// Points on the line between their neighbours in level and frequency are dropped: silence costs no points.
 std::vector<WavePoint> withoutMiddles(const std::vector<WavePoint>& points) {
   const auto same = [](const WavePoint& a, const WavePoint& b) {
     return a.amplitude == b.amplitude && a.frequency_Hz == b.frequency_Hz;
@@ -512,8 +512,7 @@ Reduction openxrOf(const ExportSource& source) {
     take();
     if (voice.points.size() <= openxrPoints) break;
   }
-  // What is longer is held up to where the points are used up, at most three of them for a step; never with
-  // its jumps moved.
+  // A longer press is kept up to where the points are used up, at most three per step; its jumps never move.
   while (voice.points.size() > openxrPoints) {
     steps.resize(steps.size() - (voice.points.size() - openxrPoints + 2) / 3);
     take();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a Hall, TMR or inductive sensor under a switch reads over its travel. Reading order of the folder:
+// Readings of a Hall, TMR or inductive sensor under a switch over its travel. Reading order of the folder:
 // magnetic_sensor.h, magnetic_key.h, simulate_key.h, write_key_tables.h. Method and limits:
 // docs/guide/magnetic-switches.md.
 

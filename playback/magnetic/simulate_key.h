@@ -18,7 +18,7 @@ namespace detent::playback {
 /// Amplitudes of each finger that are pressed: its normal noise cut into equal shares.
 inline constexpr int pressesOfFinger = 16;
 
-/// What came of fingerCount * pressesOfFinger presses, and of holding for a minute.
+/// Result of fingerCount * pressesOfFinger presses, and of holding for a minute.
 struct MagneticKeyForecast {
   MagneticKeySettings settings;
   double lost_per_1000 = 0;             ///< no key event, though the finger meant one

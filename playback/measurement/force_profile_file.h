@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What was measured of a force device, as a text file like the profile of a vibrating one
+// Measured values of a force device, as a text file like the profile of a vibrating device
 // (docs/reference/device-profile.md).
 
 #include <string>

@@ -20,7 +20,7 @@ constexpr int perSection = 3;  // logarithms of frequency and Q, height in dB
 constexpr int ofLevel = 3;     // a parabola over the octaves
 constexpr double keptRms_dB = 3, keptPlace = 0.1;
 
-/// Gain of a peaking section (realtime/biquad.h), dB; `cosine` and `sine` of the angle at which it is asked.
+/// Gain of a peaking section (realtime/biquad.h), dB, at the angle of `cosine` and `sine`.
 template <class T>
 T sectionGain_dB(double cosine, double sine, double sampleRate_Hz, const T& logFrequency, const T& logQ,
                  const T& height_dB) {
@@ -31,7 +31,7 @@ T sectionGain_dB(double cosine, double sine, double sampleRate_Hz, const T& logF
   return (10 / std::numbers::ln10) * log((beside * beside + up * up) / (beside * beside + down * down));
 }
 
-/// What a set of sections leaves over of a response; the form that Ceres' solver of small problems asks for.
+/// Residuals of a response after a set of sections, in the form that Ceres' solver for small problems needs.
 class Leftover {
  public:
   using Scalar = double;
@@ -111,7 +111,7 @@ Eigen::VectorXd startOf(const std::vector<Resonance>& start, const std::vector<d
   return at;
 }
 
-/// How many neighbouring residuals say the same: twice their correlation, summed until it is gone.
+/// Number of neighbouring residuals that share one error: twice their correlation, summed until it vanishes.
 double alikeInARow(const Eigen::VectorXd& left) {
   const double all = left.squaredNorm();
   const Eigen::Index n = left.size();

@@ -78,8 +78,8 @@ double qualityOf(double width, double height_dB, double depth_dB) {
   return width > 0 ? std::clamp(q, 0.3, 100.0) : 100;
 }
 
-/// What of the impulse response is kept: its foreshadow within a band of 1 kHz is whole, too, and so are the
-/// first rings.
+/// Window over the impulse response: within a band of 1 kHz its part before time 0 is whole, and so are the
+/// first oscillations.
 double windowAt(std::size_t i, std::size_t length, std::size_t before) {
   const auto faded = [](double share) {
     return 0.5 * (1 - std::cos(std::numbers::pi * std::clamp(share, 0.0, 1.0)));
@@ -152,7 +152,7 @@ std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectru
   std::vector<double> rests;
   for (std::size_t i = 0; i + width <= n; i += width) rests.push_back(rootMeanSquare(rest, i, i + width));
   if (rests.empty()) return {};
-  // What noise and distortion leave: a quarter of the recording at least is whole.
+  // Residue of noise and distortion: at least a quarter of the recording is intact.
   std::vector<double> sorted = rests;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 4), sorted.end());
   const double ordinary = sorted[sorted.size() / 4];

@@ -14,7 +14,7 @@ namespace detent::playback {
 /// line.
 Result<PressTrace> readPressTrace(const std::filesystem::path& file);
 
-/// What a file of this trace will be, at most (FLAC is smaller).
+/// Largest size of the file of this trace (FLAC is smaller).
 struct ExpectedSize {
   double duration_s = 0;
   double bytes = 0;

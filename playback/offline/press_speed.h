@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How fast a press is, and the button as it is at that speed: what sounds of a button with graphs at several
-// speeds.
+// Speed of a press, and the button at that speed, for buttons with graphs at several speeds.
 
 #include <optional>
 

@@ -38,7 +38,7 @@ Result<PressTrace> parsePressTrace(const std::string& text, const std::string& n
 std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const HapticProgram& program,
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts);
 
-/// How samples stand in a file.
+/// Format of samples in a file.
 enum class SampleFormat : std::uint8_t {
   standard,  ///< WAV: 32 bit float, FLAC: 24 bit
   bits16,
@@ -51,12 +51,12 @@ struct RenderSettings {
   double sampleRate_Hz = 48000;                  ///< 8000..192000
   std::size_t block = 4096;  ///< samples per engine call, 1..8192; does not change the result
   std::function<bool()>
-      cancelled;        ///< asked once per block; true: Failure::cancelled, nothing is left behind
+      cancelled;        ///< called once per block; true: Failure::cancelled, no file is left behind
   double tail_s = 0.5;  ///< at most this much after the last reading; ends early when all is silent
 };
 
-/// What can be said of a rendering before anything is computed or written. Failure wrongUsage: settings
-/// outside their ranges, a trace without readings, one whose times begin more than a week after 0.
+/// Checks a rendering before anything is computed or written. Failure wrongUsage: settings outside their
+/// ranges, a trace without readings, one whose times begin more than a week after 0.
 Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& settings);
 
 struct RenderSummary {

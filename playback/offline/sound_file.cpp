@@ -143,7 +143,7 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
 
 namespace {
 
-/// What the library says of a file that it does not open; of its own names and full stops nothing.
+/// The library's reason for not opening a file, without its own names and full stops.
 Message whyNotRead() {
   std::string why = sf_strerror(nullptr);
   if (why.find("nternal error") != std::string::npos)

@@ -44,7 +44,7 @@ struct PageButton {
   std::vector<SpeedProgram> speeds;  ///< from detent_start on
 };
 
-/// Who holds the finger.
+/// Source that moves the finger.
 enum class Hand : std::uint8_t { none, timed, steered };
 
 class Page {
@@ -228,7 +228,7 @@ DETENT_EXPORT(detent_steer) void detent_steer(double force_N) { page().steer(for
 DETENT_EXPORT(detent_process) const float* detent_process(std::uint32_t frames) {
   return page().process(frames);
 }
-/// How often memory was asked for since the module began.
+/// Number of allocations since the module began.
 DETENT_EXPORT(detent_allocations) std::uint32_t detent_allocations() { return detent::playback::allocations; }
 /// Nine doubles: displacement mm, force N, releasing, state, contact, counts of press jumps, release jumps,
 /// bottom-outs, peak.

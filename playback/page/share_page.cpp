@@ -50,7 +50,7 @@ std::string bytesOf(const std::vector<double>& numbers) {
   return bytes;
 }
 
-/// What is drawn: evenly spaced points and every knot, walls as the two points they are.
+/// Points of the drawn curve: evenly spaced points and every knot; vertical rises as their two points.
 Json drawn(const StrokeCurve& curve) {
   std::vector<std::pair<double, double>> points;
   for (const Knot& k : curve.knots()) points.emplace_back(k.displacement_mm, k.force_N);

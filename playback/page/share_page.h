@@ -17,8 +17,8 @@ namespace detent::playback {
 /// prepared, a build without the browsers' engine (`hasPageEngine`). Any thread; allocates.
 Result<std::string> sharePage(const std::vector<Button>& buttons);
 
-/// Whether this build holds the engine for browsers; it needs clang 14 with wasi-libc and libc++ for wasm32
-/// at build time.
+/// Returns true if this build contains the engine for browsers; it needs clang 14 with wasi-libc and libc++
+/// for wasm32 at build time.
 bool hasPageEngine();
 
 }  // namespace detent::playback

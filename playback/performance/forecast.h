@@ -16,7 +16,7 @@
 
 namespace detent::playback {
 
-/// What is forecast, in the order of the table.
+/// The forecast figures, in the order of the table.
 enum class PressFigure {
   peakForce,
   impulse,
@@ -34,7 +34,7 @@ enum class PressFigure {
 };
 inline constexpr std::size_t pressFigureCount = static_cast<std::size_t>(PressFigure::rapidDoubles) + 1;
 
-/// How a figure is called. Strings live for ever.
+/// Name of a figure. Strings have static lifetime.
 struct PressFigureName {
   const char* key;   ///< "peak_force_N": for programs; ends in the unit
   const char* term;  ///< "peak force, N"
@@ -93,7 +93,7 @@ inline constexpr double claimedFrom = 0.15;
 
 enum class Claim { notForecast, noDifference, higher, lower, notDecided };
 
-/// How the second button stands to the first, finger by finger.
+/// Ratio of the second button to the first, finger by finger.
 struct PressDifference {
   Claim claim = Claim::notForecast;
   Band ratio;  ///< second : first

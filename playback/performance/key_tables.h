@@ -29,10 +29,10 @@ class KeyTables {
   template <class Real>
   struct Place {
     Real depth_m{}, cell{}, share{};
-    typename LanesOf<Real>::Index at{};  ///< cell, as what a table is asked by
+    typename LanesOf<Real>::Index at{};  ///< cell, as the index into a table
   };
 
-  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the wall of docs/reference/press-forecast.md
+  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the end stop of docs/reference/press-forecast.md
 
   explicit KeyTables(const ButtonState& state);
 

@@ -11,7 +11,7 @@ namespace detent::playback {
 
 /// Two numbers side by side, of two presses.
 using Two = double __attribute__((vector_size(16)));
-/// What a comparison of them says: all bits set where it holds.
+/// Result of a comparison: all bits set where it holds.
 using TwoTrue = decltype(Two{} < Two{});
 
 inline double select(bool which, double yes, double no) { return which ? yes : no; }
@@ -34,7 +34,7 @@ Real clamped(const Real& x, double low, double high) {
   return select(x < low, Real{} + low, select(x > high, Real{} + high, x));
 }
 
-/// How a table is read for them.
+/// Reads a table for each lane.
 template <class Real>
 struct LanesOf;
 template <>

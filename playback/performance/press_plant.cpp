@@ -36,7 +36,7 @@ class Muscle {
         rising_(1 - exponential(-plantStep_s / finger.muscleRise_s)),
         falling_(1 - exponential(-plantStep_s / finger.muscleFall_s)) {}
 
-  /// Mean force over the step that begins at `time_s`; steps are asked for in order.
+  /// Mean force over the step that begins at `time_s`; steps must be requested in order.
   double next_N(double time_s) {
     double wanted_N = 0;
     if (time_s < end_s_) {
@@ -53,7 +53,7 @@ class Muscle {
     return 0.5 * (before_N + force_N_);
   }
 
-  /// Whether it only pulls away from now on.
+  /// Returns true if it only pulls away from now on.
   bool pullsAway(double time_s) const {
     return time_s >= end_s_ && time_s >= extensorStart_s_ && force_N_ <= 0;
   }
@@ -83,7 +83,7 @@ struct ForcesOf {
 };
 using StepForces = ForcesOf<double>;
 
-/// What the finger's pulp holds, J.
+/// Energy stored in the finger's pulp, J.
 template <class Real>
 Real pulpEnergy_J(const Finger& finger, const Real& pulp_m) {
   return select(pulp_m > 0, 0.5 * finger.pulp_N_per_m * pulp_m * pulp_m, Real{});
@@ -186,16 +186,15 @@ class StepOf {
     return to;
   }
 
-  /// How the pulp's force over the step answers to the speed of closing at its end, around the guess.
+  /// Derivative of the pulp's force over the step by the closing speed at its end, around the guess.
   Real pulpAnswer_Ns_per_m(const Moving& guess, const Forces& f) const {
     const Real answer = select(both(now_.pulp_m() > 0, guess.pulp_m() > 0),
                                Real{} + 0.25 * plantStep_s * finger_.pulp_N_per_m, Real{});
     return answer + select(f.pulpDamper_N > 0, Real{} + 0.5 * finger_.pulpDamping_Ns_per_m, Real{});
   }
 
-  /// What `wanted` would be had the pulp been taken at the end it leads to instead of at the guess: Newton's
-  /// step for the stiffest of the forces, which couples both bodies. Where rounds end is the same, they get
-  /// there in fewer.
+  /// `wanted` with the pulp taken at the end of the step instead of at the guess: Newton's step for the
+  /// stiffest force, which couples both bodies. The rounds end at the same result, in fewer steps.
   Moving withPulpFollowing(Moving wanted, const Moving& guess, const Forces& f) const {
     const Real answer = pulpAnswer_Ns_per_m(guess, f);
     const Real finger = answer * fingerStep_s_per_kg_, cap = answer * capStep_s_per_kg;
@@ -313,9 +312,9 @@ class Press {
       advanceInAir(muscle_N);
   }
 
-  /// Whether no contact comes any more: nothing that acts on the finger pushes it down again, the cap is
-  /// above it while they touch, and where they part the press has ended. The cap does not fly farther in one
-  /// step than `flight_m`: that were 2 m/s.
+  /// Returns true if no contact comes any more: nothing that acts on the finger pushes it down again, the cap
+  /// is above it while they touch, and the press has ended where they part. The cap moves at most `flight_m`
+  /// in one step, which is 2 m/s.
   bool retreats(double time_s) const {
     constexpr double flight_m = 1e-4;
     return touched_ && muscle_.pullsAway(time_s) && now_.finger_m_per_s < 0 &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a finger's presses of one duration and lift come to, over their amplitude: a few simulated presses,
-// straight in between.
+// A finger's presses of one duration and lift over their amplitude: a few simulated presses, linear in
+// between.
 
 #include <cstddef>
 #include <optional>

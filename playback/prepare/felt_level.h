@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How strongly a vibration is felt at a fingertip, in dB above its threshold: the Pacinian channel of
-// docs/reference/predicted-confusion.md, best at 250 Hz, behind what the device makes of the signal.
+// Felt strength of a vibration at a fingertip, in dB above its threshold: the Pacinian channel of
+// docs/reference/predicted-confusion.md, best at 250 Hz, after the device's response.
 
 #include <cstddef>
 

@@ -10,8 +10,8 @@
 
 namespace detent::playback {
 
-/// What is felt. K&L, Conclusion: "A shortcoming of the current study is the lack of comparison with a base
-/// case, e.g., the case of click-only feedback."
+/// Parts of the feedback. K&L, Conclusion: "A shortcoming of the current study is the lack of comparison with
+/// a base case, e.g., the case of click-only feedback."
 enum class FeedbackMode {
   full,       ///< slopes, jumps, bottom-out
   clickOnly,  ///< jumps and bottom-out
@@ -28,7 +28,7 @@ inline const char* nameOf(FeedbackMode mode) { return feedbackModes.word(mode); 
 inline constexpr auto eventPlacements =
     named<EventPlacement>({{"fast", EventPlacement::atOnce}, {"time-stamped", EventPlacement::timeStamped}});
 
-/// What the profile's equalizer may flatten.
+/// Frequencies that the profile's equalizer may flatten.
 enum class EqualizerUse {
   off,
   sparingJumps,  ///< every band but those that change the jumps' own frequencies
@@ -42,7 +42,7 @@ enum class JumpFrequencySource {
            ///< settings
 };
 
-/// How slope, jumps and bottom-out stand to each other.
+/// Relative levels of slope, jumps and bottom-out.
 enum class Feel {
   paper,  ///< as K&L have it
   clear   ///< the jumps come through, and a denser slope is felt as stronger (docs/develop/decisions/0915)
@@ -125,7 +125,7 @@ struct PlaybackSettings {
   EqualizerUse equalizer = EqualizerUse::sparingJumps;
 };
 
-/// What is played where nobody asks for the paper's own.
+/// Settings that are played unless the paper's own are requested.
 inline PlaybackSettings usualSettings() {
   PlaybackSettings settings;
   settings.feel = Feel::clear;

@@ -73,13 +73,13 @@ double restrained_N(double start_N, double below_mm, double slope_N_per_mm) {
   return let_mm <= 0 ? held_N : held_N * std::max(0.0, 1 - let_mm / restraintEnd_mm);
 }
 
-/// A curve within the device's force; above its end stands a wall.
+/// A curve within the device's force; after its end follows the end stop.
 double forceOn(const StrokeCurve& curve, double at_mm, double slope_N_per_mm, double largest_N) {
   const double above_mm = std::max(0.0, at_mm - curve.end_mm());
   return std::clamp(curve.force_N(at_mm), -largest_N, largest_N) + slope_N_per_mm * above_mm;
 }
 
-/// The force with which a curve begins; of a wall at its start, the foot.
+/// The force with which a curve begins; of a vertical rise at its start, the lower end.
 double startForce_N(const StrokeCurve& curve, double largest_N) {
   return std::clamp(curve.knots().front().force_N, -largest_N, largest_N);
 }
@@ -148,7 +148,7 @@ class ForcePreparation {
     p.proof.way_mm = std::max(p.proof.way_mm, followedSteps * device_.step_mm);
   }
 
-  /// Of several speeds the worst place tells for all.
+  /// With several speeds the worst displacement is reported for all.
   void remark(ForceRemarkKind kind, std::size_t state, double at_mm, double value, double limit) {
     std::vector<ForceRemark>& remarks = prepared_.summary.remarks;
     if (prepared_.program.states[state].speedCount > 1) {
@@ -197,14 +197,14 @@ class ForcePreparation {
     prepared_.summary.rowSpacing_mm = std::max(prepared_.summary.rowSpacing_mm, to.spacing_mm);
   }
 
-  /// What a finger can get back at a place, at whatever speed.
+  /// Force that a finger can get back at a displacement, at any speed.
   static float strongestRelease_N(ForceStateTable& t, std::size_t speeds, std::size_t row) {
     float most_N = t.rows[row].release_N;
     for (std::size_t k = 1; k < speeds; ++k) most_N = std::max(most_N, curveRow(t, k, row).release_N);
     return most_N;
   }
 
-  /// Where graphs are held against each other: on a wall a hair of displacement is any force.
+  /// Range in which graphs are compared: on a vertical rise a tiny displacement is any force.
   static std::pair<double, double> comparedOn(const Graphs& members) {
     double from_mm = 0, to_mm = longestTravel_mm;
     for (const ForceGraph* graph : members)
@@ -400,7 +400,7 @@ class ForcePreparation {
   void remarkSteepness(const StrokeCurve& curve, std::size_t s) {
     double rise = 0, rise_mm = 0, fall = 0, fall_mm = 0;
     const double narrowest_mm =
-        curve.travel_mm() / maxForceRows;  // of what a table can hold; a wall is no steeper in it
+        curve.travel_mm() / maxForceRows;  // of a table's capacity; a vertical rise is no steeper in it
     for (std::size_t i = 1; i <= maxForceRows; ++i) {
       const double to_mm = curve.start_mm() + static_cast<double>(i) * narrowest_mm;
       const double slope = (curve.force_N(to_mm) - curve.forceBefore_N(to_mm - narrowest_mm)) / narrowest_mm;
@@ -432,8 +432,8 @@ class ForcePreparation {
     if (strongest > largest) remark(ForceRemarkKind::dampingLimited, s, strongest_mm, strongest, largest);
   }
 
-  /// How far behind the last row the wall pushes back as strongly as the curve's end pulls; 0 where it does
-  /// not pull.
+  /// Distance behind the last row at which the end stop pushes back as strongly as the curve's end pulls; 0
+  /// if it does not pull.
   static double pulledIntoWall_mm(const ForceStateTable& t, float end_N) {
     return std::max(0.0, -static_cast<double>(end_N)) / t.wallSlope_N_per_mm;
   }
@@ -472,8 +472,8 @@ class ForcePreparation {
     to.operating_mm = std::min(std::max(risen_mm, leave_mm), std::max(last_mm, leave_mm));
   }
 
-  /// From an operating point on, where a press first has its drawn force: a softened wall has it later than
-  /// drawn.
+  /// Displacement, from an operating point on, at which a press first has its drawn force: a softened rise
+  /// has it later than drawn.
   double risenTo_mm(const ForceStateTable& t, double operating_mm, double drawn_N) const {
     const double force_N = risenShare * std::min(drawn_N, device_.limits.force_N);
     const auto rowAt = static_cast<std::size_t>(std::max(0.0, (operating_mm - t.first_mm) / t.spacing_mm));

@@ -25,7 +25,7 @@ struct ForceSettings {
   bool passivityController = false;  ///< damps when the observer's balance falls below 0
 };
 
-/// What a device cannot render as the button has it.
+/// Properties of the button that a device cannot render.
 enum class ForceRemarkKind : std::uint8_t {
   wallSoftened,    ///< value: steepest rise, limit: rendered (N/mm)
   fallSoftened,    ///< value: steepest fall, limit: rendered (N/mm)

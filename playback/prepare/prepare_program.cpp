@@ -360,8 +360,8 @@ class HapticPreparation {
            {"more than the %1 slopes a program holds; the last ones are silent", maxSlopes});
   }
 
-  /// Steepness at a place of a slope, over a fifth of a millimetre to both sides but not beyond the slope,
-  /// nor up the wall it ends at.
+  /// Steepness at a displacement of a slope, over a fifth of a millimetre to both sides but neither beyond
+  /// the slope nor into the bottom-out.
   static double steepness_N_per_mm(const StrokeCurve& curve, double at_mm, double from_mm, double to_mm) {
     constexpr double reach_mm = 0.2;
     const double low_mm = std::max(at_mm - reach_mm, from_mm), high_mm = std::min(at_mm + reach_mm, to_mm);
@@ -396,7 +396,7 @@ class HapticPreparation {
     return pieces;
   }
 
-  /// How strong a slope is to be felt, looked at every `stride` grains.
+  /// Felt level of a slope, evaluated every `stride` grains.
   struct SlopeLevels {
     GrainRange range;
     std::int64_t stride = 1;
@@ -566,7 +566,7 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
   return bounds;
 }
 
-/// What no sensor and no link is; the numbers would else go on into forces and hysteresis.
+/// Rejects values that no sensor and no link has; they would go on into forces and hysteresis.
 Result<Done> checkMeasured(const DeviceProfile& profile) {
   if (Result<Done> ok =
           checkBounds("device profile", {{"full_scale_dB", fullScale_dB(profile), -60, 140, true}});

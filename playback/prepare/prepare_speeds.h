@@ -16,7 +16,7 @@ namespace detent::playback {
 Result<std::vector<SpeedProgram>> prepareSpeeds(const Button& button, const DeviceProfile& profile,
                                                 const PlaybackSettings& settings);
 
-inline constexpr double finestSpeedStep = 0.02;  // a third of what a finger tells apart
+inline constexpr double finestSpeedStep = 0.02;  // a third of the smallest difference that a finger feels
 inline constexpr int mostSpeedSteps = 8;         // from one stated speed to the next
 
 /// What plays under a finger: `front`, prepared from the same three, and its speeds.

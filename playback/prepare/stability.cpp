@@ -23,7 +23,7 @@ constexpr double limitedTo =
 
 double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.late_s(); }
 
-/// What a change of force with speed damps at a place, as far as it is rendered.
+/// Damping of a change of force with speed at a displacement, as far as it is rendered.
 SpeedDamping renderedAt(const ButtonState& state, const SpeedDamping& rendered, double at_mm) {
   if (state.otherSpeeds.empty()) return {};
   const SpeedDamping drawn = speedDampingAt(state, at_mm);
@@ -62,7 +62,7 @@ MarginPoint allowedFor(const ForceDeviceProfile& device, double byLoop_N_per_mm)
   return p;
 }
 
-/// Slope of a curve over one place, walls included; 0 outside it.
+/// Slope of a curve around one displacement, including vertical rises; 0 outside it.
 double slopeOver(const StrokeCurve& curve, double from_mm, double to_mm) {
   const double low_mm = std::max(from_mm, curve.start_mm()), high_mm = std::min(to_mm, curve.end_mm());
   if (low_mm > high_mm) return 0;
@@ -151,8 +151,8 @@ double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, doubl
   return best_Ns_per_mm;
 }
 
-/// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps
-/// what fits.
+/// A stroke with limited slopes, or the stroke itself if nothing had to change. A vertical rise at the end of
+/// the travel keeps what fits.
 Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
   const double spacing_mm = curve.travel_mm() / static_cast<double>(travelSamples);
   const auto [low_N, high_N] = curve.forceRange_N();
@@ -162,7 +162,7 @@ Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, Sta
   for (std::size_t i = 0; i <= travelSamples; ++i) {
     const double at_mm =
         i == travelSamples ? curve.end_mm() : curve.start_mm() + static_cast<double>(i) * spacing_mm;
-    // The first point of a wall at the start is its foot.
+    // The first point of a vertical rise at the start is its lower end.
     const double wanted_N = i == 0 ? curve.forceBefore_N(at_mm) : curve.force_N(at_mm);
     double force_N = wanted_N;
     if (i > 0) {

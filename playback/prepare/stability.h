@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether a device can render a button, told before it is felt: the margin along the travel, and the nearest
-// button that it can render as drawn. Formulas and what simulation says about them:
-// docs/develop/decisions/1101-stability-margin.md.
+// Predicts if a device can render a button: the margin along the travel, and the nearest button that it can
+// render as drawn. Formulas and results of simulation: docs/develop/decisions/1101-stability-margin.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +18,7 @@ enum class StabilityBound : std::uint8_t {
   damping,  ///< the handle alone would swing more and more: the loop limit (loop_limit.h)
   /// K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
   quantisation,
-  device  ///< the steepest slope the device is asked for
+  device  ///< the steepest slope the device may render
 };
 
 struct MarginPoint {
@@ -35,7 +34,7 @@ struct UnstableStretch {
   std::size_t state = 0;
   double from_mm = 0, to_mm = 0;
   MarginPoint worst;
-  bool falling = false;  ///< a jump, else a wall
+  bool falling = false;  ///< a jump, else a rise
 };
 
 struct StabilityMargin {
@@ -51,7 +50,7 @@ struct StabilityMargin {
 /// `rate_Hz` > 0. Any thread; allocates.
 StabilityMargin stabilityOf(const Button& button, const ForceDeviceProfile& device, double rate_Hz);
 
-/// What had to change.
+/// Changes that were necessary.
 struct StabilityChange {
   std::size_t state = 0;
   double largestForceChange_N = 0, changedFrom_mm = 0,

@@ -34,7 +34,8 @@ struct CalibrateArguments {
 };
 
 constexpr double weighing_s = 1.0;
-constexpr double largestSd_counts = 3, largestSdOfMean = 0.02;  // above, a weighing is told to be noisy
+constexpr double largestSd_counts = 3,
+                 largestSdOfMean = 0.02;  // above these, a weighing is reported as noisy
 
 void addCalibrateOptions(CLI::App& app, CalibrateArguments& a) {
   addSensorOptions(app, a.sensor);
@@ -65,7 +66,7 @@ std::optional<double> massIn_g(std::string text) {
   return {};
 }
 
-/// What a person is told of one weighing.
+/// Reports one weighing to the user.
 void reportCalibration(const KnownWeight& weight, const RawReading& raw) {
   std::fprintf(stderr, "%.4f N: %.2f, SD %.2f over %zu readings\n", weight.force_N, raw.mean, raw.sd, raw.n);
   if (!raw.steady)

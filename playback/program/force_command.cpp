@@ -300,7 +300,7 @@ void printForceFigures(const ForceStatus& s, const RunFigures& runForce, const F
                  static_cast<unsigned long long>(s.computerLate));
 }
 
-// What keeps the force away at the end is told, however short the run was.
+// The reason for a missing force at the end is reported, however short the run was.
 void printHalt(const ForceStatus& s) {
   if (!s.fault.empty()) std::fprintf(stderr, "no force: the device is in error: %s\n", s.fault.c_str());
   if (!s.clearedFault.empty())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What prepare_force.h and the loop report as data, in the words of the command line.
+// Words of the command line for the data that prepare_force.h and the loop report.
 
 #include <string>
 
@@ -8,12 +8,11 @@
 
 namespace detent::playback {
 
-/// "wall at 4.00 mm: 143 N/mm is steeper than this device renders, 2 N/mm is felt".
+/// A sentence with displacement, drawn slope and felt slope of a remark.
 std::string sentenceOf(const ForceRemark& remark, const Button& button);
 /// "wall_softened": the same for scripts.
 std::string codeOf(ForceRemarkKind kind);
-/// "the wall from 4.00 to 4.01 mm (142 N/mm) is steeper than the 0.667 N/mm that this device's damping
-/// bears".
+/// A sentence with range and slope of a stretch, and the steepest slope that the device bears.
 std::string sentenceOf(const UnstableStretch& stretch, const Button& button);
 std::string codeOf(StabilityBound bound);
 /// For scripts: "none", "emergency_stop", "reversed_polarity", "handle_not_moving", "encoder_dead",

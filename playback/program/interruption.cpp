@@ -9,7 +9,7 @@
 namespace detent::playback {
 
 namespace {
-// What nobody minds after Ctrl-C (0.5 s), less what the system needs to end a process.
+// Acceptable delay after Ctrl-C (0.5 s), less the time that the system needs to end a process.
 constexpr double grace_s = 0.3;
 }  // namespace
 

@@ -20,7 +20,7 @@ constexpr auto carriers =
     named<GrainCarrier>({{"running", GrainCarrier::running}, {"retriggered", GrainCarrier::retriggered}});
 constexpr auto equalizers = named<EqualizerUse>(
     {{"off", EqualizerUse::off}, {"spare-jumps", EqualizerUse::sparingJumps}, {"full", EqualizerUse::full}});
-/// What a serial port can be set to; another number would silently leave it as it was.
+/// Rates of a serial port; another number would silently leave it unchanged.
 const std::vector<unsigned> baudRates{1200,    2400,    4800,    9600,    19200,   38400,   57600,
                                       115200,  230400,  460800,  500000,  576000,  921600,  1000000,
                                       1152000, 1500000, 2000000, 2500000, 3000000, 3500000, 4000000};

@@ -82,7 +82,7 @@ double ownRateOf(const std::string& device) {
   return usual_Hz;
 }
 
-/// What was lost of a run, for the person; empty: nothing.
+/// Losses of a run, for the user; empty if none.
 std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& response) {
   if (recorded.dropouts > 0)
     return "the sound system lost " + std::to_string(recorded.dropouts) +
@@ -95,8 +95,8 @@ std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& resp
                      : std::string());
 }
 
-/// One sweep proves nothing on a busy machine: a dropout looks like a resonance. Two without any, that agree,
-/// do.
+/// One sweep proves nothing on a busy machine: a dropout resembles a resonance. Two sweeps without dropouts
+/// that agree are accepted.
 Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const PlayerSettings& player,
                                                const SweepSettings& settings, const Cancelled& cancelled) {
   const std::vector<float> played = sweepSignal(settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines over two axes as an SVG: what a run or a recording looks like.
+// Lines over two axes as an SVG: plots of runs and recordings.
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct PlotLine {
   bool dashed = false;
 };
 
-/// How the horizontal axis runs: in equal steps, or in decades (values > 0).
+/// Scale of the horizontal axis: equal steps, or decades (values > 0).
 enum class XScale { even, decades };
 
 /// A place on the horizontal axis that has a name.

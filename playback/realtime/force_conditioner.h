@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// What a reading may look like. Forces in N for a force sensor, mm for a displacement trace.
+/// Limits of valid readings. Forces in N for a force sensor, mm for a displacement trace.
 struct ConditionerSettings {
   double lowest = -2;   ///< below: out of range (an offset drift of an unloaded sensor still passes)
   double highest = 30;  ///< above: out of range; the mockup's sensor ends at 12 N
@@ -29,7 +29,7 @@ struct ConditionerSettings {
 /// noise.
 ConditionerSettings limitsFor(const HapticProgram& program);
 
-/// What was rejected so far.
+/// Rejected readings so far.
 struct ConditionerCounts {
   std::uint64_t accepted = 0;
   std::uint64_t notFinite = 0;
@@ -58,12 +58,12 @@ class ForceConditioner {
   /// Keeps counts and history.
   void setSettings(const ConditionerSettings& settings);
 
-  /// Looks at a reading of a recording that is about to be judged from its start, for its noise only.
+  /// Evaluates a reading of a recording that is about to be judged from its start, for its noise only.
   void learn(double value);
 
   /// `time_s` on any steady clock, the same for all readings.
   ConditionerVerdict judge(double time_s, double value);
-  /// What the last accepted reading comes to.
+  /// Steady value after the last accepted reading.
   double value() const { return steadyValue_; }
   /// SD of the readings, as far as it is known; 0: none worth mentioning.
   double noise() const { return steadier_.noise(); }

@@ -62,7 +62,7 @@ double ForceEngine::steadied_mm(double position_mm) const {
   return std::max(position_mm - half_mm, std::min(position_mm + half_mm, steady_mm_));
 }
 
-// What a device's delay lets act between the last reading and this one.
+// Force that acts between the last reading and this one, given the device's delay.
 double ForceEngine::actingForce_N() const {
   const double periods =
       std::min(program_->law.holdLead_s / program_->period_s - 0.5, static_cast<double>(sent_N_.size() - 2));
@@ -75,8 +75,8 @@ double ForceEngine::actingForce_N() const {
 }
 
 // E(n) = E(n-1) + F (x(n) - x(n-1)) with the force that acted on the way here (Hannaford and Ryu's passivity
-// observer). The steadied position tells the way: at each of its changes the handle stood on the edge between
-// two encoder steps.
+// observer). The steadied position gives the distance: at each of its changes the handle stood on the edge
+// between two encoder steps.
 void ForceEngine::observe(double position_mm) {
   last_.energy_mJ += actingForce_N() * (position_mm - steady_mm_);
   steady_mm_ = position_mm;

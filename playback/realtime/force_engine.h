@@ -17,9 +17,9 @@
 
 namespace detent::playback {
 
-/// What a device measured in one period.
+/// A device's measurement in one period.
 struct ForceReading {
-  /// Whether 0 is still where it was.
+  /// State of the position's zero.
   enum class Zero : std::uint8_t {
     kept,
     lost,  ///< the device was away or reset
@@ -33,7 +33,7 @@ struct ForceReading {
   bool stopped = false;  ///< somebody pressed the device's own emergency switch
 };
 
-/// What it is asked for.
+/// Command to the device.
 struct ForceCommand {
   double force_N = 0;                  ///< against pressing
   std::array<double, 2> sideways_N{};  ///< along growing `sideways_mm`
@@ -69,7 +69,7 @@ class ForceEngine {
 
   /// One period. Bad readings and too much force never leave here (force_guard.h).
   ForceCommand step(const ForceReading& reading);
-  /// What the last step did.
+  /// Result of the last step.
   const ForceStep& last() const { return last_; }
 
   /// Lets the force fall to nothing within `stopRamp_s` of steps; `silent` once it has.

@@ -12,9 +12,9 @@ namespace {
 // After too fast a movement the device must have slowed to this share of the limit before force comes back.
 constexpr double calmShare = 0.5;
 
-// Frozen: so far within so short a time, then not one step for so long, under a force that could surprise.
-// The turn of a finger on the steepest wall keeps within 38 um for 5 ms and has gone 0.3 mm in the 4 ms
-// before; with 0.4 mm, 8 of 10,000 presses at 1 m/s passed for broken.
+// Frozen: such a distance within such a time, then not one step for this long, under a force that could
+// surprise. The turn of a finger on the steepest bottom-out keeps within 38 um for 5 ms and has gone 0.3 mm
+// in the 4 ms before; with 0.4 mm, 8 of 10,000 presses at 1 m/s passed for broken.
 constexpr double swiftWay_mm = 1, swiftSteps = 5, swift_s = 0.004, deadStill_s = 0.010, dangerous_N = 1;
 
 // No stroke is longer than this unseen: a device that comes back farther away is somewhere else.
@@ -61,7 +61,7 @@ void ForceGuard::setLimits(const ForceLimits& limits, double period_s, double st
   step_mm_ = step_mm;
 }
 
-// A hand that stops, or a wall, slows the handle down first; only a broken encoder goes on at one value.
+// A hand that stops, or an end stop, slows the handle down first; only a broken encoder stays at one value.
 bool ForceGuard::frozenAt(double position_mm) const {
   return position_mm == last_mm_ && way_mm_ >= std::max(swiftWay_mm, swiftSteps * step_mm_) &&
          (unchanged_ + 1) * period_s_ >= deadStill_s && std::abs(output_N_) >= (bad_ == 0 ? dangerous_N : 0);

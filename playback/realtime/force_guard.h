@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What stands between a force law and a person: judges every reading and limits every force. On by default,
-// counted.
+// Protects a person from a force law: judges every reading and limits every force. On by default, counted.
 
 #include <array>
 #include <cstddef>
@@ -12,7 +11,7 @@
 
 namespace detent::playback {
 
-/// What a device gave in one period.
+/// Verdict on a device's reading of one period.
 enum class ReadingVerdict : std::uint8_t {
   good,
   missing,  ///< late: no answer, or the same answer again
@@ -120,7 +119,7 @@ class ForceGuard {
   std::uint32_t bad_ = 0, good_ = 0;
   double pace_mm_ = 0;                 ///< gone per period at the last good reading
   double since_ = 0;                   ///< periods since the last good reading, this one included
-  double unseen_ = 0;                  ///< of them, those that told nothing
+  double unseen_ = 0;                  ///< of them, those without information
   double jumps_ = 0;                   ///< absurd readings lately
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the place was taken on trust

@@ -76,7 +76,8 @@ double ForceLaw::stored_mJ(double position_mm) const {
   if (place >= last) {
     const double above_mm = (place - last) * t.spacing_mm;
     const ForceRow& end = t.rows[t.rowCount - 1];
-    // Where the end pulls, the wall's foot holds least; the table's rounding is no energy.
+    // Where the end pulls, the start of the end stop holds the least energy; the table's rounding is no
+    // energy.
     return std::max(0.0, end.*held + above_mm * (end.*force + 0.5 * t.wallSlope_N_per_mm * above_mm)) +
            playStored_mJ(position_mm);
   }

@@ -36,7 +36,8 @@ class ForceLaw {
   double stateEnergy_mJ() const { return stateEnergy_mJ_; }
 
  private:
-  /// Between two rows, or in the wall behind the last. What a button does not have is not read from them.
+  /// Between two rows, or in the end stop behind the last. Properties that a button does not have are not
+  /// read from them.
   struct Place {
     const ForceStateTable* table;
     std::uint32_t below, above;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a force loop needs to make one button felt on one device, prepared beforehand: fixed size, plainly
-// copyable, nothing to allocate or free while it plays. Built by prepare/prepare_force.h, played by
-// force_engine.h.
+// A prepared button on one device for the force loop: fixed size, plainly copyable, nothing to allocate or
+// free while it plays. Built by prepare/prepare_force.h, played by force_engine.h.
 //
 // Signs: displacement grows with pressing; a positive force is what the button pushes back with, as in a
 // force graph.
@@ -41,7 +40,7 @@ struct ForceStateTable {
   double first_mm = 0;    ///< displacement of row 0; before it the force is row 0's
   double spacing_mm = 1;  ///< > 0
   std::uint32_t rowCount = 0;
-  double wallSlope_N_per_mm = 0;  ///< beyond the last row: a wall that only pushes
+  double wallSlope_N_per_mm = 0;  ///< beyond the last row: an end stop that only pushes
   bool hysteresis = false;        ///< press and release differ; else one curve is computed
   bool damped = false;            ///< else no damping is computed
   double rest_mm = 0;             ///< where a release ends after an actuation (self-locking)
@@ -67,11 +66,11 @@ struct ForceLawSettings {
   double crossFade_s = 0.01;  ///< a difference of force between two states fades with this time constant
 };
 
-/// What the device can do and may be asked for. Every limit is on by default.
+/// Capabilities of the device and limits of its commands. Every limit is on by default.
 struct ForceLimits {
   double force_N = 5;  ///< > 0; largest force, both signs
   double slew_N_per_s =
-      5000;  ///< > 0; fastest change of force; below slope times speed a wall would give more than it took
+      5000;  ///< > 0; fastest change of force; below slope times speed a bottom-out gives energy
   double speed_mm_per_s = 2000;  ///< > 0; above it the force fades: no button moves like that
   /// > 0; a handle gains speed no faster: 40 times a free fall, beyond fingers and motors of these forces. It
   /// may stop at once.
@@ -108,9 +107,9 @@ struct ForceGuide {
   double force_N = 0;  ///< largest
 };
 
-/// Forces by which a free handle tells what it is, in place of a button's law: the relay throws it to and fro
-/// between two places at several speeds and lets it coast between, the chirp shakes it around the middle at
-/// rising frequencies.
+/// Forces by which a free handle reveals its dynamics, in place of a button's law: the relay throws it to and
+/// fro between two displacements at several speeds and lets it coast between, the chirp shakes it around the
+/// middle at rising frequencies.
 struct ForceExcitation {
   enum class Kind : std::uint8_t { none, relay, chirp };
   Kind kind = Kind::none;

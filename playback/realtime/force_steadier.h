@@ -55,8 +55,7 @@ class ForceSteadier {
   double next(double time_s, double reading);
   /// The next reading is a new start: what was before is too old. The noise stays known.
   void startAnew();
-  /// Looks at a reading that belongs to a recording about to be played, so that its noise is known from the
-  /// start.
+  /// Evaluates a reading of a recording about to be played, so that its noise is known from the start.
   void learn(double reading) { noise_.add(reading); }
 
   /// SD that counts now; 0: readings pass.

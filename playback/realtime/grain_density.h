@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How loud a grain is among others: where grains touch, more of them in a second are felt as nothing but
-// louder. Powers by square roots alone: the same bits on every machine.
+// Level of a grain among others: where grains touch, more of them per second are felt only as louder. Powers
+// by square roots alone: the same bits on every machine.
 
 #include <cmath>
 

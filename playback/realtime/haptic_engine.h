@@ -35,7 +35,7 @@ struct EngineInput {
   double value = 0;
 };
 
-/// What an EngineEvent reports.
+/// Subject of an EngineEvent.
 enum class EventKind : std::uint8_t {
   grain,
   pressJump,
@@ -46,7 +46,7 @@ enum class EventKind : std::uint8_t {
   trigger
 };
 
-/// What a display is told of something met on the way.
+/// Event for a display, of something met on the way.
 EventKind kindOf(CrossingKind kind);
 
 /// One thing that was felt, for displays and logs.
@@ -113,7 +113,7 @@ class HapticEngine {
   /// Readings that are not due yet never come.
   void forgetInputs();
 
-  /// Plays a burst that another program asked for (signal messages). Order of calls is free.
+  /// Plays a burst that another program requested (signal messages). Order of calls is free.
   void trigger(double time_frames, const Burst& burst);
   /// Plays one grain of the current program.
   void triggerGrain(double time_frames);
@@ -198,7 +198,7 @@ class HapticEngine {
   std::size_t current_ = 0;
   double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
   Limiter limiter_;
-  std::int64_t lookFrame_ = never;  // when the limiter is told again what comes
+  std::int64_t lookFrame_ = never;  // time of the next report to the limiter
   std::array<SoundChain, chainCount> ahead_;
   float peak_ = 0;
   EngineCounts counts_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the audio callback needs to make one button felt, prepared beforehand: fixed size, plainly copyable,
-// independent of the sample rate, nothing to allocate or free while it plays. Built by playback/prepare,
-// played by haptic_engine.h.
+// A prepared button for the audio callback: fixed size, plainly copyable, independent of the sample rate,
+// nothing to allocate or free while it plays. Built by playback/prepare, played by haptic_engine.h.
 
 #include <array>
 #include <cstddef>
@@ -34,7 +33,8 @@ struct Burst {
   bool quietensSlope = false;  ///< while it sounds, grains are as quiet as HapticProgram::slopeUnderJump
 };
 
-/// One vertex of a stroke's force table; linear in between, two vertices at one displacement make a wall.
+/// One vertex of a stroke's force table; linear in between, two vertices at one displacement make a vertical
+/// rise.
 struct TablePoint {
   double displacement_mm = 0;
   double force_N = 0;
@@ -86,7 +86,7 @@ struct StateProgram {
 /// Where the 150 Hz low-pass stands (docs/develop/decisions/0900).
 enum class LowPassPlacement : std::uint8_t { slopeOnly, wholeChain, none };
 
-/// What a grain does to the sine of the one still sounding (grain_voice.h, docs/develop/decisions/0900).
+/// Effect of a grain on the sine of the one still sounding (grain_voice.h, docs/develop/decisions/0900).
 enum class GrainCarrier : std::uint8_t {
   running,     ///< it runs on, only the envelope begins anew
   retriggered  ///< it begins anew too: for comparison; fast strokes lose their vibration
@@ -133,8 +133,8 @@ struct HapticProgram {
   double highPass_Hz = 20;  ///< of the slope's grains; 0: none. Nothing constant reaches a transducer
   std::uint32_t equalizerBandCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> equalizer{};
-  /// What the device makes of a signal, for felt_meter.h alone: its resonances, strongest first, and the
-  /// level beside them.
+  /// Response of the device, for felt_meter.h alone: its resonances, strongest first, and the level beside
+  /// them.
   std::uint32_t resonanceCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> resonances{};
   double fullScale_dB = 0;  ///< of a sine of full scale at 250 Hz, above threshold

@@ -14,7 +14,7 @@
 
 namespace detent::playback {
 
-/// Who sends. Each lane has exactly one producer thread at a time.
+/// Sender of a message. Each lane has exactly one producer thread at a time.
 enum class Lane : std::uint8_t { control, sensor, network, trace };
 inline constexpr std::size_t laneCount = 4;
 
@@ -50,7 +50,7 @@ struct SessionCommand {
   const SoundTake* take = nullptr;  ///< for take; must live until it comes back as takeEnded
 };
 
-/// How the stream is doing; sent about 50 times a second.
+/// Status of the stream; sent about 50 times a second.
 struct SessionStatus {
   std::int64_t frame = 0;
   StrokePosition position;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How often a button was really pressed: to the end of its travel and back. What a study may count as felt.
+// Counts complete presses: to the end of the travel and back. A study counts these as felt.
 
 #include <cstdint>
 
@@ -9,7 +9,7 @@
 
 namespace detent::playback {
 
-/// What a finger did over a stretch of time.
+/// Presses of a finger over a stretch of time.
 struct PressCount {
   std::uint64_t begun = 0;  ///< left the top
   std::uint64_t whole =
@@ -25,7 +25,7 @@ class PressCounter {
   /// `program` must outlive its use here; nullptr: nothing is counted.
   void use(const HapticProgram* program);
   void take(const StrokePosition& position);
-  /// What happened since the last call.
+  /// Presses since the last call.
   PressCount taken();
 
  private:

@@ -9,7 +9,7 @@
 
 namespace detent::playback {
 
-/// What was read within about a quarter of a second, in bins of 16 ms; the oldest goes as a new one begins.
+/// Readings within about a quarter of a second, in bins of 16 ms; the oldest bin goes as a new one begins.
 /// O(1), no allocation.
 class SwingWindow {
  public:
@@ -24,7 +24,7 @@ class SwingWindow {
     double turns() const { return way_N / range_N(); }  ///< half swings; 1: one way only
   };
 
-  /// True where `time_s` begins a new bin and all before it are full: `swing` tells of those.
+  /// Returns true if `time_s` begins a new bin and all before it are full: `swing` then describes those.
   bool add(double time_s, double reading_N, Swing& swing);
   void startAnew() { filled_ = 0; }
 

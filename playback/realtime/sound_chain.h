@@ -37,8 +37,8 @@ class SoundChain {
   bool silent() const;
   bool grainSounds() const { return grain_.active(); }
   double grainLoudness() const { return grain_.active() ? grain_.loudest() : 0; }
-  /// What the sum of its voices hardly passes in the next `samples`: their envelopes, as much as gain and
-  /// equalizer raise them.
+  /// Approximate bound of the sum of its voices in the next `samples`: their envelopes, raised by gain and
+  /// equalizer.
   double loudestWithin(double samples) const;
 
   /// Adds `count` samples to `mix`; `bus` is working space of that length.

@@ -127,7 +127,7 @@ void SpeedTracker::look(const Crossings& crossings, double value, bool isForce, 
   if (known && !settled_) wanted_ = &nearest(*speeds_, pace_.speed_mm_per_s()).program;
 }
 
-// How fast it came there is not known: it goes on as it was.
+// The speed of this change is unknown: the previous one is kept.
 void SpeedTracker::placeAtForce(double force_N) {
   tracker_.placeAtForce(force_N);
   pace_.interrupt();

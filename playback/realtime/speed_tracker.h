@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A stroke tracker on a button that may feel different at different speeds: how fast a press is, is told
-// while it goes on, and the tables of that speed are put under the finger (docs/develop/decisions/1111).
+// A stroke tracker on a button that depends on speed: estimates the speed of a press during the press and
+// uses the tables of that speed (docs/develop/decisions/1111).
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ PressMarks placeMarks(const StateProgram& state);
 /// Where the button jumps, the finger does not.
 PressMarks forceMarks(const StateProgram& state);
 
-/// How fast a press is, foretold from the way so far, by the marks of the graph in front. Callback thread; no
+/// Speed of a press, predicted from the way so far, by the marks of the graph in front. Callback thread; no
 /// allocation.
 class PressPace {
  public:

@@ -25,11 +25,10 @@ enum class CrossingKind : std::uint8_t {
 /// One thing met on the way between two readings.
 struct Crossing {
   CrossingKind kind = CrossingKind::grain;
-  std::uint16_t jump = 0;  ///< index into the stroke's jumps
-  std::uint8_t state = 0;  ///< state of the button it belongs to
-  std::uint32_t count =
-      1;                ///< grains merged into this one (only where more were crossed than can be told apart)
-  double fraction = 1;  ///< when, as a share of the time between the two readings, 0..1, never decreasing
+  std::uint16_t jump = 0;   ///< index into the stroke's jumps
+  std::uint8_t state = 0;   ///< state of the button it belongs to
+  std::uint32_t count = 1;  ///< grains merged into this one (only if more were crossed than are kept apart)
+  double fraction = 1;      ///< when, as a share of the time between the two readings, 0..1, never decreasing
   double displacement_mm = 0;
   double level = 1;  ///< of a grain: its slope's
 };

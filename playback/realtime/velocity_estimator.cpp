@@ -9,8 +9,8 @@ namespace detent::playback {
 
 namespace {
 
-// How fast a finger changes its mind: 3 m/s^2, the standard deviation of the acceleration within one press of
-// 100 ms. A factor of three either way costs 10 to 30 % of the error (docs/measurements/bench-force.md).
+// Acceleration of a finger: 3 m/s^2, the standard deviation of the acceleration within one press of 100 ms. A
+// factor of three either way costs 10 to 30 % of the error (docs/measurements/bench-force.md).
 constexpr double fingerAcceleration_mm_per_s2 = 3000;
 
 }  // namespace

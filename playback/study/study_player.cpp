@@ -89,7 +89,7 @@ std::string wordsOf(const SensorCalibration& c) {
   return text + "; residual " + exact(c.residual_N) + " N; " + std::to_string(c.weights) + " weights";
 }
 
-/// What a force device cannot do, or not with this study. Every button is one it can render.
+/// Failure if a force device is impossible with this study. Every button is one it can render.
 Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings) {
   const auto wrong = [](Message problem, const Message& remedy) {
     return Failure{FailureCode::wrongUsage, "force device", "", std::move(problem), remedy};
@@ -208,7 +208,7 @@ class Player final : public StudyPlayer {
             static_cast<float>(toneLevel * (1 - t_s / tone_s) * std::sin(twoPi * tone_Hz * t_s));
       }
     }
-    (void)player_->playSamples(samples, rate_Hz);  // a device that is lost is told of by troubleSinceAsked
+    (void)player_->playSamples(samples, rate_Hz);  // a lost device is reported by troubleSinceAsked
   }
 
   Felt takeFelt() override {
@@ -240,7 +240,7 @@ class Player final : public StudyPlayer {
     if (force_) force_->rearm();
   }
 
-  /// Whether readings come, and blocks, where they are to; waits for the first of them.
+  /// Returns true if readings and blocks come as expected; waits for the first of them.
   bool runs() {
     const auto running = [this] {
       const PlayerStatus status = player_->status();

@@ -37,8 +37,8 @@ enum class StudyTrouble : std::uint8_t {
 /// As the journal keeps it: "sensor silent".
 const char* nameOf(StudyTrouble trouble);
 
-/// What a participant has under the finger: any button of the study, in any of its modes, exchanged at once;
-/// all are prepared before the first trial. One thread.
+/// The device under a participant's finger: plays any button of the study, in any of its modes, exchanged at
+/// once; all are prepared before the first trial. One thread.
 class StudyPlayer {
  public:
   /// Failure: as LivePlayer::start, attachSensor, ForcePlayer::start and prepareProgram; deviceTrouble: the
@@ -57,18 +57,18 @@ class StudyPlayer {
   virtual void place(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
   /// Likewise; without a sensor it is pressed once, as by a hand.
   virtual void press(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
-  /// What the finger has done since press() or since this was last asked.
+  /// Movements of the finger since press() or the last call.
   virtual Felt takeFelt() = 0;
-  /// Whether a sensor or a force device presses; else press() does, for the key that was hit.
+  /// Returns true if a sensor or a force device presses; else press() does, for the pressed key.
   virtual bool sensed() const = 0;
-  /// Timing, where sensed(): when the contact closed since press() or since this was last asked.
+  /// Timing, where sensed(): times at which the contact closed since press() or the last call.
   virtual std::vector<ContactClosing> takeClosings() = 0;
   /// Now, on the clock of takeClosings().
   virtual double clock_s() const = 0;
   /// Timing: short tones so many seconds from now (>= 0, rising), each a buffer late at most, then what the
   /// device takes. Nothing sounds in a rehearsal.
   virtual void soundBeats(const std::vector<double>& delays_s) = 0;
-  /// What went wrong since this was last asked, or is wrong.
+  /// Trouble since the last call, or present trouble.
   virtual StudyTrouble troubleSinceAsked() = 0;
   /// Of a force device: no force within 15 ms, and none until rearm(). Nothing where there is none.
   virtual void stopForce() = 0;

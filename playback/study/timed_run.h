@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// How far a timed trial has come.
+/// Progress of a timed trial.
 enum class TimedState : std::uint8_t {
   running,
   kept,  ///< the answer is on the disk
@@ -41,7 +41,7 @@ class TimedRun {
   /// A key or a pad went down: presses, unless a sensor does, or it was before the trial. See
   /// TimingDesk::pressed.
   void pressed(double at_s, double within_s);
-  /// Takes what the finger has done. To be asked every 10 ms or so until it is no longer running. Failure: of
+  /// Takes the finger's movements. To be called every 10 ms or so until it is no longer running. Failure: of
   /// the journal.
   Result<TimedOutcome> look();
 

@@ -61,9 +61,8 @@ Course courseOf(Levels levels, std::size_t frames) {
   return course;
 }
 
-/// Squared difference of two moments in just noticeable steps, as far as none of the two courses has the
-/// other's level within half a frame: where a frame begins is nothing that is felt (Birchfield & Tomasi, IEEE
-/// TPAMI 20(4), 1998).
+/// Squared difference of two moments in just noticeable steps, as far as neither sequence has the other's
+/// level within half a frame: the start of a frame is not felt (Birchfield & Tomasi, IEEE TPAMI 20(4), 1998).
 double stepsBetween(const Course& a, std::size_t i, const Course& b, std::size_t k,
                     const ConfusionSettings& settings) {
   const auto outside = [](double level, double least, double most) {

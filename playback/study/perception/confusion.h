@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Will people tell two buttons apart? From what is felt to d' to errors in an ABX test, before anyone is
-// asked. docs/reference/predicted-confusion.md: sources, what it reaches on K&L's Table 2, and where it
-// fails.
+// Will people tell two buttons apart? From felt levels to d' to errors in an ABX test, as a forecast.
+// docs/reference/predicted-confusion.md: sources, results on K&L's Table 2, and failures.
 
 #include <functional>
 #include <optional>
@@ -12,7 +11,7 @@
 
 namespace detent::playback {
 
-/// What differs most between two buttons.
+/// The largest difference between two buttons.
 enum class Cue : std::uint8_t {
   strength,  ///< how strong it is, at the same place of the stroke
   timing,    ///< when in the stroke its weight comes
@@ -30,7 +29,7 @@ struct StrokeDifference {
 struct ConfusionSettings {
   /// Just noticeable differences of level: Weber fraction 0.58 at 10 Hz (RA), 0.20 at 125 Hz (P).
   std::array<double, channelCount> noticeable_dB{3.97, 1.58};
-  double integration_s = 0.2;  ///< temporal summation of P: frames within are one look
+  double integration_s = 0.2;  ///< temporal summation of P: frames within are one observation
   double timingWeber = 0.1;    ///< of the time since the stroke began
   double travelWeber = 0.25;   ///< of the number of grains
   /// Of the finger's own mean force in two presses of one's own: each varies by 0.2, and force is felt to 0.1

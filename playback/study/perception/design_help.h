@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// What may be changed, one at a time.
+/// Properties that may be changed, one at a time.
 enum class Lever : std::uint8_t {
   snap,    ///< every jump of the press deeper or shallower (snap ratio)
   travel,  ///< the whole travel
@@ -19,7 +19,7 @@ enum class Lever : std::uint8_t {
 
 struct Suggestion {
   Lever lever = Lever::snap;
-  double factor = 1;  ///< on the snap ratio, the travel or the forces; whole hundredths, as it is told
+  double factor = 1;  ///< on the snap ratio, the travel or the forces; whole hundredths, as it is shown
   Button button;      ///< the changed one
   PredictedPair forecast;
 };

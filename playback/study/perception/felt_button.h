@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a button is like under many fingers: the excitation of presses from quick to slow, and what remains of
-// it after masking. Made once for a button, compared with many.
+// A button under many fingers: the excitation of presses from quick to slow, and the rest of it after
+// masking. Made once per button, compared with many.
 
 #include <array>
 #include <functional>
@@ -51,7 +51,7 @@ struct FeltButton {
 /// is a picture in the paper; 12 dB and Q = 8 are our assumption.
 DeviceProfile kimLeeApparatus();
 
-/// How a button is felt. Every number has its source in docs/reference/predicted-confusion.md; none is tuned.
+/// Model of perception. Every number has its source in docs/reference/predicted-confusion.md; none is tuned.
 struct PerceptionSettings {
   DeviceProfile device = kimLeeApparatus();
   PlaybackSettings playback = usualSettings();

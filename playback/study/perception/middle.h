@@ -18,8 +18,8 @@ struct PerceptualMiddle {
   bool equal() const;
 };
 
-/// The button at a share of the way, 0 to 1, and how it is told from either. Failures: those of between() and
-/// feel().
+/// The button at a share of the way, 0 to 1, and its difference from either end. Failures: those of between()
+/// and feel().
 Result<PerceptualMiddle> placeBetween(const Button& from, const Button& to, double share,
                                       const std::function<bool()>& cancelled = {});
 

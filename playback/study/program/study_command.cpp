@@ -335,7 +335,7 @@ std::string progressWords(const ParticipantRecord& record) {
   return text;
 }
 
-/// How far everyone is, as text.
+/// Progress of all participants, as text.
 Result<std::string> statusWords(const Study& study) {
   Result<std::vector<ParticipantRecord>> records = readParticipants(study);
   if (!records) return records.failure();
@@ -415,7 +415,7 @@ Result<StudyResults> resultsIn(const std::string& folder) {
   return resultsIn(*study);
 }
 
-/// What was to be expected of the study's buttons on its device, mode by mode; nothing for printed counts.
+/// Forecast for the study's buttons on its device, mode by mode; nothing for printed counts.
 Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
   Result<Study> study = openStudy(folder);

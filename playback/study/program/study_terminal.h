@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// What is under the finger.
+/// Devices under the finger.
 struct StudyDevices {
   PlayerSettings player;
   SensorOptions sensor;
@@ -19,7 +19,7 @@ struct StudyDevices {
   std::optional<ForceDeviceChoice> force;
 };
 
-/// Who is asked, in which language and what they listen to.
+/// Participant of a session, their language and the sound in their ears.
 struct AskedParticipant {
   std::string id;
   std::string language;  ///< they read: "en", "de"; empty: the one they agreed in, else English

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the same people did under two conditions. Each person is their own control: only the sign of a
+// Compares the same people under two conditions. Each person is their own control: only the sign of a
 // difference is up to chance. Deterministic; any thread.
 
 #include <optional>

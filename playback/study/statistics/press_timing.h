@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How exactly people time their presses: two figures for each person and for a laboratory. Deterministic; any
+// Accuracy of people's timed presses: two figures for each person and for a laboratory. Deterministic; any
 // thread.
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace detent::playback {
 
-/// What was asked of people.
+/// The participants' task.
 enum class TimingTask : std::uint8_t {
   cue,     ///< press with the cue
   window,  ///< press while a target stands in its window
@@ -32,10 +32,9 @@ struct TimedPress {
   std::optional<double> press_s;
 };
 
-/// What is fitted. `place`, cue: mean press behind the cue as a share of the interval; window: the place in
-/// the window that is aimed at, as a share of the window; tapping: seconds between presses. `spread`:
-/// standard deviation about that as a share of the interval; of tapping as a share of the time between
-/// presses.
+/// The fitted figures. `place`, cue: mean press behind the cue as a share of the interval; window: the aim
+/// within the window, as a share of the window; tapping: seconds between presses. `spread`: standard
+/// deviation about that as a share of the interval; of tapping as a share of the time between presses.
 struct PressTiming {
   double place = 0, spread = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether two lists rise together.
+// Correlation of the ranks of two lists.
 
 #include <vector>
 

@@ -12,8 +12,8 @@ namespace detent::playback {
 
 namespace {
 
-// What few people did bounds every resample of them: five cover the truth in 86 to 92 of 100 cases, six in 90
-// and more.
+// The data of few people bound every resample of them: five cover the truth in 86 to 92 of 100 cases, six in
+// 90 and more.
 constexpr std::size_t fewestParticipants = 6;
 
 Count sumOf(const std::vector<Count>& counts) {

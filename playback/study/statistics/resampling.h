@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What may be said about people from few of them: answers of one person are not independent, so persons are
-// resampled, not trials. Deterministic for a seed; any thread.
+// Intervals for few people: answers of one person are not independent, so persons are resampled, not trials.
+// Deterministic for a seed; any thread.
 
 #include <cstdint>
 #include <optional>

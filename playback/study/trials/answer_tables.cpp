@@ -231,7 +231,7 @@ FigureTable differenceTable(const Study& study) {
           {}};
 }
 
-/// How a mean of logarithms, shares or ratings is told.
+/// Text of a mean of logarithms, shares or ratings.
 double told(RatingScale scale, double value) {
   switch (scale) {
     case RatingScale::preference:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What thresholds and ratings come to, as tables. Any thread.
+// Results of thresholds and ratings, as tables. Any thread.
 
 #include <vector>
 

@@ -30,7 +30,7 @@ std::string shown(const FigureCell& cell, const FigureColumn& column, const char
   return text;
 }
 
-/// Whether a column holds words, which stand at the left.
+/// Returns true if a column holds words, which are aligned to the left.
 bool ofWords(const FigureTable& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<FigureCell>& row) {
     return std::holds_alternative<std::string>(row[column]);

@@ -168,8 +168,8 @@ class Replay {
     return Done{};
   }
 
-  /// Where this stretch lies after the first one began. The wall clock may have been set meanwhile; the
-  /// steady clock says what has passed at least. A simulation makes its times up: they prove no clock wrong.
+  /// Start of this stretch after the first one began. The system clock may have been set meanwhile; the
+  /// steady clock gives a lower bound. A simulation invents its times: they prove no clock wrong.
   void placeAfterPause(const SessionStart& s) {
     const double byWallClock_s = s.utc_s - record_.sessions.front().utc_s;
     if (s.kind != SessionKind::simulated && byWallClock_s < spent_s_ - clockTolerance_s)
@@ -224,8 +224,8 @@ class Replay {
            (json.at("interval_s") == trial.interval_s && json.at("window_s") == trial.window_s);
   }
 
-  /// What was felt counts, not what this machine would have asked: where two levels promise the same, the
-  /// last digit of a logarithm decides.
+  /// The felt level counts, not the one that this machine would have chosen: if two levels promise the same,
+  /// the last digit of a logarithm decides.
   void takeLevel(const Json& json) {
     if (study_.design.kind != StudyKind::threshold) return;
     Trial& trial = record_.plan[record_.answers.size()];
@@ -491,7 +491,7 @@ Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, 
 
 namespace {
 
-/// Whether a journal says that a head lies beside it; those of version 0.2 had none at first.
+/// Returns true if a journal says that a head lies beside it; those of version 0.2 had none at first.
 bool hadHead(const std::vector<std::string>& lines) {
   if (lines.empty()) return false;
   const Json header = Json::parse(lines.front(), nullptr, false);

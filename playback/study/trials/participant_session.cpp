@@ -201,8 +201,8 @@ std::optional<double> numberBehind(const std::string& text, std::string_view nam
   return value;
 }
 
-/// Whether a simulated person errs. A threshold of `threshold`: as QUEST+ takes people to be, in the middle
-/// of its slopes and lapses.
+/// Returns true if a simulated person errs. A threshold of `threshold`: QUEST+'s model of people, in the
+/// middle of its slopes and lapses.
 bool errs(const Study& study, const Trial& trial, const Simulation& simulation, StudyRandom& random) {
   double share = simulation.errorRate;
   if (simulation.threshold > 0) {

@@ -21,7 +21,7 @@ class ParticipantSession {
   static Result<ParticipantSession> open(const Study& study, const std::string& participant,
                                          const SessionStart& start);
 
-  /// What open() would go on with, by the same checks; nothing is written. Without a plan where the
+  /// The record that open() would continue, by the same checks; nothing is written. Without a plan if the
   /// participant has not begun.
   static Result<ParticipantRecord> toOpen(const Study& study, const std::string& participant,
                                           const SessionStart& start);
@@ -51,19 +51,19 @@ class ParticipantSession {
   std::string chain_;
 };
 
-/// Now by the wall clock, seconds since 1970: for SessionStart and ConsentDecision.
+/// Now by the system clock, seconds since 1970: for SessionStart and ConsentDecision.
 double wallClock_s();
 
-/// What a participant listens to: as asked, else as in their journal, else in quiet.
+/// The participant's listening: as requested, else as in their journal, else quiet.
 Listening listeningOf(const Study& study, const std::string& participant,
                       const std::optional<Listening>& asked);
 
-/// How the program answers in a person's place.
+/// Answers of the program in a person's place.
 struct Simulation {
   double errorRate = 0;  ///< 0 perfect, 0.5 guess (abx)
   bool guess = false;    ///< any choice is as likely as any other
   double threshold =
-      0;  ///< threshold studies: as someone who tells so great an increase in 75 of 100; 0: errors as above
+      0;  ///< threshold studies: a person who notices this increase in 75 of 100 trials; 0: errors as above
   std::string name;                     ///< as given
   std::optional<PressTiming> timing{};  ///< timing studies: of the person
   /// Timing studies: what another program says a person pressed, by trial, as Answer::presses_s.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who gets which list of trials, fixed before the first person comes (study_plan.h). Any thread.
+// Assigns a list of trials to each participant, fixed before the first person comes (study_plan.h). Any
+// thread.
 
 #include <cstddef>
 #include <cstdint>

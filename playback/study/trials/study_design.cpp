@@ -33,7 +33,7 @@ Failure wrong(Subject subject, Message problem, const Message& remedy) {
   return {FailureCode::wrongUsage, std::move(subject), "", std::move(problem), remedy};
 }
 
-/// What an option asks for; a window names its own part of that.
+/// Failure of an option; a window names its own control instead.
 Failure wrongOption(const char* option, Message problem, const Message& remedy) {
   return wrong(Subject::option(option), std::move(problem), remedy);
 }
@@ -373,7 +373,7 @@ std::size_t usualTrials(StudyKind kind, TimingTask task) {
 
 namespace {
 
-/// Whether some values lie within a range, each once, and are not too many.
+/// Returns true if the values lie within a range, each once, and are not too many.
 bool eachOnceWithin(const std::vector<double>& values, double low, double high) {
   return !values.empty() && values.size() <= mostTimes &&
          std::set<double>(values.begin(), values.end()).size() == values.size() &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a study with people is: which buttons, which task, how often. One study is one folder that can be
-// copied: study.json, buttons/, device.device (optional), consent.txt and consent.LANGUAGE.txt (consent.h),
+// A study with people: its buttons, task and number of trials. One study is one folder that can be copied:
+// study.json, buttons/, device.device (optional), consent.txt and consent.LANGUAGE.txt (consent.h),
 // participants/ID.jsonl.
 
 #include <cstdint>
@@ -35,12 +35,12 @@ inline constexpr auto studyKinds = named<StudyKind>({{"abx", StudyKind::abx},
                                                      {"rating", StudyKind::rating},
                                                      {"timing", StudyKind::timing}});
 inline const char* nameOf(StudyKind kind) { return studyKinds.word(kind); }
-/// Whether an answer says which one X is.
+/// Returns true if an answer says which one X is.
 inline bool asksForX(StudyKind kind) { return kind == StudyKind::abx || kind == StudyKind::matching; }
-/// Whether an answer is right or wrong.
+/// Returns true if an answer is right or wrong.
 inline bool hasRightAnswer(StudyKind kind) { return kind != StudyKind::rating && kind != StudyKind::timing; }
 
-/// What there is more of; threshold.
+/// The quantity that increases; threshold.
 enum class LevelQuantity : std::uint8_t {
   peakForce,     ///< all forces of the button
   eventSize,     ///< strength of the vibration at its jumps
@@ -56,7 +56,7 @@ inline constexpr auto levelQuantities =
                           {"grain-strength", LevelQuantity::grainStrength}});
 inline const char* nameOf(LevelQuantity quantity) { return levelQuantities.word(quantity); }
 
-/// How a rating is given.
+/// Scale of a rating.
 enum class RatingScale : std::uint8_t {
   preference,  ///< 1 (worst) to 7 (best), one button at a time
   magnitude,   ///< any number above 0, twice as strong is twice the number (Stevens), one button at a time
@@ -68,16 +68,16 @@ inline constexpr auto ratingScales = named<RatingScale>({{"preference", RatingSc
 inline const char* nameOf(RatingScale scale) { return ratingScales.word(scale); }
 inline constexpr double worstPreference = 1, bestPreference = 7, greatestMagnitude = 1e6;
 
-/// What X is made of. Physical: the experimenter hands over the real switch of that number.
+/// Kind of X. Physical: the experimenter hands over the real switch of that number.
 enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
 
-/// What a design may ask for; checkDesign().
+/// Limits of a design; checkDesign().
 inline constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
 inline constexpr std::size_t mostTimes = 9;  ///< intervals, windows: each once
 inline constexpr double leastInterval_s = 0.2, mostInterval_s = 5, leastWindow_s = 0.01, mostWindow_s = 1;
 inline constexpr double shortestRun_s = 3, longestRun_s = 120;
 
-/// What is asked for; `study new`.
+/// Settings of a study; `study new`.
 struct StudyDesign {
   StudyKind kind = StudyKind::abx;
   TargetKind targets = TargetKind::virtualButton;       ///< physical: matching only
@@ -108,7 +108,7 @@ struct StudyButton {
   Button button;
 };
 
-/// What a participant gets: button and mode, as sound. SHA-256 over the standard press: it changes when the
+/// A participant's stimulus: button and mode, as sound. SHA-256 over the standard press: it changes when the
 /// button, a setting, the device profile or the engine would make it feel different.
 struct StudyStimulus {
   std::size_t button = 0;
@@ -148,10 +148,10 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t buttons);
 
 /// A participant's id: 1 to 32 of a-z A-Z 0-9 - _, so that it names a file and no person.
 Result<Done> checkParticipantId(const std::string& id);
-/// What remains of an id for reading it out: P-1, P_1, p1 and P01 are one person.
+/// An id as it is read out: P-1, P_1, p1 and P01 are one person.
 std::string spokenId(const std::string& id);
 
-/// Whether two buttons at a time are asked about, as pairsOf() lists them.
+/// Returns true if trials compare two buttons at a time, as pairsOf() lists them.
 bool asksForPairs(const StudyDesign& design);
 
 /// Range checks of a design for so many buttons. Failure wrongUsage: its subject is the option of
@@ -172,7 +172,7 @@ Result<Study> openStudy(const std::filesystem::path& folder);
 /// and mode. For running, not for reading results.
 Result<Done> checkStimuli(const Study& study);
 
-/// What a participant feels for a button in a mode.
+/// Program of a button in a mode.
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode);
 
 // ---- one study that several laboratories ran (merged_study.cpp): a folder with a whole study of each below
@@ -192,9 +192,8 @@ std::filesystem::path siteFolder(const std::filesystem::path& folder, const std:
 // ---- levels of a threshold study: buttons with more of one quantity than the one they are compared with
 // (study_levels.cpp)
 
-/// The settings with so much more of the quantity; those of quantities of the button itself stay. Jumps whose
-/// size is asked about play at half their strength, so that there is room for more. `increase` >= 0; 0: the
-/// reference.
+/// The settings with the quantity increased; those of quantities of the button itself stay. Jumps whose size
+/// is tested play at half their strength, so that there is room for more. `increase` >= 0; 0: the reference.
 PlaybackSettings raised(PlaybackSettings settings, LevelQuantity quantity, double increase);
 
 /// Puts a level behind the study's buttons. `reference`: one of the given buttons; `increase` > 0. Failure:

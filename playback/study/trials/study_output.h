@@ -16,7 +16,7 @@ namespace detent::playback {
 /// ends are quoted (RFC 4180); points for decimals.
 std::string resultsCsv(const StudyResults& results);
 
-/// What was felt: one row per trial and stimulus (1, 2, … as shown, x);
+/// Felt stimuli: one row per trial and stimulus (1, 2, … as shown, x);
 /// `study,participant,trial,stimulus,button,presses,whole,peak_N, travel_mm,condition`. No rows of journals
 /// that did not keep it.
 std::string feltCsv(const StudyResults& results);

@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// What was foretold of one pair in one mode, to stand beside what was found.
+/// Forecast of one pair in one mode, to be shown beside the result.
 struct ForetoldPair {
   FeedbackMode mode = FeedbackMode::full;
   std::size_t first = 0, second = 0;

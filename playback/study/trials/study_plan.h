@@ -13,8 +13,8 @@
 
 namespace detent::playback {
 
-/// The list of one place: `participant,trial,practice,rest_before,mode,choice_1,...,x`; x is empty where
-/// nobody is asked for it, and of a threshold the choice that has more. Timing adds interval_s,window_s.
+/// The list of one place: `participant,trial,practice,rest_before,mode,choice_1,...,x`; x is empty if the
+/// trial has none, and for a threshold the choice that has more. Timing adds interval_s,window_s.
 std::string listCsv(const Study& study, const std::string& participant, std::size_t place);
 
 /// Writes ID.csv for everybody into `folder`, and the plan into the study, which keeps to it. Gives the
@@ -24,10 +24,10 @@ Result<std::string> writeLists(const Study& study, const PlannedPlaces& places,
 /// The rule for the unfinished alone; lists made before stay. Failure wrongUsage: somebody has begun already.
 Result<Done> writeUnfinishedRule(const Study& study, Unfinished rule);
 
-/// What each number of people and trials finds how often; some seconds for many people.
+/// Power for each number of people and trials; some seconds for many people.
 std::vector<FigureTable> powerTables(const Study& study);
 
-/// What a preregistration is written from.
+/// Contents of a preregistration.
 struct Preregistration {
   std::size_t people = 0;
   std::string listsSha256;               ///< empty: no lists were made

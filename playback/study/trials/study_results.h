@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a study found: tidy rows, and figures by group in the layout of K&L's Tables 1 and 2. Any thread.
+// Results of a study: tidy rows, and figures by group in the layout of K&L's Tables 1 and 2. Any thread.
 
 #include <optional>
 #include <string>
@@ -54,7 +54,7 @@ struct DiscriminationRule {
 };
 DiscriminationRule discriminationRule(std::size_t trials, double level = 0.05);
 
-/// How sensitive all participants together were, d' by both strategies.
+/// Sensitivity of all participants together, d' by both strategies.
 struct Sensitivity {
   double differencing = 0, independent = 0;
   double low = 0, lowIndependent = 0;  ///< from the lower end (97.5 %) of the share correct

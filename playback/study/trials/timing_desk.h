@@ -35,14 +35,14 @@ class TimingDesk {
   /// Window: the target's way, 0 where it sets out an interval before the window, 1 where the window begins.
   double wayAt(double time_s) const { return 1 + (time_s - cue_s()) / trial_->interval_s; }
 
-  /// A press was made at `at_s`; the looks it rests on lay `within_s` apart. In order.
+  /// A press was made at `at_s`; the readings it rests on lay `within_s` apart. In order.
   void pressed(double at_s, double within_s);
-  /// What the finger has done with the button since the last call.
+  /// The finger's movements with the button since the last call.
   void felt(const Felt& more) { felt_.add(more); }
   /// Seconds of a run that are left; tapping, from the first press on.
   double left_s(double now_s) const;
 
-  /// Whether nothing that comes now counts any more.
+  /// Returns true if nothing that comes now counts any more.
   bool over(double now_s) const;
   /// Once it is over.
   TimingFault fault() const;

@@ -32,7 +32,7 @@ Result<TimedPeople> readTimedPresses(const std::string& file, TimingTask task);
 /// figures stay empty. Failure unreadableInput: of nobody.
 Result<std::vector<FigureTable>> timingTables(const TimedPeople& presses, const std::string& file);
 
-/// What a study's journals hold of one trial, as it is fitted: one press, none, or (tapping) each tap behind
+/// One trial of a study's journals, in the form for fitting: one press, none, or (tapping) each tap behind
 /// the one before.
 std::vector<TimedPress> timedPresses(const StudyDesign& design, const Trial& trial, const Answer& answer);
 

@@ -25,7 +25,7 @@ std::vector<bool> balanced(std::size_t count, StudyRandom& random) {
   return {sides.begin(), sides.end()};
 }
 
-/// What one trial of a pair is: who is alpha, and on which side X falls.
+/// One trial of a pair: the button that is alpha, and the side of X.
 struct PlanCell {
   bool swapped = false;    ///< the pair's second button is alpha
   bool secondIsX = false;  ///< X is the pair's second button
@@ -126,7 +126,7 @@ std::vector<Trial> thresholdTrials(const Study& study, FeedbackMode mode, StudyR
   return trials;
 }
 
-/// What is rated: buttons, or pairs of them.
+/// The rated things: buttons, or pairs of them.
 std::vector<std::vector<std::size_t>> ratedThings(const Study& study, const std::vector<Pair>& pairs) {
   std::vector<std::vector<std::size_t>> things;
   if (study.design.scale == RatingScale::pairwise) {
@@ -159,7 +159,7 @@ std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pai
   return trials;
 }
 
-/// What a trial's times may be: every window at every interval; tapping has none.
+/// Possible times of a trial: every window at every interval; tapping has none.
 std::vector<std::pair<double, double>> timesOf(const StudyDesign& d) {
   if (d.task == TimingTask::tapping) return {{0, 0}};
   std::vector<std::pair<double, double>> times;

@@ -37,7 +37,7 @@ struct Trial {
 /// one list, and X was balanced by sides alone.
 std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t place = 0);
 
-/// How many of them count.
+/// Number of trials that count.
 std::size_t countedTrials(const Study& study);
 
 }  // namespace detent::playback
