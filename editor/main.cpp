@@ -38,7 +38,7 @@ std::optional<int> answeredAtOnce(const Arguments& arguments) {
   return {};
 }
 
-// Qt aborts without one; that would look like a crash.
+// Qt aborts without one; that would resemble a crash.
 bool screenMissing(const QStringList& words) {
   const bool windowsByServer =
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)

@@ -50,7 +50,7 @@ class GraphCanvas : public UnitPlot {
   /// Spread of the units whose mean the button was when this was set, per state: a band behind the curves.
   void showSpread(std::vector<StateSpread> states);
   void setMagnifierShown(bool shown);
-  /// Shows knots and handles; without them the picture looks like a datasheet.
+  /// Shows knots and handles; without them the picture resembles a datasheet.
   void setHandlesShown(bool shown);
 
   /// Draws the graph as vectors into any device (SVG, printer); `size` in its units. This and the next

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A vibration to look at: of a press, or what another program made.
+// A vibration for display: of a press, or of another program.
 
 #include <cstdint>
 #include <optional>

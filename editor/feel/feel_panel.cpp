@@ -228,7 +228,7 @@ QLayout* FeelPanel::pressRow() {
   return row;
 }
 
-/// What another program made, to compare with.
+/// Signal of another program, for comparison.
 QLayout* FeelPanel::referenceRow() {
   referenceChoice_ = described(new QToolButton, "referenceFile",
                                tr("Compare with a signal of another program: AHAP, .haptic, HJIF, WAV"));

@@ -22,8 +22,8 @@ class PressPad;
 class PressStrip;
 class SignalView;
 
-/// What a session does, to look at and to press: a pad for mouse, keys, pen and touch; the vibration and
-/// spectrogram of a press; sound and force device; the setup. A and B are exchanged by one key. GUI thread.
+/// Shows a session and takes presses: a pad for mouse, keys, pen and touch; the vibration and spectrogram of
+/// a press; sound and force device; the setup. A and B are exchanged by one key. GUI thread.
 class FeelPanel : public QWidget {
   Q_OBJECT
 

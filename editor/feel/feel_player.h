@@ -18,7 +18,7 @@
 namespace detent::editor {
 
 enum class SoundState {
-  off,       ///< not asked for, or not yet: it starts with the first press
+  off,       ///< not requested, or not yet: it starts with the first press
   starting,  ///< the device is being opened; the finger is followed silently meanwhile
   on,
   lost,   ///< the device went away; it is taken up again when it is back
@@ -45,7 +45,7 @@ class FeelPlayer : public QObject {
   /// What is pressed; exchanged under the finger. Null: nothing can be pressed.
   void setProgram(std::shared_ptr<const playback::LiveProgram> program);
 
-  /// Whether a press may open the sound device. Off closes it.
+  /// Allows a press to open the sound device. Off closes it.
   void setSoundWanted(bool wanted);
   /// Another device, rate or buffer; opened again if one is open.
   void setOutput(const playback::PlayerSettings& settings);
@@ -66,8 +66,8 @@ class FeelPlayer : public QObject {
   bool pushDepth(double displacement_mm);
   void lift();  ///< ends a followed press: back to nothing within 60 ms
 
-  /// A force device under the finger: its position (mm) is asked for 1000 times a second on a thread of its
-  /// own, and nothing else presses meanwhile. May open the sound device, as a press does. Null lets go.
+  /// A force device under the finger: its position (mm) is read 1000 times a second on a thread of its own,
+  /// and nothing else presses meanwhile. May open the sound device, as a press does. Null ends it.
   void followDevice(std::function<double()> position_mm);
 
   /// Plays a press on the sound device, opening it if need be. Nothing can be pressed meanwhile. False: sound

@@ -52,9 +52,9 @@ class FeelSession : public QObject {
   void exchange() { feel(felt_ == FeelSide::a ? FeelSide::b : FeelSide::a); }
   bool exchangeable() const { return slots_[0].document && slots_[1].document; }
 
-  /// Signals are computed only while somebody looks.
+  /// Signals are computed only while they are visible.
   void setWatched(bool watched);
-  /// What a press of the felt button is like; null until it is computed.
+  /// Signals of a press of the felt button; null until they are computed.
   const std::shared_ptr<const PressSignal>& signal() const { return felt().signal; }
   /// Null where nothing can be pressed.
   std::shared_ptr<const playback::LiveProgram> program() const;

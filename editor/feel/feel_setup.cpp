@@ -165,7 +165,7 @@ void FeelSetup::setSettings(const FeelSettings& settings) {
   showDelays();
 }
 
-/// What a push button says about what it has chosen.
+/// Puts the current choice on a push button.
 void FeelSetup::showChosen() {
   connect_->setChecked(!settings_.sensorPort.isEmpty());
   connect_->setText(settings_.sensorPort.isEmpty() ? tr("Connect") : tr("Disconnect"));

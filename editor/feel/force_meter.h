@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a force device does just now: force, energy between finger and button, punctuality of the loop.
+// Shows the present state of a force device: force, energy between finger and button, punctuality of the
+// loop.
 
 #include <QWidget>
 

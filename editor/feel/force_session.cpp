@@ -163,7 +163,7 @@ void ForceSession::buttonChanged() {
   if (!soon_.isActive()) soon_.start();
 }
 
-/// What was edited reaches the finger.
+/// Sends edits to the finger.
 void ForceSession::follow() {
   computeMargin();
   if (!player_ || !document_) return;

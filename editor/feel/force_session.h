@@ -26,7 +26,7 @@ enum class ForceState : std::uint8_t {
   failed  ///< it could not be opened; trouble() says why and what to do
 };
 
-/// What a finger and the button give each other.
+/// Energy that finger and button exchange.
 struct ForceEnergy {
   double held_mJ = 0;           ///< in the button now, counted from its rest
   double most_mJ = 0;           ///< of this press, or of the last one
@@ -34,8 +34,8 @@ struct ForceEnergy {
   double lowestBalance_mJ = 0;  ///< since the start; below 0: it gave more than it held
 };
 
-/// Starts by hand only: no force without being asked for. GUI thread; devices are opened and closed on a
-/// thread of its own.
+/// Starts by hand only: no force without a request. GUI thread; devices are opened and closed on a thread of
+/// its own.
 class ForceSession : public QObject {
   Q_OBJECT
 
@@ -43,9 +43,9 @@ class ForceSession : public QObject {
   explicit ForceSession(QObject* parent = nullptr, FeelDevices devices = {});
   ~ForceSession() override;  ///< takes the force away; waits for a device that is just being opened
 
-  /// There is no margin and no force while nobody looks: the switch has to be in sight.
+  /// There is no margin and no force while the panel is hidden: the switch has to be visible.
   void setWatched(bool watched);
-  /// What is pressed; exchanged under the finger. May be null.
+  /// The pressed button; exchanged under the finger. May be null.
   void setDocument(ButtonDocument* document);
   /// Another device does not start by itself, even while one runs.
   void setChoices(const ForceChoices& choices);
@@ -66,15 +66,15 @@ class ForceSession : public QObject {
 
   const playback::ForceStatus& status() const { return status_; }
   const ForceEnergy& energy() const { return energy_; }
-  /// What the device cannot render as the button has it; empty until it runs.
+  /// Properties of the button that the device cannot render; empty until it runs.
   const std::vector<playback::ForceRemark>& remarks() const { return remarks_; }
 
-  /// What slopes the chosen device bears along the button's travel; null without a device or a button. Shared
+  /// Slopes that the chosen device bears along the button's travel; null without a device or a button. Shared
   /// and never changed.
   const std::shared_ptr<const playback::StabilityMargin>& margin() const { return margin_; }
   /// One undoable step to the nearest button that the device can render.
   void makeStable();
-  /// What makeStable changed in the button as it stands now; empty where it is another one.
+  /// Changes by makeStable in the button as it is now; empty if it is another one.
   const std::vector<playback::StabilityChange>& changes() const { return changes_; }
 
  signals:

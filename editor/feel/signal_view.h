@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a press feels like, or what another program made, drawn: vibration and its spectrogram over one time
+// Draws the feel of a press, or a signal of another program: vibration and its spectrogram over one time
 // axis.
 
 #include <memory>
@@ -29,7 +29,7 @@ class SignalView : public QWidget {
   /// Draws at least so long a time (s) and so high a level (share of full scale), so that two views compare;
   /// 0: what the signal needs.
   void setLeast(double duration_s, double peak);
-  /// How much time the axis spans.
+  /// Time span of the axis.
   double drawnDuration_s() const { return layoutOf().duration_s; }
 
   QSize sizeHint() const override;

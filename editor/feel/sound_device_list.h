@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Sound devices, asked for without stopping the window: some drivers take seconds to answer.
+// List of sound devices, read without stopping the window: some drivers take seconds to answer.
 
 #include <QObject>
 #include <QString>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What leaves the editor besides button files: samples, drawings, pictures, sound. Every file is written
-// whole or not at all.
+// Exports beside button files: samples, drawings, pictures, sound. Every file is written whole or not at all.
 
 #include <functional>
 #include <QImage>
@@ -43,8 +42,8 @@ Result<Done> exportDataPackage(const Button& button, const QString& folder);
 Result<Done> exportTracedProject(const Button& button, std::size_t state, const DisplayUnits& units,
                                  const QString& path);
 
-/// What a press becomes for another device: the button from its first state, pressed by a finger whose way
-/// down takes so long; byte for byte as `detent-play export` writes it.
+/// A press for another device: the button from its first state, pressed by a finger with this downstroke;
+/// byte for byte as `detent-play export` writes it.
 struct DeviceExport {
   playback::ExportSettings settings;  ///< the press's name is filled in here
   double wayDown_s = 0.12;            ///< 0.01..10

@@ -22,7 +22,7 @@ class FileWatch : public QObject {
  public:
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// What the file holds now is known from here on; called again after saving.
+  /// From here on the present contents of the file are known; called again after saving.
   void watch(const QString& path);
   void forget(const QString& path);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a file on the disk is to the editor, before anything of it is read in full.
+// Kind of a file on the disk, before anything of it is read in full.
 
 #include <QString>
 #include <QStringList>

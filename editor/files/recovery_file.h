@@ -9,7 +9,7 @@
 
 namespace detent::editor {
 
-/// What a recovery file keeps. `path` is empty for a document that was never saved.
+/// Contents of a recovery file. `path` is empty for a document that was never saved.
 struct RecoveryRecord {
   Button button;
   QString path;

@@ -91,7 +91,7 @@ class RecoveryStore : public QObject {
   std::unique_ptr<QLockFile> lock_;
   std::vector<std::unique_ptr<QLockFile>> reserved_;
   QHash<ButtonDocument*, std::shared_ptr<Watched>> watched_;
-  QThreadPool writer_;  // one thread: what is asked later is done later
+  QThreadPool writer_;  // one thread: later requests are done later
   QList<LeftImport> leftImports_;
   int nextFile_ = 1;
   bool failing_ = false;

@@ -21,7 +21,7 @@ enum class ForecastPairs : std::uint8_t {
   ofFirst  ///< (0,1), (0,2), (0,3), ...
 };
 
-/// The pairs that were asked for, in their order.
+/// The requested pairs, in their order.
 struct Forecast {
   std::uint64_t revision = 0;
   std::vector<playback::PredictedPair> pairs;
@@ -41,7 +41,7 @@ class ForecastSource : public QObject {
   std::uint64_t request(std::vector<Button> buttons, ForecastPairs pairs = ForecastPairs::all) {
     return answers_.ask({std::move(buttons), pairs});
   }
-  void cancel() { answers_.cancel(); }  ///< no answer comes for what was asked so far
+  void cancel() { answers_.cancel(); }  ///< no answer comes for earlier requests
 
  signals:
   /// Buttons and pairs.

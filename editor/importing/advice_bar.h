@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What went wrong and what to do about it, above the page, with the corrections that help as buttons.
+// Problem and remedies above the page, with the helpful corrections as buttons.
 
 #include <QFrame>
 #include <QHBoxLayout>

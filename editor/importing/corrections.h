@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person settled by hand about one graph of the import dialogue, as they see it on the page: ticks
-// with values, corners, units, colours, masks. The importer takes the same as ImportHints.
+// The user's corrections of one graph of the import dialogue, as they appear on the page: ticks with values,
+// corners, units, colours, masks. The importer takes the same as ImportHints.
 
 #include <array>
 #include <optional>
@@ -26,7 +26,7 @@ struct AxisTick {
   friend bool operator==(const AxisTick&, const AxisTick&) = default;
 };
 
-/// How one axis is scaled by hand: by the values at its two ends, or by ticks. Empty: as found.
+/// Scale of one axis by hand: by the values at its two ends, or by ticks. Empty: as found.
 struct AxisCorrection {
   std::optional<double> min, max;  ///< at the frame's left/bottom and right/top edge
   std::vector<AxisTick> ticks;     ///< if any, min and max are empty: the ticks say it all
@@ -84,7 +84,7 @@ void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<Fram
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
                                       const std::vector<AxisTick>& given, const std::vector<AxisTick>& found);
 
-/// What the importer knows of a graph when corrections are turned into hints.
+/// The importer's knowledge of a graph when corrections are turned into hints.
 struct FoundAxes {
   FrameCorners corners;
   std::vector<AxisTick> xTicks, yTicks;  ///< those that agreed with the progression

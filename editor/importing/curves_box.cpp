@@ -12,7 +12,7 @@
 namespace detent::editor {
 namespace {
 
-/// Ink of the curve that a stroke was traced on; transparent if it is not known.
+/// Colour of the curve that a stroke was traced on; transparent if it is not known.
 QColor colorOfStroke(const std::shared_ptr<const ImportedGraph>& imported, Stroke stroke) {
   const QColor unknown(Qt::transparent);
   if (!imported || !imported->report || !imported->evidence) return unknown;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How findings and corrections look on the page.
+// Drawing of findings and corrections on the page.
 
 #include <QPainter>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace detent::editor {
 
-/// What is painted over the page; references live as long as the call.
+/// Objects painted over the page; references live as long as the call.
 struct FindingsPicture {
   const DrawnResult& drawn;
   const Corrections& given;

@@ -12,7 +12,7 @@
 
 namespace detent::editor {
 
-/// What a hand did to one graph.
+/// Corrections by hand of one graph.
 struct DraftGraph {
   GraphId id;
   Corrections corrections;

@@ -9,8 +9,8 @@
 
 namespace detent::editor {
 
-/// What came of an import with the points of `marks`. A new tactile point begins a small jump that is drawn
-/// into place then.
+/// Result of an import with the points of `marks`. A new tactile point begins with a small jump that is then
+/// drawn into place.
 struct MarkedImport {
   ImportedGraph imported;
   std::vector<Failure> refused;  ///< points that the curve does not allow where they were put

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who decided a value of an import, and the way back to what was found.
+// Shows if a value of an import was found or given, and restores the found one.
 
 #include <functional>
 #include <optional>

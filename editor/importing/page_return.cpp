@@ -26,7 +26,7 @@ bool isSheet(const QString& path, const std::string& sha256) {
          hash.addData(&file) && hash.result().toHex().toStdString() == sha256;
 }
 
-/// What was given with an option, empty for a switch; nothing where it was not given.
+/// The value given with an option, empty for a switch; nothing if it was not given.
 std::optional<std::string> given(const Provenance& provenance, const std::string& option) {
   for (const std::string& each : provenance.given) {
     if (each == option) return std::string();

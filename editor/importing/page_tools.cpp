@@ -210,7 +210,7 @@ class LineSnap {
  private:
   static constexpr double reach_px = 7;      // of the screen: a hand without a magnifier
   static constexpr int samples = 48;         // along an edge
-  static constexpr int leastContrast = 40;   // grey levels between a line and its ground
+  static constexpr int leastContrast = 40;   // grey levels between a line and its background
   static constexpr double leastShare = 0.6;  // of the edge that the line must be seen along; a dashed one is
 
   std::optional<int> grey(double across, double along, bool upright) const {
@@ -218,7 +218,7 @@ class LineSnap {
     return color ? std::optional(qGray(color->rgb())) : std::nullopt;
   }
 
-  // The place within reach at which most of the edge has ink; the middle of a thick line.
+  // The position within reach at which most of the edge has dark pixels; the middle of a thick line.
   double nearest(double edge, double from, double to, bool upright) const {
     const double step = 0.5 / picture_->pixelsPerUnit();
     const int offsets = static_cast<int>(reach_ / step);
@@ -347,7 +347,8 @@ class MaskBrushTool : public PageTool {
   QPointF last_, at_;
 };
 
-/// Click points along a curve, or draw along it; the line between is pulled to the ink when it is read.
+/// Click points along a curve, or draw along it; the line between is pulled to the curve's pixels when it is
+/// read.
 class DrawCurveTool : public PageTool {
  public:
   DrawCurveTool(PageView& view, Stroke stroke) : PageTool(view), stroke_(stroke) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What each quality level costs and gives, as measured.
+// Measured cost and error of each quality level.
 
 #include <QString>
 

@@ -214,7 +214,7 @@ void ComparePanel::showColors() {
   }
 }
 
-// Two states of one button, or two buttons of one name, are told apart.
+// Distinguishes two states of one button, and two buttons of one name.
 QString ComparePanel::nameOf(const Side& side) const {
   if (!side.document) return {};
   QString name = side.document->title();

@@ -45,7 +45,7 @@ class ComparePanel : public QWidget {
   /// One more beside those compared.
   void add(ButtonDocument* document);
 
-  /// What the table says, with units, as CSV text; for the clipboard.
+  /// The table with units as CSV text; for the clipboard.
   QString tableText() const;
   const ComparePlot& plot() const { return *plot_; }
 

@@ -33,7 +33,7 @@ class ComparePlot : public QCustomPlot {
   QString reading() const;
   /// Below the graphs: what each has more than the first, where both are.
   void showDifferences(bool shown);
-  /// Light, with names, as wide as asked for; touches nothing that is shown.
+  /// Light, with names, of the requested width; changes nothing that is shown.
   QImage picture(QSize size_px = {1800, 1200}, double devicePixelRatio = 2) const;
   /// The same as vectors into any device; `size` in its units.
   void renderTo(QPaintDevice& device, QSize size) const;

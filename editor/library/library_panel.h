@@ -59,7 +59,7 @@ class LibraryPanel : public QWidget {
   PictureCache pictures_{pictureSize_px};
   OpenButtonsModel open_{pictures_};
   FolderModel files_{pictures_};
-  // Who will be taken for the one shown; asked again after an edit of any.
+  // Forecasts for the one shown; repeated after an edit of any.
   std::vector<ButtonDocument*> documents_;
   ButtonDocument* active_ = nullptr;
   ForecastSource forecasts_;

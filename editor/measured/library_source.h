@@ -18,7 +18,7 @@ struct LibraryRequest {
   bool pages = false;  ///< pages and pictures of datasheets too: seconds each
 };
 
-/// One worker thread: what is asked first is done first. GUI thread; answers come through the event loop.
+/// One worker thread: earlier requests are done first. GUI thread; answers come through the event loop.
 class LibrarySource : public QObject {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class LibrarySource : public QObject {
   void loaded(const QString& database, std::shared_ptr<const detent::editor::MeasuredSwitches> switches);
   void indexed(const detent::importer::IndexSummary& summary);
   void progressed(double fraction, const QString& file);
-  /// All that were asked for and could be read; `last` of the call.
+  /// All requested switches that could be read; `last` of the call.
   void opened(const std::vector<detent::Button>& buttons);
   void failed(const QString& sentence);
 

@@ -33,7 +33,7 @@ constexpr QSize first_px{1180, 760}, leastPlot_px{260, 180};
 constexpr int nameColumn_em = 20, figureColumn_em = 11, wideColumn_em = 14, headerLines = 3;
 constexpr int tableShare = 3, plotsShare = 2;  // of the width
 constexpr int mapShare = 1, overlayShare = 1;  // of the plots' height
-constexpr int rankPause_ms = 120;              // of an edit of the button asked for
+constexpr int rankPause_ms = 120;              // after an edit of the reference button
 constexpr int forecastPause_ms = 400;
 constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20;
 constexpr std::size_t comparedSwitches = seriesColors;
@@ -442,7 +442,7 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
   emit shown();
 }
 
-// ---- what is asked for
+// ---- requests
 
 void MeasuredWindow::followDocuments() {
   if (places_.documents) listed_ = places_.documents();
@@ -494,7 +494,7 @@ void MeasuredWindow::askLikeChosen() {
   rank();
 }
 
-// Who asks wants to see them, whatever the table was sorted by.
+// The user wants to see the nearest ones, whatever the table was sorted by.
 void MeasuredWindow::nearestFirst() { view_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder); }
 
 void MeasuredWindow::rank() {

@@ -30,7 +30,7 @@
 
 namespace detent::editor {
 
-/// How the window reaches the tabs and the disk; tests put their own in. All of it outlives the window.
+/// Access of the window to the tabs and the disk; tests put their own in. All of it outlives the window.
 struct MeasuredPlaces {
   ViewSettings& view;
   QSettings& settings;  ///< "measured/…": the library's file, its folders
@@ -39,7 +39,7 @@ struct MeasuredPlaces {
   std::function<void(const std::vector<Button>&)> open;
   /// Likewise, and over each other in the comparison.
   std::function<void(const std::vector<Button>&)> compare;
-  // What a person chooses; empty: cancelled.
+  // The user's choice; empty: cancelled.
   std::function<QString(QWidget*parent)> libraryFile, folder;
   std::function<QString(QWidget* parent, const QString& suggested)> page;
 };
@@ -51,7 +51,7 @@ class MeasuredWindow : public QDialog {
  public:
   explicit MeasuredWindow(MeasuredPlaces places, QWidget* parent = nullptr);
 
-  /// The open buttons that can be asked for changed.
+  /// The open buttons that can be chosen changed.
   void followDocuments();
   /// The nearest to this one first.
   void askFor(ButtonDocument& document);
@@ -61,14 +61,14 @@ class MeasuredWindow : public QDialog {
   void addFolder(const QString& folder);
 
  signals:
-  /// What an answer to openLibrary or addFolder has brought is shown.
+  /// The result of openLibrary or addFolder is shown.
   void shown();
 
  protected:
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// What the others are compared with.
+  /// The reference of the comparison.
   struct Asked {
     QString name;
     importer::LibrarySwitch entry;   ///< its own where it is of the library

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether people will tell the nearest switches from the button asked for.
+// Forecasts of the difference of the nearest switches from the reference button.
 
 #include <atomic>
 #include <QObject>

@@ -26,7 +26,7 @@ class OverlayPlot : public QCustomPlot {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t mostCurves = 6;  ///< as many colours can be told apart
+  static constexpr std::size_t mostCurves = 6;  ///< as many colours can be distinguished
 
   explicit OverlayPlot(QWidget* parent = nullptr);
 
@@ -35,7 +35,7 @@ class OverlayPlot : public QCustomPlot {
     QString name;
     const importer::FeltShape* shape = nullptr;  ///< lives as long as it is shown
   };
-  /// `asked` is what the others are compared with; it is drawn in the text's colour.
+  /// The reference of the others (null: none) is drawn in the text's colour.
   void show(std::vector<Entry> entries, std::optional<importer::FeltShape> asked, const DisplayUnits& units);
 
  protected:

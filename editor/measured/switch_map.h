@@ -12,7 +12,7 @@
 
 namespace detent::editor {
 
-/// What a direction of the map counts: a figure, or a principal axis (0 or 1).
+/// Quantity of a direction of the map: a figure, or a principal axis (0 or 1).
 struct MapScale {
   std::optional<KeyFigure> figure;
   std::size_t axis = 0;

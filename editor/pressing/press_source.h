@@ -14,7 +14,7 @@
 
 namespace detent::editor {
 
-/// In the order of the buttons asked for.
+/// In the order of the requested buttons.
 struct PressAnswer {
   std::uint64_t revision = 0;
   std::vector<std::shared_ptr<const playback::PressForecast>> forecasts;
@@ -34,7 +34,7 @@ class PressSource : public QObject {
   std::uint64_t request(std::vector<Button> buttons, std::optional<double> operateAt_mm) {
     return answers_.ask({std::move(buttons), operateAt_mm});
   }
-  void cancel() { answers_.cancel(); }  ///< no answer comes for what was asked so far
+  void cancel() { answers_.cancel(); }  ///< no answer comes for earlier requests
 
  signals:
   void progress(int done, int all);  ///< buttons

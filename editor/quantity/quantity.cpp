@@ -74,7 +74,7 @@ QString doubtOfShare(const QString& text, double share, const DisplayUnits& unit
 
 // Of a button: a finger's force, the travel of the longest lever switches.
 constexpr double mostForce_N = 20, mostTravel_mm = 30;
-// What most buttons have: in this range another unit is proposed.
+// Usual values of buttons: in this range another unit is proposed.
 constexpr double usualForce_N[] = {0.05, 10}, usualTravel_mm[] = {0.1, 10};
 
 // The number that was typed, with the first unit in which it would be usual.

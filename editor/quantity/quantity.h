@@ -2,8 +2,8 @@
 #pragma once
 // The one way numbers with a unit are read and shown: in fields, tables, dialogues, on axes and ticks.
 //
-// Reading is the same in every locale: both decimal signs, never a group separator (what looks like one is
-// refused, not guessed), any known unit, sums and products, and changes of what stands there now.
+// Reading is the same in every locale: both decimal signs, never a group separator (a possible one is
+// refused, not guessed), any known unit, sums and products, and changes of the present value.
 
 #include <optional>
 #include <QString>
@@ -14,7 +14,7 @@
 
 namespace detent::editor {
 
-/// What a number means; decides its units.
+/// Meaning of a number; decides its units.
 enum class Quantity {
   length,      ///< mm
   force,       ///< N

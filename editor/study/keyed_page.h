@@ -36,7 +36,7 @@ class KeyedPage : public QWidget {
  public:
   explicit KeyedPage(QWidget* parent = nullptr);
 
-  /// What stands in the middle, from top to bottom.
+  /// Contents of the middle, from top to bottom.
   QVBoxLayout* column() const { return column_; }
   QLabel* addText(const char* name, const QString& text, int points,
                   Qt::Alignment alignment = Qt::AlignCenter, int stretch = 0);

@@ -319,7 +319,8 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   return Done{};
 }
 
-/// Who has agreed goes on at once; who has not is asked first, and is in no journal until then.
+/// A participant who has agreed goes on at once; one who has not reads the consent first, and is in no
+/// journal until then.
 Result<Done> StudyDesk::askOrOpen(const playback::ParticipantRecord& record, StudyWork& work) {
   if (!record.consent) {
     Result<playback::ConsentText> consent =
@@ -342,7 +343,7 @@ QScreen* StudyDesk::participantScreen() const {
 }
 
 /// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own
-/// the desk stays.
+/// the experimenter's view stays.
 void StudyDesk::showStation(StudyWork work) {
   atWork_ = QString::fromStdString(work.participant);
   window_ = new StudyWindow(std::move(work));

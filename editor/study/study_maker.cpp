@@ -199,7 +199,7 @@ QWidget* StudyMaker::consentRow() {
   return rowOf({consent_, browse});
 }
 
-/// What a kind usually takes stands there first.
+/// The usual number of trials of a kind is the initial value.
 void StudyMaker::kindChosen() {
   form_->setRowVisible(quantity_, kind() == playback::StudyKind::threshold);
   form_->setRowVisible(scale_, kind() == playback::StudyKind::rating);

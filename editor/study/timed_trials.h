@@ -15,7 +15,7 @@ class QInputEvent;
 
 namespace detent::editor {
 
-/// What is said behind a trial, in the participant's language.
+/// Texts after a trial, in the participant's language.
 struct TimedWords {
   QString hit, missed, enough;
   QString noPress, held, notFelt;
@@ -29,7 +29,7 @@ class TimedTrials : public QObject {
   Q_OBJECT
 
  public:
-  /// How a press's time comes about, for the journal.
+  /// Origin of a press's time, for the journal.
   static std::string pressRoute();
 
   /// Study, player and page must outlive it.

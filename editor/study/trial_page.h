@@ -11,7 +11,7 @@
 
 namespace detent::editor {
 
-/// What is written on a question's controls, in the participant's language.
+/// Texts on a question's controls, in the participant's language.
 struct TrialWords {
   QString feelX, feelOne, feelIt;  ///< "Feel X", "Feel %1", "Feel it"
   QString answer;                  ///< "X is %1", "%1 is better"

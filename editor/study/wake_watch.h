@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How late this machine wakes a program that waits.
+// Measures the lateness with which this machine wakes a waiting program.
 
 #include <atomic>
 #include <thread>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the desks of the window work with: the tabs, the disk's folders, the person's answers.
+// Environment of the window's controllers: the tabs, the disk's folders, the person's answers.
 
 #include <QDir>
 #include <QFileInfo>

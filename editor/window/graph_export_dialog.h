@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a graph is printed: for what, how large, in which words and units; with a picture of what comes out.
+// Settings of a printed graph: purpose, size, words and units; with a preview.
 
 #include <QCheckBox>
 #include <QComboBox>

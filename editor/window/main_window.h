@@ -28,7 +28,7 @@ class MarginOverlay;
 
 QPalette currentDesktopPalette();
 
-/// What a window works with; all of it outlives the window.
+/// Objects that a window needs; all of them outlive the window.
 struct WindowPlaces {
   ViewSettings& view;
   QSettings& settings;
@@ -65,7 +65,7 @@ class MainWindow : public QMainWindow {
   void average();
   void showForecasts();
   void showStudy();
-  /// Thousands of measured switches; made when it is first asked for.
+  /// Thousands of measured switches; made when it is first needed.
   MeasuredWindow& showMeasured();
 
  protected:

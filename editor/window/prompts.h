@@ -38,7 +38,7 @@ class Prompts {
   virtual std::optional<Button> newButton(QWidget* parent);
   /// For which device a press of the button is written.
   virtual std::optional<DeviceChoice> deviceExport(QWidget* parent, const Button& button);
-  /// How the button's graph is written.
+  /// Format of the button's graph.
   virtual std::optional<GraphExport> graphExport(QWidget* parent, const Button& button,
                                                  const DisplayUnits& units);
   /// Where to print; false: cancelled.

@@ -34,14 +34,14 @@ void RecoveryDesk::discard(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
-// What was recovered is on the disk under this editor's name before the old file goes.
+// The recovered document is on the disk under this editor's name before the old file goes.
 void RecoveryDesk::recover(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) emit recovered(&recoverOne(one.record));
   at_.recovery.flush();
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
-// What somebody else wrote since is not what these changes were made on: saving asks.
+// These changes were not made on the file that somebody else wrote since: saving asks.
 void RecoveryDesk::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
   document.history().replace(record.button, tr("Recover unsaved changes"));
   if (record.cutout != document.cutout()) {

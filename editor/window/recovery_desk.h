@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What editors that died left behind, offered once at the start.
+// Documents of editors that died, offered once at the start.
 
 #include "editor/window/desk_places.h"
 

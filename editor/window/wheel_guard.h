@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who scrolls past a choice does not change it.
+// Ignores wheel events on combo boxes without focus.
 
 #include <QObject>
 #include <QPointer>

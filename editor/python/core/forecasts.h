@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What detent-play renders and foretells, and what detent-import library finds, as functions. All throw
+// Renderings and forecasts of detent-play, and the search of detent-import library, as functions. All throw
 // Refusal; JSON as the programs print it. Any thread.
 
 #include <optional>
@@ -29,7 +29,7 @@ std::string performanceOf(const std::vector<Button>& buttons, const std::optiona
 std::pair<Button, std::string> buttonBetween(const Button& from, const Button& to,
                                              const std::optional<double>& share, const Cancelled& cancelled);
 
-/// What `detent-import library find --like` prints for the button's first state.
+/// The output of `detent-import library find --like` for the button's first state.
 std::string switchesLike(const Button& button, const std::string& database, std::size_t limit);
 
 }  // namespace detent::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent._core: the library for Python. What it offers is told in detent/__init__.py; types in
+// detent._core: the library for Python. Its functions are described in detent/__init__.py; types in
 // detent/_core.pyi.
 //
 // Reading order: refusal.h (failures become exceptions), interruptible.h (work that Ctrl-C ends), reading.h,
