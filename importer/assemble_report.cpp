@@ -11,7 +11,7 @@
 namespace detent::importer {
 namespace {
 
-/// The callout of a kind, pulled onto the stroke's travel (a leader may end on the wall's outer edge).
+/// The callout of a kind, moved onto the stroke's travel (a leader may end on the bottom-out's outer edge).
 std::optional<double> calloutAt(const std::vector<Callout>& callouts, CalloutKind kind,
                                 const StrokeCurve& curve) {
   for (const Callout& callout : callouts) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What speaks against an import although every step was sure of itself: the page contradicts itself, or what
-// came out does not look like one button's strokes. docs/develop/decisions/0805-doubts.md names where each
-// was seen to be a wrong button.
+// Evidence against an import although every step was certain: the page contradicts itself, or the result does
+// not resemble one button's strokes. docs/develop/decisions/0805-doubts.md names the wrong buttons that each
+// has found.
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct WeighedDoubt {
   double confidence = 0;
 };
 
-/// What the steps' confidence is worth on pages of a class, 0..1: counted,
+/// Factor of the steps' confidence on pages of a class, 0..1: counted,
 /// docs/measurements/import-confidence.md.
 double worthOf(PageClass pageClass);
 

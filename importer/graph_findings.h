@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the steps gave for one graph, gathered for those who judge it.
+// Results of the steps for one graph, gathered for judgement.
 
 #include <optional>
 #include <vector>

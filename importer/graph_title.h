@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a document prints above one of its graphs.
+// Title that a document prints above one of its graphs.
 
 #include <string>
 

@@ -35,15 +35,14 @@
 namespace detent::importer {
 
 /// Strokes drawn by hand along the curve on the page: points in page units, from the start of the press (the
-/// end of the release) to the other end; empty where none was drawn. What lies between is followed with a
-/// pull to the ink (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
+/// end of the release) to the other end; empty if none was drawn. Between the points the line follows the
+/// curve's pixels (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
 struct DrawnStrokes {
   std::vector<Point> press, release;
   bool operator==(const DrawnStrokes&) const = default;
 };
 
-/// What the user settled by hand; everything else is found. Given values are kept while the rest is
-/// recomputed.
+/// Values given by the user; everything else is found. Given values are kept while the rest is recomputed.
 struct ImportHints {
   std::vector<Point> frame;  ///< empty, 2 (opposite) or 4 corners (tl, tr, br, bl), page units
   AxisHints axes;
@@ -57,9 +56,8 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
-/// Of what helps against a doubt that which has not been given by hand yet: what was given and left the doubt
-/// as it was is not asked for again. Where nothing else is left: to draw the strokes by hand, then the
-/// person's own word.
+/// Remedies that the user has not supplied yet: a remedy that was given and left the doubt as it was is not
+/// offered again. If nothing else is left: drawing the strokes by hand, then accepting the doubt.
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
 
 /// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets
@@ -113,15 +111,15 @@ struct RejectedFrame {
   Failure why;
 };
 
-/// What pages show. Where several were asked for, one that cannot be read costs only itself, unless it is the
-/// only one.
+/// The graphs of pages. If several pages were requested, one that cannot be read costs only itself, unless it
+/// is the only one.
 struct GraphList {
   std::vector<ListedGraph> graphs;      ///< reading order
   std::vector<RejectedFrame> rejected;  ///< looked at and not listed
   std::vector<Remark> remarks;          ///< what could not be read: broken images, broken pages
 };
 
-/// How sure one step was, and of what.
+/// Confidence of one step, with its subject.
 struct StepFinding {
   ImportStep step = ImportStep::locate;  ///< locate, axes or strokes
   double confidence = 0;
@@ -129,7 +127,7 @@ struct StepFinding {
   std::vector<EvidenceItem> evidence;
 };
 
-/// What an import looked at, for drawing it back over the page. Shared, never changed.
+/// Evidence of an import, for drawing it back over the page. Shared, never changed.
 struct GraphEvidence {
   PageView view;
   PlotFrame frame;
@@ -146,7 +144,7 @@ struct StrokeReport {
   double rms_px = 0;  ///< orthogonal, of the traced points to the fitted curve; 0 for force logs
 };
 
-/// One look at a graph and what it came to. `precise` looks more than once (importer/second_opinion.h).
+/// One reading of a graph and its result. `precise` reads more than once (importer/second_opinion.h).
 struct PageLook {
   double magnification =
       1;                  ///< a picture was looked at so many times its size, a document drawn as much finer
@@ -154,11 +152,11 @@ struct PageLook {
   std::optional<double> travel_mm, highest_N;  ///< of the press; empty where nothing was read
   bool release = false;
   Message problem;     ///< why it was not certain; empty: it was
-  bool taken = false;  ///< the report is this look's
+  bool taken = false;  ///< the report is of this reading
 };
 
-/// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure
-/// instead, or says so in `doubt` where the request asked for that.
+/// The result of an import. Usable as it is: anything not certain enough came back as a Failure instead, or
+/// is named in `doubt` if the request allowed that.
 struct ImportReport {
   explicit ImportReport(Button imported) : button(std::move(imported)) {}
 
@@ -201,9 +199,9 @@ struct ImportAttempt {
 };
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
-/// it depends on changed. What was found is kept; pages and pixels are kept within a bound on
-/// memory (docs/develop/decisions/1020-memory-of-imports.md). One thread at a time; `Progress::cancelled`
-/// may be asked from it.
+/// it depends on changed. Results are kept; pages and pixels are kept within a bound on memory
+/// (docs/develop/decisions/1020-memory-of-imports.md). One thread at a time; `Progress::cancelled` may be
+/// called from it.
 class ImportSession {
  public:
   static Result<ImportSession> open(const std::string& path, const PageLimits& limits = {});

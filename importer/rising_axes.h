@@ -10,9 +10,9 @@
 
 namespace detent::importer {
 
-/// The graph as it looks in a mirror, so that both scales rise; the map to the page turns with it. Empty
-/// where they rise already, and where both fall or the view was turned: no program draws so. Texts must have
-/// been read: writing in a mirror cannot be.
+/// The graph as in a mirror, so that both scales rise; the map to the page turns with it. Empty if they rise
+/// already, and if both fall or the view was turned: no program draws so. Texts must have been read: mirrored
+/// text cannot be.
 std::optional<LocatedGraph> mirroredToRise(const LocatedGraph& graph);
 
 }  // namespace detent::importer

@@ -36,10 +36,10 @@ struct AxisReading {
   std::string title;  ///< as read
 };
 
-/// What moves the points of a sheet besides perspective: paper that sags or bulges, and a lens that bends
-/// straight lines. Both move a point along the line from one place of the picture (the foot of the camera's
-/// axis, the lens' middle) by an amount of second degree in the point. Places are counted from `middle_px` in
-/// units of `half_px`.
+/// Distortion of a sheet besides perspective: paper that sags or bulges, and a lens that bends straight
+/// lines. Both move a point along the line from one centre of the picture (the camera's axis, the lens'
+/// middle) by an amount of second degree in the point. Points are counted from `middle_px` in units of
+/// `half_px`.
 struct SheetBend {
   Point middle_px;
   double half_px = 1;             ///< > 0
@@ -95,10 +95,10 @@ struct AxesFound {
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints = {},
                            const Progress& progress = {});
 
-/// Looks for titles of units that were not found, in a view that shows more of the page around the same
-/// frame: titles stand farther out than labels, and a view made for a plot cuts them. `frame` in that view's
-/// pixels, `toWide` from the pixels that `axes` were read in. What is found takes the stated default's place,
-/// in the scale as well.
+/// Searches titles for units that were not found, in a view that shows more of the page around the same
+/// frame: titles are farther out than labels, and a view made for a plot cuts them. `frame` in that view's
+/// pixels, `toWide` from the pixels that `axes` were read in. A unit that is found replaces the stated
+/// default, in the scale as well.
 void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
                       const Homography& toWide);
 

@@ -38,7 +38,7 @@ std::vector<Box> labelGlyphs(const GraphReading& r, const Box& band) {
   return glyphsIn(r.glyphs, band, largest);
 }
 
-/// Words of ink that may be numbers.
+/// Words of dark pixels that may be numbers.
 std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis axis) {
   const auto glyphs = labelGlyphs(r, band);
   auto words = numberBoxes(glyphs);
@@ -318,16 +318,16 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
   return fitRow(r, row, lines, Axis::y, TextKind::number, upwards_deg);
 }
 
-/// Whether most labels were read without any certainty, as digits are made of letters: "20gf" is 209 or
-/// nothing.
+/// Returns true if most labels were read with low confidence, because digits consist of letters: "20gf" is
+/// 209 or nothing.
 bool holdsLetters(const AxisLabels& labels) {
   constexpr double doubted = 0.2;  // of the engine's certainty
   const auto isDoubted = [](const SeenText& word) { return word.confidence < doubted; };
   return 2 * std::ranges::count_if(labels.words, isDoubted) > std::ssize(labels.words);
 }
 
-/// Whether all numbers of a scale end in the same digit, and not in one that scales end in: 9, 509 and 1009
-/// are "0g", "50g" and "100g".
+/// Returns true if all numbers of a scale end in the same digit, and not in one that scales end in: 9, 509
+/// and 1009 are "0g", "50g" and "100g".
 bool endsAlike(const AxisLabels& labels) {
   if (!labels.progression) return false;
   std::string ends;
@@ -339,8 +339,8 @@ bool endsAlike(const AxisLabels& labels) {
          ends.find_first_not_of(ends.front()) == std::string::npos;
 }
 
-/// Whether a column's words stand as close as the letters of a title that runs upwards do: numbers leave room
-/// between them.
+/// Returns true if a column's words are as close as the letters of a title that runs upwards: numbers leave
+/// room between them.
 bool isWriting(const AxisLabels& column) {
   constexpr double closest = 0.45;  // of the lower one's height
   int close = 0;

@@ -28,8 +28,8 @@ struct AxisLabels {
 /// "20gf" -> "20" and "gf"; no digits in front: nothing.
 std::pair<std::string, std::string> numberAndSuffix(const std::string& text);
 
-/// The numbers of an axis with the letters that follow each on its line, in their order; what can be read as
-/// no number is left as it is. `glyphs`: the blobs outside the frame.
+/// The tick labels with the letters that follow each on its line, in their order; labels that are no number
+/// stay as they are. `glyphs`: the blobs outside the frame.
 std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLabels& labels);
 
 /// Rows (columns for y) of words beside the frame are tried from the most regular one on, until one makes a
@@ -40,8 +40,8 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis);
 /// is read. `lines`: the gridlines and ticks they stand at, none where those are another scale's.
 std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<GridLine>& lines);
 
-/// Whether a column of numbers reaches over so much of the frame's height that it is a scale: "PB-01" to
-/// "PB-04" in a legend count on as well.
+/// Returns true if a column of numbers covers so much of the frame's height that it is a scale: "PB-01" to
+/// "PB-04" in a legend are a progression as well.
 bool reachesFar(const AxisLabels& labels, const Box& frame);
 
 }  // namespace detent::importer

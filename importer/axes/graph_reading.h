@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the steps of reading one graph share: the view, where its ink is, and what was read so far.
+// Data shared by the steps of reading one graph: the view, its dark pixels, and the results so far.
 
 #include <vector>
 

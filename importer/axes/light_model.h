@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tesseract's model without what makes up nine tenths of its start: a table of letters that older recognisers
-// confused. The engine looks every letter of that table up among the model's own; with those renamed to
+// Tesseract's model without nine tenths of its start-up time: a table of letters that older recognisers
+// confused. The engine searches every letter of that table among the model's own; with those renamed to
 // private code points it finds none and skips it. docs/develop/decisions/0406-text-engine.md
 
 #include <optional>
@@ -20,10 +20,9 @@ class LightModel {
 
   /// For TessBaseAPI::Init from memory.
   const std::string& bytes() const { return bytes_; }
-  /// What the engine has to be asked for, letter by letter: as it names them. Letters it does not know are
-  /// left out.
+  /// Request to the engine, letter by letter, with its own names. Letters it does not know are left out.
   std::string renamed(std::string_view letters) const;
-  /// What the engine answered, as written on the page.
+  /// The engine's answer, as written on the page.
   std::string original(std::string_view answer) const;
 
  private:

@@ -42,8 +42,7 @@ enum class ThousandsSign {
 ThousandsSign expectThousands(const std::vector<std::string>& texts,
                               std::vector<std::vector<NumberReading>>& readings);
 
-/// Whether a number was read digit by digit as one that it looks like: "8" where 0 stands, "66" where 60
-/// does.
+/// Returns true if a number was read digit by digit as a similar one: "8" for 0, "66" for 60.
 bool looksLike(std::string_view read, std::string_view number);
 
 /// A text's digits alone, in their order.

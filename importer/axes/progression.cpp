@@ -45,7 +45,7 @@ double roundedStep(std::vector<double> values) {
   return step >= leastDigits * lastDigit ? step : 0;
 }
 
-/// What decimal numbers count by; 0 if all are equal.
+/// Common step of decimal numbers; 0 if all are equal.
 double commonStep(const std::vector<double>& values) {
   return std::max(exactStep(values), roundedStep(values));
 }
@@ -198,7 +198,7 @@ OnStep linesOnStep(const std::vector<GridLine>& ticks, const Progression& p, dou
   return on;
 }
 
-/// How many lines a grid of this step would have between the outermost ones found.
+/// Number of lines of a grid with this step between the outermost ones found.
 double expectedLines(const OnStep& on) {
   if (on.pairs.size() < 2) return 0;
   double low = on.pairs.front().second, high = low;
@@ -275,7 +275,7 @@ std::vector<std::pair<double, double>> centresOf(const std::vector<LabelPlace>& 
   return centres;
 }
 
-/// How unevenly labels stand beside where a scale has their values: all a little lower is even.
+/// Unevenness of the labels' distances from the positions of their values: all a little lower is even.
 double unevenness_px(const std::vector<std::pair<double, double>>& centres, const Progression& p) {
   double sum = 0, squares = 0;
   for (const auto& [x, v] : centres) sum += p.position(v) - x, squares += std::pow(p.position(v) - x, 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where text stands around a frame: glyphs, words and lines found in the ink, before anything is read.
+// Text around a frame: glyphs, words and lines found in the dark pixels, before anything is read.
 
 #include <vector>
 

@@ -12,7 +12,7 @@
 
 namespace detent::importer {
 
-/// What SQLite could not do.
+/// Error of SQLite.
 struct DatabaseFault {
   int code = SQLITE_ERROR;  ///< primary result code
   std::string words;        ///< SQLite's own

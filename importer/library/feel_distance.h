@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How far apart two switches feel, by their curves, in units of what two laboratories differ by on one
+// Felt distance of two switches, by their curves, in units of the difference of two laboratories on one
 // switch.
 
 #include <limits>

@@ -115,8 +115,8 @@ Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindReq
   return nearest;
 }
 
-/// Those that keep the ranges: nearest first where something is asked for, else by name. `fitting`: how many
-/// there are.
+/// Switches that keep the ranges: nearest first if there is a reference, else by name. `fitting`: their
+/// number.
 Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRequest& request,
                                          const Wanted& wanted, std::size_t& fitting) {
   std::vector<Ranked> ranked;

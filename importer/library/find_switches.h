@@ -23,8 +23,7 @@ struct FindRequest {
 
 struct FoundSwitch {
   LibrarySwitch entry;
-  std::optional<double>
-      distance_labNoise;             ///< where `like` was asked; below 1 nobody can say that they differ
+  std::optional<double> distance_labNoise;  ///< if `like` was given; below 1 the two may be one switch
   SwitchSpread spread;               ///< of all records of this switch by its laboratory, this one among them
   std::vector<Rating> ratings = {};  ///< what people said of a switch of this name
 };

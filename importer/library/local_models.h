@@ -30,7 +30,7 @@ struct LocalWindow {
 /// one, or too few samples tell. Any thread.
 std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign);
 
-/// Where a wall begins, above a gentler course; `near_mm`: about there.
+/// Start of a bottom-out, above a gentler slope; `near_mm`: its approximate displacement.
 std::optional<LocalPlace> cornerIn(const LocalWindow& window, double near_mm);
 
 /// The force at a displacement of the window, of which nothing is unknown.

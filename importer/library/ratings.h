@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person said of a switch, beside what a meter did: score sheets, as their author wrote them. Nothing
+// Ratings of a switch by a person, beside the measurements: score sheets, as their author wrote them. Nothing
 // is computed from them.
 
 #include <map>

@@ -73,7 +73,7 @@ struct Noise {
   double carried_N2 = 0;   ///< of this, what it carries on to the next by a share
   double share = 0;
 
-  /// How many readings share one error.
+  /// Number of readings that share one error.
   double together() const { return 1 + carried_N2 / variance_N2 * ((1 + share) / (1 - share) - 1); }
 };
 
@@ -180,8 +180,8 @@ void SampledStroke::weighNoise() {
   static const Blocks usual(longest);
   const std::optional<Blocks> own = length == longest ? std::nullopt : std::optional<Blocks>(length);
   const Blocks& blocks = own ? *own : usual;
-  // What samples share looks like a bend to who takes each for a reading of its own: with what was found,
-  // once more.
+  // Shared errors of samples resemble a bend if each is taken for a reading of its own: repeated with the
+  // estimated noise.
   std::optional<Noise> found;
   for (int round = 0; round < 2; ++round) {
     const auto covariances = covariancesBehindCubics(points_, blocks, found ? found->together() : 1);
@@ -230,7 +230,7 @@ LocalWindow SampledStroke::window(std::size_t from, std::size_t to) const {
   for (std::size_t i = from; i < to; ++i) {
     const double at_mm = std::clamp(points_[i].displacement_mm, curve_.start_mm(), curve_.end_mm());
     window.points.push_back(points_[i]);
-    // What is rounded off a place is each sample's own.
+    // Rounding of a displacement is each sample's own error.
     window.own.push_back(own_N2 + std::pow(rounded_mm * curve_.slope_N_per_mm(at_mm), 2));
   }
   return window;

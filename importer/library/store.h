@@ -30,7 +30,7 @@ struct RefusedFile {
   std::string reason;  ///< a sentence, in English
 };
 
-/// How a file stood when it was looked at. Times are of the file clock and mean something to themselves only.
+/// State of a file when it was read. Times are of the file clock and comparable with each other only.
 struct FileStamp {
   std::int64_t bytes = 0;
   std::int64_t modified_ns = 0;
@@ -47,7 +47,7 @@ struct LibraryFile {
   std::vector<Rating> ratings = {};
 };
 
-/// What the library knows of a file without its switches.
+/// The library's data of a file without its switches.
 struct KnownFile {
   FileStamp stamp;
   std::string sha256, version;
@@ -74,8 +74,8 @@ class LibraryStore {
   /// `rebuilt` says so. Failure wrongUsage: a database of another program, a folder, what is no database by
   /// name and content.
   static Result<LibraryStore> openToWrite(const std::string& path);
-  /// All that is asked of it is of one moment: who writes waits until it is gone. Failure unreadableInput:
-  /// missing, damaged, of another version.
+  /// All queries see one moment: a writer waits until it is gone. Failure unreadableInput: missing, damaged,
+  /// of another version.
   static Result<LibraryStore> openToRead(const std::string& path);
   LibraryStore(LibraryStore&&) noexcept;
   LibraryStore& operator=(LibraryStore&&) noexcept;
@@ -93,9 +93,10 @@ class LibraryStore {
   Result<std::vector<LibrarySwitch>> switches(const std::vector<FigureRange>& ranges = {}) const;
   /// These, in this order.
   Result<std::vector<LibrarySwitch>> switchesOf(const std::vector<SwitchId>& ids) const;
-  /// What `switches` gives, without reading it.
+  /// Ids of the result of `switches`, without reading it.
   Result<std::vector<SwitchId>> idsByName(const std::vector<FigureRange>& ranges) const;
-  /// How far what keeps every range travels (FeltShape::travel_mm), without reading curves; in no order.
+  /// Travel of the switches that keep every range (FeltShape::travel_mm), without reading curves; in no
+  /// order.
   Result<std::vector<std::pair<SwitchId, double>>> travels_mm(const std::vector<FigureRange>& ranges) const;
   /// Their curves, in this order, until `take` wants no more.
   Result<Done> shapesOf(const std::vector<SwitchId>& ids,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a measured file is called: the switch, and which unit and run of it.
+// Name of a measured file: the switch, and its unit and run.
 
 #include <filesystem>
 #include <string>

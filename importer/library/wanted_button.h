@@ -11,8 +11,8 @@
 
 namespace detent::importer {
 
-/// How far figures miss their ranges, in units of what two laboratories differ by on such a figure; 0 where
-/// they keep all of them, none where one is missing.
+/// Distance of figures from their ranges, in units of the difference of two laboratories on such a figure; 0
+/// if they keep all of them, none if one is missing.
 std::optional<double> missOf(const KeyFigures& figures, const std::vector<FigureRange>& ranges);
 
 /// Bends a button's first state by the least that brings its figures into the ranges; the button itself where

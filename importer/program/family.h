@@ -9,7 +9,7 @@
 
 namespace detent::importer {
 
-/// What a person should know of such records; each is told, none is a reason to refuse.
+/// Remarks on such records; each is reported, none is a reason to refuse.
 enum class FamilyDoubt {
   speedsClose,   ///< two speeds so close that noise may be all their graphs differ by
   pressUneven,   ///< one half of the press was much faster than the other: the graph is not of one speed

@@ -47,7 +47,7 @@ struct LibraryArguments {
   bool json = false, pages = false;
 };
 
-/// How many of a figure's unit inside make one of the word's; empty for another unit's word.
+/// Number of a figure's unit inside that make one of the word's; empty for another unit's word.
 std::optional<double> factorOf(std::string_view unit, FigureUnit figure) {
   switch (figure) {
     case FigureUnit::mm:
@@ -157,7 +157,7 @@ CLI::App* addIndex(CLI::App& app, LibraryArguments& a) {
   return index;
 }
 
-/// What `find` and `report` share.
+/// Options that `find` and `report` share.
 CLI::Option* addSearch(CLI::App* find, LibraryArguments& a) {
   find->add_option("--db", a.find.database, "the library's file")->required();
   CLI::Option* const like =
@@ -231,7 +231,7 @@ KeyFigures sigmasFrom(const Json& json) {
   return sigmas;
 }
 
-/// What a child hands back of a page: its buttons, or why there are none.
+/// A child's result for a page: its buttons, or the reason why there are none.
 std::string pageLine(const std::string& path) {
   const auto buttons = readPageButtons(path, Quality::standard);
   Json line;
@@ -309,7 +309,7 @@ std::string cell(const std::optional<double>& value, double unit, const char* fo
   return text;
 }
 
-/// What a person should know of a row beside its figures.
+/// Remarks on a row beside its figures.
 std::string remarksOf(const FoundSwitch& each) {
   std::string words;
   if (each.spread.records > 1)
@@ -345,7 +345,7 @@ void printTable(const std::vector<FoundSwitch>& found) {
   }
 }
 
-/// What was asked for; its errors only where they are told.
+/// The reference switch; its errors only if they are reported.
 Result<LibrarySwitch> switchLike(const LibraryArguments& a, bool errors) {
   if (!isLibraryFile(a.like))
     return Failure{

@@ -16,7 +16,7 @@
 
 namespace detent::importer {
 
-/// How the sheet lies, from the least to the most that lines can tell.
+/// Shape of the sheet, from the simplest to the most complex that lines can determine.
 enum class SheetShape {
   asRead,  ///< the calibration explains the lines
   tilted,  ///< another perspective
@@ -49,9 +49,9 @@ struct RefinedAxes {
   SheetCovariance covariance{};  ///< 0 where nothing was free
 };
 
-/// Empty where the lines cannot tell: fewer than two lines of known value, or two seen along their course, on
-/// either axis; no picture; cancelled. A twist is looked for only where three lines are seen along their
-/// course on both axes. Deterministic. Any thread.
+/// Empty if the lines do not determine it: fewer than two lines of known value, or two seen along their
+/// length, on either axis; no picture; cancelled. A twist is fitted only if three lines are seen along their
+/// length on both axes. Deterministic. Any thread.
 std::optional<RefinedAxes> refineAxes(const PageView& view, const PlotFrame& frame,
                                       const AxisCalibration& calibration, const Progress& progress = {});
 

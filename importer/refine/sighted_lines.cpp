@@ -47,7 +47,8 @@ struct AxisView {
 double acrossOf(Point p, bool ofForce) { return ofForce ? p.y : p.x; }
 double alongOf(Point p, bool ofForce) { return ofForce ? p.x : p.y; }
 
-/// Centroid of the ridge about a crest, above the line between its feet; empty where it is none or too thick.
+/// Centroid of the ridge about a crest, above the line between its ends; empty if there is none or it is too
+/// thick.
 std::optional<double> centreOf(const std::vector<double>& profile, int crest) {
   const auto at = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
   const int n = static_cast<int>(profile.size());

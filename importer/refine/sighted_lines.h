@@ -13,10 +13,9 @@ namespace detent::importer {
 
 /// One line of equal displacement or equal force, as drawn.
 struct SightedLine {
-  bool ofForce = false;  ///< a level line; else one of equal displacement
-  double about = 0;      ///< mm or N by the calibration it was looked for with
-  std::optional<double>
-      value;  ///< mm or N, where a label or the person's word tells; else only known to be one value
+  bool ofForce = false;         ///< a level line; else one of equal displacement
+  double about = 0;             ///< mm or N by the calibration it was looked for with
+  std::optional<double> value;  ///< mm or N, if a label or the user gives it; else only known to be one value
   std::vector<Point> points_px;  ///< view pixels, sub-pixel across the line, in order along it; 1 for a tick
 };
 

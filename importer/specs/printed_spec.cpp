@@ -335,7 +335,7 @@ std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {
     const auto named = quantityNamedIn(row);
     if (!named) continue;
     const auto factor = factorIn(row, named->quantity);
-    // What stands before the name is the row's number, unless nothing stands after it.
+    // Text before the name is the row's number, unless there is none after it.
     if (!factor) continue;
     auto variants = variantsIn(row.substr(named->end), named->quantity, *factor);
     if (variants.empty()) variants = variantsIn(row, named->quantity, *factor);

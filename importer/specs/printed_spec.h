@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the page says in words: "Pressure point force 55 ± 25 cN", "Pretravel 2 ± 0.6 mm", "总行程 4.0±0.4
-// mm". Read from the document's own text, then held against the imported graph.
+// Values that the page prints in words: "Pressure point force 55 ± 25 cN", "Pretravel 2 ± 0.6 mm", "总行程
+// 4.0±0.4 mm". Read from the document's own text, then compared with the imported graph.
 
 #include <optional>
 #include <string>

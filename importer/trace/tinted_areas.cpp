@@ -140,7 +140,7 @@ class TintedAreas {
 
   /// Returns true if lines cover at least half of an area's length, over it or beside it.
   bool hasLines(const cv::Mat& area, const cv::Rect& box, Color3 tint) const {
-    constexpr double leastOfLength = 0.5;  // of the longer side of an area, px of ink per px
+    constexpr double leastOfLength = 0.5;  // of the longer side of an area, px of the line per px
     constexpr int beside_px = 6;
     const cv::Rect around =
         ((box + cv::Size(2 * beside_px, 2 * beside_px)) - cv::Point(beside_px, beside_px)) &
