@@ -58,9 +58,8 @@ Failure unmovedOn(const std::string& port) {
               "take the finger off, and try again")};
 }
 
-/// Pushes the handle a little (realtime/direction_proof.h) before a device is given a law that it then runs
-/// by itself, as slowly as the link needs. Measures the link. Failure deviceTrouble where the handle goes the
-/// wrong way or does not follow.
+/// Pushes the handle a little (realtime/direction_proof.h) before a device is given a law that it then runs by itself, as slowly as the
+/// link needs. Measures the link. Failure deviceTrouble where the handle goes the wrong way or does not follow.
 Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& program, const std::string& port) {
   const double roundTrip_s = device.measureRoundTrip_s().value_or(0);
   if (!program.proof.present) return Done{};

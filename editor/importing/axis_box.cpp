@@ -14,7 +14,7 @@
 namespace detent::editor {
 namespace {
 
-// Text that cannot be read stays as typed, marked, with the reason beside it.
+// What cannot be read stays as typed, marked, with the reason beside it.
 void showRefusal(QLineEdit& edit, const QString& why) {
   QPalette colors = edit.palette();
   colors.setColor(QPalette::Text, why.isEmpty() ? edit.parentWidget()->palette().color(QPalette::Text)
@@ -148,7 +148,7 @@ void AxisBox::takeEnd(bool isMax) {
   const AxisQuantity asked = axisQuantity(axis_, unit_->currentText().toStdString());
   if (!value.value && takeWithUnit(*edit, isMax)) return;
   showRefusal(*edit, value.value ? QString() : refusalOf(value, asked.quantity, asked.units));
-  if (!value.value) return;  // as typed, so that it can be corrected
+  if (!value.value) return;  // as typed, so that it can be mended
   edit->setModified(false);
   setEnd(isMax, value.shown, other.value ? std::optional(other.shown) : std::nullopt, {});
 }

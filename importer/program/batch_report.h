@@ -12,17 +12,16 @@
 
 namespace detent::importer {
 
-/// Digest of what a result depends on: the input's bytes, the options and the version of the program. Empty
-/// where the input cannot be read: such an input is never done.
+/// Digest of what a result depends on: the input's bytes, the options and the version of the program. Empty where the input cannot be
+/// read: such an input is never done.
 std::string resultKey(const std::string& input, const std::string& options);
 
-/// `report.jsonl` of a folder, one line per graph, and `report.done` beside it, which names an input with its
-/// key once all of its lines are complete: what a killed batch left half is dropped by the next one and made
-/// anew. One thread.
+/// `report.jsonl` of a folder, one line per graph, and `report.done` beside it, which names an input with its key once all of its lines are
+/// complete: what a killed batch left half is dropped by the next one and made anew. One thread.
 class BatchReport {
  public:
-  /// An empty report, or with `resume` the one that is there, cut down to those of `inputs` whose key is the
-  /// one of now. Failure wrongUsage: the folder cannot be written to.
+  /// An empty report, or with `resume` the one that is there, cut down to those of `inputs` whose key is the one of now.
+  /// Failure wrongUsage: the folder cannot be written to.
   static Result<BatchReport> open(const std::string& folder, const std::vector<std::string>& inputs,
                                   const std::string& options, bool resume);
 
@@ -34,8 +33,7 @@ class BatchReport {
   /// and no part of its lines stays. Nothing can be added after that.
   Result<Done> add(const std::string& input, const std::string& key, const std::string& lines);
 
-  /// Puts the lines in the order of `inputs`, where kept ones stand before those that were added. Nothing can
-  /// be added after that.
+  /// Puts the lines in the order of `inputs`, where kept ones stand before those that were added. Nothing can be added after that.
   Result<Done> sortAs(const std::vector<std::string>& inputs);
 
  private:

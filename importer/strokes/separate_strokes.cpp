@@ -414,9 +414,8 @@ double sharedShape(const StrokePoints& first, const StrokePoints& second) {
 /// Two presses, of two samples or states: the one is the other scaled, as no friction makes a release, and
 /// the loop stays open.
 bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double open =
-      0.015;  // of pairs that are shaped alike 0.007 at most, as a bottom-out in steps more
-  constexpr double alike = 0.9;  // of pairs that stay open 0.84 at most
+  constexpr double open = 0.015;  // pairs of one shape: at most 0.007, with a stepped bottom-out more
+  constexpr double alike = 0.9;   // of pairs that stay open 0.84 at most
   return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
 }
 

@@ -10,15 +10,13 @@ namespace detent::playback {
 
 namespace {
 
-// The relay's force grows so fast until the handle has gone so far, then by so much: what moves it at all
-// hardly does.
+// The relay's force grows so fast until the handle has gone so far, then by so much: what moves it at all hardly does.
 constexpr double growth_N_per_s = 0.8, movedBy_mm = 0.3, moreThanFriction = 3, least_N = 0.25;
 // Against the push it needs less to be sure.
 constexpr double opposedBy_mm = 0.05, opposedSteps = 4;
 // Speeds between the slowest and the fastest, in an order that mixes them.
 constexpr std::array<double, 5> speedShares{0.0, 1.0, 0.4, 0.1, 0.7};
-// A weak spring of this frequency keeps the chirp in the middle; it leads by this, so that its own lateness
-// makes nothing swing.
+// A weak spring of this frequency keeps the chirp in the middle; it leads by this, so that its own lateness makes nothing swing.
 constexpr double keeping_Hz = 3, keepingLead_s = 0.08;
 constexpr double moreThanFrictionShaking = 3, fadeIn_s = 0.4;
 // Beyond this share of the half way it takes more force to turn, or less speed.
@@ -65,8 +63,7 @@ void TestForces::keepInside(double beyond_mm) {
   }
 }
 
-// Accelerates up to the speed of this turn, coasts, and turns behind the half way; where friction has slowed
-// it, it is pushed again.
+// Accelerates up to the speed of this turn, coasts, and turns behind the half way; where friction has slowed it, it is pushed again.
 double TestForces::relay_N(double position_mm, double velocity_mm_per_s) {
   const double strength_N = throwing_N(position_mm);
   const double seen_mm = position_mm + velocity_mm_per_s * excitation_.lead_s;

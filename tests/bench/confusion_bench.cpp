@@ -82,7 +82,7 @@ void printSimple(const std::vector<PredictedPair>& pairs) {
   line("number of grains alone", grains);
 }
 
-/// How far d' from what a button was moves at once when its strongest force grows by 1 mN at a time.
+/// Change of d' between two buttons when the strongest force of one grows by 1 mN at a time.
 void printSteps() {
   std::printf("largest step of d' by 1 mN, 60 in a row:");
   for (const char name : names) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How often the truth lay within a stated error, with the counting's own interval.
+// Share of truths within a stated error, with the interval of the count.
 
 #include <algorithm>
 #include <cmath>

@@ -80,7 +80,7 @@ struct Figures {
   double p50_ms = 0, p99_ms = 0, max_ms = 0;
 };
 
-// Wall time is what a person waits; processor time is what is left of it on a busy machine.
+// Elapsed time is the waiting time of a person; processor time is meaningful on a busy machine too.
 struct Times {
   std::vector<double> wall_ms, processor_ms;
 };

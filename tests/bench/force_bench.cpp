@@ -55,8 +55,8 @@ class PaperLaw {
   bool pressing_ = true;
 };
 
-// Another program that runs in between makes any step look long. The steps are the same in every pass: the
-// least of a step's times is its own.
+// Another program that runs in between lengthens any step. The steps are the same in every pass: the least
+// time of a step is its own.
 void stepTimes() {
   constexpr std::size_t steps = 10000000;
   constexpr int passes = 5;
@@ -193,7 +193,7 @@ void velocities() {
   }
 }
 
-/// What random presses of one pair of device and sample brought.
+/// Results of random presses of one pair of device and sample.
 struct EnergyFigures {
   double finger_mJ = 0, motor_mJ = 0, most_mJ = 0, worstShare = 0, fastest_mm_per_s = 0;
   std::uint64_t frozen = 0, absurd = 0, faded = 0;

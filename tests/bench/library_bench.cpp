@@ -112,7 +112,7 @@ double medianOf(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// What one set of weights makes of one pair; medians over the pair's records.
+/// Result of one set of weights for one pair; medians over the pair's records.
 struct Outcome {
   double rank = 0, distance_gf = 0, logChance = 0;
 };
@@ -256,7 +256,7 @@ std::string rowOf(const char* name, const Outcomes& outcomes) {
 
 bool isOpenSwitch(const LibrarySwitch& each) { return each.source.ends_with(".ods"); }
 
-/// How long 5,000 comparisons take.
+/// Time of 5,000 comparisons.
 double search_ms(const std::vector<LibrarySwitch>& all) {
   constexpr int asked = 5000;
   const auto begin = std::chrono::steady_clock::now();

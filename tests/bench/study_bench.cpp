@@ -109,7 +109,7 @@ ThresholdEstimate asked(const Observer& o, std::size_t trials, StudyRandom& rand
   return quest.estimate();
 }
 
-/// How often the threshold lies within, and how far the estimate is off in the middle case.
+/// Share of thresholds within the interval, and error of the estimate in the middle case.
 void thresholdRow(const char* observers, std::size_t trials, std::size_t count, StudyRandom& random,
                   const std::function<Observer(StudyRandom&)>& drawn) {
   Count within{0, count};

@@ -37,7 +37,7 @@ namespace {
 std::atomic<double> force_N{0};
 
 /// One line of docs/reference/serial-protocol.md: a sensor whose conductance rises with the force, 10 kOhm to
-/// ground, one count of noise.
+/// 0 V, one count of noise.
 std::string readingAt(std::uint32_t time_us) {
   static std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 0.5);

@@ -174,7 +174,7 @@ class Monkey {
     std::shuffle(several.begin(), several.end(), random_);
     rig_.canvas().setSelection(several);
   }
-  // What was copied or cut before, often; sometimes what another program left in the clipboard.
+  // Pastes an earlier copy, often; sometimes the clipboard of another program.
   void paste() {
     static const QString texts[] = {"", "words", textOf({{{1, 0.4, 0, 0}, {1.2, 0.5, 0, 0}}, {}}),
                                     textOf({{{-7, 0.4, 0, 0}}, {{90, 0.5, 0, 0}}}),

@@ -234,7 +234,7 @@ TEST_CASE("any points and any options are fitted or refused by name") {
 }
 
 TEST_CASE("three wild samples of a line give no tactile point") {
-  // As large as the stroke's own force they look like a spike: the curve followed one of them in 2 logs of
+  // As large as the stroke's own force they resemble a spike: the curve followed one of them in 2 logs of
   // 100.
   std::vector<CurvePoint> points;
   for (int i = 0; i <= 200; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the targets that read whole graphs do with a document.
+// Reads whole graphs of a document, for the targets that do so.
 
 #include <vector>
 

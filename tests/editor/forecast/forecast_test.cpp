@@ -51,8 +51,8 @@ struct SourceRig {
 
 }  // namespace
 
-/// Posts its click when the button becomes enabled, so that the click stands in the queue before any answer
-/// can: a loaded machine may have answered before anybody looks.
+/// Posts its click when the button becomes enabled, so that the click is in the queue before any answer: a
+/// loaded machine may have answered before the next poll.
 class ClickOnceEnabled : public QObject {
  public:
   explicit ClickOnceEnabled(QPushButton* button) : button_(button) { button->installEventFilter(this); }

@@ -501,8 +501,7 @@ void ImportDialogTest::whileAGraphIsReadNothingSaysThereIsNone() {
   QVERIFY(!saidWhileRead);
 }
 
-// Every sheet that comes with Detent is shown, whatever the case of its ending; buttons, which the text does
-// not name, are not.
+// Every sheet that comes with Detent is shown, whatever the case of its ending; buttons, which the text does not name, are not.
 void ImportDialogTest::theImportsFilterShowsWhatItPromises() {
   const QString filter = importFilters().front();
   const QString patterns = filter.section('(', -1).section(')', 0, 0);
@@ -798,8 +797,8 @@ void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
   QCOMPARE(state.tickedCount(), 0);
 }
 
-// Clicks along the curve, a few pixels beside it: the ink pulls, and what comes out is what is printed. Over
-// a part of a stroke it replaces that part.
+// Clicks along the curve, a few pixels beside it: the ink pulls, and what comes out is what is printed. Over a
+// part of a stroke it replaces that part.
 void ImportDialogTest::aCurveIsDrawnByHand() {
   ShownView view;
   ImportState& state = view.state();
@@ -844,8 +843,7 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
                    press.end_mm()) < 0.02 * length);
 }
 
-// A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is
-// ended.
+// A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is ended.
 void ImportDialogTest::thePageLiesStillUnderAGesture() {
   ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));
@@ -867,8 +865,7 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
   QVERIFY(QLineF(onDialog(), before).length() > 1);  // fits its new room
 }
 
-// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old
-// value.
+// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old value.
 void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   ViewSettings settings;
   ImportState state;

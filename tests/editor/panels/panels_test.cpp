@@ -34,7 +34,7 @@ OperationDialog* opened(WorkspaceRig& rig, const char* action) {
   return dialog;
 }
 
-// What OK gives; the dialog is gone afterwards.
+// Result of OK; the dialog is gone afterwards.
 void accept(OperationDialog* dialog) {
   dialog->accept();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -341,8 +341,7 @@ void PanelsTest::sectionEndsAndSlopesAreTyped() {
   QVERIFY(!(model.flags(cell(model, reset, ValuesModel::force)) & Qt::ItemIsEditable));
 }
 
-// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden
-// table seemed to have.
+// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden table seemed to have.
 void PanelsTest::namesTakeWhatTheNumbersLeave() {
   WorkspaceRig rig(require(twoLevelButton()));
   QWidget dock;

@@ -156,7 +156,7 @@ TEST_CASE("a graph that lies on its side says how it stands up") {
   PlotStyle s;
   cv::Mat upright = drawn(s), lying;
   const bool clockwise = GENERATE(true, false);
-  const bool touching = GENERATE(false, true);  // digits of a number, which look upright as it lies
+  const bool touching = GENERATE(false, true);  // digits of a number, which appear upright as it lies
   if (touching)
     for (cv::Mat numbers : {upright.colRange(0, static_cast<int>(s.left) - 2),
                             upright.rowRange(static_cast<int>(s.bottom) + 3, upright.rows)})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines that pass straight through each other, told from lines that touch and part again.
+// Lines that pass straight through each other, separated from lines that touch and part again.
 
 #include "importer/trace/loop_crossing.h"
 

@@ -151,7 +151,7 @@ std::vector<double> numbersIn(const std::string& text) {
   return numbers;
 }
 
-/// What stands between the first `from` at or behind `begin` and the next `to`; empty where it does not.
+/// Text between the first `from` at or behind `begin` and the next `to`; empty if there is none.
 std::string between(const std::string& text, const std::string& from, const std::string& to,
                     std::size_t begin = 0) {
   const std::size_t at = text.find(from, begin);

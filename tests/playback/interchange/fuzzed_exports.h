@@ -26,7 +26,7 @@ struct FuzzedExport {
 };
 FuzzedExport fuzzedExport(std::uint64_t seed);
 
-/// What became of it.
+/// Result of an export.
 struct ExportVerdict {
   std::string refusal;                  ///< the sentence; empty where files were written
   std::vector<std::string> violations;  ///< limits that a file passes

@@ -158,7 +158,7 @@ TEST_CASE("confusion: a button whose forces grow by a millinewton at a time move
       REQUIRE(more);
       const double dPrime = stepsApart(was, felt(*more));
       CHECK(std::fabs(dPrime - before) <=
-            0.07);  // asked 0.02: docs/develop/decisions/1202-forecast-of-confusion.md
+            0.07);  // required 0.02: docs/develop/decisions/1202-forecast-of-confusion.md
       before = dPrime;
     }
   }
