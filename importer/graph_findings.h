@@ -20,7 +20,7 @@ struct FittedStrokes {
   std::optional<FittedStroke> release;
 };
 
-/// Everything the steps before gave for one graph.
+/// Results of the previous steps for one graph.
 struct GraphFindings {
   const LocatedGraph& graph;
   const std::vector<CurveTrace>& traces;

@@ -66,7 +66,7 @@ inline constexpr double confidenceBar = 0.5;
 
 /// Wall-clock time that the imports of one input may take together.
 struct TimeLimit {
-  /// From now on; ends after a share of itself where something is left to do with what was read.
+  /// Starts now; ends after a share of the limit if work on the results remains.
   explicit TimeLimit(double limit_s, double share = 1)
       : seconds(limit_s),
         end(std::chrono::steady_clock::now() +
@@ -78,7 +78,7 @@ struct TimeLimit {
   std::chrono::steady_clock::time_point end;
 };
 
-/// Which graph, how carefully, and what is already settled.
+/// The graph to import, the quality, and the given hints.
 struct ImportRequest {
   std::string path;
   std::optional<int> page;   ///< from 1
@@ -90,7 +90,8 @@ struct ImportRequest {
   /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not
   /// as a Failure.
   bool acceptDoubt = false;
-  /// Once it has passed what was read so far is taken, with a remark; where nothing was, unreadableInput.
+  /// After this limit the results so far are taken, with a remark; without any, the failure is
+  /// unreadableInput.
   std::optional<TimeLimit> timeLimit;
 };
 
@@ -192,7 +193,7 @@ struct ImportAttempt {
   /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no
   /// frame was found and for force logs.
   std::shared_ptr<const GraphEvidence> evidence;
-  /// Of a force log that is not certain: what its readings differ in. Each choice was tried and leads to an
+  /// For an uncertain force log: the difference of its readings. Each choice was tried and leads to an
   /// accepted result.
   std::optional<Question> question = {};
   std::vector<ExplainedInterpretation> interpretations = {};  ///< of a force log, the best three
@@ -213,7 +214,7 @@ class ImportSession {
   bool isForceLog() const;
   /// Valid until the next call of any function: the pages used last are kept.
   Result<const Page*> page(int number, const Progress& progress = {});
-  /// Of a force log: its records, for choosing one by StrokeHints::curve.
+  /// Records of a force log, for choosing one by StrokeHints::curve.
   Result<std::vector<ListedRecord>> records(const ImportHints& hints = {}, const Progress& progress = {});
   /// Graphs of one page, or of all without a number.
   Result<GraphList> list(std::optional<int> page = {}, Quality quality = Quality::standard,

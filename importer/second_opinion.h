@@ -27,7 +27,8 @@ struct PageReading {
 /// them, and if nothing like a graph was found there is no other reading.
 bool anotherMaySettle(const ImportAttempt& attempt);
 
-/// Both read the same button: units and strokes agree within what copies of one graph differ by.
+/// Returns true if both read the same button: units and strokes agree within the difference of copies of one
+/// graph.
 bool sameButton(const ImportReport& a, const ImportReport& b);
 
 /// Combines readings of one graph; any may have failed. A first one that is certain stands; if the second one

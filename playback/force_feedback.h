@@ -32,7 +32,7 @@ namespace detent::playback {
 
 enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
 
-/// Which device, as the command line and Setup name it: "sim", "sim:falcon", "sim:rig", "serial:PORT",
+/// A device by its name on the command line and in Setup: "sim", "sim:falcon", "sim:rig", "serial:PORT",
 /// "odrive:PORT", "falcon", "falcon:N".
 struct ForceDeviceChoice {
   ForceDeviceKind kind = ForceDeviceKind::simulated;
@@ -145,7 +145,7 @@ class ForcePlayer {
   virtual void takeSteps(std::vector<ForceStep>& steps) = 0;
   virtual void stop() = 0;
 
-  /// No force within 15 ms, and none until `rearm`. Any thread; waits for nothing.
+  /// Removes the force within 15 ms, until `rearm`. Any thread; returns at once.
   virtual void emergencyStop() = 0;
   /// A person wants force again, after an emergency stop, a fault, or a place that was lost: it rises from
   /// nothing.

@@ -84,14 +84,15 @@ struct FittedForce {
   ForceLinkPace pace;
 };
 
-/// With so many digits: what was measured is said no finer.
+/// Rounds to this many digits, so that measured values are not shown finer than measured.
 double rounded(double value, int digits) {
   if (!(value > 0)) return value;
   const double unit = std::pow(10, std::floor(std::log10(value)) - (digits - 1));
   return std::round(value / unit) * unit;
 }
 
-/// Why no force is worth feeling: what the device bears, what the button needs, and what would carry it.
+/// The failure of a button for which no useful force is stable: the limit of the device, the need of the
+/// button, and the remedy.
 Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace, const MarginPoint& least,
                     double needed_N_per_mm) {
   const double allowed = rounded(least.allowed_N_per_mm, 2), needed = rounded(needed_N_per_mm, 2);

@@ -347,8 +347,8 @@ class Player : public LivePlayer {
     if (session_.send(Lane::control, command)) programs_.push_back(std::move(owedProgram_));
   }
 
-  /// Of a trace the speed is known beforehand: it is played on the program of that speed, as it is rendered.
-  /// True: `endSpeed` is due.
+  /// Plays a trace of known speed on the program of that speed, as it is rendered. Returns true if `endSpeed`
+  /// is due.
   bool playAtSpeedOf(const PressTrace& trace) {
     const std::lock_guard lock(controlMutex_);
     const std::lock_guard readingLock(readingMutex_);

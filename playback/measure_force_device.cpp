@@ -122,7 +122,7 @@ class Measuring {
 
   std::int64_t stepsOf(double seconds) const { return std::llround(seconds / program_->period_s); }
 
-  /// So many more steps; what came meanwhile of later ones too, if it is not the end.
+  /// Records this many more steps, and later ones that arrived meanwhile, unless it is the end.
   Result<Done> record(std::int64_t steps, bool end) {
     for (const std::int64_t until = seen_ + steps;;) {
       const ForceLoopStatus status = loop_->status();

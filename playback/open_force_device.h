@@ -22,7 +22,7 @@ Result<std::unique_ptr<ForceDevice>> openForceDevice(const ForceDeviceChoice& ch
 /// for `longestUnheard_s`.
 void watchOnly(ForceProgram& program, double longestUnheard_s);
 
-/// Of a period that the link decides, the answer comes in this share, the step and the next question in the
+/// If the link sets the period, the answer comes in this share of it, the step and the next question in the
 /// rest.
 inline constexpr double answerOfSlowPeriod = 0.8;
 /// Answers after `roundTrip_s` come too late for a loop of this period.

@@ -39,7 +39,7 @@
 
 namespace detent::playback {
 
-/// From a `.device` file to a profile; docs/reference/device-profile.md.
+/// Reads a `.device` file; docs/reference/device-profile.md.
 Result<DeviceProfile> loadDeviceProfile(const std::string& file);
 
 // ---- live
@@ -91,7 +91,8 @@ struct PlayerStatus {
       0;                    ///< from a block to the device's output, as the sound system says; 0: it does not
   bool deviceLost = false;  ///< gone just now; playing goes on when it is back
   std::uint64_t deviceLosses = 0;
-  /// Where the last reading led; a recorded trace's as the callback plays it, up to 20 ms late.
+  /// Force and displacement after the last reading; those of a recorded trace as the callback plays it, up to
+  /// 20 ms late.
   double force_N = 0, displacement_mm = 0;
   bool releasing = false, contact = false;
   int state = 0;  ///< of a self-locking button
@@ -176,7 +177,7 @@ class LivePlayer {
   virtual PlayerStatus status() = 0;
   /// Now, on the clock of takeClosings(). Any thread.
   virtual double clock_s() const = 0;
-  /// Everything felt since the last call, oldest first (at most a few thousand are kept).
+  /// Events since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;
   /// Presses since the last call, from any source.
   virtual PressCount takePresses() = 0;

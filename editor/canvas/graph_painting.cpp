@@ -372,7 +372,7 @@ void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scen
   }
 }
 
-/// Where a contact closes (press) or opens (release).
+/// A point at which a contact closes (press) or opens (release).
 struct Contact {
   Stroke stroke;
   QPointF at_px;

@@ -196,7 +196,7 @@ QLayout* FeelPanel::choiceRow() {
   return row;
 }
 
-/// Which press is drawn and played.
+/// Row with the choice of the press that is drawn and played.
 QLayout* FeelPanel::pressRow() {
   auto* row = bare(new QHBoxLayout, 4);
   auto* group = new QButtonGroup(this);
@@ -315,7 +315,7 @@ void FeelPanel::showPair() {
   writeNames();
 }
 
-/// As much of the names as there is room for.
+/// Writes as much of the names as there is room for.
 void FeelPanel::writeNames() {
   for (const FeelSide side : sides) {
     QToolButton* choice = choices_[static_cast<std::size_t>(side)];
@@ -382,7 +382,7 @@ void FeelPanel::showReference() {
   writeNames();
 }
 
-/// Both signals to one scale, as long as one of them is not lost beside the other.
+/// Draws both signals on one scale, unless one of them would vanish beside the other.
 void FeelPanel::showScale() {
   const auto& press = session_.signal();
   const auto& reference = session_.reference();

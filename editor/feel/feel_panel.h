@@ -31,7 +31,7 @@ class FeelPanel : public QWidget {
   /// `settings` and `session` must outlive it.
   FeelPanel(ViewSettings& settings, FeelSession& session, QWidget* parent = nullptr);
 
-  /// From A to B and back (X), for menus and the list of shortcuts.
+  /// Exchanges A and B (X), for menus and the list of shortcuts.
   QAction* exchangeAction() const { return exchange_; }
 
   /// The session's choices and the panel's own.

@@ -25,7 +25,7 @@ enum class SoundState {
   failed  ///< it could not be opened; trouble() says why and what to do
 };
 
-/// Where force readings come from besides the pad.
+/// Source of force readings besides the pad.
 struct SensorPort {
   std::string port;  ///< "/dev/ttyACM0"; empty: none
   unsigned baud = 230400;
@@ -56,7 +56,7 @@ class FeelPlayer : public QObject {
 
   /// An empty port lets go. Kept over a change of the sound device, and while there is nothing to press.
   void setSensor(const SensorPort& sensor);
-  /// Why the sensor's port could not be opened, and what to do; empty where nothing is wrong.
+  /// The reason why the sensor's port could not be opened, and the remedy; empty if there is no trouble.
   const QString& sensorTrouble() const { return sensorTrouble_; }
 
   // The finger. False: nothing to press, or another finger holds it.
@@ -83,7 +83,7 @@ class FeelPlayer : public QObject {
   bool pressed() const { return pressed_; }
   const playback::PlayerStatus& status() const { return status_; }
   SoundState sound() const { return sound_; }
-  /// Why there is no sound, and what to do; empty where nothing is wrong.
+  /// The reason why there is no sound, and the remedy; empty if there is no trouble.
   const QString& trouble() const { return trouble_; }
 
  signals:

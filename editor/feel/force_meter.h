@@ -19,7 +19,7 @@ class ForceMeter : public QWidget {
 
   /// `limit_N` > 0: the device's largest force.
   void show(const playback::ForceStatus& status, const ForceEnergy& energy, double limit_N);
-  /// Nothing runs.
+  /// Shows that nothing runs.
   void setIdle();
 
   QSize sizeHint() const override;

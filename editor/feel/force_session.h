@@ -51,7 +51,7 @@ class ForceSession : public QObject {
   void setChoices(const ForceChoices& choices);
   const ForceChoices& choices() const { return choices_; }
   ButtonDocument* document() const { return document_; }
-  /// Of the chosen device; none where none is chosen or its name is not understood.
+  /// The chosen device; none if none is chosen or its name is not understood.
   const std::optional<playback::ForceDeviceChoice>& device() const { return device_; }
   bool simulated() const { return device_ && device_->kind == playback::ForceDeviceKind::simulated; }
 
@@ -59,7 +59,7 @@ class ForceSession : public QObject {
   void stop();
   ForceState state() const { return state_; }
   bool running() const { return state_ == ForceState::on || state_ == ForceState::lost; }
-  /// Why there is no force, and what to do; empty where nothing is wrong.
+  /// The reason why there is no force, and the remedy; empty if there is no trouble.
   const QString& trouble() const { return trouble_; }
   /// The running loop, for who follows its position on another thread; null where none runs.
   std::shared_ptr<const playback::ForcePlayer> player() const { return player_; }

@@ -134,7 +134,7 @@ void ForceSetup::take() {
   emit changed(choices_);
 }
 
-/// Only what the chosen device has.
+/// Shows the rows that the chosen device needs.
 void ForceSetup::showRows() {
   const QString chosen = kind();
   const bool simulated = chosen.startsWith("sim"), real = !chosen.isEmpty() && !simulated;

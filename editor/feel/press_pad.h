@@ -32,7 +32,7 @@ struct PadButton {
   std::optional<double> operating_mm, reset_mm;
 };
 
-/// Where it stands. Plain value.
+/// Position of the pad. Plain value.
 struct PadMotion {
   double displacement_mm = 0, force_N = 0;
   bool pressed = false, releasing = false, contact = false;

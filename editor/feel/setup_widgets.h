@@ -15,9 +15,9 @@ namespace detent::editor {
 QFormLayout* setupForm(QWidget* page);
 /// First size of a window, no larger than its screen with a frame.
 QSize onScreen(const QWidget& window, QSize wanted);
-/// For choices that are ours to word: as wide as the longest.
+/// Combo box for texts of Detent: as wide as the longest.
 QComboBox* comboBox(const QString& name, const QString& tip);
-/// For names of devices and ports, which may be of any length.
+/// Combo box for names of devices and ports, which may be of any length.
 QComboBox* comboBoxOfNames(const QString& name, const QString& tip);
 /// A small grey line below a field.
 QLabel* noteLabel(const QString& name);

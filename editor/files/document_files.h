@@ -41,8 +41,8 @@ QString buttonText(const Button& button);
 /// A new, unsaved document from such text; failures as readButtonFile.
 Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text);
 
-/// Where saving offers to put a document that has no path: its title as a safe file name, in `folder`, with
-/// a number where that name is taken.
+/// Path that saving offers for a document without one: its title as a safe file name, in `folder`, with a
+/// number if that name is taken.
 QString suggestedPath(const ButtonDocument& document, const QString& folder, const QString& ending);
 
 }  // namespace detent::editor

@@ -27,9 +27,9 @@ class FileWatch : public QObject {
   void forget(const QString& path);
 
  signals:
-  /// Its contents are others than known. Said once per content.
+  /// Emitted once if the file has contents other than the known ones.
   void changedOutside(const QString& path);
-  /// It was there and is not any more. Said once; coming back with other contents is a change.
+  /// Emitted once if the file vanished; a file that comes back with other contents is a change.
   void vanished(const QString& path);
 
  private:

@@ -21,7 +21,7 @@ Result<InputKind> inputKindOf(const QString& path);
 
 /// Filters of an open dialogue, first one: everything the editor can open.
 QStringList openFilters();
-/// Of a dialogue that asks for a sheet to import; first one: everything that can be.
+/// Filters of a dialogue for sheets to import; the first one: all files that can be imported.
 QStringList importFilters();
 
 }  // namespace detent::editor

@@ -64,9 +64,9 @@ class RecoveryStore : public QObject {
   /// where the picture lies; empty without one.
   QString keepPicture(const QImage& picture);
   void keepImport(const QByteArray& text);
-  /// It is finished, or given up.
+  /// Called when the import is finished or discarded.
   void dropImport();
-  /// Those of dead editors, as the last leftBehind() met them.
+  /// Imports of dead editors, as the last leftBehind() found them.
   const QList<LeftImport>& leftImports() const { return leftImports_; }
   void discard(const LeftImport& left);
 

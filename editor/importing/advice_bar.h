@@ -20,7 +20,7 @@ class AdviceBar : public QFrame {
 
   explicit AdviceBar(QWidget* parent = nullptr);
 
-  /// Nothing changes if it says this already.
+  /// Shows an advice; changes nothing if it is shown already.
   void say(Tone tone, const Advice& advice);
   void clear();
   QString text() const { return words_->text(); }

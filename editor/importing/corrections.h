@@ -43,7 +43,7 @@ struct MarkCorrection {
   friend bool operator==(const MarkCorrection&, const MarkCorrection&) = default;
 };
 
-/// Everything given by hand for one graph; a value that is not given is found. Plain value.
+/// The given values of one graph; a value that is not given is found. Plain value.
 struct Corrections {
   std::optional<FrameCorners> frame;
   AxisCorrection x, y;
@@ -69,8 +69,8 @@ struct AxisEnds {
   double min = 0, max = 0;
 };
 
-/// Where along an axis a place lies: 0 at the left/bottom edge, 1 at the right/top one, as the frame's
-/// perspective has it. Any finite place; corners must enclose an area (else nothing).
+/// Position of a point along an axis: 0 at the left/bottom edge, 1 at the right/top one, in the frame's
+/// perspective. Any finite point; corners must enclose an area (else empty).
 std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, importer::Point at);
 /// The place on the axis' edge with this share.
 importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);

@@ -31,7 +31,7 @@ struct DrawnStroke {
   QPolygonF fit, traced;
 };
 
-/// Everything of one answer in page units. Empty parts: it did not come so far.
+/// The parts of one answer in page units. Empty parts: the import did not come so far.
 struct DrawnResult {
   std::vector<DrawnTick> xTicks, yTicks;
   std::vector<QPointF> xLines, yLines;  ///< ends of gridlines and ticks on the axes, to snap to

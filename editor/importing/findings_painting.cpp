@@ -27,7 +27,7 @@ QPointF toWidget(const FindingsPicture& picture, importer::Point p) {
   return picture.pageToWidget.map(QPointF(p.x, p.y));
 }
 
-/// Where a text drawn with its left end at `at` has its plate.
+/// Background plate of a text drawn with its left end at `at`.
 QRectF plateAt(QPointF at, QSizeF text) {
   return {at.x() - 3, at.y() - 0.5 * text.height() - 1, text.width() + 6, text.height() + 2};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Found and given values, step by step, with fields to correct them.
+// What was found and what was given, step by step, with fields to correct it.
 
 #include <QCheckBox>
 #include <QLabel>
@@ -17,8 +17,8 @@
 
 namespace detent::editor {
 
-/// Certainty of the import, and a box for each thing that can be corrected: every change is a labelled step
-/// of the current graph, each given value has a button that restores the found one. GUI thread.
+/// How sure the import is, and a box for each thing that can be corrected: every change is a labelled step of the
+/// current graph, each given value has a button that goes back to what was found. GUI thread.
 class FindingsPanel : public QScrollArea {
   Q_OBJECT
 
@@ -30,13 +30,12 @@ class FindingsPanel : public QScrollArea {
   void focusField(GraphAxis axis);
   void focusUnit(GraphAxis axis);
   void focusDpi();
-  /// Returns true if all typed texts can be read. Otherwise puts the keyboard focus on the first such field,
-  /// which states the reason.
+  /// Whether all that is typed can be read. Where not, puts the keyboard on the first such field, which says why.
   bool acceptable();
 
  signals:
   void toolAsked(PageToolKind kind);
-  /// The present text needs more room than before to be visible without scrolling sideways.
+  /// What is said now needs more room than before to be seen without scrolling sideways.
   void widthWanted(int width_px);
 
  protected:

@@ -31,7 +31,8 @@ class ImportDesk : public QObject {
 
   /// Queued after what is as urgent. The answer comes as `answered`, unless the ticket is forgotten.
   Ticket ask(Query query, Urgency urgency);
-  /// Its answer is not wanted any more: stops it if it runs. Unknown tickets and 0 are ignored.
+  /// Drops a query whose answer is not wanted any more, and stops it if it runs. Unknown tickets and 0 are
+  /// ignored.
   void forget(Ticket ticket);
   void forgetAll();
   /// Queued or running.

@@ -93,8 +93,8 @@ Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
   return advice;
 }
 
-/// Where a plot shows several switches. It stays when one of them was chosen: others may be wanted too, and
-/// the list does not move away under the hand.
+/// Advice on a plot with several switches. It stays when one of them was chosen: others may be wanted too,
+/// and the list does not move away under the hand.
 Advice adviceOnSwitches(const ImportGraph& graph) {
   return {QObject::tr("This plot shows %1 switches.").arg(graph.switches().size()),
           QObject::tr(

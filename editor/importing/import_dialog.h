@@ -28,7 +28,7 @@ class ImportDialog : public QDialog {
   void openFile(const QString& path);
   /// A pasted image.
   void openPicture(const QImage& picture);
-  /// As it was when it was interrupted.
+  /// Continues an interrupted import.
   void continueDraft(const ImportDraft& draft);
   ImportDraft draft() const;
   /// Null unless a picture was pasted.
@@ -40,7 +40,7 @@ class ImportDialog : public QDialog {
   void done(int result) override;
 
  signals:
-  /// Once per accepted graph. Shared and never changed.
+  /// Emitted once per accepted graph. Shared and never changed.
   void imported(std::shared_ptr<const importer::ImportReport> report);
   /// This file could be read.
   void opened(const QString& path);

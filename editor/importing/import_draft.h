@@ -26,7 +26,7 @@ struct ImportDraft {
   importer::Quality quality = importer::Quality::standard;
   std::optional<GraphId> current;
   std::vector<DraftGraph> graphs;  ///< those with corrections
-  /// Nothing would be lost with it.
+  /// Returns true if nothing would be lost with it.
   bool empty() const { return graphs.empty(); }
   friend bool operator==(const ImportDraft&, const ImportDraft&) = default;
 };

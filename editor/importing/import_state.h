@@ -72,7 +72,7 @@ struct ImportGraph {
   bool framedByHand() const { return history.now().frame.has_value(); }
   /// Corners in force, page units: given, else found; nothing before either is known.
   std::optional<FrameCorners> corners() const;
-  /// Of the newest results, or of those let go; nothing before the first.
+  /// Brief of the newest results, or of released ones; empty before the first.
   std::optional<ResultBrief> brief() const;
   /// Keeps the brief only; the result is requested again when it is shown.
   void letResultGo();
@@ -87,7 +87,7 @@ class ImportState : public QObject {
  public:
   explicit ImportState(QObject* parent = nullptr);
 
-  /// Both drop what was open.
+  /// Opens a file; like openPicture it closes the previous one.
   void openFile(const QString& path);
   void openPicture(const QImage& picture);
   /// Opens the sheet of a draft again and gives its graphs the corrections they had, as they are found.
@@ -144,7 +144,7 @@ class ImportState : public QObject {
   bool working() const;
   /// Stops the running import; the last good result stays.
   void cancel();
-  /// Nothing is worked on any more; what is known stays.
+  /// Stops all work; known results stay.
   void stopAll();
 
   /// Gives out the ticked graphs and switches (without any, the current graph), each by `accepted` when its
@@ -221,7 +221,7 @@ struct ExtendedFrame {
   FrameCorners corners;
   double value = 0;  ///< the number at its new end, in the axis' unit
 };
-/// Nothing where no number stands clearly outside at the right or upper end.
+/// The frame extended to tick labels; empty if none is clearly outside at the right or upper end.
 std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::GraphEvidence& evidence);
 
 }  // namespace detent::editor

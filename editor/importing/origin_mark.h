@@ -21,9 +21,9 @@ class OriginMark : public QWidget {
   OriginMark(ImportState& state, const QString& name, const QString& label,
              std::function<void(Corrections&)> reset, QWidget* parent = nullptr);
 
-  /// Without a confidence nothing is said of what was found.
+  /// Shows the origin; without a confidence nothing is shown of a found value.
   void setOrigin(bool given, std::optional<double> confidence = {});
-  /// Where what was found needs other words.
+  /// Sets other words for a found value.
   void say(const QString& words) { words_->setText(words); }
   void setResettable(bool resettable) { reset_->setVisible(resettable); }
 

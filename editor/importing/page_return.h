@@ -36,12 +36,12 @@ class PageReturn : public QObject {
 
   /// Traces the document's sheet when somebody wants the points.
   void attend(ButtonDocument& document);
-  /// Where a sheet was imported from.
+  /// Remembers the path that a sheet was imported from.
   void remember(const Provenance& provenance, const QString& path);
   /// Searches beside the button's file and at the sheet's last location; else shows the page that the file
   /// keeps. Nothing for buttons that came from no sheet, and for those that have their page.
   void bringBack(ButtonDocument& document);
-  /// From a file that a person chose.
+  /// Brings the page back from a file that a person chose.
   void bringBackFrom(ButtonDocument& document, const QString& path);
 
  signals:
@@ -69,7 +69,7 @@ class PageReturn : public QObject {
   void start(ButtonDocument& document, const QStringList& places, bool traced,
              std::function<void(ButtonDocument&, const Answer&)> take);
   QString lastPlaceOf(const Button& button) const;
-  /// Where the sheet is not: the page that the button's file keeps, if it keeps one.
+  /// Shows the page that the button's file keeps, if the sheet is missing.
   static void showKept(ButtonDocument& document);
   void take(ButtonDocument& document, const Answer& answer, bool chosen);
 

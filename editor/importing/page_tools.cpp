@@ -191,7 +191,7 @@ bool isSameGraph(const FrameCorners& a, const FrameCorners& b) {
          leastShare * std::min(x.width() * x.height(), y.width() * y.height());
 }
 
-/// Where on the page a hand's edge of a frame meets a drawn line.
+/// Snaps an edge of a frame that is drawn by hand to a drawn line of the page.
 class LineSnap {
  public:
   explicit LineSnap(PageView& view)

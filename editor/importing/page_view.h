@@ -72,9 +72,9 @@ class PageView : public QWidget {
   void askOrigin(importer::Point at);
   /// Says something about what was tried, where the tool's hint stands.
   void say(const QString& sentence) { emit hint(sentence); }
-  /// Where a glass shows the page enlarged; nothing hides it.
+  /// Position of the magnifier; nullopt hides it.
   void setMagnifier(std::optional<QPointF> widget);
-  /// As Enter in the value field that is open on the page; false if it cannot be read and stays open.
+  /// Accepts the open value field on the page, as Enter does; false if it cannot be read and stays open.
   bool takeEditor();
 
  signals:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int forecastDelay_ms = 250;
 
-/// No item is wider than the list: long names are broken or get an ellipsis.
+/// Draws items no wider than the list: long names are broken or get an ellipsis.
 class PictureDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

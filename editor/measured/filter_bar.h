@@ -23,7 +23,7 @@ class FilterBar : public QWidget {
  public:
   explicit FilterBar(const DisplayUnits& units, QWidget* parent = nullptr);
 
-  /// As it stands there; ends that cannot be read are left open, and marked.
+  /// The filter as typed; ends that cannot be read are left open, and marked.
   SwitchFilter filter() const;
   /// From now on numbers typed without a unit are in these.
   void setUnits(const DisplayUnits& units);

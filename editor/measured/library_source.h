@@ -47,7 +47,7 @@ class LibrarySource : public QObject {
  private:
   void loadHere(const QString& database);  // worker thread
   void indexHere(LibraryRequest request);  // worker thread
-  /// On the worker's own thread, page by page, as the import window reads them.
+  /// Reader of pages on the worker's own thread, page by page, as in the import window.
   importer::PageReader pageReader();
   void run(std::function<void()> work);
 

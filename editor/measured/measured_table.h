@@ -49,15 +49,15 @@ class MeasuredTable : public QAbstractTableModel {
   void rankBy(const std::optional<importer::FeltShape>& like);
   /// Forecast of one switch, in a few words.
   void setForecast(SwitchIndex of, const QString& words);
-  /// By a column; -1: the nearest first, or by name. What has no value comes last in either order.
+  /// Sorts by a column; -1: the nearest first, or by name. Missing values come last in either order.
   void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
 
   const std::vector<importer::LibrarySwitch>& switches() const;
   const importer::FeelMap& map() const;
-  /// Of the rows, from the top.
+  /// Switches of the rows, from the top.
   const std::vector<SwitchIndex>& shown() const { return shown_; }
   std::optional<double> distanceOf(SwitchIndex of) const;
-  /// Of all records of that switch by its laboratory.
+  /// Spread of all records of that switch by its laboratory.
   importer::SwitchSpread spreadOf(SwitchIndex of) const;
   /// Ratings of a switch of that name.
   std::vector<importer::Rating> ratingsOf(SwitchIndex of) const;

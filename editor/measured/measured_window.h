@@ -35,7 +35,7 @@ struct MeasuredPlaces {
   ViewSettings& view;
   QSettings& settings;  ///< "measured/…": the library's file, its folders
   std::function<std::vector<ButtonDocument*>()> documents;
-  /// In tabs of their own.
+  /// Opens buttons, each in a tab.
   std::function<void(const std::vector<Button>&)> open;
   /// Likewise, and over each other in the comparison.
   std::function<void(const std::vector<Button>&)> compare;
@@ -44,7 +44,7 @@ struct MeasuredPlaces {
   std::function<QString(QWidget* parent, const QString& suggested)> page;
 };
 
-/// Not modal. GUI thread.
+/// The window of measured switches. Not modal. GUI thread.
 class MeasuredWindow : public QDialog {
   Q_OBJECT
 
@@ -57,7 +57,7 @@ class MeasuredWindow : public QDialog {
   void askFor(ButtonDocument& document);
   /// Shows this library from now on.
   void openLibrary(const QString& database);
-  /// Its measurements, into the library shown; the person's own where there is none.
+  /// Adds a folder's measurements to the shown library; to the user's own if there is none.
   void addFolder(const QString& folder);
 
  signals:

@@ -17,7 +17,7 @@ struct ScatterPoint {
   double displacement_mm = 0, mean_N = 0, sd_N = 0;  ///< sd of one of them, n - 1
 };
 
-/// Over the travel that all have; empty for fewer than two.
+/// Mean and scatter over the common travel; empty for fewer than two.
 std::vector<ScatterPoint> scatterOf(const std::vector<const importer::FeltShape*>& shapes);
 
 /// Press solid, release dashed, a colour each; beyond `mostCurves` only the band speaks for the rest. GUI

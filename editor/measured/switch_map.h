@@ -32,9 +32,9 @@ class SwitchMap : public QCustomPlot {
   void setUnits(const DisplayUnits& units);
   /// These stand out.
   void setChosen(std::set<SwitchIndex> chosen);
-  /// Once for all that changed until the window is painted.
+  /// Repaints once for all changes until the window is painted.
   void redraw();
-  /// Where a switch lies in the widget; empty where it has no place or is not shown.
+  /// Position of a switch in the widget; empty if it has none or is not shown.
   std::optional<QPointF> placeOf(SwitchIndex which);
   /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes
   /// with most.

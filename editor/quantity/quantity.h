@@ -43,7 +43,7 @@ struct QuantityReading {
 QuantityReading readQuantity(const QString& text, Quantity quantity, const DisplayUnits& units,
                              std::optional<double> now = {});
 
-/// Why a text was refused, and what can be typed instead: one sentence or two for the person.
+/// The reason why a text was refused, and what can be typed instead: one sentence or two for the person.
 QString refusalOf(const QuantityReading& reading, Quantity quantity, const DisplayUnits& units);
 
 /// A question where what was typed is no button's: more than 20 N or 30 mm, either way; more than the whole
@@ -58,7 +58,7 @@ QString symbolOf(Quantity quantity, const DisplayUnits& units);
 
 /// A value (mm, N ...) in the shown unit, without the unit.
 QString quantityText(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);
-/// With the unit: "1.305 mm".
+/// Text with the unit: "1.305 mm".
 QString quantityWithUnit(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);
 
 }  // namespace detent::editor

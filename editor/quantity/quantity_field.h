@@ -34,7 +34,7 @@ class QuantityField : public QAbstractSpinBox {
   void setLowestText(const QString& text);
   /// Returns true if the text can be read and lies in the range.
   bool acceptable() const { return refusal_.isEmpty(); }
-  /// Why it is not; empty where it is.
+  /// The reason why it is not acceptable; empty if it is.
   const QString& refusal() const { return refusal_; }
 
   void stepBy(int steps) override;

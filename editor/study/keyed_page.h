@@ -43,7 +43,7 @@ class KeyedPage : public QWidget {
   /// A button that acts when it is clicked; placed in the column, or by the caller.
   QPushButton* addButton(const PageButton& button, const std::function<void()>& act);
   QPushButton* makeButton(const PageButton& button, const std::function<void()>& act);
-  /// One that acts when it goes down, not when it comes up.
+  /// A pad that acts when it goes down, not when it comes up.
   QPushButton* makePad(const PageButton& button, const std::function<void()>& act);
   /// Likewise; it stays down while it is what is under the finger.
   QPushButton* makeFeelButton(const PageButton& button, const std::function<void()>& act);

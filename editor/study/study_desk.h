@@ -50,7 +50,7 @@ class HiddenWindows {
   std::vector<QPointer<QWidget>> hidden_;
 };
 
-/// Not modal. GUI thread.
+/// The experimenter's view. Not modal. GUI thread.
 class StudyDesk : public QDialog {
   Q_OBJECT
 

@@ -240,7 +240,7 @@ QString StudyWindow::howWords() const {
                       : words("Its key or a click makes you feel it under your finger.");
 }
 
-/// Which ones were not pressed through yet, and which of them were let go too early.
+/// Words for the stimuli that were not pressed through yet, and for those released too early.
 QString StudyWindow::unfeltWords() const {
   if (desk_->slotOfX() == 1) return words("First press it to the end and let go.");  // of a scale
   QStringList missing;
@@ -401,7 +401,7 @@ void StudyWindow::askToStop() {
   show(stop_, At::question);
 }
 
-/// They think better of stopping.
+/// Continues after the participant changed their mind about stopping.
 void StudyWindow::goOn() {
   if (!isTimed()) return show(question_, At::question);
   if (const Result<Done> noted = work_.session->interrupted("stop not confirmed"); !noted)

@@ -33,7 +33,7 @@ struct StudyWork {
   std::unique_ptr<playback::ParticipantSession> session{};  ///< open already if no consent is needed
 };
 
-/// Where a participant is, for the experimenter.
+/// A participant's progress, for the experimenter.
 struct StudyProgress {
   enum class At : std::uint8_t { consent, words, question, rest, pause, trouble, end };
   At at = At::consent;

@@ -38,7 +38,7 @@ class TimedTrials : public QObject {
 
   /// The trial that comes next begins.
   void show(playback::ParticipantSession& session);
-  /// Nothing is shown any more, and nothing is kept of what was.
+  /// Hides the trial and forgets its presses.
   void leave();
   /// The event that is about to press the pad.
   void note(const QInputEvent& event);

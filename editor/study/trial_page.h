@@ -30,7 +30,7 @@ class TrialPage : public QuestionPage {
   void showRealX(const QString& text) { x_->setText(text); }
   void allowAnswers(bool allowed);
   bool answersAllowed() const;
-  /// Which one is under the finger; nothing: none.
+  /// Marks the stimulus under the finger; empty: none.
   void mark(std::optional<std::size_t> slot);
   /// A number that was begun is gone.
   void clearNumber();

@@ -19,7 +19,7 @@ class ExportDesk : public QObject {
   explicit ExportDesk(const DeskPlaces& places, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
-  /// With decimal commas, and semicolons between the fields.
+  /// CSV with decimal commas, and semicolons between the fields.
   void semicolonCsv(DocumentTab& tab);
   /// The graph for printing; a dialogue requests the settings.
   void graph(DocumentTab& tab);

@@ -55,7 +55,7 @@ class MainWindow : public QMainWindow {
   std::vector<ShortcutRow> shortcuts() const;
   /// Opens what was open when the window was closed last, and shows what was shown.
   void restoreSession();
-  /// Beside the one that is shown.
+  /// Compares another button with the one that is shown.
   void compareWith(ButtonDocument* other);
   /// These, the first as the one differences are counted from; opens the dock.
   void compareAll(const std::vector<ButtonDocument*>& documents);

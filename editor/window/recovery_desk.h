@@ -6,8 +6,8 @@
 
 namespace detent::editor {
 
-/// Nothing is thrown away unasked, and nothing left behind goes before it lies in this editor's own store.
-/// GUI thread.
+/// Offers what was left behind. Nothing is discarded without a question, and no file of a dead editor is
+/// removed before it is in this editor's own store. GUI thread.
 class RecoveryDesk : public QObject {
   Q_OBJECT
 

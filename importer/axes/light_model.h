@@ -14,11 +14,11 @@ namespace detent::importer {
 /// A model to start the engine from memory with, and the letters behind its private code points.
 class LightModel {
  public:
-  /// From the bytes of a .traineddata file. nullopt if they are no such file or of another layout: then the
+  /// Reads the bytes of a .traineddata file. nullopt if they are no such file or of another layout: then the
   /// engine has to start from the file itself.
   static std::optional<LightModel> from(std::string_view traineddata);
 
-  /// For TessBaseAPI::Init from memory.
+  /// The model for TessBaseAPI::Init from memory.
   const std::string& bytes() const { return bytes_; }
   /// Request to the engine, letter by letter, with its own names. Letters it does not know are left out.
   std::string renamed(std::string_view letters) const;

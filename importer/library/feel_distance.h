@@ -42,7 +42,7 @@ class FeelDistance {
   /// >= 0, in units of lab noise; 0 to itself. What is farther than `atMost` is infinitely far where that is
   /// found out early.
   double to(const FeltShape& other, double atMost_labNoise = std::numeric_limits<double>::infinity()) const;
-  /// At least so far is every shape of this travel, in units of lab noise.
+  /// Lower bound of the distance to any shape of this travel, in units of lab noise.
   double leastTo(double travel_mm) const;
   /// One for every shift of the contact, within 8 % of the wanted travel, but for shifts of which some terms
   /// alone are farther than `atMost_gf`.
@@ -55,7 +55,7 @@ class FeelDistance {
   FeelWeights weights_;
 };
 
-/// At the shift where it is least, in gf; of no shift infinite.
+/// Distance at the shift where it is least, in gf; of no shift infinite.
 double distance_gf(const std::vector<FeelDifference>& byShift, const FeelWeights& weights);
 
 }  // namespace detent::importer

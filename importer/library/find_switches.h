@@ -34,7 +34,7 @@ inline std::size_t groupOf(double distance_labNoise) {
   return 1 + static_cast<std::size_t>(distance_labNoise);
 }
 
-/// One that misses some of the ranges, and by how much (missOf).
+/// A switch that misses some of the ranges, and the distance from them (missOf).
 struct NearMiss {
   LibrarySwitch entry;
   double miss_labNoise = 0;  ///< > 0

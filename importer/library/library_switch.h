@@ -10,7 +10,7 @@
 
 namespace detent::importer {
 
-/// By the largest drop of the press: laboratories agree on it outside of 5 to 8 gf.
+/// Kind by the largest drop of the press: laboratories agree on it outside of 5 to 8 gf.
 enum class SwitchKind { linear, between, tactile };
 std::string_view nameOf(SwitchKind kind);
 SwitchKind kindOf(const KeyFigures& figures);

@@ -32,8 +32,8 @@ std::string ratingWords(const Rating& rating);
 class RatingsByName {
  public:
   explicit RatingsByName(const std::vector<Rating>& all);
-  /// Those whose name has the same words in any order, with the maker's or, where two are left, without; of
-  /// one person's sheets the one that says most.
+  /// Ratings whose name has the same words in any order, with the maker's or, if two are left, without; of
+  /// one person's sheets the most detailed one.
   std::vector<Rating> of(const std::string& switchName) const;
 
  private:

@@ -19,11 +19,11 @@
 
 namespace detent::importer {
 
-/// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are
-/// made anew.
+/// Version of the tables. Raised with every change to them or to the meaning of a key figure: files of other
+/// versions are rebuilt.
 inline constexpr int libraryVersion = 7;
 
-/// Why a file is not in the library.
+/// A file that is not in the library, with the reason.
 struct RefusedFile {
   std::string file;
   FailureCode code = FailureCode::unreadableInput;
@@ -81,7 +81,7 @@ class LibraryStore {
   LibraryStore& operator=(LibraryStore&&) noexcept;
   ~LibraryStore();
 
-  /// Why what was in the file is not any more; empty where it is.
+  /// The reason why the file was rebuilt; empty if it was not.
   const Message& rebuilt() const;
   Result<std::map<std::string, KnownFile>> files() const;
   /// All of them or, on a Failure, none: each in the place of what was known of its path.
@@ -89,7 +89,7 @@ class LibraryStore {
   /// Files that are as they were known but for their stamp, and files that are gone. All or none.
   Result<Done> restamp(const std::vector<std::pair<std::string, FileStamp>>& same,
                        const std::vector<std::string>& gone);
-  /// Of files that are there, by name; those that keep every range.
+  /// Switches of present files, by name; those that keep every range.
   Result<std::vector<LibrarySwitch>> switches(const std::vector<FigureRange>& ranges = {}) const;
   /// These, in this order.
   Result<std::vector<LibrarySwitch>> switchesOf(const std::vector<SwitchId>& ids) const;
@@ -98,15 +98,15 @@ class LibraryStore {
   /// Travel of the switches that keep every range (FeltShape::travel_mm), without reading curves; in no
   /// order.
   Result<std::vector<std::pair<SwitchId, double>>> travels_mm(const std::vector<FigureRange>& ranges) const;
-  /// Their curves, in this order, until `take` wants no more.
+  /// Passes their curves, in this order, to `take` until it returns false.
   Result<Done> shapesOf(const std::vector<SwitchId>& ids,
                         const std::function<bool(SwitchId, const FeltShape&)>& take) const;
-  /// Of all files that are there, in no order.
+  /// Figures of all present files, in no order.
   Result<std::vector<std::pair<SwitchId, KeyFigures>>> figures() const;
   Result<std::vector<std::pair<SwitchId, std::string>>> names() const;
-  /// Of the files that are there, in the order of the sheets.
+  /// Ratings of the present files, in the order of the sheets.
   Result<std::vector<Rating>> ratings() const;
-  /// Of the files that are there: those of one switch by one laboratory, by name and credit.
+  /// Records of the present files: those of one switch by one laboratory, by name and credit.
   Result<std::vector<UnitRecord>> records(const std::string& name, const std::string& credit) const;
 
  private:

@@ -23,7 +23,7 @@ struct SwitchSpread {
   KeyFigures sd;
 };
 
-/// Of the records of one switch. Any thread.
+/// Spread of the records of one switch. Any thread.
 SwitchSpread spreadOf(const std::vector<UnitRecord>& records);
 
 }  // namespace detent::importer

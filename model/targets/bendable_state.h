@@ -34,7 +34,7 @@ enum class ShapeRule {
 /// as do the two knots of a vertical piece. Any thread.
 class BendableState {
  public:
-  /// Where a curve may bulge.
+  /// Stretches at which a curve may bulge.
   enum class Bulges {
     atKnots,  ///< at its own knots
     finer     ///< also in the middle of a stretch without knots

@@ -24,7 +24,7 @@ constexpr double slidingShare = 0.02;  // of the fastest: from here on friction 
 constexpr double mmPerM = 1000;
 constexpr double leastNoiseShare = 0.05;  // of the residual's squares is never taken for rounding
 
-/// Which columns the fit has, in this order: c, k at the knots, b at the knots, f, m.
+/// Columns of the fit, in this order: c, k at the knots, b at the knots, f, m.
 struct Columns {
   std::size_t knots = 1;
   bool damping = true, mass = true, friction = false;
@@ -199,8 +199,7 @@ Local localOf(const Samples& s, const Columns& columns, const Eigen::VectorXd& p
   return local;
 }
 
-/// Where the handle stays, the mean of its equations is known no better than its rounding: it counts that
-/// much less.
+/// Weights of rests: the mean of a rest's equations is known no better than its rounding, so it counts less.
 class StayWeights {
  public:
   StayWeights(const Equations& equations, const Stays& stays)
@@ -363,7 +362,7 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
 
 bool standsOutOf(const Estimate& e) { return e.value > standsOut * e.sigma; }
 
-/// With a mass, where there is one: `columns` then says so.
+/// Fit with a mass, if there is one: `columns` then says so.
 Fit fittedWithMass(const Samples& samples, const RecordWindows& windows, const Stays& stays,
                    Columns& columns) {
   Fit fit = fitted(samples, windows, stays, columns);

@@ -21,7 +21,7 @@ struct IdentifySettings {
   double largestSpread = 0.20;  ///< b is named only if its standard error is below this share of it
 };
 
-/// Why b is not named.
+/// The reason why b is not reported.
 enum class DampingDoubt : std::uint8_t {
   none,
   constantSpeed,  ///< speed hardly varies: damping and friction cannot be separated

@@ -41,14 +41,14 @@ class RecordWindows {
   std::vector<std::size_t> half_;
 };
 
-/// Where the handle stays: runs of one reading that it enters and leaves on the same side, or that begin or
-/// end the record.
+/// Stretches in which the handle rests: runs of one reading that it enters and leaves on the same side, or
+/// that begin or end the record.
 struct Stays {
   static constexpr std::size_t moving = static_cast<std::size_t>(-1);
   std::vector<std::size_t> level;  ///< of each sample: equal where it stays at equal readings; or `moving`
   std::size_t levels = 0;
 };
-/// In a stay rounding is one unknown number; what passes through a step has another error at every sample.
+/// During a rest, rounding is one unknown number; during movement every sample has another rounding error.
 Stays staysOf(const std::vector<double>& displacement_mm);
 
 }  // namespace detent::playback

@@ -50,7 +50,7 @@ double amplitudeWithin(const PressPlan& plan, std::int64_t from, std::int64_t to
   return std::fmin(1, std::numbers::sqrt2 * std::sqrt(sum / static_cast<double>(to - from)));
 }
 
-/// Where steps begin that must: the stretch's start, and jumps and bottom-outs that keep their distance.
+/// Forced starts of steps: the stretch's start, and jumps and bottom-outs that keep their distance.
 std::vector<std::int64_t> hardStarts(const PressPlan& plan, const Stretch& stretch, std::int64_t apart) {
   std::vector<std::int64_t> starts{stretch.from};
   for (const PlannedBurst& planned : plan.bursts)

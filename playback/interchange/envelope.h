@@ -58,10 +58,10 @@ struct TimedLevels {
   std::vector<Level> levels;         ///< the last one is 0; empty where nothing is felt
   std::vector<std::int64_t> onsets;  ///< of jumps and bottom-outs, as played
 };
-/// Of a stretch, in levels of `step_ms` and never shorter than `least_ms`: each jump and bottom-out at least
-/// so far behind the one before begins a level, half a millisecond off at most.
+/// Levels of a stretch, in steps of `step_ms` and never shorter than `least_ms`: each jump and bottom-out at
+/// least that far behind the one before begins a level, at most half a millisecond off.
 TimedLevels timedLevels(const PressPlan& plan, const Stretch& stretch, int step_ms, int least_ms, int full);
-/// As a motor at its own resonance plays them.
+/// The levels as a motor at its own resonance plays them.
 PlayedWave waveOf(const TimedLevels& levels, double sampleRate_Hz);
 
 /// Distance in ms of every jump and bottom-out of the stretch from the nearest of `onsets` (samples), at

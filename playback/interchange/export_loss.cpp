@@ -34,8 +34,8 @@ struct LowBins {
   std::vector<std::complex<double>> above, below;
 };
 
-/// Of two signals, one as the real, one as the imaginary part, padded with silence to `length` samples. Every
-/// L-th sample is transformed by itself, since of the whole only the lowest bins are wanted: exact, and a
+/// Spectra of two signals, one as the real, one as the imaginary part, padded with silence to `length`
+/// samples. Every L-th sample is transformed by itself, because only the lowest bins are wanted: exact, and a
 /// third of the time.
 template <class First>
 LowBins lowBins(const std::vector<First>& first, const std::vector<double>& second, const Fourier& fourier,

@@ -10,8 +10,8 @@
 
 namespace detent::playback {
 
-/// Where fingers feel differently: slow indentation, flutter, the Pacinian band (Kim & Lee's jumps lie in the
-/// last).
+/// Bands in which fingers feel differently: slow indentation, flutter, the Pacinian band (Kim & Lee's jumps
+/// lie in the last).
 struct FeltBand {
   const char* name;  ///< as JSON spells it
   double low_Hz, high_Hz;

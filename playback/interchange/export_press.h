@@ -70,7 +70,7 @@ struct Reduction;
 /// would sound in this format.
 Result<Reduction> reductionOf(const ExportSource& source, const ExportSettings& settings);
 
-/// Where a file of an export goes.
+/// Path of a file of an export.
 std::string pathOf(const std::string& output, const ExportedFile& file);
 
 /// Writes all files of an export, or none where one of them cannot be written; their paths.

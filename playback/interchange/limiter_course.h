@@ -13,8 +13,8 @@ struct GainPoint {
   double gain = 1;
 };
 
-/// As few points, one after another, as give `limited` of `whole` within `tolerance` (> 0, share of full
-/// scale) at every sample. Both of one length; where a sample of `whole` is the larger one it was turned
+/// The gain of the limiter as few points that turn `whole` into `limited` within `tolerance` (> 0, share of
+/// full scale) at every sample. The inputs have one length; a sample of `whole` that is larger was turned
 /// down. Empty for no samples. Any thread; allocates.
 std::vector<GainPoint> limiterCourse(const std::vector<float>& whole, const std::vector<float>& limited,
                                      double tolerance);

@@ -39,7 +39,7 @@ Reduction hjifOf(const ExportSource& source);
 Reduction bos1921Of(const ExportSource& source);
 Reduction da728xOf(const ExportSource& source);
 Reduction drv2605Of(const ExportSource& source);
-/// At any rate the samples of the plan, band-limited (docs/develop/decisions/0913).
+/// The samples of the plan at any rate, band-limited (docs/develop/decisions/0913).
 Reduction pcmOf(const ExportSource& source, unsigned bits, double sampleRate_Hz);
 Reduction touchpadOf(const ExportSource& source);
 

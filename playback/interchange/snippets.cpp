@@ -48,7 +48,7 @@ class CheapestPoints {
   }
 
   std::size_t cells() const { return cells_; }
-  /// Of points and frames up to a cell, a frame taken as two bytes, and one byte to end at level 0.
+  /// Largest size of points and frames up to a cell: two bytes per frame, and one byte to end at level 0.
   std::size_t mostBytesAt(std::size_t cell) const {
     const Reached& end = cheapestAt(cell);
     return end.points + 3 * snippetsAt(cell) + 1;
@@ -162,7 +162,7 @@ bool fits(const Rows& rows) {
   return bytes <= freeBytes && snippets <= mostSnippets;
 }
 
-/// As far as each one's share of the memory reaches.
+/// Rows cut to each one's share of the memory.
 Rows cutToShares(const std::array<CheapestPoints, 2>& courses) {
   Rows rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -116,7 +116,7 @@ class SliceWriter {
     const double amplitude = step.onset ? firstAmplitude(step) : step.amplitude;
     return std::clamp(static_cast<int>(std::lround(amplitude * highestAmplitude)), 0, highestAmplitude);
   }
-  /// Of the envelope where a jump begins.
+  /// Amplitude of the envelope where a jump begins.
   double firstAmplitude(const EnvelopeStep& step) const {
     const double from_s = static_cast<double>(step.from) / rate_Hz_;
     double amplitude = step.amplitude;

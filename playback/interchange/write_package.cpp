@@ -37,7 +37,7 @@ struct Trigger {
   Burst burst;
 };
 
-/// Where a stroke has grains, and how strong: `level` is on the amplitude of each.
+/// A piece of a stroke with grains, and their strength: `level` multiplies the amplitude of each.
 struct SlopePiece {
   double from_mm = 0, to_mm = 0;  ///< of its first and last grain
   double level = 1;

@@ -22,9 +22,9 @@ struct PressedButton {
   std::optional<double> speed_mm_per_s;
 };
 
-/// Of a button with graphs at several speeds that of the trace's speed, or of the lowest where no press goes
-/// through; a stated speed that is no farther off than a press is known takes its very graph. Any other
-/// button as it is. `front` is prepared from the same three. Failures: as prepareProgram. Allocates.
+/// For a button with graphs at several speeds, the button of the trace's speed, or of the lowest if no press
+/// goes through; a stated speed within the error of the press's speed takes its own graph. Any other button
+/// as it is. `front` is prepared from the same three. Failures: as prepareProgram. Allocates.
 Result<PressedButton> asPressed(const Button& button, const PreparedProgram& front, const PressTrace& trace,
                                 const DeviceProfile& profile, const PlaybackSettings& settings);
 

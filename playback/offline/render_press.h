@@ -27,7 +27,7 @@ struct PressTrace {
   std::vector<PressReading> readings;
 };
 
-/// From `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and
+/// Reads `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and
 /// lines starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line; `name`
 /// for messages.
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
@@ -73,7 +73,7 @@ struct RenderSummary {
   double timesRealTime() const { return computing_s > 0 ? duration_s / computing_s : 0; }
 };
 
-/// Where rendered blocks go; false stops the render.
+/// Receives rendered blocks; false stops the render.
 using SampleSink = std::function<bool(const float* samples, std::size_t count)>;
 
 /// Renders the whole trace through `sink`. Time 0 of the sound is time 0 of the trace, or its first reading

@@ -6,7 +6,7 @@
 
 namespace detent::playback {
 
-/// Of the lower rate: what lies below stays within 1e-3.
+/// Share of the lower rate: frequencies below it stay within 1e-3.
 inline constexpr double keptBand = 0.45;
 
 /// Band-limited (a windowed sinc of 32 zero crossings), without a delay. The same samples for the same rate.

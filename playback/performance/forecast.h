@@ -51,7 +51,7 @@ Band bandOf(std::vector<double> values);  ///< not empty (checked)
 /// A window of a timed press in the forecast: 100 ms, cued half a second ahead.
 inline constexpr double timedWindow_s = 0.1, timedInterval_s = 0.5;
 
-/// Why something is not forecast.
+/// The reason why a figure is not forecast.
 enum class NoForecast {
   none,
   noOperatingPoint,

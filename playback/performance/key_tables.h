@@ -14,7 +14,7 @@
 
 namespace detent::playback {
 
-/// Where the contact acts.
+/// Displacements at which the contact closes and opens.
 struct ContactPoints {
   double close_m = 0;  ///< going down
   double open_m = 0;   ///< going up, < close_m

@@ -104,7 +104,7 @@ class StepOf {
         now_(now),
         from_(key.startAt(now.cap_m)) {}
 
-  /// Where it leads. `forces`: of the step before; become those of this one.
+  /// State at the end of the step. `forces`: of the previous step; become those of this one.
   Moving end(Forces& forces, const Real& muscle_N) const {
     Moving guess = movedBy(forces, muscle_N);
     auto settled = guess.cap_m != guess.cap_m;  // none yet
@@ -264,10 +264,10 @@ class Press {
     start_J_ = storedIn(now_);
   }
 
-  /// Where the cap stood after each step, if it is kept.
+  /// Keeps the depth of the cap after each step.
   void keepDepths(std::vector<double>& depths_m) { depths_m_ = &depths_m; }
 
-  /// No farther than the first activation, or to where none comes any more.
+  /// Ends the simulation at the first activation, or where none can come any more.
   void onlyToContact() { toContact_ = true; }
 
   PressOutcome run() {
@@ -321,7 +321,7 @@ class Press {
            now_.finger_m < contacts_.close_m() - flight_m;
   }
 
-  /// Where the stop carries the force of the start.
+  /// Depth at which the stop carries the force of the start.
   double restOfCap_m() const {
     double low_m = -0.001 - key_.mean_N(0) / KeyTables::stop_N_per_m, high_m = 0;
     for (int i = 0; i < 60; ++i) {

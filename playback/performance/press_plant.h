@@ -38,7 +38,7 @@ struct PressOutcome {
   bool ended = false;
 };
 
-/// Where the energy of a press went, J. Everything that is not stored or taken was given by the muscle.
+/// Balance of the energy of a press, J. The muscle gave everything that is not stored or taken.
 struct PressEnergy {
   double muscle_J = 0;     ///< work of flexor and extensor on the finger
   double taken_J = 0;      ///< by dampers and play

@@ -50,8 +50,8 @@ struct DeviceProfile {
   Transducer transducer;
   SensorCalibration sensor;
   std::optional<MeasuredLatency> latency;
-  /// Of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a fingertip; empty:
-  /// nobody measured it.
+  /// Felt level of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a
+  /// fingertip; empty: not measured.
   std::optional<double> fullScale_dB;
 };
 

@@ -26,12 +26,12 @@ inline constexpr double threshold_m_per_s2 = 0.25;
 /// flanks, 0 at best.
 double pacinianWeight_dB(double frequency_Hz);
 
-/// By how much the device, its equalizer and its gain raise a frequency.
+/// Gain of the device, its equalizer and its gain setting at a frequency.
 double raisedBy_dB(const DeviceProfile& device, const HapticProgram& program, double frequency_Hz);
 
 /// A burst's strongest 10 ms, dB above threshold; no more than silence (-infinity) where it has no amplitude.
 double feltLevel_dB(const Burst& burst, const DeviceProfile& device, const HapticProgram& program);
-/// Of grains that come so densely that they are one tone.
+/// Level of grains that are so dense that they are one tone.
 double feltSlopeLevel_dB(const DeviceProfile& device, const HapticProgram& program);
 
 }  // namespace detent::playback

@@ -21,7 +21,7 @@ class LoopLimits {
   /// `low` <= `high`.
   LoopLimits(const ForceDeviceProfile& device, double rate_Hz, double low_Ns_per_mm, double high_Ns_per_mm);
   double at_N_per_mm(double damping_Ns_per_mm) const;
-  /// Over the whole range.
+  /// Least slope limit over the whole range.
   double least_N_per_mm() const;
 
  private:

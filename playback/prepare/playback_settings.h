@@ -35,7 +35,7 @@ enum class EqualizerUse {
   full
 };
 
-/// Where the frequency of the jumps comes from.
+/// Source of the frequency of the jumps.
 enum class JumpFrequencySource {
   paper,   ///< pressJumpFrequency_Hz and releaseJumpFrequency_Hz
   profile  ///< the profile's resonance nearest to pressJumpFrequency_Hz; release in the same ratio as the two

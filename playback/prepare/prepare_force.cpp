@@ -92,7 +92,7 @@ ForceCurveRow& curveRow(ForceStateTable& t, std::size_t speed, std::size_t row) 
   return t.faster[speed - 1][row];
 }
 
-/// Where graphs at several speeds would make energy, and how much.
+/// Energy that graphs at several speeds would make, with its place.
 struct FedBySpeeds {
   double fed_mJ = 0, at_mm = 0, value = 0, limit = 0;
   std::size_t pressed = 0, released = 0;  ///< of the worst place

@@ -51,7 +51,7 @@ Result<Done> checkBounds(const Subject& subject, std::initializer_list<Bound> bo
   return Done{};
 }
 
-/// Everything of one stroke that a table is built from.
+/// Data of one stroke from which a table is built.
 struct StrokePlan {
   const StrokeCurve& curve;
   Stroke stroke;
@@ -89,8 +89,8 @@ class HapticPreparation {
     prepared_.summary.warnings.push_back({code, std::move(message)});
   }
 
-  /// Where the tables of a state begin. A self-locking button's release may end elsewhere than its press
-  /// began.
+  /// Lowest displacement of the tables of a state. A self-locking button's release may end elsewhere than its
+  /// press began.
   double lowOf(const ButtonState& state) const {
     const double start_mm = state.graph.press().start_mm();
     return button_.selfLocking() ? std::min(start_mm, state.graph.curve(Stroke::release).start_mm())
@@ -376,7 +376,7 @@ class HapticPreparation {
     return std::min(20 * s.levelBySteepness * std::log10(share), 20 * std::log10(loudestGrain()));
   }
 
-  /// At which a grain reaches full scale.
+  /// Level at which a grain reaches full scale.
   double loudestGrain() const { return settings_.grainAmplitude > 0 ? 1 / settings_.grainAmplitude : 1; }
 
   /// Cut where the steepness changes by what is hardly felt, or by more where a program would not hold the

@@ -9,8 +9,8 @@
 
 namespace detent::playback {
 
-/// By rising speed: the stated ones, each exactly the button of that speed (model/speed_family.h), and
-/// between two of them as many at even steps that no force changes by more than `finestSpeedStep` of the
+/// Programs by rising speed: the stated speeds, each exactly the button of that speed (model/speed_family.h),
+/// and between two of them as many at even steps that no force changes by more than `finestSpeedStep` of the
 /// button's strongest from one to the next, at most `mostSpeedSteps` - 1. Empty for a button with one graph
 /// per state. Failures: as prepareProgram. Any thread; allocates.
 Result<std::vector<SpeedProgram>> prepareSpeeds(const Button& button, const DeviceProfile& profile,

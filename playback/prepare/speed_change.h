@@ -13,8 +13,8 @@ struct SpeedDamping {
   double least = 0, most = 0;
 };
 
-/// Of both strokes at a place, over all pairs of neighbouring speeds; 0 without a family, and always 0 <=
-/// most, least <= 0: below the lowest speed nothing changes.
+/// Damping of both strokes at a displacement, over all pairs of neighbouring speeds; 0 without a family, and
+/// always 0 <= most, least <= 0: below the lowest speed nothing changes.
 SpeedDamping speedDampingAt(const ButtonState& state, double at_mm);
 
 /// The part that a device renders beside the button's own b(x): as much damping as its mass allows, and half

@@ -30,7 +30,7 @@ SpeedDamping renderedAt(const ButtonState& state, const SpeedDamping& rendered, 
   return {std::max(drawn.least, rendered.least), std::min(drawn.most, rendered.most)};
 }
 
-/// Of the smallest and the largest damping along the travel, that by speed included.
+/// Limits for the smallest and the largest damping along the travel, including that by speed.
 LoopLimits limitsOf(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz) {
   double most_Ns_per_mm = 0;
   for (const DampingPoint& d : state.damping) most_Ns_per_mm = std::max(most_Ns_per_mm, d.damping_Ns_per_mm);

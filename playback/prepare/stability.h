@@ -13,7 +13,7 @@
 
 namespace detent::playback {
 
-/// Why a slope is too steep. Of several the one that allows least.
+/// The reason why a slope is too steep; of several the strictest one.
 enum class StabilityBound : std::uint8_t {
   damping,  ///< the handle alone would swing more and more: the loop limit (loop_limit.h)
   /// K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)

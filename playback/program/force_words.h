@@ -15,12 +15,12 @@ std::string codeOf(ForceRemarkKind kind);
 /// A sentence with range and slope of a stretch, and the steepest slope that the device bears.
 std::string sentenceOf(const UnstableStretch& stretch, const Button& button);
 std::string codeOf(StabilityBound bound);
-/// For scripts: "none", "emergency_stop", "reversed_polarity", "handle_not_moving", "encoder_dead",
+/// Code for scripts: "none", "emergency_stop", "reversed_polarity", "handle_not_moving", "encoder_dead",
 /// "runaway", "repeated_drop_outs", "place_lost", "not_held".
 std::string codeOf(ForceHalt halt);
 /// Cause and remedy; empty if a person did it on purpose.
 std::string sentenceOf(ForceHalt halt);
-/// Of a log row: the state's name, "momentary" where it has none.
+/// State of a log row: the state's name, "momentary" if it has none.
 std::string stateName(const Button& button, std::uint32_t state);
 
 }  // namespace detent::playback

@@ -41,7 +41,7 @@ struct LiveWarning {
 
 /// "sensor-unplugged": as scripts see it.
 const char* nameOf(LiveWarningCode code);
-/// In capitals, for a status line.
+/// Title in capitals, for a status line.
 const char* titleOf(LiveWarningCode code);
 Message messageOf(const LiveWarning& warning);
 

@@ -69,7 +69,7 @@ class ForceConditioner {
   double noise() const { return steadier_.noise(); }
 
   const ConditionerCounts& counts() const { return counts_; }
-  /// No accepted reading within the limit before `now_s` (or none at all).
+  /// Returns true if no reading was accepted within the limit before `now_s` (or none at all).
   bool silent(double now_s) const;
   bool stuck() const { return stuck_; }
 

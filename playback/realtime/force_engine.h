@@ -76,7 +76,7 @@ class ForceEngine {
   void stop() { guard_.stop(); }
   bool silent() const { return guard_.silent(); }
 
-  /// As in force_guard.h.
+  /// Removes the force, as in force_guard.h.
   void emergencyStop() { guard_.emergencyStop(); }
   void rearm();
   void setHeld(bool held) { guard_.setHeld(held); }

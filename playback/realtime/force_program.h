@@ -27,7 +27,7 @@ struct ForceCurveRow {
       0;  ///< self-locking: both ways before the actuation, held at the rest the state began with
 };
 
-/// Everything a state feels at one displacement, at its lowest speed or its only one.
+/// Forces and damping of a state at one displacement, at its lowest speed or its only one.
 struct ForceRow : ForceCurveRow {
   float damping_Ns_per_mm = 0;
   float stored_mJ = 0;         ///< what a finger that lets go here gets back, slowly, along the release

@@ -95,8 +95,7 @@ class HapticEngine {
   /// What sounds, ends as its own program meant it; a pressed finger is taken over without a sound. Callback
   /// thread or before the stream starts.
   void use(const HapticProgram* program) { use(program, nullptr); }
-  /// Of a button that feels different at different speeds (live_program.h); `speeds` must outlive its use
-  /// too.
+  /// Sets a button with graphs at several speeds (live_program.h); `speeds` must outlive its use too.
   void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds);
   const HapticProgram* program() const { return program_; }
 
@@ -127,13 +126,13 @@ class HapticEngine {
 
   const EngineCounts& counts() const { return counts_; }
   const StrokePosition& position() const { return tracker_.position(); }
-  /// Of the press under way or the last one, of a button with several; 0: none is known.
+  /// Speed of the present or last press, of a button with several; 0: unknown.
   double speed_mm_per_s() const { return tracker_.speed_mm_per_s(); }
   /// Largest |sample| since the last call.
   float takePeak();
   /// The limiter is turning the sound down.
   bool limiting() const { return !limiter_.idle(); }
-  /// Nothing sounds and nothing is waiting.
+  /// Returns true if nothing sounds and nothing is waiting.
   bool idle() const;
 
  private:

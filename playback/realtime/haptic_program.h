@@ -83,7 +83,7 @@ struct StateProgram {
   double reset_mm = 0;  ///< contact opens when a release arrives here
 };
 
-/// Where the 150 Hz low-pass stands (docs/develop/decisions/0900).
+/// Position of the 150 Hz low-pass (docs/develop/decisions/0900).
 enum class LowPassPlacement : std::uint8_t { slopeOnly, wholeChain, none };
 
 /// Effect of a grain on the sine of the one still sounding (grain_voice.h, docs/develop/decisions/0900).
@@ -105,7 +105,7 @@ struct EqualizerBand {
   double gain_dB = 0;
 };
 
-/// When an event sounds that happened between two sensor samples (docs/develop/decisions/0901).
+/// Time at which an event sounds that happened between two sensor samples (docs/develop/decisions/0901).
 enum class EventPlacement : std::uint8_t {
   atOnce,      ///< as soon as the sample that shows it arrives: least mean delay, jitter of sensor and buffer
   timeStamped  ///< at its interpolated time plus a constant delay: a little later, but evenly
@@ -121,7 +121,7 @@ struct HapticProgram {
   Burst grain;
   Burst bottomOut;
 
-  /// Where a press comes through (docs/develop/decisions/0915); 0, 1 and 0: as the paper has it.
+  /// Settings of the clear feel (docs/develop/decisions/0915); 0, 1 and 0: as in the paper.
   double loudestDensity_per_s =
       0;                      ///< > 0: a grain is as loud as so many in a second make it (grain_density.h)
   double slopeUnderJump = 1;  ///< level of the slope while a jump sounds

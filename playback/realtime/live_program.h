@@ -26,7 +26,7 @@ struct LiveProgram {
       : program(front), speeds(std::move(others)) {}
 };
 
-/// The one nearest to a speed; `speeds` not empty.
+/// The program nearest to a speed; `speeds` not empty.
 inline const SpeedProgram& nearest(const std::vector<SpeedProgram>& speeds, double speed_mm_per_s) {
   const SpeedProgram* best = &speeds.front();
   for (const SpeedProgram& s : speeds)

@@ -100,7 +100,7 @@ class LiveSession {
   /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).
   bool send(Lane lane, const SessionCommand& command);
 
-  /// The one consumer thread. False: nothing there.
+  /// Takes the next report, on the one consumer thread. False: none.
   bool receive(SessionReport& report);
 
   /// Callback thread: handles what arrived, renders `count` samples. `entry_s`: the callback's entry on the

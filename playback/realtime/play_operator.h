@@ -11,7 +11,7 @@ namespace detent::playback {
 /// A centre that is dragged along by a position once that is `radius` away from it.
 class PlayOperator {
  public:
-  /// With a press share of 0..1, as `pressShare` gives it.
+  /// Restarts with a press share of 0..1, as `pressShare` returns it.
   void restart(double position_mm, double radius_mm, double share) {
     centre_mm_ = position_mm + radius_mm * (1 - 2 * share);
   }
@@ -19,7 +19,7 @@ class PlayOperator {
     centre_mm_ = std::max(position_mm - radius_mm, std::min(position_mm + radius_mm, centre_mm_));
     return centre_mm_;
   }
-  /// As after a long way inwards.
+  /// Sets the state after a long way inwards.
   void setPressing(double position_mm, double radius_mm) { centre_mm_ = position_mm - radius_mm; }
   /// 0 after a long way out, 1 after a long way in, linear between.
   double pressShare(double position_mm, double radius_mm) const {

@@ -45,7 +45,7 @@ void RainNoise::setSampleRate(double sampleRate_Hz) {
   fadeStep_ = 1 / (fade_s * rate_Hz_);
 }
 
-/// Of the rain before it is scaled.
+/// Level (rms) of the rain before it is scaled.
 double RainNoise::rmsOf(double seconds) {
   const auto count = static_cast<std::size_t>(seconds * rate_Hz_);
   double squares = 0;

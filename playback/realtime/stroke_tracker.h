@@ -40,7 +40,7 @@ struct Crossings {
   std::size_t count = 0;
 };
 
-/// Where the finger is.
+/// Position of the finger.
 struct StrokePosition {
   double displacement_mm = 0;
   double force_N = 0;  ///< last reading; of displacement inputs the table's force

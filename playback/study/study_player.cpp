@@ -256,7 +256,7 @@ class Player final : public StudyPlayer {
  private:
   bool sensor() const { return !settings_.sensorPort.empty(); }
 
-  /// Where the force device is, the player's finger is, at the very times.
+  /// Moves the player's finger to the force device's positions, at their times.
   void follow() {
     if (!force_) return;
     steps_.clear();

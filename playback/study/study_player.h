@@ -24,7 +24,7 @@ struct StudyPlayerSettings {
   std::optional<ForceDeviceChoice> force{};
 };
 
-/// Why a trial cannot be felt just now.
+/// The reason why a trial cannot be felt at present.
 enum class StudyTrouble : std::uint8_t {
   none,
   soundLost,
@@ -34,7 +34,7 @@ enum class StudyTrouble : std::uint8_t {
   forceLost,    ///< the force device went away
   forceStopped  ///< it gives no force until somebody arms it: stopForce(), a fault, a place that was lost
 };
-/// As the journal keeps it: "sensor silent".
+/// Name in the journal: "sensor silent".
 const char* nameOf(StudyTrouble trouble);
 
 /// The device under a participant's finger: plays any button of the study, in any of its modes, exchanged at
@@ -70,7 +70,7 @@ class StudyPlayer {
   virtual void soundBeats(const std::vector<double>& delays_s) = 0;
   /// Trouble since the last call, or present trouble.
   virtual StudyTrouble troubleSinceAsked() = 0;
-  /// Of a force device: no force within 15 ms, and none until rearm(). Nothing where there is none.
+  /// Force device: removes the force within 15 ms, until rearm(). Does nothing without one.
   virtual void stopForce() = 0;
   /// A person wants force again.
   virtual void rearm() = 0;

@@ -17,8 +17,8 @@ struct JournalText {
   std::vector<std::string> lines;
   std::string unfinished;  ///< what follows the last line end: a line being written, or cut off
 
-  /// No whole line, and what stands there begins as none does (JSON objects; zeros where power was lost): a
-  /// file of another kind.
+  /// Returns true for a file of another kind: it has no whole line, and its text begins as no journal does
+  /// (JSON objects; zeros after a power cut).
   bool isForeign() const;
 };
 JournalText splitJournal(const std::string& text);

@@ -24,9 +24,8 @@ constexpr int rangeTrials = 90;      // as in Table 2: nine people, ten trials
 
 constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
 
-/// From alignment_s before the first clearly felt frame on, silence where the stroke is younger: what is felt
-/// faintly before it stays, so that a level that passes the bar moves nothing but the place where the two are
-/// laid over each other.
+/// Levels from alignment_s before the first clearly felt frame on, with silence if the stroke is younger.
+/// Faint levels before it stay, so that a level that passes the bar changes the alignment only.
 Levels fromOnset(const Levels& levels, const ConfusionSettings& settings) {
   double loudest = 0;
   for (const auto& frame : levels) loudest = std::max({loudest, frame[0], frame[1]});
@@ -100,7 +99,7 @@ double warpedDistance(const Levels& levelsA, const Levels& levelsB, const Confus
   return before[n - 1];
 }
 
-/// When the P channel's power comes, from the stroke's begin, s; 0 for silence.
+/// Centroid time of the P channel's power from the start of the stroke, s; 0 for silence.
 double centreOf(const FeltStroke& stroke) {
   double weight = 0, moment = 0;
   for (std::size_t i = 0; i < stroke.excitation.level_dB.size(); ++i) {

@@ -32,8 +32,8 @@ struct ConfusionSettings {
   double integration_s = 0.2;  ///< temporal summation of P: frames within are one observation
   double timingWeber = 0.1;    ///< of the time since the stroke began
   double travelWeber = 0.25;   ///< of the number of grains
-  /// Of the finger's own mean force in two presses of one's own: each varies by 0.2, and force is felt to 0.1
-  /// of it.
+  /// Weber fraction of the finger's own mean force in two presses: each varies by 0.2, and force is felt to
+  /// 0.1 of it.
   double forceWeber = 0.32;
   double alignment_s = 0.02;  ///< time is warped by at most so much
   // From d' to errors, fitted to the 15 pairs of K&L's noisy group (Table 2 (b)) by confusion_fit.py, each

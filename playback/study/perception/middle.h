@@ -23,8 +23,8 @@ struct PerceptualMiddle {
 Result<PerceptualMiddle> placeBetween(const Button& from, const Button& to, double share,
                                       const std::function<bool()>& cancelled = {});
 
-/// Where the halves are never equal, the place where they differ least. Half the way for two that do not
-/// differ. Some 40 forecasts. Failures: those of between() and feel().
+/// The middle between two buttons; if the halves are never equal, the point where they differ least. Half the
+/// way for two that do not differ. Some 40 forecasts. Failures: those of between() and feel().
 Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
                                           const PerceptionSettings& perception = {},
                                           const ConfusionSettings& confusion = {},

@@ -526,7 +526,7 @@ struct PressesArguments {
   bool json = false;
 };
 
-/// Of a study's folder or a CSV file; sets the task to the study's, or to what a file usually holds.
+/// Tables of a study's folder or a CSV file; sets the task to the study's, or to the usual one of a file.
 Result<std::vector<FigureTable>> pressesIn(const std::string& file, std::optional<TimingTask>& task) {
   std::error_code error;
   if (!std::filesystem::is_directory(file, error)) {

@@ -72,7 +72,7 @@ class TimedTrial {
       std::fprintf(stderr, "  %s", drawn_ + 1 < beats_s().size() ? "." : "O");
   }
 
-  /// Until the next thing to draw, at most.
+  /// Longest time until the next picture.
   double wait_s() const {
     const double at_s = now_s();
     double wait_s = timedPoll_s;

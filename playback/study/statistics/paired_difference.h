@@ -16,8 +16,8 @@ struct PairedDifference {
   /// Two-sided, by flipping the signs of whole persons (Fisher 1935): exact up to 20 people, by 100,000
   /// random flips above. 1 for nobody.
   double p = 1;
-  /// Of the mean: what the same test does not refuse, from the means of all subsets (Hartigan, JASA 1969).
-  /// None where so few people can exclude nothing: fewer than six for 95 %.
+  /// Interval of the mean: the values that the same test does not reject, from the means of all subsets
+  /// (Hartigan, JASA 1969). None if so few people can exclude nothing: fewer than six for 95 %.
   std::optional<Interval> interval;
 };
 

@@ -53,8 +53,8 @@ struct PersonTiming {
 inline constexpr std::size_t leastPresses = 10;
 inline constexpr std::size_t fewestForInterval = 3;  ///< people: two say too little of how people scatter
 
-/// Nothing for fewer than leastPresses presses, or where they do not differ at all. Values within the ranges
-/// above (checked).
+/// Fits one person. Empty for fewer than leastPresses presses, or if they do not differ at all. Values within
+/// the ranges above (checked).
 std::optional<PersonTiming> timingOf(TimingTask task, const std::vector<TimedPress>& trials);
 
 /// A laboratory: the mean place and the geometric mean of the spreads over its people (of tapping geometric

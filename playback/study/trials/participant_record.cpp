@@ -352,7 +352,7 @@ bool ratingFits(const Study& study, const std::optional<double>& rating) {
 
 namespace {
 
-/// Of all sites, each with its name before the ids: P01 of two sites are two people.
+/// Records of all sites, each with its name before the ids: P01 of two sites are two people.
 Result<std::vector<ParticipantRecord>> readSites(const Study& study) {
   std::vector<ParticipantRecord> all;
   for (const std::string& site : study.sites) {

@@ -31,12 +31,12 @@ inline constexpr auto listenings =
 inline const char* nameOf(SessionKind kind) { return sessionKinds.word(kind); }
 inline const char* nameOf(Listening listening) { return listenings.word(listening); }
 
-/// When a press counts as made, and how the cue gets to the person: of timing studies.
+/// Timing studies: the rule by which a press counts as made, and the way of the cue to the person.
 struct TimingRoute {
   std::string press;  ///< source of the presses' times, and what a time means: "key: read from the terminal"
   std::string cue;    ///< what shows the time: "picture", "picture and sound"
-  /// From the time a trial gives its tone to where it leaves this computer: half a buffer and what the sound
-  /// system says; none: not known, or no tone.
+  /// Time from a trial's tone to this computer's output: half a buffer plus the sound system's delay; none:
+  /// unknown, or no tone.
   std::optional<double> cueLatency_s{};
 };
 
@@ -105,7 +105,7 @@ struct ParticipantRecord {
   std::size_t begunBefore = 0;             ///< participants who began before
   std::size_t place = 0;                   ///< see planTrials: as planned (study_plan.h), else begunBefore
   std::optional<ConsentDecision> consent;  ///< what they agreed to last
-  /// Why the journal cannot be used; then there is no plan and no answer.
+  /// The reason why the journal cannot be used; then there is no plan and no answer.
   std::optional<Failure> damage;
   std::vector<Trial> plan;
   std::vector<SessionStart> sessions;
@@ -165,7 +165,7 @@ void placeNextLevel(const Study& study, ParticipantRecord& record);
 
 // ---- lines
 
-/// The one place that words journal lines. `chain` is the hash so far and is moved on.
+/// Makes the text of journal lines, alone. `chain` is the hash so far and is updated.
 std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
                        std::string& chain);
 std::string consentLine(const ConsentDecision& decision, std::string& chain);

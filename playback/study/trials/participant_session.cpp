@@ -229,7 +229,7 @@ void simulateRating(const Study& study, const Trial& trial, const Simulation& si
   answer.rating = magnitude ? std::exp2(static_cast<double>(step)) : static_cast<double>(step + 1);
 }
 
-/// Which one is X, or has more.
+/// Index of the choice that is X, or has more.
 std::size_t simulatedChoice(const Study& study, const Trial& trial, const Simulation& simulation,
                             StudyRandom& random) {
   const std::size_t choices = trial.choices.size();

@@ -71,7 +71,8 @@ Result<std::vector<StudyStimulus>> stimuliOf(const Study& study) {
   return stimuli;
 }
 
-/// Without a jump there is nothing to snap more, without slopes nothing to be rougher.
+/// Refuses quantities that the button does not have: without a jump no snap, without slopes no grain
+/// strength.
 Result<Done> checkLevelsDiffer(const Study& study) {
   const auto hashIn = [&](std::size_t button, FeedbackMode mode) {
     for (const StudyStimulus& s : study.stimuli)
@@ -138,7 +139,7 @@ Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file)
                     Message("Restore the file as it was made"));
 }
 
-/// Everything study.json says; buttons without their files. Throws nlohmann's exceptions.
+/// The study of study.json; buttons without their files. Throws nlohmann's exceptions.
 Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")

@@ -168,8 +168,8 @@ Result<Study> createStudy(const std::filesystem::path& folder, const std::vector
 /// unreadableInput: no study, another version's, or a button missing or changed.
 Result<Study> openStudy(const std::filesystem::path& folder);
 
-/// That this program would make it feel as the one that made it. Failure unreadableInput names the button
-/// and mode. For running, not for reading results.
+/// Checks that this program would make the stimuli feel as the one that made them. Failure unreadableInput
+/// names the button and mode. For running, not for reading results.
 Result<Done> checkStimuli(const Study& study);
 
 /// Program of a button in a mode.
@@ -204,7 +204,7 @@ Result<Done> addLevel(Study& study, std::size_t reference, double increase);
 /// at full scale. Failure wrongUsage names a button that has too few such levels.
 Result<Done> addUsualLevels(Study& study);
 
-/// Of a button, rising.
+/// Increases of a button, rising.
 std::vector<double> increasesOf(const Study& study, std::size_t reference);
 /// The level a button is; null: a button the study was made of.
 const StudyLevel* levelOf(const Study& study, std::size_t button);

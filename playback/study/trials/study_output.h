@@ -31,7 +31,7 @@ StudyResults otherwise(const StudyResults& results);
 /// "With those who did not finish", or without.
 std::string otherwiseTitle(const StudyResults& results);
 
-/// Both tables as text, with intervals, d' and what must be known before believing them.
+/// Both tables as text, with intervals, d' and the caveats.
 std::string resultsText(const StudyResults& results);
 /// One JSON object, one line.
 std::string resultsJson(const StudyResults& results);

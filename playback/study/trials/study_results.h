@@ -58,7 +58,7 @@ DiscriminationRule discriminationRule(std::size_t trials, double level = 0.05);
 struct Sensitivity {
   double differencing = 0, independent = 0;
   double low = 0, lowIndependent = 0;  ///< from the lower end (97.5 %) of the share correct
-  /// No error was made: the first two are what half an error gives (Macmillan & Kaplan, Psychological
+  /// True if no error was made: the first two then assume half an error (Macmillan & Kaplan, Psychological
   /// Bulletin 1985).
   bool noError = false;
 };

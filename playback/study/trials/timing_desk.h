@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// Why a trial has to begin anew.
+/// The reason why a trial has to begin again.
 enum class TimingFault : std::uint8_t {
   none,
   noPress,  ///< none that counts; tapping: fewer than two
@@ -18,7 +18,7 @@ enum class TimingFault : std::uint8_t {
   held,
   notFelt  ///< the button under the finger was not pressed
 };
-/// As the journal keeps it: "no press".
+/// Name in the journal: "no press".
 const char* nameOf(TimingFault fault);
 
 class TimingDesk {
@@ -44,7 +44,7 @@ class TimingDesk {
 
   /// Returns true if nothing that comes now counts any more.
   bool over(double now_s) const;
-  /// Once it is over.
+  /// Fault of the trial, once it is over.
   TimingFault fault() const;
   /// The finished answer. Only without a fault (checked).
   Answer answer(double now_s) const;

@@ -329,7 +329,7 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// By condition, then button.
+/// Cells by condition, then button.
 std::vector<TimingCell> cellsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
   struct Person {
     std::vector<TimedPress> trials;

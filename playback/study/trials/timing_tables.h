@@ -13,7 +13,7 @@
 
 namespace detent::playback {
 
-/// Everybody's trials of one task. Plain value, any thread.
+/// All participants' trials of one task. Plain value, any thread.
 struct TimedPeople {
   struct Person {
     std::string participant;

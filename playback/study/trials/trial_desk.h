@@ -26,13 +26,13 @@ class TrialDesk {
     return trial_->choices[slot == slotOfX() ? trial_->target : slot];
   }
 
-  /// That one is under the finger now.
+  /// Records that this stimulus is under the finger now.
   void tried(std::size_t slot, double now_s);
   /// The finger's movements since tried() or the last call, with the stimulus under it.
   void felt(const Felt& more);
   const Felt& feltOf(std::size_t slot) const { return felt_[slot]; }
 
-  /// Nothing may be answered unfelt: see feltEnough.
+  /// Returns true if an answer is allowed: every stimulus was felt (see feltEnough).
   bool mayAnswer() const { return feltEnough(*study_, asFelt()); }
   /// The finished answer. Only while mayAnswer().
   Answer answer(std::size_t choice, double now_s) const;

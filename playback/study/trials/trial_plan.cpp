@@ -50,7 +50,7 @@ std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom&
   return cells;
 }
 
-/// As studies of version 1 were planned: sides balanced, who X is left to chance.
+/// Plan of studies of version 1: sides balanced, X left to chance.
 std::vector<PlanCell> balancedSides(std::size_t count, StudyRandom& random) {
   const std::vector<bool> swapped = balanced(count, random), right = balanced(count, random);
   std::vector<PlanCell> cells;
@@ -58,7 +58,7 @@ std::vector<PlanCell> balancedSides(std::size_t count, StudyRandom& random) {
   return cells;
 }
 
-/// Which pairs this participant gets: the next ones of a list that all participants go through in turn.
+/// Pairs of this participant: the next ones of a list that all participants go through in turn.
 std::vector<Pair> pairsFor(const Study& study, std::size_t place, StudyRandom& random) {
   std::vector<Pair> pairs = pairsOf(study.buttons.size());
   const std::size_t each = study.design.pairsEach;
@@ -137,7 +137,7 @@ std::vector<std::vector<std::size_t>> ratedThings(const Study& study, const std:
   return things;
 }
 
-/// In rounds: all once, in a new order each time.
+/// Trials in rounds: all once, in a new order each time.
 std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pairs, FeedbackMode mode,
                                 StudyRandom& random) {
   const std::vector<std::vector<std::size_t>> things = ratedThings(study, pairs);
