@@ -40,8 +40,8 @@ constexpr double largestSd_counts = 3,
 void addCalibrateOptions(CLI::App& app, CalibrateArguments& a) {
   addSensorOptions(app, a.sensor);
   app.add_option("--weights", a.weightsFile,
-                 "Known weights as CSV: mass_g,raw or force_N,raw; else they are asked for");
-  addChoice(app, "--circuit", a.calibration.circuit, sensorCircuits, "How the sensor is wired", "divider");
+                 "Known weights as CSV: mass_g,raw or force_N,raw; default: the program asks for them");
+  addChoice(app, "--circuit", a.calibration.circuit, sensorCircuits, "Circuit of the sensor", "divider");
   app.add_option("--full-scale", a.calibration.fullScale_counts, "Largest reading of the converter")
       ->capture_default_str()
       ->check(numberWithin(1, 1e9));

@@ -50,10 +50,9 @@ void addSweepOptions(CLI::App& app, SweepArguments& a) {
   app.add_option("--level", a.sweep.level, "Share of full scale")
       ->capture_default_str()
       ->check(numberWithin(0.001, 1));
-  app.add_option(
-         "--input-full-scale", a.inputFullScale_m_per_s2,
-         "Acceleration in m/s2 that the input's full scale stands for: the profile then tells levels in dB "
-         "above a fingertip's threshold")
+  app.add_option("--input-full-scale", a.inputFullScale_m_per_s2,
+                 "Acceleration at the input's full scale, m/s2; the profile then has levels in dB above a "
+                 "fingertip's threshold")
       ->check(numberWithin(0.001, 1e6));
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
