@@ -916,7 +916,7 @@ std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStr
                        const Remedies& helps) {
     doubts.push_back({{code, std::move(values), leftToTry(helps, hints)}, confidence});
   };
-  const Remedies takeOut(Message("Take out of the file what the sensor did not measure"));
+  const Remedies takeOut(Message("Remove the values that the sensor did not measure from the file"));
   const Extent travel = travelOf(strokes.press), force = forceOf(strokes.press);
   if (implausibleTravel(travel.span()) && !hints.axes.xUnit)
     add(DoubtCode::implausibleTravel, unconfirmed, {{travel.span(), Measure::displacement_mm}},

@@ -210,7 +210,7 @@ class Player : public LivePlayer {
     receive();
     const std::lock_guard lock(controlMutex_);
     if (takes_.size() >= mostTakes || !sendTake(&take->taken)) {
-      return Failure{FailureCode::wrongUsage, "samples", "", Message("were asked for too often at once"),
+      return Failure{FailureCode::wrongUsage, "samples", "", Message("were requested too often at once"),
                      Message("Wait until one has begun")};
     }
     takes_.push_back(std::move(take));

@@ -124,8 +124,7 @@ QWidget* FeelPanel::setupPage(ViewSettings& settings) {
 QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   setupPage_ = setupPage(settings);
   setupPage_->hide();
-  setupToggle_ = described(new QToolButton, "setupToggle",
-                           tr("How the pad is pressed, what is felt, devices and force sensor"));
+  setupToggle_ = described(new QToolButton, "setupToggle", tr("Pad, feedback, devices and force sensor"));
   setupToggle_->setText(tr("Setup"));
   setupToggle_->setCheckable(true);
   setupToggle_->setArrowType(Qt::RightArrow);

@@ -80,7 +80,7 @@ QHBoxLayout* CurvesBox::strokeRow(Stroke stroke) {
 
 QHBoxLayout* CurvesBox::maskRow() {
   auto* box = new QPushButton(tr("Mask…"));
-  box->setToolTip(tr("Drag rectangles over what is not a curve"));
+  box->setToolTip(tr("Drag rectangles over parts that are not a curve"));
   connect(box, &QPushButton::clicked, this, [this] { emit toolAsked(PageToolKind::maskBox); });
   noMasks_ = described(new QToolButton, "removeMasks");
   noMasks_->setText(tr("Remove all"));

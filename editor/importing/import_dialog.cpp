@@ -88,7 +88,7 @@ Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
     advice.problem = QObject::tr("The page names no units: %1 and %2 are a guess.")
                          .arg(QString::fromStdString(report.x->unit), QString::fromStdString(report.y->unit));
   const QString check =
-      QObject::tr("If everything lies right on the page, tick “I have checked it against the page”.");
+      QObject::tr("If everything matches the page, tick “I have checked it against the page”.");
   advice.remedy = advice.remedy.isEmpty() ? check : advice.remedy + ' ' + check;
   return advice;
 }

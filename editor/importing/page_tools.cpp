@@ -166,7 +166,7 @@ class MaskBoxTool : public RectangleTool {
  public:
   using RectangleTool::RectangleTool;
   QString hint() const override {
-    return tr("Drag a rectangle over what is not a curve: texts, arrows, stamps.");
+    return tr("Drag a rectangle over parts that are not a curve: texts, arrows, stamps.");
   }
 
  private:
@@ -325,7 +325,7 @@ class MaskBrushTool : public PageTool {
   }
   QCursor cursor(QPointF) const override { return Qt::BlankCursor; }
   QString hint() const override {
-    return tr("Paint over what is not a curve. [ and ] change the size of the brush.");
+    return tr("Paint over parts that are not a curve. [ and ] change the size of the brush.");
   }
 
  private:

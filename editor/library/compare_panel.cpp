@@ -95,7 +95,7 @@ QWidget* ComparePanel::plotSide() {
   });
   auto* difference =
       button<QToolButton>("compareDifference", tr("&Difference"),
-                          tr("Draw what the others have more than the first, below the graphs"));
+                          tr("Draw the difference of the others from the first below the graphs"));
   difference->setCheckable(true);
   connect(difference, &QToolButton::toggled, plot_, &ComparePlot::showDifferences);
   auto* picture = button<QToolButton>("comparePicture", tr("&Picture…"),

@@ -141,8 +141,8 @@ QWidget* MeasuredWindow::emptyPage() {
   emptyWords_->setText(
       tr("More than 1,500 key switches have been measured in public. Clone one of these collections "
          "(force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements "
-         "(CSV, ODS, JSON, button files), and add their folder. Detent ships none: whose they are and what "
-         "may be done with them stands with each."));
+         "(CSV, ODS, JSON, button files), and add their folder. Detent ships none; each shows its author and "
+         "licence."));
   auto* page = new QWidget;
   auto* row = new QHBoxLayout;
   row->addWidget(actionButton("measuredAddFolder", tr("&Add a folder…"),
@@ -264,8 +264,8 @@ QWidget* MeasuredWindow::mapView() {
     connect(box, &QComboBox::currentIndexChanged, this, &MeasuredWindow::followScales);
     return box;
   };
-  mapX_ = scaleBox("measuredMapX", tr("What the map counts to the right"), 0);
-  mapY_ = scaleBox("measuredMapY", tr("What the map counts upwards"), 1);
+  mapX_ = scaleBox("measuredMapX", tr("Horizontal axis of the map"), 0);
+  mapY_ = scaleBox("measuredMapY", tr("Vertical axis of the map"), 1);
   auto* choice = new QHBoxLayout;
   for (const auto& [words, box] : {std::pair(tr("Map: &right"), mapX_), std::pair(tr("&up"), mapY_)}) {
     auto* label = new QLabel(words);
@@ -290,9 +290,9 @@ QLayout* MeasuredWindow::actionRow() {
                    tr("Put those first that feel like the switch chosen"), [this] { askLikeChosen(); });
   openButton_ =
       actionButton("measuredOpen", tr("Open as a &button"),
-                   tr("Open what is chosen as buttons in tabs of their own"), [this] { openChosen(false); });
+                   tr("Open the chosen switches as buttons, each in a tab"), [this] { openChosen(false); });
   compareButton_ = actionButton("measuredCompare", tr("&Compare"),
-                                tr("Open what is chosen, two to six, and lay them over each other"),
+                                tr("Open two to six chosen switches and lay them over each other"),
                                 [this] { openChosen(true); });
   report_ =
       actionButton("measuredReport", tr("Write a &page…"),

@@ -153,7 +153,7 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
                  : tr("“%1” is no known unit. Type for example %2.").arg(reading.culprit, example);
     case QuantityTrouble::otherQuantity:
       return symbol.isEmpty()
-                 ? tr("“%1” has a unit, and a number without one is asked for.").arg(reading.culprit)
+                 ? tr("“%1” has a unit. Enter a number without one.").arg(reading.culprit)
                  : tr("“%1” measures something else. Type a number in %2.").arg(reading.culprit, symbol);
     case QuantityTrouble::mixedUnits:
       return tr("In “%1” some numbers have a unit and some have none. Give each its unit.")

@@ -23,7 +23,7 @@ void RecoveryDesk::say(const QList<LeftBehind>& left) {
     names << tr("%1 (%2)").arg(one.record.title,
                                QLocale().toString(one.record.written.toLocalTime(), QLocale::ShortFormat));
   at_.notices.say("recovery", NoticeBar::Kind::information,
-                  tr("Detent ended without closing and kept what was not saved: %1").arg(names.join(", ")),
+                  tr("Detent ended unexpectedly and kept unsaved changes: %1").arg(names.join(", ")),
                   {{"recover", tr("Recover"), [this, left] { recover(left); }},
                    {"discardRecovery", tr("Discard…"), [this, left] { discard(left); }}});
 }

@@ -52,7 +52,7 @@ Failure unread(const std::optional<AxisLabels>& labels, Axis axis) {
     return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
                      placeOf(axis));
   return {FailureCode::noForceGraph, "plot frame", placeOf(axis),
-          Message("no row of numbers stands along it"), rangeOf(axis)};
+          Message("there is no row of numbers along it"), rangeOf(axis)};
 }
 
 bool hasProgression(const std::optional<AxisLabels>& labels) { return labels && labels->progression; }

@@ -104,7 +104,7 @@ TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
     while (inserted->knots()[index].displacement_mm != x) ++index;
     RC_ASSERT(removeKnot(*inserted, index).value() == curve);
   });
-  requireEditRefusal(insertKnot(tactileCurve(), 1), "stands already at 1 mm");
+  requireEditRefusal(insertKnot(tactileCurve(), 1), "is already at 1 mm");
   requireEditRefusal(insertKnot(tactileCurve(), 0), "outside");
   requireEditRefusal(insertKnot(tactileCurve(), notANumber), "outside");
   requireEditRefusal(removeKnot(curveThrough({{0, 0}, {1, 1}}), 0), "needs 2 knots");

@@ -228,7 +228,7 @@ TEST_CASE("a foot that would leap is told as the wall that would begin elsewhere
   REQUIRE(sample.name == "D");
   const TargetOutcome outcome = bentToTargets(sample.button, 0, {{KeyFigure::bottomOutTravel, 2.9133868}});
   REQUIRE(outcome.conflict);
-  CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("wall at the end would begin elsewhere"));
+  CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("bottom-out would begin elsewhere"));
 }
 
 // 5 mm times what the travel grows by may be a rounding error more than the travel: these values hit that.

@@ -173,7 +173,7 @@ class Replay {
   void placeAfterPause(const SessionStart& s) {
     const double byWallClock_s = s.utc_s - record_.sessions.front().utc_s;
     if (s.kind != SessionKind::simulated && byWallClock_s < spent_s_ - clockTolerance_s)
-      note("two clocks disagree: the wall clock stepped back by " +
+      note("two clocks disagree: the system clock stepped back by " +
            std::to_string(std::lround(spent_s_ - byWallClock_s)) +
            " s; times within a trial are not touched, the pause counts as none");
     start_s_ = std::max(byWallClock_s, spent_s_);
@@ -505,11 +505,10 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     if (!hadHead(lines)) return Done{};
-    return Failure{
-        FailureCode::unreadableInput, journal.string(), "",
-        Message("had a file \"%1\" beside it that is gone: whether its end was cut off cannot be told",
-                file.filename().string()),
-        Message("Restore both from a copy")};
+    return Failure{FailureCode::unreadableInput, journal.string(), "",
+                   Message("had a file \"%1\" beside it that is missing: its end may have been cut off",
+                           file.filename().string()),
+                   Message("Restore both from a copy")};
   }
   const Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
@@ -518,7 +517,7 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::string chain;
   if (!(head >> count))
     return Failure{FailureCode::unreadableInput, file.string(), "",
-                   Message("does not say how long the journal was"), Message("Restore both from a copy")};
+                   Message("does not record the length of the journal"), Message("Restore both from a copy")};
   head >> chain;
   if (count <= lines.size() &&
       chainAfter({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)}) == chain)

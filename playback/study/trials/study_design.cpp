@@ -420,7 +420,7 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   if (d.practice > mostPractice) return outside("--practice", d.practice, 0, mostPractice);
   const std::size_t pairs = buttons * (buttons - 1) / 2;
   if (d.pairsEach > 0 && !asksForPairs(d))
-    return wrongOption("--pairs-each", Message("has no meaning where no pairs are asked for"),
+    return wrongOption("--pairs-each", Message("has no meaning in a study without pairs"),
                        Message("Leave it out"));
   if (d.pairsEach > pairs)
     return wrongOption("--pairs-each", Message("%1 of %2 pairs", d.pairsEach, pairs),

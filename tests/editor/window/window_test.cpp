@@ -500,7 +500,7 @@ class WindowTest : public QObject {
     }
     Rig rig(folder_->path());
     rig.window->files().offerRecovery();
-    QVERIFY(rig.window->notices().texts().join("").contains("kept what was not saved"));
+    QVERIFY(rig.window->notices().texts().join("").contains("kept unsaved changes"));
     rig.press("discardRecovery");  // not confirmed: offered again
     rig.press("recover");
     QCOMPARE(rig.window->tabs().all().size(), std::size_t{2});
