@@ -38,7 +38,7 @@ std::optional<int> answeredAtOnce(const Arguments& arguments) {
   return {};
 }
 
-// Qt aborts without one; that would look like a crash.
+// Qt aborts without one; that would resemble a crash.
 bool screenMissing(const QStringList& words) {
   const bool windowsByServer =
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
@@ -87,8 +87,8 @@ int main(int argc, char** argv) {
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication::setStyle(outlinedStyle());
     QApplication app(argc, argv);
-    // Qt has taken the desktop's rules over for the C library, too. Files and drawings are read and written with a point;
-    // what a person sees goes through QLocale.
+    // Qt has taken the desktop's rules over for the C library, too. Files and drawings are read and written
+    // with a point; what a person sees goes through QLocale.
     std::setlocale(LC_NUMERIC, "C");
     QCoreApplication::setOrganizationName("Detent");
     QCoreApplication::setApplicationName("detent-edit");

@@ -11,7 +11,7 @@
 namespace detent::importer {
 namespace {
 
-/// The callout of a kind, pulled onto the stroke's travel (a leader may end on the wall's outer edge).
+/// The callout of a kind, moved onto the stroke's travel (a leader may end on the bottom-out's outer edge).
 std::optional<double> calloutAt(const std::vector<Callout>& callouts, CalloutKind kind,
                                 const StrokeCurve& curve) {
   for (const Callout& callout : callouts) {
@@ -79,8 +79,8 @@ double worstRms_px(const GraphFindings& findings) {
 
 /// Errors of a graph's axes, mm and N, that all its points share.
 PointNoise axisError(const GraphFindings& findings) {
-  // A drawing program puts lines on whole pixels and leaves curves where they belong; which way it rounded is not known
-  // unless the frame shows it (docs/develop/decisions/0401-finding-plot-frames.md).
+  // A drawing program puts lines on whole pixels and leaves curves where they belong; which way it rounded is
+  // not known unless the frame shows it (docs/develop/decisions/0401-finding-plot-frames.md).
   constexpr double roundedLine_px = 0.5;
   const bool exact =
       findings.pageClass == PageClass::vector || findings.graph.frame.value.drawnOffset_px != Point{};
@@ -121,7 +121,8 @@ Remedies giveAxes() {
           {RemedyKind::giveFrame, "if the frame was missed"}};
 }
 
-/// Why the axes are not certain, with what would settle it: where both ranges were given, only a unit or the frame is left.
+/// Why the axes are not certain, with what would settle it: where both ranges were given, only a unit or the
+/// frame is left.
 Doubt axesInDoubt(const GraphFindings& findings, const std::vector<WeighedDoubt>& doubts) {
   const auto& calibration = findings.graph.axes.calibration;
   const bool given = calibration.by == DecidedBy::given;

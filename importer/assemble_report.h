@@ -7,7 +7,7 @@
 
 namespace detent::importer {
 
-/// Where the graph stands and where its file came from.
+/// Position of the graph, and source of its file.
 struct GraphSource {
   std::string fileName, stem, sha256;
   int page = 1, graph = 1;

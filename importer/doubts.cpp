@@ -20,7 +20,8 @@
 namespace detent::importer {
 namespace {
 
-// What a doubted import is worth at most. Below `confidenceBar`: refused unless the user lowers the bar; above: remarked.
+// Largest confidence of a doubted import. Below `confidenceBar`: refused unless the user lowers the bar;
+// above: reported as a remark.
 constexpr double contradicted = 0.2;  // the page says otherwise
 constexpr double unconfirmed = 0.4;   // the page does not say
 constexpr double inPart = 0.6;        // what is read is right, and is not all: said, not refused
@@ -34,7 +35,8 @@ constexpr double endFallShare = 0.4;                            // of the force 
 constexpr double startShare = 0.1;  // of the travel: where it is largest there, a force pulls
 constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
-// What springs back does so until nothing is left: a release that gives out on the way, near the press, was lost there.
+// What springs back does so until nothing is left: a release that gives out on the way, near the press, was
+// lost there.
 constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;  // shares of the travel, of the press' force
 // What locks comes to rest on the way, and says by its names in a drawing that this is the whole of it.
 constexpr double atRest = 0.1;  // share of the press' force there
@@ -65,7 +67,7 @@ Extent forceOf(const StrokePoints& s) {
   return extentOf(s.points, [](const CurvePoint& p) { return p.force_N; });
 }
 
-/// Whether a point lies on a polyline, or this near to it.
+/// Returns true if a point lies on a polyline, or this near to it.
 bool liesOn(const Polyline& line, Point p, double within_px) {
   return !line.empty() && distance(nearestOn(line, p), p) <= within_px;
 }
@@ -79,7 +81,8 @@ double shareOn(const std::vector<Point>& other, const std::vector<Point>& line, 
   return near / all;
 }
 
-/// Of the stroke that runs more on the other one. A fringe of one line taken for the press covers a part of it only.
+/// Of the stroke that runs more on the other one. A fringe of one line taken for the press covers a part of
+/// it only.
 double coincidingShare(const StrokePair& strokes, double within_px) {
   const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
   return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
@@ -97,8 +100,9 @@ std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns
   return rows;
 }
 
-/// Whether a stroke goes over to the other one, runs on it and steps back: where a third line covered it, it was led along what
-/// was to be seen. A key that snaps lets one stroke step onto the other, and the other away from it.
+/// Returns true if a stroke goes over to the other one, runs on it and steps back: where a third line covered
+/// it, it was led along the visible one. A key that snaps lets one stroke step onto the other, and the other
+/// away from it.
 bool stepsOverAndBack(const StrokePair& strokes) {
   constexpr double together_px = 1.5;
   constexpr double stepShare = 0.04, within = 0.03;  // of the strokes' height, in so much of their travel
@@ -134,8 +138,9 @@ bool stepsOverAndBack(const StrokePair& strokes) {
   return false;
 }
 
-/// Whether ink of this colour stands in or beside nearly every column beyond a frame's right side, the plot's own lines left
-/// out: the frame was cut short. A thin line between two rows has its colour in every second column or so.
+/// Returns true if pixels of this colour are in or beside nearly every column beyond a frame's right side,
+/// without the plot's own lines: the frame was cut short. A thin line between two rows has its colour in
+/// every second column or so.
 bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   constexpr double farShare = 0.04, nearlyAll = 0.9;  // of the frame's width; of the columns
   constexpr double apart_px = 3;                      // from a line of the plot
@@ -173,7 +178,7 @@ double shareAlongAnAxis(const std::vector<Point>& line) {
   return std::max(longest([](Point p) { return p.x; }), longest([](Point p) { return p.y; })) / at.back();
 }
 
-/// How far the force drops over the last stretch of travel, as a share of the stroke's span.
+/// Drop of the force over the last stretch of travel, as a share of the stroke's span.
 double fallAtEnd(const StrokePoints& press) {
   constexpr double lastShare = 0.03;  // of the travel
   const Extent travel = travelOf(press), force = forceOf(press);
@@ -183,7 +188,7 @@ double fallAtEnd(const StrokePoints& press) {
   return force.span() > 0 ? (highest - press.points.back().force_N) / force.span() : 0;
 }
 
-/// A stroke up to the foot of the wall that ends it.
+/// A stroke up to the start of the bottom-out that ends it.
 StrokePoints withoutEndWall(StrokePoints stroke) {
   constexpr double plumb = 0.004;  // of the travel
   const double within_mm = plumb * travelOf(stroke).span(), end_mm = stroke.points.back().displacement_mm;
@@ -196,15 +201,15 @@ StrokePoints withoutEndWall(StrokePoints stroke) {
   return stroke;
 }
 
-/// Whether a stroke ends as soft as it ever gets.
+/// Returns true if a stroke ends at its least force.
 bool softestAtItsEnd(const StrokePoints& stroke) {
   constexpr double within = 0.03;  // of the force span
   const Extent force = forceOf(stroke);
   return stroke.points.back().force_N <= force.low + within * force.span();
 }
 
-/// Whether the force falls from the start of the travel on, as a magnet's over its gap: a press that is never harder than at
-/// its start, and ends far below.
+/// Returns true if the force falls from the start of the travel on, as a magnet's over its gap: a press that
+/// is never stronger than at its start, and ends far below.
 bool fallsThroughout(const StrokePoints& press) {
   const Extent travel = travelOf(press), force = forceOf(press);
   const CurvePoint highest = *std::ranges::max_element(press.points, {}, &CurvePoint::force_N);
@@ -212,7 +217,8 @@ bool fallsThroughout(const StrokePoints& press) {
          force.high - press.points.back().force_N > endFallShare * force.span();
 }
 
-/// Whether a press begins as hard as it ever gets and gives way from there: a key begins where the finger meets it.
+/// Returns true if a press begins at its largest force and falls from there: a key begins where the finger
+/// meets it.
 bool hardestAtItsStart(const StrokePoints& press) {
   constexpr double ofHighest = 0.9;  // of the largest force
   const Extent force = forceOf(press);
@@ -220,10 +226,10 @@ bool hardestAtItsStart(const StrokePoints& press) {
          press.points.front().force_N - force.low > endFallShare * force.span();
 }
 
-/// Whether a press falls from its start or to its end, where it stands on something.
+/// Returns true if a press falls from its start or to its end, where it has a support.
 bool endsInAFall(const StrokePoints& press) {
   if (fallAtEnd(press) > endFallShare || fallsThroughout(press) || hardestAtItsStart(press)) return true;
-  // An edge of the frame, taken for a wall, stands higher than the start.
+  // An edge of the frame, taken for a bottom-out, is higher than the start.
   const StrokePoints curve = withoutEndWall(press);
   return softestAtItsEnd(curve) && fallsThroughout(curve);
 }
@@ -232,8 +238,8 @@ bool endsInAFall(const StrokePoints& press) {
 bool implausibleTravel(double travel_mm) { return travel_mm > mostTravel_mm || travel_mm < leastTravel_mm; }
 bool implausibleForce(double force_N) { return force_N > mostForce_N || force_N < leastForce_N; }
 
-/// A unit does not say that the numbers beside it were read right: one that was given and leaves the size as it is answers
-/// nothing, and the axis is what is left to ask for.
+/// A unit does not say that the numbers beside it were read right: one that was given and leaves the size as
+/// it is answers nothing, and the axis is what is left to ask for.
 Remedies sizeRemedies(bool unitGiven, RemedyKind giveUnit, RemedyKind giveAxis) {
   const Remedy axis{giveAxis, "if it is"};
   return unitGiven ? Remedies(axis) : Remedies{{giveUnit, "if it is another"}, axis};
@@ -274,8 +280,8 @@ double sharedTravel(const StrokePair& strokes) {
   return either > 0 ? std::max(0.0, both / either) : 1;
 }
 
-/// Whether the press begins far to the right of where the release comes back to, and not at nothing: no button pushes before it
-/// is pressed, its way there was lost.
+/// Returns true if the press begins far to the right of the release's end, and not near zero. A press must
+/// start near zero force; otherwise its beginning was not traced.
 bool pressBeginsLate(const StrokePair& strokes) {
   constexpr double late = 0.1, nothing = 0.25;  // of the travel; of the press' largest force
   constexpr double plumb = 0.01;                // of the travel: a locked key's press rises straight
@@ -287,7 +293,8 @@ bool pressBeginsLate(const StrokePair& strokes) {
   return press.low - release.low > late * travel_mm && begin_N > nothing * forceOf(strokes.press).high;
 }
 
-/// Where a release gives out, the share of the press' force there that it still has; nothing where the press is not.
+/// Where a release gives out, the share of the press' force there that it still has; nothing where the press
+/// is not.
 std::optional<double> forceLeft(const StrokePair& strokes) {
   const auto earlier = [](CurvePoint a, CurvePoint b) { return a.displacement_mm < b.displacement_mm; };
   const auto& release = strokes.release->points;
@@ -303,7 +310,7 @@ std::optional<double> forceLeft(const StrokePair& strokes) {
   return force_N > 0 ? std::optional(end.force_N / force_N) : std::nullopt;
 }
 
-/// Whether ink leads downwards from left to right all the way.
+/// Returns true if the points fall from left to right all the way.
 bool onlyFalls(const std::vector<Point>& ink) {
   constexpr std::size_t parts = 10;
   constexpr double unevenness_px = 2;
@@ -440,8 +447,9 @@ class Doubts {
          {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}});
   }
 
-  /// A line through a good part of the plot that is of neither stroke, however straight: the loop of another state, as a self-locking
-  /// button has, or of another switch. Guides are level or upright, leaders short. Nothing where the person chose among curves.
+  /// A line through a good part of the plot that is of neither stroke, however straight: the loop of another
+  /// state, as a self-locking button has, or of another switch. Guides are level or upright, leaders short.
+  /// Nothing where the person chose among curves.
   void otherLine() {
     constexpr double leastWidth = 0.3, leastHeight = 0.2;  // of the frame's
     constexpr double mostThickness =
@@ -460,10 +468,10 @@ class Doubts {
     if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::inkLeftOver, unconfirmed);
   }
 
-  /// Of a switch chosen among several a press alone was followed, and ink of its colour runs on above or below it over a good part of its
-  /// travel: its release, or its press, is another line.
+  /// Of a switch chosen among several a press alone was followed, and pixels of its colour continue above or
+  /// below it over a good part of its travel: its release, or its press, is another line.
   void ownInkBeside() {
-    constexpr double mostShare = 0.25;  // of its columns; a legend's sample takes less
+    constexpr double mostShare = 0.25;  // of its columns; a legend key takes less
     constexpr double apart_px = 4;      // from what explains it
     const StrokePair& strokes = findings_.strokes.value;
     if (hints_.strokes.curve.empty() || strokes.release || findings_.graph.view.raster.rgb.empty()) return;
@@ -500,7 +508,8 @@ class Doubts {
       sayAt(beside[beside.size() / 2], DoubtCode::inkLeftOver, unconfirmed);
   }
 
-  /// A colour given for one stroke is the curve's that the legend calls the other. It is done as given, and said.
+  /// A colour given for one stroke is the curve's that the legend calls the other. It is done as given, and
+  /// said.
   void givenAgainstLegend() {
     const TraceHints& given = hints_.trace;
     if (hints_.strokes.swap || (!given.pressColor && !given.releaseColor)) return;
@@ -515,8 +524,8 @@ class Doubts {
           {{RemedyKind::swapStrokes, {}}});
   }
 
-  /// One of two curves is called something that is no stroke, and the other's name is not read: they may be two switches'. Where both
-  /// are called so their course alone says what they are.
+  /// One of two curves has a name that is no stroke's, and the other's name is not read: they may be two
+  /// switches'. If both have such names their paths alone decide.
   void namedAlone() {
     const std::vector<CurveTrace>& traces = findings_.traces;
     const bool byHand = hints_.trace.pressColor || hints_.trace.releaseColor || !hints_.drawn.press.empty();
@@ -539,7 +548,8 @@ class Doubts {
         byColour);
   }
 
-  /// The legend names the strokes of another switch beside those that were traced: its curves stand there, in whatever ink.
+  /// The legend names the strokes of another switch beside those that were traced: its curves are drawn
+  /// there, in whatever colour.
   void otherNamed() {
     const CurveTrace* const press = traceOf(findings_.strokes.value.press);
     if (!press || !hints_.strokes.curve.empty() || hints_.trace.pressColor || !hints_.drawn.press.empty())
@@ -588,9 +598,9 @@ class Doubts {
     return 2 * static_cast<std::size_t>(along) <= left.ink_px.size();
   }
 
-  /// As the box of a legend: most of its ink lies on the edges of its extent.
+  /// As the box of a legend: most of its pixels lie on the edges of its bounding box.
   static bool outlinesABox(const Remainder& left) {
-    constexpr double nearShare = 0.05, most = 0.5;  // of the box; of the ink
+    constexpr double nearShare = 0.05, most = 0.5;  // of the box; of the pixels
     const Box& box = left.box_px;
     const auto onEdge = std::ranges::count_if(left.ink_px, [&](Point p) {
       return std::min(p.x - box.x0, box.x1 - p.x) < nearShare * box.width() ||
@@ -599,7 +609,8 @@ class Doubts {
     return static_cast<double>(onEdge) > most * static_cast<double>(left.ink_px.size());
   }
 
-  /// Ink of a curve's colour that neither the curves nor the plot's lines and words explain; curves that no ink does.
+  /// Pixels of a curve's colour that neither the curves nor the plot's lines and words explain; curves
+  /// without pixels.
   void leftOver() {
     constexpr double likeACurve = 0.5;  // likeness 0..1, docs/develop/decisions/0810
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
@@ -607,11 +618,12 @@ class Doubts {
     const auto ofAStroke = [&](const auto& each) { return isOfAStroke(each); };
     const auto most = std::ranges::find_if(left, ofAStroke);
     if (most != left.end() && most->likeness >= likeACurve)
-      // A curve that goes on is a curve cut short; ink by itself may be another thing of the page: it is said, not refused.
+      // A curve that goes on is a curve cut short; an isolated mark may be another thing of the page: it is
+      // reported, not refused.
       sayAt(most->box_px.middle(), DoubtCode::inkLeftOver,
             most->atAnEnd || most->dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
-        0.1;  // of the curves' ink; 0 on charts with markers and fills, 0.21 along a filled band
+        0.1;  // of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::inkLeftOver, unconfirmed);
     constexpr double mostBeside = 0.4;  // of a lone curve's travel: dots have half
     if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::inkLeftOver, unconfirmed);
@@ -619,7 +631,7 @@ class Doubts {
       sayAt(0.5 * (leap->from_px + leap->to_px), DoubtCode::curveWithoutInk, unconfirmed);
   }
 
-  /// What a step took for granted that the page does not show.
+  /// Assumptions of a step that the page does not show.
   void assumed() {
     for (const EvidenceItem& item : findings_.strokes.evidence)
       if (item.code == EvidenceCode::nameNearly)
@@ -656,8 +668,8 @@ class Doubts {
            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
   }
 
-  /// Whether a curve in an ink of its own was set aside that is the second scale's: the legend names it after what that measures, or names
-  /// press and release beside it.
+  /// Returns true if a curve in a colour of its own was set aside that is the second scale's: the legend
+  /// names it after that scale's quantity, or names press and release beside it.
   bool otherScaleHasItsCurve() const {
     const StrokePair& strokes = findings_.strokes.value;
     const bool named = isNamed(strokes.press, Stroke::press) && strokes.release &&
@@ -668,7 +680,8 @@ class Doubts {
            });
   }
 
-  /// What the steps are sure of holds less often where the page came from paper, unless a person gave frame and axes.
+  /// The steps' confidence is right less often if the page came from paper, unless a person gave frame and
+  /// axes.
   void pageClass() {
     const bool scan = findings_.pageClass == PageClass::scan;
     const AxisHints& axes = hints_.axes;
@@ -695,12 +708,12 @@ class Doubts {
     const Raster& picture = findings_.graph.view.raster;
     const Rgb color = colorOf(stroke);
     const Point end = line.back(), towards = end - line[line.size() - std::min<std::size_t>(line.size(), 13)];
-    // A wall on the frame's side runs along it; it leaves the plot at the top only.
+    // A bottom-out on the frame's side runs along it; it leaves the plot at the top only.
     const bool sidewards = std::abs(towards.x) > plumbShare * std::abs(towards.y);
     const bool atRight = sidewards && end.x > std::min(topRight.x, bottomRight.x) - atEdge_px;
     const bool atEdge = atRight || end.y < std::max(topLeft.y, topRight.y) + atEdge_px;
-    // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame; across a broken axis no
-    // ink goes on, and the label stands beyond.
+    // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame; across a
+    // broken axis no curve continues, and the label is beyond.
     const bool nearTop =
         end.y < std::max(topLeft.y, topRight.y) + nearShare * (bottomLeft.y - topLeft.y) + atEdge_px;
     const bool broken = nearTop && (labelAbove(topLeft) || (!drawnAtTop() && numberAbove(topLeft)));
@@ -716,7 +729,8 @@ class Doubts {
     belowTheAxis(line);
   }
 
-  /// Of a curve from left to right: what an axis that begins above zero hides of it, before its start and where it dips.
+  /// Of a curve from left to right: what an axis that begins above zero hides of it, before its start and
+  /// where it dips.
   void belowTheAxis(const std::vector<Point>& line) {
     constexpr double onFoot_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
     constexpr double noticeable = 0.03;            // of the axis' range; of the travel
@@ -806,7 +820,7 @@ class Doubts {
       return hasEnd(trace, first) && hasEnd(trace, last);
     });
     if (whole != findings_.traces.end()) return &*whole;
-    // Its foot may be another curve's, under which its own runs: its upper end says more.
+    // The lower end may be another curve's, under which its own runs: the upper end is more reliable.
     const bool backwards = first.x > last.x;
     for (const Point end : {backwards ? first : last, backwards ? last : first}) {
       const auto from =
@@ -825,7 +839,7 @@ class Doubts {
   }
   Rgb colorOf(const StrokePoints& stroke) const { return traceColorOf(stroke).value_or(Rgb{}); }
 
-  /// Whether this colour is a stroke's, or may be.
+  /// Returns true if this colour is a stroke's, or may be.
   bool isOfAStroke(Rgb color) const {
     const StrokePair& strokes = findings_.strokes.value;
     const auto press = traceColorOf(strokes.press);
@@ -833,7 +847,7 @@ class Doubts {
     return !press || !release || isSameInk(color, *press) || isSameInk(color, *release);
   }
 
-  /// How many of a remainder's pixels show a colour.
+  /// Number of a remainder's pixels that show a colour.
   std::size_t shownOf(const Remainder& left, Rgb color) const {
     const Raster& picture = findings_.graph.view.raster;
     if (picture.empty()) return 0;
@@ -842,7 +856,8 @@ class Doubts {
     }));
   }
 
-  /// Whether a remainder may be a stroke's: what shows the ink of a curve that was set aside more than any stroke's is that one's.
+  /// Returns true if a remainder may be a stroke's. A remainder that shows the colour of a curve that was set
+  /// aside more than any stroke's belongs to that curve.
   bool isOfAStroke(const Remainder& left) const {
     std::size_t ofStrokes = 0, ofOthers = 0;
     for (const CurveTrace& trace : findings_.traces) {
@@ -852,20 +867,21 @@ class Doubts {
     return ofStrokes >= ofOthers;
   }
 
-  /// A leap is its curve's.
+  /// Attributes a jump of the trace to the curve it lies on.
   bool isOfAStroke(const Leap& leap) const {
     constexpr double on_px = 1.5;
     bool ofOthers = false;
     for (const CurveTrace& trace : findings_.traces) {
       if (!liesOn(trace.points_px, leap.from_px, on_px) || !liesOn(trace.points_px, leap.to_px, on_px))
         continue;
-      if (isOfAStroke(trace.color)) return true;  // a stroke that strayed onto another curve has its leap too
+      if (isOfAStroke(trace.color)) return true;  // a stroke that strayed onto another curve has its jump too
       ofOthers = true;
     }
     return !ofOthers;
   }
 
-  /// Whether a line falls all the way from left to right and shows hardly any stroke's colour: an arrow or a leader. No stroke falls so.
+  /// Returns true if a line falls all the way from left to right and shows hardly any stroke's colour: an
+  /// arrow or a leader. No stroke falls so.
   bool isMark(const Remainder& left) const {
     constexpr double mostOfStrokes = 0.4;  // of its pixels: smoothed rims have any colour
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
@@ -904,7 +920,7 @@ std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStr
                        const Remedies& helps) {
     doubts.push_back({{code, std::move(values), leftToTry(helps, hints)}, confidence});
   };
-  const Remedies takeOut(Message("Take out of the file what the sensor did not measure"));
+  const Remedies takeOut(Message("Remove the values that the sensor did not measure from the file"));
   const Extent travel = travelOf(strokes.press), force = forceOf(strokes.press);
   if (implausibleTravel(travel.span()) && !hints.axes.xUnit)
     add(DoubtCode::implausibleTravel, unconfirmed, {{travel.span(), Measure::displacement_mm}},

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What speaks against an import although every step was sure of itself: the page contradicts itself, or what came out
-// does not look like one button's strokes. docs/develop/decisions/0805-doubts.md names where each was seen to be a wrong button.
+// Evidence against an import although every step was certain: the page contradicts itself, or the result does
+// not resemble one button's strokes. docs/develop/decisions/0805-doubts.md names the wrong buttons that each
+// has found.
 
 #include <vector>
 
@@ -15,14 +16,16 @@ struct WeighedDoubt {
   double confidence = 0;
 };
 
-/// What the steps' confidence is worth on pages of a class, 0..1: counted, docs/measurements/import-confidence.md.
+/// Factor of the steps' confidence on pages of a class, 0..1: counted,
+/// docs/measurements/import-confidence.md.
 double worthOf(PageClass pageClass);
 
 /// Empty for an import that nothing speaks against. What was given by hand is not doubted.
 std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                                    const ImportHints& hints);
 
-/// The same of a force meter's log, which has no page to hold it against: sizes, signs and shape of its strokes.
+/// The same of a force meter's log, which has no page to hold it against: sizes, signs and shape of its
+/// strokes.
 std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStrokes& fitted,
                                       const ImportHints& hints);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a hand drew along the curves, in the place of what was traced, or of a part of it.
+// Lines drawn by hand along the curves, in place of a traced stroke or of a part of it.
 
 #include <vector>
 
@@ -11,8 +11,8 @@ namespace detent::importer {
 /// A drawn line that covers less than this share of a traced stroke's displacement replaces that part alone.
 inline constexpr double wholeStrokeShare = 0.8;
 
-/// A drawn line (page units) as a stroke: followed along the ink, in mm and N, in the order travelled. Empty if
-/// it is no line.
+/// A drawn line (page units) as a stroke: followed along the curve's pixels, in mm and N, in the order
+/// travelled. Empty if it is no line.
 StrokePoints strokeFromDrawn(const std::vector<Point>& drawn, Stroke stroke, const PageView& view,
                              const PlotFrame& frame, const AxisCalibration& calibration);
 

@@ -22,7 +22,7 @@ std::optional<double> distanceBetween(const StrokePair& a, const StrokePair& b);
 /// axes are farther apart.
 inline constexpr double copiesWithin = 0.015;
 
-/// What decides between copies.
+/// Rank of a copy, to choose one.
 struct CopyRank {
   double confidence = 0;   ///< of the whole reading, 0..1
   bool exact = false;      ///< strokes from the document's own paths

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the steps gave for one graph, gathered for those who judge it.
+// Results of the steps for one graph, gathered for judgement.
 
 #include <optional>
 #include <vector>
@@ -20,7 +20,7 @@ struct FittedStrokes {
   std::optional<FittedStroke> release;
 };
 
-/// Everything the steps before gave for one graph.
+/// Results of the previous steps for one graph.
 struct GraphFindings {
   const LocatedGraph& graph;
   const std::vector<CurveTrace>& traces;

@@ -46,7 +46,7 @@ class StepClock {
 Message placeOf(int page) { return Message("page %1", page); }
 Message placeOf(int page, int graph) { return Message("page %1, graph %2", page, graph); }
 
-/// What decides which graphs a page has and how their axes read.
+/// Inputs that determine the graphs of a page and the reading of their axes.
 struct LocateKey {
   ViewOptions view;
   AxisHints axes;
@@ -164,7 +164,8 @@ Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const Draw
   return Found<StrokePair>{std::move(pair), 1, DecidedBy::given, {}};
 }
 
-/// A switch asked for by a name that no text engine read is asked for by its number where the name is seen in the legend.
+/// A switch requested by a name that no text engine read is requested by its number if the name is seen in
+/// the legend.
 StrokeHints asSeen(StrokeHints hints, const std::vector<CurveTrace>& curves, const PageView& view) {
   const std::vector<PlotSwitch> switches = switchesAmong(curves);
   if (chosenSwitch(switches, curves, hints.curve)) return hints;
@@ -266,7 +267,7 @@ struct ImportSession::Impl {
     double spacing_px = 0;
     std::vector<CurveTrace> traces;
     std::optional<trace::PlotScene> scene = {};   // of the latest, until it is explained
-    std::optional<Explanation> explanation = {};  // once asked for: names and colours need none
+    std::optional<Explanation> explanation = {};  // once requested: names and colours need none
   };
   std::list<Traced> traced;              // the latest last
   std::optional<GraphPlace> lastRead;    // by readPlot
@@ -409,7 +410,8 @@ struct ImportSession::Impl {
     LocatedGraph& asRead() const { return onPage->located.graphs[index]; }  // as it stands on the page
   };
 
-  /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons differ.
+  /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons
+  /// differ.
   std::string buttonName(const Choice& choice) const {
     const bool alone = document->pageCount() == 1 && choice.onPage->located.graphs.size() == 1;
     const std::string title = alone ? std::string() : titleAbove(choice.asRead());
@@ -475,7 +477,7 @@ struct ImportSession::Impl {
     return Choice{place.page, place.graph, *onPage, index, place.remarks, 1, {}};
   }
 
-  /// The graph asked for, or the most certain one of the document.
+  /// The requested graph, or the most certain one of the document.
   Result<Choice> choose(const ImportRequest& request, const LocateKey& key, const Progress& progress) {
     if (request.page && request.graph && *request.graph > 0) {
       auto numbered = chooseNumbered(request, key, progress);
@@ -569,7 +571,7 @@ struct ImportSession::Impl {
     return &traced.back().traces;
   }
 
-  /// What these kept tracings of the chosen graph leave over; nothing of others.
+  /// Unexplained pixels of these kept tracings of the chosen graph; nothing of others.
   Explanation explanationOf(const std::vector<CurveTrace>* curves, const Choice& choice) {
     const auto kept =
         std::ranges::find_if(traced, [&](const Traced& each) { return &each.traces == curves; });
@@ -648,7 +650,7 @@ struct ImportSession::Impl {
                                {RemedyKind::importAll, "for each"}}});
   }
 
-  /// How far an import came that stops here: what a person needs to see where it went wrong.
+  /// State of an import that stops here: enough for a person to see where it failed.
   ImportAttempt stopped(Failure why, const Choice& choice, const std::vector<CurveTrace>& curves,
                         Explanation explanation) const {
     const LocatedGraph& graph = choice.located();
@@ -667,8 +669,8 @@ struct ImportSession::Impl {
     return f;
   }
 
-  /// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a camera. One whose
-  /// pixels were averaged shows no grain, the page's own still do.
+  /// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a
+  /// camera. One whose pixels were averaged shows no grain, the page's own still do.
   PageClass classOf(const Choice& choice, const StrokePair& strokes, const Progress& progress) {
     const PageView& view = choice.located().view;
     if (strokes.press.fromVector) return PageClass::vector;
@@ -788,7 +790,7 @@ ImportAttempt ImportSession::Impl::readAgain(const ImportRequest& request, const
   const std::optional<GraphPlace> place = lastRead;
   if (!anotherMaySettle(first.attempt)) return withDoubtsJudged(std::move(first.attempt), request);
   auto itsPage = page(place ? place->page : request.page.value_or(1), progress);
-  // Which page of a document it is on was not found by one look, and is not by another.
+  // A reading that did not find the page of a document does not find it at another size either.
   const bool anywhere = !place && !request.page && document->pageCount() > 1;
   if (anywhere || !itsPage) return withDoubtsJudged(std::move(first.attempt), request);
   const OtherSizes sizes = otherSizesOf(**itsPage);
@@ -859,7 +861,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
         request.hints.drawn, graph);
   }();
   std::optional<Wider> wider;
-  // Strokes that the frame cuts may look like two switches' there.
+  // Strokes that the frame cuts may resemble two switches' there.
   if (request.hints.frame.empty() && request.hints.drawn.press.empty() && request.hints.drawn.release.empty())
     wider = readWider(graph, **curves, request, settings.trace, progress);
   const Explanation explanation = wider ? std::move(wider->explanation) : explanationOf(*curves, *choice);

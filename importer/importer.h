@@ -35,15 +35,14 @@
 namespace detent::importer {
 
 /// Strokes drawn by hand along the curve on the page: points in page units, from the start of the press (the
-/// end of the release) to the other end; empty where none was drawn. What lies between is followed with a pull
-/// to the ink (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
+/// end of the release) to the other end; empty if none was drawn. Between the points the line follows the
+/// curve's pixels (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
 struct DrawnStrokes {
   std::vector<Point> press, release;
   bool operator==(const DrawnStrokes&) const = default;
 };
 
-/// What the user settled by hand; everything else is found. Given values are kept while the rest is
-/// recomputed.
+/// Values given by the user; everything else is found. Given values are kept while the rest is recomputed.
 struct ImportHints {
   std::vector<Point> frame;  ///< empty, 2 (opposite) or 4 corners (tl, tr, br, bl), page units
   AxisHints axes;
@@ -57,17 +56,17 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
-/// Of what helps against a doubt that which has not been given by hand yet: what was given and left the doubt as it was is not asked for
-/// again. Where nothing else is left: to draw the strokes by hand, then the person's own word.
+/// Remedies that the user has not supplied yet: a remedy that was given and left the doubt as it was is not
+/// offered again. If nothing else is left: drawing the strokes by hand, then accepting the doubt.
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
 
-/// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets another bar. Set
-/// from the corpus (docs/develop/decisions/0800-import-confidence.md).
+/// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets
+/// another bar. Set from the corpus (docs/develop/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
 /// Wall-clock time that the imports of one input may take together.
 struct TimeLimit {
-  /// From now on; ends after a share of itself where something is left to do with what was read.
+  /// Starts now; ends after a share of the limit if work on the results remains.
   explicit TimeLimit(double limit_s, double share = 1)
       : seconds(limit_s),
         end(std::chrono::steady_clock::now() +
@@ -79,7 +78,7 @@ struct TimeLimit {
   std::chrono::steady_clock::time_point end;
 };
 
-/// Which graph, how carefully, and what is already settled.
+/// The graph to import, the quality, and the given hints.
 struct ImportRequest {
   std::string path;
   std::optional<int> page;   ///< from 1
@@ -88,10 +87,11 @@ struct ImportRequest {
   ImportHints hints;
   PageLimits limits;
   double sure = confidenceBar;  ///< 0..1: what is less certain is refused
-  /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not as a
-  /// Failure.
+  /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not
+  /// as a Failure.
   bool acceptDoubt = false;
-  /// Once it has passed what was read so far is taken, with a remark; where nothing was, unreadableInput.
+  /// After this limit the results so far are taken, with a remark; without any, the failure is
+  /// unreadableInput.
   std::optional<TimeLimit> timeLimit;
 };
 
@@ -112,14 +112,15 @@ struct RejectedFrame {
   Failure why;
 };
 
-/// What pages show. Where several were asked for, one that cannot be read costs only itself, unless it is the only one.
+/// The graphs of pages. If several pages were requested, one that cannot be read costs only itself, unless it
+/// is the only one.
 struct GraphList {
   std::vector<ListedGraph> graphs;      ///< reading order
   std::vector<RejectedFrame> rejected;  ///< looked at and not listed
   std::vector<Remark> remarks;          ///< what could not be read: broken images, broken pages
 };
 
-/// How sure one step was, and of what.
+/// Confidence of one step, with its subject.
 struct StepFinding {
   ImportStep step = ImportStep::locate;  ///< locate, axes or strokes
   double confidence = 0;
@@ -127,7 +128,7 @@ struct StepFinding {
   std::vector<EvidenceItem> evidence;
 };
 
-/// What an import looked at, for drawing it back over the page. Shared, never changed.
+/// Evidence of an import, for drawing it back over the page. Shared, never changed.
 struct GraphEvidence {
   PageView view;
   PlotFrame frame;
@@ -144,7 +145,7 @@ struct StrokeReport {
   double rms_px = 0;  ///< orthogonal, of the traced points to the fitted curve; 0 for force logs
 };
 
-/// One look at a graph and what it came to. `precise` looks more than once (importer/second_opinion.h).
+/// One reading of a graph and its result. `precise` reads more than once (importer/second_opinion.h).
 struct PageLook {
   double magnification =
       1;                  ///< a picture was looked at so many times its size, a document drawn as much finer
@@ -152,11 +153,11 @@ struct PageLook {
   std::optional<double> travel_mm, highest_N;  ///< of the press; empty where nothing was read
   bool release = false;
   Message problem;     ///< why it was not certain; empty: it was
-  bool taken = false;  ///< the report is this look's
+  bool taken = false;  ///< the report is of this reading
 };
 
-/// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure
-/// instead, or says so in `doubt` where the request asked for that.
+/// The result of an import. Usable as it is: anything not certain enough came back as a Failure instead, or
+/// is named in `doubt` if the request allowed that.
 struct ImportReport {
   explicit ImportReport(Button imported) : button(std::move(imported)) {}
 
@@ -182,24 +183,26 @@ struct ImportReport {
   std::string brief() const;                            ///< one line for people
 };
 
-/// Takes up a choice of a question: its option as hints. Returns false if the option is none that a question offers.
+/// Takes up a choice of a question: its option as hints. Returns false if the option is none that a question
+/// offers.
 bool takeUp(const Choice& choice, ImportHints& hints);
 
 /// An import, and what it looked at even where it failed.
 struct ImportAttempt {
   Result<ImportReport> report;
-  /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no frame
-  /// was found and for force logs.
+  /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no
+  /// frame was found and for force logs.
   std::shared_ptr<const GraphEvidence> evidence;
-  /// Of a force log that is not certain: what its readings differ in. Each choice was tried and leads to an accepted result.
+  /// For an uncertain force log: the difference of its readings. Each choice was tried and leads to an
+  /// accepted result.
   std::optional<Question> question = {};
   std::vector<ExplainedInterpretation> interpretations = {};  ///< of a force log, the best three
 };
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
-/// it depends on changed. What was found is kept; pages and pixels are kept within a bound on
-/// memory (docs/develop/decisions/1020-memory-of-imports.md). One thread at a time; `Progress::cancelled`
-/// may be asked from it.
+/// it depends on changed. Results are kept; pages and pixels are kept within a bound on memory
+/// (docs/develop/decisions/1020-memory-of-imports.md). One thread at a time; `Progress::cancelled` may be
+/// called from it.
 class ImportSession {
  public:
   static Result<ImportSession> open(const std::string& path, const PageLimits& limits = {});
@@ -211,13 +214,14 @@ class ImportSession {
   bool isForceLog() const;
   /// Valid until the next call of any function: the pages used last are kept.
   Result<const Page*> page(int number, const Progress& progress = {});
-  /// Of a force log: its records, for choosing one by StrokeHints::curve.
+  /// Records of a force log, for choosing one by StrokeHints::curve.
   Result<std::vector<ListedRecord>> records(const ImportHints& hints = {}, const Progress& progress = {});
   /// Graphs of one page, or of all without a number.
   Result<GraphList> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                          const ImportHints& hints = {}, const Progress& progress = {});
-  /// The switches that a listed graph shows (one, as a rule), for choosing one by StrokeHints::curve; empty where it is
-  /// not clear which curves belong together. Traces the graph; what a later import needs of that is kept.
+  /// The switches that a listed graph shows (one, as a rule), for choosing one by StrokeHints::curve; empty
+  /// where it is not clear which curves belong together. Traces the graph; what a later import needs of that
+  /// is kept.
   Result<std::vector<PlotSwitch>> switches(const ListedGraph& graph, Quality quality = Quality::standard,
                                            const ImportHints& hints = {}, const Progress& progress = {});
   /// `path` and `limits` of the request are those of the session. With `page` and `graph`, the axis hints

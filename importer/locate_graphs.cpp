@@ -56,10 +56,12 @@ PlotFrame frameInView(const PlotFrame& frame, const Homography& toView) {
   return moved;
 }
 
-/// A frame of a picture keeps as many: with 1000 x 700 its lines and numbers are as sharp as in most pictures of plots.
+/// A frame of a picture keeps as many: with 1000 x 700 its lines and numbers are as sharp as in most pictures
+/// of plots.
 constexpr double leastFramePixels = 7e5;
 
-/// A region around the candidate. Of a picture that shows the frame larger than any plot needs pixels are averaged.
+/// A region around the candidate. Of a picture that shows the frame larger than any plot needs pixels are
+/// averaged.
 Result<PageView> viewOf(const Document& document, const Page& page, const Box& region,
                         const FrameCandidate& candidate, const ViewOptions& options,
                         const Progress& progress) {
@@ -130,7 +132,7 @@ std::vector<Found<FrameCandidate>> besideLocated(std::vector<Found<FrameCandidat
   return candidates;
 }
 
-/// From the top of the page to its foot, side by side from the left.
+/// From the top of the page to the bottom, side by side from the left.
 bool readsBefore(const LocatedGraph& a, const LocatedGraph& b) {
   const Box &p = a.candidate.value.pageBox, &q = b.candidate.value.pageBox;
   return p.y1 <= q.y0 || (q.y1 > p.y0 && p.x0 < q.x0);
@@ -214,7 +216,7 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
     if (const auto sheet = photographedSheet(page)) readByRegion(sheet);
     if (located.graphs.empty()) located.graphs = askew;
     if (located.graphs.empty()) readByRegion({});
-    // Where no axis is drawn, the lean was told from the curves.
+    // Without a drawn axis, the tilt was measured from the curves.
     if (located.graphs.empty()) readAll(findPlotsByNumbers(page, upright, progress));
   } else if (located.graphs.empty() && !frameGiven && document.pageCount() == 1) {
     readAll(findPlotsByNumbers(page, upright, progress));

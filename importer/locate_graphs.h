@@ -29,7 +29,7 @@ struct LocatedGraph {
 Result<PageView> viewOf(const Document& document, const Page& page, const FrameCandidate& candidate,
                         const ViewOptions& options, const Progress& progress = {});
 
-/// What came of one page: graphs in reading order, what was rejected, and why the best of those was.
+/// Result of one page: graphs in reading order, rejected frames, and the reason for the best of those.
 struct LocatedPage {
   std::vector<LocatedGraph> graphs;
   std::vector<RejectedFrame> rejected;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What draft, standard and precise mean: one documented set of settings each.
-// docs/measurements/bench-importer.md has the measured trade.
+// Settings of draft, standard and precise: one documented set each. docs/measurements/bench-importer.md has
+// the measured trade.
 
 #include "importer/fit/fit_options.h"
 #include "importer/page/page.h"

@@ -22,7 +22,7 @@ Result<StrokeCurve> startingAtRest(const StrokeCurve& curve) {
     knots[i - 1].slopeAfter_N_per_mm *= factor;
     knots[i].slopeBefore_N_per_mm *= factor;
   }
-  if (atRest > 2) {  // an upright wall has two ends
+  if (atRest > 2) {  // a vertical rise has two ends
     knots.erase(knots.begin() + 1, knots.begin() + static_cast<std::ptrdiff_t>(atRest) - 1);
   }
   return StrokeCurve::fromKnots(std::move(knots));

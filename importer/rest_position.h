@@ -7,8 +7,8 @@
 namespace detent::importer {
 
 /// The curve with everything left of 0 mm pushed onto 0 mm: shapes are squeezed along displacement, forces
-/// stay, so a wall that leans a hair to the left becomes upright and keeps its height. Failure: nothing right
-/// of 0 mm.
+/// stay, so a rise that leans slightly to the left becomes vertical and keeps its height. Failure: nothing
+/// right of 0 mm.
 Result<StrokeCurve> startingAtRest(const StrokeCurve& curve);
 
 }  // namespace detent::importer

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Plots whose numbers fall to the right or upwards (travel from right to left, force downwards) are mirrored before their curves are
-// followed: everything after the axes counts on a press that begins at the left and a force that grows upwards. Any thread.
+// Plots whose numbers fall to the right or upwards (travel from right to left, force downwards) are mirrored
+// before their curves are followed: everything after the axes counts on a press that begins at the left and a
+// force that grows upwards. Any thread.
 
 #include <optional>
 
@@ -9,9 +10,9 @@
 
 namespace detent::importer {
 
-/// The graph as it looks in a mirror, so that both scales rise; the map to the page turns with it. Empty where they rise already, and where both
-/// fall or the view was turned: no program draws so. Texts
-/// must have been read: writing in a mirror cannot be.
+/// The graph as in a mirror, so that both scales rise; the map to the page turns with it. Empty if they rise
+/// already, and if both fall or the view was turned: no program draws so. Texts must have been read: mirrored
+/// text cannot be.
 std::optional<LocatedGraph> mirroredToRise(const LocatedGraph& graph);
 
 }  // namespace detent::importer

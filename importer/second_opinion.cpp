@@ -12,22 +12,25 @@
 namespace detent::importer {
 namespace {
 
-/// What a reading is worth that another one contradicts, both certain of themselves: below any bar that a person would
-/// choose, and no nought, for one of them is right as a rule.
+/// Confidence of a reading that another one contradicts, both certain: below any bar that a person would
+/// choose, and above 0, for one of them is usually right.
 constexpr double contradictedConfidence = 0.4;
-/// Of two certain readings that differ the one that is surer by so much stands: of 107 charts of foreign software each that
-/// differed was such a pair, and its surer one right.
+/// Of two certain readings that differ the one that is surer by so much stands: of 107 charts of foreign
+/// software each that differed was such a pair, and its surer one right.
 constexpr double surerBy = 0.1;
-/// Pictures with more pixels than these are not enlarged to four times as many, or at all: what a second look costs.
+/// Pictures with more pixels than these are not enlarged to four times as many, or at all: the cost of a
+/// second reading.
 constexpr double enlarged_px = 1.2e6, large_px = 6e6;
 
 /// Doubts about what stands on the page, not about how it was seen.
 constexpr std::array standOnThePage{DoubtCode::severalSwitches,  DoubtCode::tooManyCurves,
                                     DoubtCode::otherQuantity,    DoubtCode::otherScale,
                                     DoubtCode::thousandsUnclear, DoubtCode::valueContradicts};
-/// A look that takes another's place is worth at most this: below the 0.9 from which something is promised of one look.
+/// Largest confidence of a reading that replaces another: below the 0.9 from which one reading carries a
+/// promise.
 constexpr double takenAtMost = 0.8;
-/// What the steps' confidence is worth on a photograph that three looks read alike: counted, docs/develop/decisions/0812.
+/// Factor of the steps' confidence on a photograph that three readings agree on: counted,
+/// docs/develop/decisions/0812.
 constexpr double worthOnPhotosReadAlike = 0.85;
 
 double highest_N(const ImportReport& report) {
@@ -36,7 +39,7 @@ double highest_N(const ImportReport& report) {
 
 double travel_mm(const ImportReport& report) { return report.button.states().front().graph.travel_mm(); }
 
-/// What a person tells two readings by.
+/// Description of a reading that distinguishes it from another.
 Message inShort(const ImportReport& report) {
   const MessageValue travel = millimetres(travel_mm(report)), force = newtons(highest_N(report));
   if (!report.release) return Message("%1 and up to %2, without a release", travel, force);
@@ -92,13 +95,13 @@ ImportReport reportContradicted(ImportReport report, const ImportReport& other, 
   return withProvenance(std::move(report));
 }
 
-/// Whether another look at what is doubted as a photograph reads the same and doubts nothing else.
+/// Returns true if another reading of a doubted photograph agrees and doubts nothing else.
 bool agreesOnPhoto(const Result<ImportReport>& report, const ImportAttempt& other) {
   return report && looksPhotographed(*report) && other.report &&
          (!other.report->doubt || looksPhotographed(*other.report)) && sameButton(*report, *other.report);
 }
 
-/// A photograph that several looks read alike is worth more than one that was looked at once.
+/// A photograph that several readings agree on is worth more than one that was read once.
 ImportReport readAlike(ImportReport report, double sure) {
   report.confidence *= worthOnPhotosReadAlike / worthOf(PageClass::photo);
   if (report.confidence < sure) return withProvenance(std::move(report));

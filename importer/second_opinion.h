@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A page looked at more than once, at other sizes: what two looks say is believed, where they differ both are told
+// A page read more than once, at other sizes: equal readings are believed, different ones are both reported
 // (docs/develop/decisions/0812-several-readings.md).
 
 #include <functional>
@@ -9,31 +9,33 @@
 
 namespace detent::importer {
 
-/// How many times its size a page is looked at for a second opinion, and for a third where the second alone would decide:
-/// a picture larger, or smaller where it is large already; a document finer, and then as `standard` draws it.
+/// Scale of a page for a second reading, and for a third if the second alone would decide: a picture larger,
+/// or smaller if it is large already; a document finer, and then as `standard` draws it.
 struct OtherSizes {
   double second = 2, third = 1.5;
 };
 OtherSizes otherSizesOf(const Page& page);
 
-/// One look and what came of it, made with ImportRequest::acceptDoubt.
+/// One reading and its result, made with ImportRequest::acceptDoubt.
 struct PageReading {
   double magnification = 1;
   ImportAttempt attempt;
 };
 
-/// Whether another look can make up for what is wrong with this one. What stands on the page (several switches, another
-/// quantity, a sign that may part thousands) is not read away by a look that does not see it, and where nothing like a graph
-/// was found none is looked for again.
+/// Returns true if another reading can resolve the doubts of this one. Facts of the page (several switches,
+/// another quantity, a sign that may separate thousands) are not overruled by a reading that does not see
+/// them, and if nothing like a graph was found there is no other reading.
 bool anotherMaySettle(const ImportAttempt& attempt);
 
-/// Both read the same button: units and strokes agree within what copies of one graph differ by.
+/// Returns true if both read the same button: units and strokes agree within the difference of copies of one
+/// graph.
 bool sameButton(const ImportReport& a, const ImportReport& b);
 
-/// What looks at one graph come to; any may have failed. A first one that is certain stands; where the second one is certain
-/// of another button, both are told: in a doubt that refuses where neither is much surer, else in a remark. In place of an
-/// uncertain first one the second is taken where it is certain and `third`, which is asked for only then, is certain of the
-/// same button. A photograph that all three looks read alike is worth more. The report keeps all looks (ImportReport::looks).
+/// Combines readings of one graph; any may have failed. A first one that is certain stands; if the second one
+/// is certain of another button, both are reported: in a doubt that refuses if neither is much more certain,
+/// else in a remark. In place of an uncertain first one the second is taken if it is certain and `third`,
+/// which is called only then, is certain of the same button. A photograph that all three readings agree on is
+/// worth more.
 ImportAttempt settled(PageReading first, PageReading second, const std::function<PageReading()>& third,
                       double sure);
 

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t tail = 12;  // points of a curve that say where it leads
 
-/// How far the ink of a curve reaches.
+/// Extent of a curve's pixels.
 struct Reach {
   int right_px = 0, top_px = 0;
 };
 
-/// Where the ink that begins on a curve, its own or that of others which cover it, ends beyond the frame's right edge, and beyond its upper one where `most_px.y` is more than nothing; empty where it
-/// does not end within `most_px` of them.
+/// End of the pixels that begin on a curve, its own or those of others which cover it, beyond the frame's
+/// right edge, and beyond its upper one if `most_px.y` is above 0; empty if they do not end within `most_px`.
 std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveTrace>& all, const Box& frame,
                                Point most_px, const Raster& picture) {
   constexpr int reach = 2;  // over what a line's edge or a pale gridline takes out of it
@@ -52,8 +52,8 @@ std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveT
   return ends;
 }
 
-/// Whether ink that hangs together with a curve's end lies to the right of it and above: a wall that begins just beyond the edge is no straight
-/// continuation of the level line that came there.
+/// Returns true if pixels connected with a curve's end lie to the right of it and above: a bottom-out that
+/// begins just beyond the edge is no straight continuation of the level line that came there.
 bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
   constexpr int nearest_px = 4, farthest_px = 14;  // to the right: a frame's own line ends before
   constexpr int wallHeight_px = 12;
@@ -87,8 +87,8 @@ double stepOf(const AxisReading& axis) {
   return step;
 }
 
-/// The last number that was read above the frame, of its line; the frame's edge where none was. Writing over the plot hides
-/// gridlines and curves, the numbers beside them stand.
+/// The last number that was read above the frame, of its line; the frame's edge where none was. Writing over
+/// the plot hides gridlines and curves, the numbers beside them stand.
 double lastNumberAbove_px(const AxisReading& y, const Box& frame) {
   double last_px = frame.y0;
   for (const TickLabel& tick : y.ticks)
@@ -158,7 +158,7 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
     auto end = inkEndsAt(curve, curves, box, most_px, picture);
     if (!end && atRight) end = inkEndsAt(curve, curves, box, {most_px.x, 0}, picture);
     if (!end) return {};
-    // A wall along the edge goes on upwards, over the frame's own line.
+    // A bottom-out along the edge continues upwards, over the frame's own line.
     const double rightwards_px = line.back().x - line[line.size() - std::min(line.size(), tail + 1)].x;
     const bool alongEdge =
         atRight && rightwards_px < 2 && end->right_px <= box.x1 + wallAlongEdge_px && end->top_px >= box.y0;

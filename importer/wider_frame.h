@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A plot may go on beyond the last gridline that has a number, and its curves with it: the frame is widened to where they end.
-// Any thread.
+// A plot may go on beyond the last gridline that has a number, and its curves with it: the frame is widened
+// to where they end. Any thread.
 
 #include <optional>
 #include <vector>
@@ -11,12 +11,15 @@
 
 namespace detent::importer {
 
-/// Whether ink of this colour stands on a straight line beyond a curve's end, seen at three places.
+/// Returns true if pixels of this colour are on a straight line beyond a curve's end, seen at three
+/// positions.
 bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& picture);
 
-/// The graph with its right and upper edges where the ink of its curves ends, and the scales drawn on to there. Empty where no curve
-/// leaves the frame there, where the frame does not stand level or a label contradicts its scale, and where the ink does not end within the picture and a
-/// fifth of the frame's width or a step of the axis' numbers (upwards such a step, or up to the last number of the axis, to which the frame goes in any case). Whether the curves could be followed there is the caller's question.
+/// The graph with its right and upper edges moved to the ends of its curves' pixels, and the scales extended
+/// to there. Empty if no curve leaves the frame there, if the frame is not level or a label contradicts its
+/// scale, and if the pixels do not end within the picture and a fifth of the frame's width or a step of the
+/// tick labels (upwards such a step, or up to the last tick label, to which the frame goes in any case). The
+/// caller checks that the curves could be followed there.
 std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
                                                const std::vector<CurveTrace>& curves);
 

@@ -122,8 +122,8 @@ std::optional<Failure> differentSpeeds(const std::vector<ButtonState>& states) {
     const ButtonState& state = states[i];
     if (state.speed_mm_per_s && first.speed_mm_per_s && *state.speed_mm_per_s != *first.speed_mm_per_s)
       return buttonFailure(placeOf(states, i),
-                           Message("stands at %1, %2 at %3", speedText(*state.speed_mm_per_s),
-                                   placeOf(states, 0), speedText(*first.speed_mm_per_s)),
+                           Message("is at %1, %2 at %3", speedText(*state.speed_mm_per_s), placeOf(states, 0),
+                                   speedText(*first.speed_mm_per_s)),
                            Message("Let the own graph of every state be the one of the same speed"));
     if (state.speed_mm_per_s != first.speed_mm_per_s ||
         !atTheSameSpeeds(state.otherSpeeds, first.otherSpeeds))

@@ -59,7 +59,7 @@ struct RecordedWarning {
   friend bool operator==(const RecordedWarning&, const RecordedWarning&) = default;
 };
 
-/// Where an imported button came from; stored in the file.
+/// Source of an imported button; stored in the file.
 struct Provenance {
   std::string sourceFile;    ///< name without folder
   std::string sourceSha256;  ///< hex

@@ -130,7 +130,7 @@ Result<StrokeCurve> insertKnot(const StrokeCurve& curve, double displacement_mm)
   while (after->displacement_mm < displacement_mm) ++after;
   if (after->displacement_mm == displacement_mm)
     return knotRefusal(Message("knot %1", after - knots.begin() + 1),
-                       Message("stands already at %1", millimetres(displacement_mm)),
+                       Message("is already at %1", millimetres(displacement_mm)),
                        Message("Move that knot instead"));
   const double slope = curve.slope_N_per_mm(displacement_mm);
   knots.insert(after, {displacement_mm, curve.force_N(displacement_mm), slope, slope});
@@ -156,11 +156,10 @@ Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotP
   }
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (!(knots[i].displacement_mm < knots[i - 1].displacement_mm)) continue;
-    return knotRefusal(
-        Message("knot %1", i + 1),
-        Message("would stand at %1, before knot %2 at %3", millimetres(knots[i].displacement_mm), i,
-                millimetres(knots[i - 1].displacement_mm)),
-        Message("Keep the knots in their order, or select fewer"));
+    return knotRefusal(Message("knot %1", i + 1),
+                       Message("would be at %1, before knot %2 at %3", millimetres(knots[i].displacement_mm),
+                               i, millimetres(knots[i - 1].displacement_mm)),
+                       Message("Keep the knots in their order, or select fewer"));
   }
   return StrokeCurve::fromKnots(std::move(knots));
 }

@@ -78,17 +78,18 @@ void addCommands(CLI::App& app, Arguments& arguments) {
                              "state of a self-locking button for a CSV or a project (default: the only one)");
   convertCommand->add_option(
       "--speed", arguments.convert.speed_mm_per_s,
-      "of a button with graphs at several speeds: write the button pressed at this one, mm/s\n"
-      "(default: all of them, or that in front where the output holds one)");
-  convertCommand->add_option("--force-step", arguments.convert.forceStep_N,
-                             "CSV of travel at each multiple of this force, N, instead of samples");
+      "for a button with graphs at several speeds: write the graph of this speed, mm/s\n"
+      "(default: all, or the one in front if the output holds only one)");
+  convertCommand->add_option(
+      "--force-step", arguments.convert.forceStep_N,
+      "write the travel at each multiple of this force, N, to the CSV instead of samples");
   convertCommand
       ->add_option("--force-unit", arguments.forceUnit,
                    "unit of the SVG's and project's force axis: N, mN, cN, gf, kgf, ozf, lbf")
       ->capture_default_str();
   convertCommand
       ->add_option("--length-unit", arguments.lengthUnit,
-                   "unit of its displacement axis: mm, cm, µm, in, mil")
+                   "unit of the displacement axis: mm, cm, µm, in, mil")
       ->capture_default_str();
   convertCommand
       ->add_option("--width", arguments.convert.svg.width_px, "width of the SVG in px, 200 to 20000")
@@ -102,7 +103,7 @@ void addCommands(CLI::App& app, Arguments& arguments) {
   addJson(convertCommand);
 
   CLI::App* average = app.add_subcommand(
-      "average", "One button of several measured units: mean curve, spread of each figure, outliers");
+      "average", "Average several measured units of a button: mean curve, spread of each figure, outliers");
   average->add_option("UNIT", arguments.units, ".button.json or .csv of units of one button, at least two")
       ->required()
       ->expected(2, 10000);
@@ -111,9 +112,10 @@ void addCommands(CLI::App& app, Arguments& arguments) {
   addJson(average);
 
   CLI::App* family = app.add_subcommand(
-      "family", "One button of two to four graphs of it, each pressed at a speed of its own");
+      "family", "Combine two to four graphs of a button, each pressed at another speed, into one button");
   family
-      ->add_option("GRAPH", arguments.units, ".button.json or .csv; the first stands where no speed is known")
+      ->add_option("GRAPH", arguments.units,
+                   ".button.json or .csv; the first is used where no speed is known")
       ->required()
       ->expected(2, 4);
   family->add_option("--speeds", arguments.speeds_mm_per_s, "speed of each, mm/s, in the same order")
@@ -123,7 +125,7 @@ void addCommands(CLI::App& app, Arguments& arguments) {
   addJson(family);
 
   CLI::App* compareCommand =
-      app.add_subcommand("compare", "Orthogonal distance of two graphs in mm, N and % of A's span");
+      app.add_subcommand("compare", "Print the orthogonal distance of two graphs in mm, N and % of A's span");
   compareCommand->add_option("A", arguments.a, ".button.json or .csv")->required();
   compareCommand->add_option("B", arguments.b, ".button.json or .csv")->required();
   compareCommand->add_option("--state-a", arguments.compare.stateA,
@@ -151,7 +153,7 @@ int main(int argc, char** argv) try {
   app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   app.footer(
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph in it,\n"
-      "5 not certain (says what to pass).");
+      "5 not certain (the message says what to pass).");
   app.set_version_flag("--version", std::string("detent-graph ") + version(), "Print the version and exit");
   Arguments arguments;
   addCommands(app, arguments);

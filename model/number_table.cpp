@@ -48,8 +48,8 @@ bool NumberTable::next() {
   return true;
 }
 
-/// Splits a row with quoted fields (RFC 4180), including lines joined by a quoted line break. Returns false, and consumes nothing, if a
-/// quotation mark is not closed or text follows a closed one.
+/// Splits a row with quoted fields (RFC 4180), including lines joined by a quoted line break. Returns false,
+/// and consumes nothing, if a quotation mark is not closed or text follows a closed one.
 bool NumberTable::splitQuoted() {
   fields_.clear();
   unescaped_.clear();

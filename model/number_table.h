@@ -14,9 +14,9 @@
 
 namespace detent {
 
-/// Reads the programs' own tables row by row; skips blank lines, lines that begin with #, and a byte order mark. Line ends are LF or
-/// CRLF. Fields may be quoted (RFC 4180). Drops a first column without a name, where R's write.csv and pandas' to_csv number the rows.
-/// The text must outlive this object.
+/// Reads the programs' own tables row by row; skips blank lines, lines that begin with #, and a byte order
+/// mark. Line ends are LF or CRLF. Fields may be quoted (RFC 4180). Drops a first column without a name,
+/// where R's write.csv and pandas' to_csv number the rows. The text must outlive this object.
 class NumberTable {
  public:
   explicit NumberTable(std::string_view text);

@@ -167,7 +167,7 @@ CleanPoints cleaned(const std::vector<CurvePoint>& points) {
       const bool goesOn = (clean[n - 1].force_N > clean[n - 2].force_N) == (p.force_N > clean[n - 1].force_N);
       if (!goesOn)
         return pointFault(
-            i, Message("turns back inside a wall at %1", millimetres(p.displacement_mm)),
+            i, Message("turns back inside a vertical rise at %1", millimetres(p.displacement_mm)),
             Message("Give one force at each displacement, or fit the points with detent-import"));
       clean.pop_back();
     }

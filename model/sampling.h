@@ -27,7 +27,7 @@ std::vector<CurvePoint> travelledSamples(const ForceGraph& graph, Stroke stroke)
 /// (from 1) that breaks a rule, see faultOf.
 Result<StrokeCurve> curveThroughDensePoints(const std::vector<CurvePoint>& points, double tolerance_N);
 
-/// Why points are no curve, and the index of the offending point, from 0.
+/// The reason why points are no curve, and the index of the offending point, from 0.
 struct PointFault {
   std::size_t index = 0;
   Message problem;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Force feedback, as playback offers it to other rooms: press a button and feel its force, or watch a simulated finger do so.
+// Force feedback, as playback offers it to other rooms: press a button and feel its force, or watch a
+// simulated finger do so.
 //
-// Reading order: prepare/force_device_profile.h   what a device is      prepare/prepare_force.h   button -> program
-//                realtime/force_engine.h          one step of the loop  this file                 running it
-// Threads: as for playback.h, ordinary threads only. Built without devices (DETENT_WITH_DEVICE=OFF), ForcePlayer answers
-// deviceTrouble.
+// Reading order:
+//   prepare/force_device_profile.h  limits and dynamics of a device
+//   prepare/prepare_force.h         button -> program
+//   realtime/force_engine.h         one step of the loop
+//   this file                       running it
+// Threads: as for playback.h, ordinary threads only. Built without devices (DETENT_WITH_DEVICE=OFF),
+// ForcePlayer answers deviceTrouble.
 
 #include <cstdint>
 #include <functional>
@@ -28,8 +32,8 @@ namespace detent::playback {
 
 enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
 
-/// Which device, as the command line and Setup name it: "sim", "sim:falcon", "sim:rig", "serial:PORT", "odrive:PORT",
-/// "falcon", "falcon:N".
+/// A device by its name on the command line and in Setup: "sim", "sim:falcon", "sim:rig", "serial:PORT",
+/// "odrive:PORT", "falcon", "falcon:N".
 struct ForceDeviceChoice {
   ForceDeviceKind kind = ForceDeviceKind::simulated;
   std::string port;          ///< of serial and odrive
@@ -44,14 +48,15 @@ struct ForceDeviceChoice {
 /// Failure: wrongUsage with the words that are known.
 Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text);
 
-/// What the simulated finger does. Real devices have a real one.
+/// Behaviour of the simulated finger. Real devices have a real one.
 struct FingerChoice {
   enum class Kind : std::uint8_t { hold, press, trace };
   Kind kind = Kind::press;
   std::optional<double> hold_mm;  ///< none: in the middle of the travel
   PressTrace trace;               ///< intended positions, or forces
 };
-/// "hold", "hold=X" (mm), "press", or the name of a press trace. Failure: wrongUsage, or what is wrong with the file.
+/// "hold", "hold=X" (mm), "press", or the name of a press trace. Failure: wrongUsage, or what is wrong with
+/// the file.
 Result<FingerChoice> fingerFrom(const std::string& text);
 
 struct ForcePlayerSettings {
@@ -90,10 +95,10 @@ struct ForceStatus {
   bool finished = false;
 };
 
-/// What the link asks for; all 0 where it is as quick as the device was prepared for.
+/// Pace that the link allows; all 0 if it is as quick as the device was prepared for.
 struct ForceLinkPace {
   double roundTrip_s = 0;  ///< measured: nine of ten answers take no longer
-  double asked_Hz = 0;     ///< the rate that was asked for
+  double asked_Hz = 0;     ///< requested rate
   double computer_s = 0;   ///< of the round trip, what this computer alone takes
   double addedDamping_Ns_per_mm = 0,
          largestForceChange_N = 0;  ///< what the button lost to it, besides slopes
@@ -113,8 +118,9 @@ struct DeviceMeasurement {
   double roundTrip_s = 0;     ///< of the link; 0: none, or quick
   double longestPause_s = 0;  ///< of this computer; what a pause hides does not enter
 };
-/// Some ten seconds. `onward` is asked often and told what has been done (0..1): false cancels. Failure: wrongUsage, deviceTrouble where the
-/// device cannot be had, does not move, or moves the other way; unreadableInput where its movement tells nothing.
+/// Takes some ten seconds. Calls `onward` often with the completed share (0..1); false cancels. Failure:
+/// wrongUsage; deviceTrouble if the device cannot be opened, does not move, or moves the other way;
+/// unreadableInput if its movement determines nothing.
 Result<DeviceMeasurement> measureForceDevice(const DeviceMeasurementSettings& settings,
                                              const std::function<bool(double done)>& onward);
 
@@ -128,9 +134,10 @@ class ForcePlayer {
 
   /// Exchanges the button under the finger.
   virtual Result<Done> setButton(const Button& button) = 0;
-  /// What the device could not render as the button has it, its slope limit, its play radius.
+  /// Parts of the button that the device cannot render, its slope limit, its play radius.
   virtual const ForceSummary& summary() const = 0;
-  /// The device as the force was prepared for it: its rate and delay are the measured ones where the link is slow.
+  /// The device as the force was prepared for it: its rate and delay are the measured ones where the link is
+  /// slow.
   virtual const ForceDeviceProfile& device() const = 0;
   virtual ForceLinkPace pace() const = 0;
   virtual ForceStatus status() const = 0;
@@ -138,9 +145,10 @@ class ForcePlayer {
   virtual void takeSteps(std::vector<ForceStep>& steps) = 0;
   virtual void stop() = 0;
 
-  /// No force within 15 ms, and none until `rearm`. Any thread; waits for nothing.
+  /// Removes the force within 15 ms, until `rearm`. Any thread; returns at once.
   virtual void emergencyStop() = 0;
-  /// A person wants force again, after an emergency stop, a fault, or a place that was lost: it rises from nothing.
+  /// A person wants force again, after an emergency stop, a fault, or a place that was lost: it rises from
+  /// nothing.
   virtual void rearm() = 0;
   /// Hold-to-run: to be said again at least every 0.1 s.
   virtual void hold(bool held) = 0;

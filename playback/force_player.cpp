@@ -66,7 +66,8 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
   return FingerPlan{FingerPath{times_s, values}};
 }
 
-/// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its travel.
+/// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its
+/// travel.
 double plainestSlope_N_per_mm(const Button& button, double largest_N) {
   double plainest = 0;
   for (const ButtonState& state : button.states()) {
@@ -83,14 +84,15 @@ struct FittedForce {
   ForceLinkPace pace;
 };
 
-/// With so many digits: what was measured is said no finer.
+/// Rounds to this many digits, so that measured values are not shown finer than measured.
 double rounded(double value, int digits) {
   if (!(value > 0)) return value;
   const double unit = std::pow(10, std::floor(std::log10(value)) - (digits - 1));
   return std::round(value / unit) * unit;
 }
 
-/// Why no force is worth feeling: what the device bears, what the button needs, and what would carry it.
+/// The failure of a button for which no useful force is stable: the limit of the device, the need of the
+/// button, and the remedy.
 Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace, const MarginPoint& least,
                     double needed_N_per_mm) {
   const double allowed = rounded(least.allowed_N_per_mm, 2), needed = rounded(needed_N_per_mm, 2);
@@ -144,8 +146,8 @@ Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& dev
   return fitted;
 }
 
-/// The button, or the nearest one that the device's measured profile bears, damped where it would give energy. A preset is a guess and
-/// limits nothing.
+/// The button, or the nearest one that the device's measured profile bears, damped where it would give
+/// energy. A preset is a guess and limits nothing.
 Result<FittedForce> keptTo(const ForceDeviceProfile& profile, const Button& button,
                            const ForceSettings& settings, PreparedForce prepared) {
   FittedForce unlimited{std::move(prepared), profile, {}};
@@ -160,8 +162,8 @@ Result<FittedForce> keptTo(const ForceDeviceProfile& profile, const Button& butt
   return fittedTo(button, unlimited.device, settings, {});
 }
 
-/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do. `computer_s`: what this
-/// computer alone takes.
+/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do.
+/// `computer_s`: what this computer alone takes.
 Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings& settings, FittedForce kept,
                                  double computer_s, ForceDevice& opened) {
   const double period_s = kept.prepared.program.period_s;

@@ -210,7 +210,7 @@ class Player : public LivePlayer {
     receive();
     const std::lock_guard lock(controlMutex_);
     if (takes_.size() >= mostTakes || !sendTake(&take->taken)) {
-      return Failure{FailureCode::wrongUsage, "samples", "", Message("were asked for too often at once"),
+      return Failure{FailureCode::wrongUsage, "samples", "", Message("were requested too often at once"),
                      Message("Wait until one has begun")};
     }
     takes_.push_back(std::move(take));
@@ -347,7 +347,8 @@ class Player : public LivePlayer {
     if (session_.send(Lane::control, command)) programs_.push_back(std::move(owedProgram_));
   }
 
-  /// Of a trace the speed is known beforehand: it is played on the program of that speed, as it is rendered. True: `endSpeed` is due.
+  /// Plays a trace of known speed on the program of that speed, as it is rendered. Returns true if `endSpeed`
+  /// is due.
   bool playAtSpeedOf(const PressTrace& trace) {
     const std::lock_guard lock(controlMutex_);
     const std::lock_guard readingLock(readingMutex_);
@@ -620,7 +621,7 @@ class Player : public LivePlayer {
       }
       sleepUntil(now_s() + traceStep_s);
     }
-    // What was sent ahead must have been applied before another source may speak.
+    // Readings that were sent ahead must have been applied before another source may send.
     if (!stopTrace_) sleepUntil(now_s() + traceAhead_s + 0.05);
   }
 

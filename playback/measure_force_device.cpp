@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The front door's way to what a force device is: shaken without a finger by test_forces.h, told by identify_motion.h.
+// Measures a force device without a finger: moves it by test_forces.h and evaluates it by identify_motion.h.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -21,10 +21,10 @@ namespace detent::playback {
 namespace {
 
 constexpr double shortestRange_mm = 4, longestRange_mm = 80;
-// A device's own ramp and the loop's are over after this: what is asked is what is given.
+// After this time the device's own ramp and the loop's are over: the force is the commanded one.
 constexpr double rampsOver_s = 0.25;
 constexpr double moved_mm = 0.25;
-// After a pause of so long no device still gives the force it was asked for (docs/reference/force-protocol.md).
+// After a pause of this length no device still gives the commanded force (docs/reference/force-protocol.md).
 constexpr double longPause_s = 0.01;
 constexpr auto lookEvery = std::chrono::milliseconds(20);
 
@@ -77,7 +77,7 @@ class Measuring {
     limits.lowest_mm = std::max(limits.lowest_mm, -settings_.range_mm);
     limits.highest_mm = std::min(limits.highest_mm, 2 * settings_.range_mm);
     device_.uploadTable = false;
-    // What carries rate, limits and steps; its law is not played.
+    // Carries rate, limits and steps; its law is not played.
     Result<Button> none = springButton("no button", {{1e-3}, {}, std::min(4.0, settings_.range_mm)});
     if (!none) return none.failure();
     ForceSettings force;
@@ -85,7 +85,8 @@ class Measuring {
     Result<PreparedForce> prepared = prepareForce(*none, device_.profile, force);
     if (!prepared) return prepared.failure();
     program_ = std::make_unique<ForceProgram>(prepared->program);
-    // The relay's own growing push proves the direction, wherever the handle stands; there is no button whose end it could pass.
+    // The relay's own growing push proves the direction, wherever the handle stands; there is no button whose
+    // end it could pass.
     program_->proof.present = false;
     program_->limits.deadCountFrom_mm = -std::numeric_limits<double>::infinity();
     program_->limits.travelEnd_mm = std::numeric_limits<double>::infinity();
@@ -121,7 +122,7 @@ class Measuring {
 
   std::int64_t stepsOf(double seconds) const { return std::llround(seconds / program_->period_s); }
 
-  /// So many more steps; what came meanwhile of later ones too, if it is not the end.
+  /// Records this many more steps, and later ones that arrived meanwhile, unless it is the end.
   Result<Done> record(std::int64_t steps, bool end) {
     for (const std::int64_t until = seen_ + steps;;) {
       const ForceLoopStatus status = loop_->status();

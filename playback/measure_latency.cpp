@@ -222,7 +222,8 @@ namespace {
 constexpr double waitedInThePort_s = 0.3;
 constexpr double longestWait_s = 10;
 
-/// SD of what changes from one reading to the next (von Neumann 1941): a slow drift has hardly a part in it, as it has in their SD.
+/// SD of what changes from one reading to the next (von Neumann 1941): a slow drift has hardly a part in it,
+/// as it has in their SD.
 double noiseIn(const std::vector<double>& readings) {
   double squares = 0;
   for (std::size_t i = 1; i < readings.size(); ++i)

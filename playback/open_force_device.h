@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a choice of a force device to the device, and how its link sets the pace: what pressing a button and measuring the device
-// itself share.
+// From a choice of a force device to the device, and how its link sets the pace: what pressing a button and
+// measuring the device itself share.
 
 #include <memory>
 
@@ -18,14 +18,16 @@ namespace detent::playback {
 Result<std::unique_ptr<ForceDevice>> openForceDevice(const ForceDeviceChoice& choice,
                                                      const PreparedForce& prepared, FingerPlan finger);
 
-/// Changes a program for a loop that only watches a device which runs the law by itself and goes on unheard for `longestUnheard_s`.
+/// Changes a program for a loop that only watches a device which runs the law by itself and goes on unheard
+/// for `longestUnheard_s`.
 void watchOnly(ForceProgram& program, double longestUnheard_s);
 
-/// Of a period that the link decides, the answer comes in this share, the step and the next question in the rest.
+/// If the link sets the period, the answer comes in this share of it, the step and the next question in the
+/// rest.
 inline constexpr double answerOfSlowPeriod = 0.8;
 /// Answers after `roundTrip_s` come too late for a loop of this period.
 bool tooSlowFor(double period_s, double roundTrip_s);
-/// The period such a link sets, never shorter than the one asked for.
+/// Period that such a link allows, never shorter than the requested one.
 double slowPeriod_s(double period_s, double roundTrip_s);
 
 Result<std::unique_ptr<ForceOrders>> startForceOrders(ForceLoop& loop, const ForcePlayerSettings& settings);

@@ -39,7 +39,7 @@
 
 namespace detent::playback {
 
-/// From a `.device` file to a profile; docs/reference/device-profile.md.
+/// Reads a `.device` file; docs/reference/device-profile.md.
 Result<DeviceProfile> loadDeviceProfile(const std::string& file);
 
 // ---- live
@@ -55,7 +55,8 @@ struct SoundDevice {
 bool livePlaybackAvailable();
 Result<std::vector<SoundDevice>> listSoundDevices();
 
-/// Masking noise (rain), so that the vibration is felt and not heard (K&L's noisy group wore headphones with it).
+/// Masking noise (rain), so that the vibration is felt and not heard (K&L's noisy group wore headphones with
+/// it).
 struct MaskingNoise {
   double level = 0;    ///< rms, share of full scale, 0..0.3; 0: none
   std::string device;  ///< the headphones'; empty: the player's, on up to two outputs behind the signal's
@@ -80,7 +81,7 @@ struct ContactClosing {
   double within_s = 0;  ///< how far apart these two readings were
 };
 
-/// What a display shows; a snapshot.
+/// Values for a display; a snapshot.
 struct PlayerStatus {
   bool sounding = true;  ///< false: a player without a sound device (LivePlayer::startSilent)
   std::string device;
@@ -90,7 +91,8 @@ struct PlayerStatus {
       0;                    ///< from a block to the device's output, as the sound system says; 0: it does not
   bool deviceLost = false;  ///< gone just now; playing goes on when it is back
   std::uint64_t deviceLosses = 0;
-  /// Where the last reading led; a recorded trace's as the callback plays it, up to 20 ms late.
+  /// Force and displacement after the last reading; those of a recorded trace as the callback plays it, up to
+  /// 20 ms late.
   double force_N = 0, displacement_mm = 0;
   bool releasing = false, contact = false;
   int state = 0;  ///< of a self-locking button
@@ -148,33 +150,36 @@ class LivePlayer {
                                     const SensorCalibration& calibration) = 0;
   /// Lets go of the sensor's port; nothing to do where there is none.
   virtual void detachSensor() = 0;
-  /// Signal messages of other programs (docs/reference/osc.md): FUDI over UDP, OSC. Port 0: the system chooses. Gives
-  /// the port. Only this machine is heard unless another of its IPv4 addresses is given (0.0.0.0: all).
+  /// Signal messages of other programs (docs/reference/osc.md): FUDI over UDP, OSC. Port 0: the system
+  /// chooses. Gives the port. Only this machine is heard unless another of its IPv4 addresses is given
+  /// (0.0.0.0: all).
   virtual Result<std::uint16_t> listenFudi(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;
   virtual Result<std::uint16_t> listenOsc(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;
   /// The paper's own route beside or instead of our sound: a message per event to a synthesizer such as Pure
   /// Data.
   virtual Result<Done> sendSignals(const std::string& host, std::uint16_t port) = 0;
 
-  /// Plays a recorded trace, sample for sample what renderPress gives (of a button with several speeds: of the
-  /// program nearest to the trace's); begins `lead_s` from now. Gives the stream sample at which time 0 of the trace lies. Ends by itself; a second call replaces the first.
+  /// Plays a recorded trace, sample for sample what renderPress gives (of a button with several speeds: of
+  /// the program nearest to the trace's); begins `lead_s` from now. Gives the stream sample at which time 0
+  /// of the trace lies. Ends by itself; a second call replaces the first.
   virtual Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) = 0;
   virtual bool tracePlaying() const = 0;
 
-  /// Plays samples that another program made, beside whatever is pressed: with the player's gain, at most to full scale, without the
-  /// device's equalizer. They begin within one buffer and end by themselves; a second call replaces the first. Failure wrongUsage: no
-  /// sample, one beyond [-1, 1], a rate outside 8000..192000 Hz, 16 that have not ended, or a player without a sound device.
+  /// Plays samples that another program made, beside whatever is pressed: with the player's gain, at most to
+  /// full scale, without the device's equalizer. They begin within one buffer and end by themselves; a second
+  /// call replaces the first. Failure wrongUsage: no sample, one beyond [-1, 1], a rate outside 8000..192000
+  /// Hz, 16 that have not ended, or a player without a sound device.
   virtual Result<Done> playSamples(const std::vector<float>& samples, double sampleRate_Hz) = 0;
-  /// What plays of them fades out.
+  /// Fades out the samples that are playing.
   virtual void stopSamples() = 0;
   virtual bool samplesPlaying() = 0;
 
   virtual PlayerStatus status() = 0;
   /// Now, on the clock of takeClosings(). Any thread.
   virtual double clock_s() const = 0;
-  /// Everything felt since the last call, oldest first (at most a few thousand are kept).
+  /// Events since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;
-  /// What the finger did since the last call, whoever it belongs to.
+  /// Presses since the last call, from any source.
   virtual PressCount takePresses() = 0;
   /// Every time the contact closed since the last call, oldest first (the last 1024 are kept).
   virtual std::vector<ContactClosing> takeClosings() = 0;
@@ -187,15 +192,15 @@ struct SoundRecording {
   std::uint64_t dropouts = 0;  ///< blocks the sound system says were lost or came too late
 };
 
-/// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`. `cancelled` is asked often;
-/// Failure cancelled once it says so.
+/// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`.
+/// `cancelled` is called often; Failure cancelled if it returns true.
 Result<SoundRecording> playAndRecordSamples(const PlayerSettings& settings, const std::string& inputDevice,
                                             const std::vector<float>& samples,
                                             const std::function<bool()>& cancelled);
 
 /// Mean and standard deviation of a sensor's raw readings over `seconds`, for calibration. What had waited in
-/// the port is thrown away, and it waits up to 10 s for readings that no longer drift. Failure: deviceTrouble if
-/// it cannot be opened or sends nothing; cancelled, as above.
+/// the port is thrown away, and it waits up to 10 s for readings that no longer drift. Failure: deviceTrouble
+/// if it cannot be opened or sends nothing; cancelled, as above.
 struct RawReading {
   double mean = 0, sd = 0;
   std::size_t n = 0;
@@ -223,7 +228,8 @@ struct LatencyResult {
   std::string device;
 };
 
-/// `progress(done, all)` before each trial. Failure cancelled once `cancelled`, asked often, says so.
+/// Calls `progress(done, all)` before each trial. Failure cancelled if `cancelled`, which is called often,
+/// returns true.
 Result<LatencyResult> measureLatency(const LatencySettings& settings,
                                      const std::function<void(std::size_t, std::size_t)>& progress,
                                      const std::function<bool()>& cancelled);

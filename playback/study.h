@@ -2,19 +2,18 @@
 #pragma once
 // Public interface of studies with people: can they tell these buttons apart, and will they?
 //
-// In:  buttons, a design, answers of participants.
-// Out: a journal for each participant, figures with intervals as text, JSON, CSV, BIDS and a page; a forecast without anyone.
-// Reading order of the house:
+// In: buttons, a design, answers of participants. Out: a journal for each participant, figures with intervals
+// as text, JSON, CSV, BIDS and a page; a forecast without participants. Reading order:
 //   study/trials/consent.h             what participants agree to
 //   study/trials/study_design.h        which buttons, which task, how often: one folder
-//   study/trials/study_plan.h          power, a page to preregister, everybody's list (planned_places.h) before the first person comes
+//   study/trials/study_plan.h          power, a page to preregister, lists of trials (planned_places.h)
 //   study/trials/trial_plan.h          the list of one participant
 //   study/trials/participant_record.h  what a journal says (study/journal: lines that are on the disk)
-//   study/trials/trial_desk.h          one trial as it is worked on; timing_desk.h one whose presses are timed
+//   study/trials/trial_desk.h          one running trial; timing_desk.h: one with timed presses
 //   study/trials/participant_session.h one participant at work
-//   study/trials/figure_table.h        a table that every format reads; answer_tables.h makes those of thresholds and ratings,
-//                                      timing_tables.h those of timed presses
-//   study/trials/study_results.h       rows and figures (study/statistics), study_output.h and study_page.h show them
+//   study/trials/figure_table.h        a table for every format; answer_tables.h: thresholds and ratings,
+//                                      timing_tables.h: timed presses
+//   study/trials/study_results.h       rows and figures (study/statistics); study_output.h, study_page.h print them
 //   study/perception/*                 what is felt, who is confused with whom, what would help
 //   study/study_player.h               the button under the participant's finger
 //   study/timed_run.h                  one timed trial from its first sight to the journal
@@ -37,8 +36,8 @@
 
 namespace detent::playback {
 
-/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(), nothing where nobody says which one X is. Some
-/// ten milliseconds a button and mode. Failure: as feel(). Any thread.
+/// Forecast for a study's buttons, on its device, mode by mode by pairsOf(); nothing if no answer says which
+/// one X is. Some ten milliseconds a button and mode. Failure: as feel(). Any thread.
 Result<std::vector<ForetoldPair>> foretold(const Study& study);
 
 }  // namespace detent::playback

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What tools show over the graph while they work; not part of the button.
+// Temporary drawings of tools over the graph; not part of the button.
 
 #include <optional>
 #include <QPointF>
@@ -27,7 +27,7 @@ struct RefusedMove {
   friend bool operator==(const RefusedMove&, const RefusedMove&) = default;
 };
 
-/// What a click would add here.
+/// Point that a click would add here.
 struct Proposal {
   CurvePoint at;
   Stroke stroke = Stroke::press;

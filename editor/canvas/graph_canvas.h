@@ -24,13 +24,13 @@ class GraphCanvas : public UnitPlot {
  public:
   GraphCanvas(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
 
-  /// Not owned; null: the canvas can only be viewed, zoomed and panned.
+  /// Receives the canvas events; not owned. Null: the canvas can only be viewed, zoomed and panned.
   void setEvents(CanvasEvents* events) { events_ = events; }
 
   const ButtonState& state() const;
-  /// Of the active state; computed once per change.
+  /// Values of the active state; computed once per change.
   const GraphValues& values() const;
-  /// In mm and N, in the order travelled; empty without an origin.
+  /// Traced points in mm and N, in the order travelled; empty without an origin.
   const std::vector<CurvePoint>& tracedPoints(Stroke stroke) const;
   bool hasUnderlay() const;
 
@@ -50,7 +50,7 @@ class GraphCanvas : public UnitPlot {
   /// Spread of the units whose mean the button was when this was set, per state: a band behind the curves.
   void showSpread(std::vector<StateSpread> states);
   void setMagnifierShown(bool shown);
-  /// Shows knots and handles; without them the picture looks like a datasheet.
+  /// Shows knots and handles; without them the picture resembles a datasheet.
   void setHandlesShown(bool shown);
 
   /// Draws the graph as vectors into any device (SVG, printer); `size` in its units. This and the next

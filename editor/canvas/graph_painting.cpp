@@ -27,7 +27,7 @@ QColor withAlpha(QColor color, double alpha) {
 
 QPointF pixelOf(const PlotMapping& map, CurvePoint at) { return map.toPixel(at.displacement_mm, at.force_N); }
 
-// ---- ground
+// ---- background
 
 const QColor& shadeOf(SectionKind kind, const GraphColors& colors) {
   switch (kind) {
@@ -95,7 +95,7 @@ void drawPolylines(QPainter& painter, const std::vector<QPolygonF>& lines) {
 
 QPen strokePen(Stroke stroke, const GraphColors& colors, double width) {
   QPen pen(stroke == Stroke::press ? colors.press : colors.release, width);
-  pen.setJoinStyle(Qt::MiterJoin);  // round joins cost twice as much and look the same at these angles
+  pen.setJoinStyle(Qt::MiterJoin);  // round joins cost twice as much and are equal at these angles
   pen.setCapStyle(Qt::FlatCap);
   if (stroke == Stroke::release) pen.setDashPattern({7, 3});
   return pen;
@@ -372,7 +372,7 @@ void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scen
   }
 }
 
-/// Where a contact closes (press) or opens (release).
+/// A point at which a contact closes (press) or opens (release).
 struct Contact {
   Stroke stroke;
   QPointF at_px;

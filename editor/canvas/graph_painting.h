@@ -41,7 +41,7 @@ struct GraphScene {
 /// Sections, end line, curves, points, handles and feedback, clipped to the map.
 void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& scene);
 
-/// Only shading and curves, for the magnifier and small pictures.
+/// Paints shading and curves alone, for the magnifier and small pictures.
 void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& scene);
 
 /// Reason of a refused move, at the top of the plot where nothing hides it.

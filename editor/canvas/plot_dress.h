@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Common look of all plots drawn by QCustomPlot alone: theme colours, legend in one line above the axes.
+// Common style of all plots drawn by QCustomPlot alone: theme colours, legend in one line above the axes.
 
 #include <qcustomplot.h>
 

@@ -29,7 +29,7 @@ void TracedPoints::draw(QCPPainter* painter) {
     QPointF last(-1e9, -1e9);
     for (const CurvePoint& point : of(stroke)) {
       const QPointF at = map.toPixel(point.displacement_mm, point.force_N);
-      // Dots closer than two pixels look like a line.
+      // Dots closer than two pixels appear as a line.
       if (!map.clip_px.contains(at) || std::hypot(at.x() - last.x(), at.y() - last.y()) < 2) continue;
       painter->drawEllipse(at, 1.6, 1.6);
       last = at;

@@ -76,7 +76,7 @@ class LatestAnswer {
 
     /// Returns true if a newer request exists, or nobody waits any more.
     bool overtaken() const { return answers_.latest_ != revision; }
-    /// Calls `told` in the GUI thread, unless the request is overtaken by then.
+    /// Calls the callback in the GUI thread, unless a newer request exists by then.
     template <class Told>
     void tell(Told told) const {
       tellAnyway([&answers = answers_, asked = revision, told = std::move(told)] {

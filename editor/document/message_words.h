@@ -14,10 +14,10 @@ inline constexpr DisplayUnits modelUnits{LengthUnit::millimetre, ForceUnit::newt
 /// Translations of patterns have the context "detent".
 QString inWords(const Message& message, const DisplayUnits& units = modelUnits);
 
-/// With a capital letter and a full stop; empty stays empty.
+/// The text with a capital letter and a full stop; empty stays empty.
 QString asSentence(QString text);
 
-/// At most `longest` characters (>= 1); a longer text ends in an ellipsis.
+/// The text cut to `longest` characters (>= 1), with an ellipsis if it was longer.
 QString shortened(const QString& text, int longest);
 
 /// "SUBJECT, PLACE: PROBLEM. REMEDIES.", with the remedies that are words, not program options.

@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// Its own name, translated if Detent gave it, or its number. `state` < number of states.
+/// Name of a state, translated if Detent gave it, or its number. `state` < number of states.
 QString nameOfState(const Button& button, std::size_t state);
 
 }  // namespace detent::editor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A vibration to look at: of a press, or what another program made.
+// A vibration for display: of a press, or of another program.
 
 #include <cstdint>
 #include <optional>
@@ -13,7 +13,7 @@ namespace detent::editor {
 /// Sample rate of what is drawn; the sound device may have another.
 inline constexpr double drawnRate_Hz = 48000;
 
-/// Where it could not be made `failure` says so and everything else is empty.
+/// A signal for display. If it could not be made, `failure` has the reason and everything else is empty.
 struct DrawnSignal {
   std::uint64_t revision = 0;                 ///< of the request, counted by who makes them
   std::vector<float> samples;                 ///< at drawnRate_Hz, full scale is 1

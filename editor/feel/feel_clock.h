@@ -6,7 +6,7 @@
 
 namespace detent::editor {
 
-/// Never goes back; its zero means nothing.
+/// Seconds of a clock that never goes back; its zero is arbitrary.
 inline double steadyTime_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

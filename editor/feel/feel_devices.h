@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How the feel panel reaches sound and force devices: playback's front door, or what a test puts in its place.
+// Access of the feel panel to sound and force devices: playback's public interface, or a test's replacement.
 
 #include <functional>
 #include <memory>

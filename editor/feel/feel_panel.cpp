@@ -124,8 +124,7 @@ QWidget* FeelPanel::setupPage(ViewSettings& settings) {
 QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   setupPage_ = setupPage(settings);
   setupPage_->hide();
-  setupToggle_ = described(new QToolButton, "setupToggle",
-                           tr("How the pad is pressed, what is felt, devices and force sensor"));
+  setupToggle_ = described(new QToolButton, "setupToggle", tr("Pad, feedback, devices and force sensor"));
   setupToggle_->setText(tr("Setup"));
   setupToggle_->setCheckable(true);
   setupToggle_->setArrowType(Qt::RightArrow);
@@ -196,7 +195,7 @@ QLayout* FeelPanel::choiceRow() {
   return row;
 }
 
-/// Which press is drawn and played.
+/// Row with the choice of the press that is drawn and played.
 QLayout* FeelPanel::pressRow() {
   auto* row = bare(new QHBoxLayout, 4);
   auto* group = new QButtonGroup(this);
@@ -228,7 +227,7 @@ QLayout* FeelPanel::pressRow() {
   return row;
 }
 
-/// What another program made, to compare with.
+/// Signal of another program, for comparison.
 QLayout* FeelPanel::referenceRow() {
   referenceChoice_ = described(new QToolButton, "referenceFile",
                                tr("Compare with a signal of another program: AHAP, .haptic, HJIF, WAV"));
@@ -315,7 +314,7 @@ void FeelPanel::showPair() {
   writeNames();
 }
 
-/// As much of the names as there is room for.
+/// Writes as much of the names as there is room for.
 void FeelPanel::writeNames() {
   for (const FeelSide side : sides) {
     QToolButton* choice = choices_[static_cast<std::size_t>(side)];
@@ -382,7 +381,7 @@ void FeelPanel::showReference() {
   writeNames();
 }
 
-/// Both signals to one scale, as long as one of them is not lost beside the other.
+/// Draws both signals on one scale, unless one of them would vanish beside the other.
 void FeelPanel::showScale() {
   const auto& press = session_.signal();
   const auto& reference = session_.reference();

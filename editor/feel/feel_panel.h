@@ -22,8 +22,8 @@ class PressPad;
 class PressStrip;
 class SignalView;
 
-/// What a session does, to look at and to press: a pad for mouse, keys, pen and touch; the vibration and
-/// spectrogram of a press; sound and force device; the setup. A and B are exchanged by one key. GUI thread.
+/// Shows a session and takes presses: a pad for mouse, keys, pen and touch; the vibration and spectrogram of
+/// a press; sound and force device; the setup. A and B are exchanged by one key. GUI thread.
 class FeelPanel : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class FeelPanel : public QWidget {
   /// `settings` and `session` must outlive it.
   FeelPanel(ViewSettings& settings, FeelSession& session, QWidget* parent = nullptr);
 
-  /// From A to B and back (X), for menus and the list of shortcuts.
+  /// Exchanges A and B (X), for menus and the list of shortcuts.
   QAction* exchangeAction() const { return exchange_; }
 
   /// The session's choices and the panel's own.

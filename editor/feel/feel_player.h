@@ -18,14 +18,14 @@
 namespace detent::editor {
 
 enum class SoundState {
-  off,       ///< not asked for, or not yet: it starts with the first press
+  off,       ///< not requested, or not yet: it starts with the first press
   starting,  ///< the device is being opened; the finger is followed silently meanwhile
   on,
   lost,   ///< the device went away; it is taken up again when it is back
   failed  ///< it could not be opened; trouble() says why and what to do
 };
 
-/// Where force readings come from besides the pad.
+/// Source of force readings besides the pad.
 struct SensorPort {
   std::string port;  ///< "/dev/ttyACM0"; empty: none
   unsigned baud = 230400;
@@ -45,7 +45,7 @@ class FeelPlayer : public QObject {
   /// What is pressed; exchanged under the finger. Null: nothing can be pressed.
   void setProgram(std::shared_ptr<const playback::LiveProgram> program);
 
-  /// Whether a press may open the sound device. Off closes it.
+  /// Allows a press to open the sound device. Off closes it.
   void setSoundWanted(bool wanted);
   /// Another device, rate or buffer; opened again if one is open.
   void setOutput(const playback::PlayerSettings& settings);
@@ -56,7 +56,7 @@ class FeelPlayer : public QObject {
 
   /// An empty port lets go. Kept over a change of the sound device, and while there is nothing to press.
   void setSensor(const SensorPort& sensor);
-  /// Why the sensor's port could not be opened, and what to do; empty where nothing is wrong.
+  /// The reason why the sensor's port could not be opened, and the remedy; empty if there is no trouble.
   const QString& sensorTrouble() const { return sensorTrouble_; }
 
   // The finger. False: nothing to press, or another finger holds it.
@@ -66,8 +66,8 @@ class FeelPlayer : public QObject {
   bool pushDepth(double displacement_mm);
   void lift();  ///< ends a followed press: back to nothing within 60 ms
 
-  /// A force device under the finger: its position (mm) is asked for 1000 times a second on a thread of its own, and
-  /// nothing else presses meanwhile. May open the sound device, as a press does. Null lets go.
+  /// A force device under the finger: its position (mm) is read 1000 times a second on a thread of its own,
+  /// and nothing else presses meanwhile. May open the sound device, as a press does. Null ends it.
   void followDevice(std::function<double()> position_mm);
 
   /// Plays a press on the sound device, opening it if need be. Nothing can be pressed meanwhile. False: sound
@@ -83,7 +83,7 @@ class FeelPlayer : public QObject {
   bool pressed() const { return pressed_; }
   const playback::PlayerStatus& status() const { return status_; }
   SoundState sound() const { return sound_; }
-  /// Why there is no sound, and what to do; empty where nothing is wrong.
+  /// The reason why there is no sound, and the remedy; empty if there is no trouble.
   const QString& trouble() const { return trouble_; }
 
  signals:

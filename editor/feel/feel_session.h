@@ -28,13 +28,13 @@ namespace detent::editor {
 /// A: the button being edited; B: the one it is exchanged with.
 enum class FeelSide : std::uint8_t { a, b };
 
-/// Where the felt button stands. Plain value.
+/// Position of the felt button. Plain value.
 struct FeelMotion {
   double displacement_mm = 0, force_N = 0;
   bool pressed = false, releasing = false, contact = false;
 };
 
-/// No device is touched before the first press; without one everything but the device works. GUI thread.
+/// Opens no device before the first press; without one everything but the device works. GUI thread.
 class FeelSession : public QObject {
   Q_OBJECT
 
@@ -45,16 +45,16 @@ class FeelSession : public QObject {
   void setDocument(FeelSide side, ButtonDocument* document);
   ButtonDocument* document(FeelSide side) const { return slot(side).document; }
   FeelSide feltSide() const { return felt_; }
-  /// The one that is pressed now: A, or B after an exchange.
+  /// The pressed button: A, or B after an exchange.
   ButtonDocument* feltDocument() const { return felt().document; }
   /// Puts that button under the finger; nothing where there is none.
   void feel(FeelSide side);
   void exchange() { feel(felt_ == FeelSide::a ? FeelSide::b : FeelSide::a); }
   bool exchangeable() const { return slots_[0].document && slots_[1].document; }
 
-  /// Signals are computed only while somebody looks.
+  /// Signals are computed only while they are visible.
   void setWatched(bool watched);
-  /// What a press of the felt button is like; null until it is computed.
+  /// Signals of a press of the felt button; null until they are computed.
   const std::shared_ptr<const PressSignal>& signal() const { return felt().signal; }
   /// Null where nothing can be pressed.
   std::shared_ptr<const playback::LiveProgram> program() const;
@@ -68,12 +68,12 @@ class FeelSession : public QObject {
 
   const FeelSettings& settings() const { return settings_; }
   void setSettings(const FeelSettings& settings);
-  /// As plain text and numbers. Restoring opens no device: sound begins with the next press, and the
+  /// State as plain text and numbers. Restoring opens no device: sound begins with the next press, and the
   /// sensor's port is only offered.
   QVariantMap saveState() const { return toMap(settings_); }
   void restoreState(const QVariantMap& state);
   const std::optional<playback::DeviceProfile>& profile() const { return profile_; }
-  /// Why the profile's file could not be read; empty where it could.
+  /// The reason why the profile's file could not be read; empty if it could.
   const QString& profileTrouble() const { return profileTrouble_; }
 
   // The finger of the pad; shares are of a full press and of the travel, 0..1.
@@ -90,13 +90,14 @@ class FeelSession : public QObject {
   /// Plays the drawn press on the sound device, from the state in which it was drawn.
   void play();
 
-  /// A signal of another program beside the button's; null: none, or it could not be read. No part of any document.
+  /// A signal of another program beside the button's; null: none, or it could not be read. No part of any
+  /// document.
   const std::shared_ptr<const ReferenceDrawing>& reference() const { return reference_; }
-  /// Why there is none; empty where nothing is wrong.
+  /// The reason why there is no reference; empty if there is no trouble.
   const QString& referenceTrouble() const { return referenceTrouble_; }
   /// Reads a file as the reference; an empty one takes it away.
   void setReference(const QString& file);
-  /// On the sound device, or ends it.
+  /// Plays the reference on the sound device, or ends it.
   void playReference();
   void stopReference() { player_.stopSamples(); }
 
@@ -111,7 +112,7 @@ class FeelSession : public QObject {
   void feltDocumentChanged(detent::editor::ButtonDocument* document);
   /// Another signal or program is under the finger.
   void feltChanged();
-  /// Of a self-locking button another state is pressed.
+  /// Emitted if another state of a self-locking button is pressed.
   void stateChanged();
   void settingsChanged();
   void ownPressChanged();
@@ -121,11 +122,11 @@ class FeelSession : public QObject {
   /// motion() has changed; at least 60 times a second while a finger presses.
   void moved();
   void eventsFelt(const std::vector<detent::playback::EngineEvent>& events);
-  /// Where the finger stands on A's graph; nullopt when it has left, and while B is pressed.
+  /// Position of the finger on A's graph; nullopt when it has left, and while B is pressed.
   void fingerMoved(std::optional<detent::editor::FingerPosition> position);
   /// The same for B.
   void otherFingerMoved(std::optional<detent::editor::FingerPosition> position);
-  /// For the status bar.
+  /// A message for the status bar.
   void said(const QString& message);
 
  private:

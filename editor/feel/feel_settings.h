@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person chooses in the feel panel; no part of any button.
+// The user's choices in the feel panel; no part of any button.
 
 #include <optional>
 #include <QString>
@@ -11,7 +11,7 @@
 
 namespace detent::editor {
 
-/// Which force device, and what it is asked for. Plain value.
+/// Force device and its settings. Plain value.
 struct ForceChoices {
   QString
       device;  ///< as playback::forceDeviceFrom names it: "sim:falcon", "serial:/dev/ttyACM0"; empty: none

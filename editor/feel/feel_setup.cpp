@@ -109,7 +109,7 @@ void FeelSetup::addSound(QFormLayout& form) {
   device_ = comboBoxOfNames("soundDevice", tr("Sound device that drives the transducer"));
   connect(device_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   refresh_ =
-      described(new QPushButton(tr("Look again")), "refreshDevices", tr("Look for sound devices again"));
+      described(new QPushButton(tr("Search again")), "refreshDevices", tr("Search for sound devices again"));
   connect(refresh_, &QPushButton::clicked, &devices_, &SoundDeviceList::refresh);
   form.addRow(tr("&Sound device:"), rowOf({device_, refresh_}));
   deviceNote_ = noteLabel("deviceNote");
@@ -165,7 +165,7 @@ void FeelSetup::setSettings(const FeelSettings& settings) {
   showDelays();
 }
 
-/// What a push button says about what it has chosen.
+/// Puts the current choice on a push button.
 void FeelSetup::showChosen() {
   connect_->setChecked(!settings_.sensorPort.isEmpty());
   connect_->setText(settings_.sensorPort.isEmpty() ? tr("Connect") : tr("Disconnect"));
@@ -220,14 +220,14 @@ void FeelSetup::showDevices() {
   }
   // One that is chosen but away stays chosen: it may come back.
   if (device_->findData(settings_.device) < 0)
-    device_->addItem(tr("%1 (not there now)").arg(settings_.device), settings_.device);
+    device_->addItem(tr("%1 (not connected)").arg(settings_.device), settings_.device);
   select(device_, settings_.device);
   filling_ = false;
   const QString note =
       devices_.asking()               ? tr("Looking for sound devices…")
       : !devices_.trouble().isEmpty() ? devices_.trouble()
       : asked_ && devices_.outputs().empty()
-          ? tr("No sound device was found. Connect one or start the sound server, then look again.")
+          ? tr("No sound device was found. Connect one or start the sound server, then search again.")
           : QString();
   deviceNote_->setText(note);
   form_->setRowVisible(deviceNote_, !note.isEmpty());

@@ -20,7 +20,7 @@ namespace detent::editor {
 
 class QuantityField;
 
-/// Shows FeelSettings and tells of changes by hand; changes nothing itself. GUI thread.
+/// Shows FeelSettings and reports changes by hand; changes nothing itself. GUI thread.
 class FeelSetup : public QWidget {
   Q_OBJECT
 
@@ -30,9 +30,9 @@ class FeelSetup : public QWidget {
   void setSettings(const FeelSettings& settings);
   const FeelSettings& settings() const { return settings_; }
 
-  /// What became of the profile file: its name and measured delay, or why it could not be read.
+  /// State of the profile file: its name and measured delay, or the reason why it could not be read.
   void setProfile(const std::optional<playback::DeviceProfile>& profile, const QString& trouble);
-  /// How the sensor is doing; `trouble` why it could not be opened.
+  /// State of the sensor; `trouble`: the reason why it could not be opened.
   void setSensor(const playback::PlayerStatus& status, const QString& trouble);
   void setBuffer(unsigned frames);
   /// A port to connect to by hand: devices are not touched before a person asks for them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a force device does just now: force, energy between finger and button, punctuality of the loop.
+// Shows the present state of a force device: force, energy between finger and button, punctuality of the
+// loop.
 
 #include <QWidget>
 
@@ -18,7 +19,7 @@ class ForceMeter : public QWidget {
 
   /// `limit_N` > 0: the device's largest force.
   void show(const playback::ForceStatus& status, const ForceEnergy& energy, double limit_N);
-  /// Nothing runs.
+  /// Shows that nothing runs.
   void setIdle();
 
   QSize sizeHint() const override;

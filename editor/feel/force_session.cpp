@@ -101,8 +101,8 @@ void ForceSession::stop() {
   setState(ForceState::off);
 }
 
-// A device may take seconds to open or to let go, and can be open only once: the one in use goes first, on the thread
-// that opens the next.
+// A device may take seconds to open or to let go, and can be open only once: the one in use goes first, on
+// the thread that opens the next.
 void ForceSession::exchange() {
   exchangeAgain_ = busy_;
   timer_.stop();
@@ -163,7 +163,7 @@ void ForceSession::buttonChanged() {
   if (!soon_.isActive()) soon_.start();
 }
 
-/// What was edited reaches the finger.
+/// Sends edits to the finger.
 void ForceSession::follow() {
   computeMargin();
   if (!player_ || !document_) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The pressed button as force on a force device, without widgets: the running loop, what it does to the finger, and
-// whether the device can render the button at all. docs/guide/force-feedback.md.
+// The pressed button as force on a force device, without widgets: the running loop, what it does to the
+// finger, and whether the device can render the button at all. docs/guide/force-feedback.md.
 
 #include <memory>
 #include <optional>
@@ -26,7 +26,7 @@ enum class ForceState : std::uint8_t {
   failed  ///< it could not be opened; trouble() says why and what to do
 };
 
-/// What a finger and the button give each other.
+/// Energy that finger and button exchange.
 struct ForceEnergy {
   double held_mJ = 0;           ///< in the button now, counted from its rest
   double most_mJ = 0;           ///< of this press, or of the last one
@@ -34,7 +34,7 @@ struct ForceEnergy {
   double lowestBalance_mJ = 0;  ///< since the start; below 0: it gave more than it held
 };
 
-/// Starts by hand only: no force without being asked for. GUI thread; devices are opened and closed on a thread of
+/// Starts by hand only: no force without a request. GUI thread; devices are opened and closed on a thread of
 /// its own.
 class ForceSession : public QObject {
   Q_OBJECT
@@ -43,15 +43,15 @@ class ForceSession : public QObject {
   explicit ForceSession(QObject* parent = nullptr, FeelDevices devices = {});
   ~ForceSession() override;  ///< takes the force away; waits for a device that is just being opened
 
-  /// There is no margin and no force while nobody looks: the switch has to be in sight.
+  /// There is no margin and no force while the panel is hidden: the switch has to be visible.
   void setWatched(bool watched);
-  /// What is pressed; exchanged under the finger. May be null.
+  /// The pressed button; exchanged under the finger. May be null.
   void setDocument(ButtonDocument* document);
   /// Another device does not start by itself, even while one runs.
   void setChoices(const ForceChoices& choices);
   const ForceChoices& choices() const { return choices_; }
   ButtonDocument* document() const { return document_; }
-  /// Of the chosen device; none where none is chosen or its name is not understood.
+  /// The chosen device; none if none is chosen or its name is not understood.
   const std::optional<playback::ForceDeviceChoice>& device() const { return device_; }
   bool simulated() const { return device_ && device_->kind == playback::ForceDeviceKind::simulated; }
 
@@ -59,22 +59,22 @@ class ForceSession : public QObject {
   void stop();
   ForceState state() const { return state_; }
   bool running() const { return state_ == ForceState::on || state_ == ForceState::lost; }
-  /// Why there is no force, and what to do; empty where nothing is wrong.
+  /// The reason why there is no force, and the remedy; empty if there is no trouble.
   const QString& trouble() const { return trouble_; }
   /// The running loop, for who follows its position on another thread; null where none runs.
   std::shared_ptr<const playback::ForcePlayer> player() const { return player_; }
 
   const playback::ForceStatus& status() const { return status_; }
   const ForceEnergy& energy() const { return energy_; }
-  /// What the device cannot render as the button has it; empty until it runs.
+  /// Properties of the button that the device cannot render; empty until it runs.
   const std::vector<playback::ForceRemark>& remarks() const { return remarks_; }
 
-  /// What slopes the chosen device bears along the button's travel; null without a device or a button. Shared and
-  /// never changed.
+  /// Slopes that the chosen device bears along the button's travel; null without a device or a button. Shared
+  /// and never changed.
   const std::shared_ptr<const playback::StabilityMargin>& margin() const { return margin_; }
   /// One undoable step to the nearest button that the device can render.
   void makeStable();
-  /// What makeStable changed in the button as it stands now; empty where it is another one.
+  /// Changes by makeStable in the button as it is now; empty if it is another one.
   const std::vector<playback::StabilityChange>& changes() const { return changes_; }
 
  signals:

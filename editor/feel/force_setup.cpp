@@ -62,7 +62,7 @@ void ForceSetup::addDevice(QFormLayout& form) {
   connect(firmware_, &QPushButton::clicked, this, &ForceSetup::chooseFirmware);
   form.addRow(tr("Fir&mware:"), firmware_);
 
-  finger_ = comboBox("forceFinger", tr("What the simulated finger does"));
+  finger_ = comboBox("forceFinger", tr("Behaviour of the simulated finger"));
   addChoice(finger_, tr("presses again and again"), false);
   addChoice(finger_, tr("rests in the middle of the travel"), true);
   connect(finger_, &QComboBox::currentIndexChanged, this, &ForceSetup::take);
@@ -77,7 +77,7 @@ void ForceSetup::addLimits(QFormLayout& form) {
     connect(made, &QuantityField::valueChanged, this, &ForceSetup::take);
     return made;
   };
-  largest_ = field(Quantity::force, "forceLargest", tr("The device is never asked for more force than this"),
+  largest_ = field(Quantity::force, "forceLargest", tr("The force never exceeds this value"),
                    {0, strongestDevice_N});
   largest_->setLowestText(tr("the device's own"));
   form.addRow(tr("&Largest force:"), largest_);
@@ -90,7 +90,7 @@ void ForceSetup::addLimits(QFormLayout& form) {
             {-longestTurn_mm, longestTurn_mm});
   form.addRow(tr("Travel per t&urn:"), turn_);
   upload_ = described(new QCheckBox(tr("The microcontroller runs the law at its own rate")), "forceUpload",
-                      tr("The force table is uploaded: no USB delay stands between position and force"));
+                      tr("The force table is uploaded: there is no USB delay between position and force"));
   connect(upload_, &QCheckBox::toggled, this, &ForceSetup::take);
   form.addRow(QString(), upload_);
   controller_ =
@@ -134,7 +134,7 @@ void ForceSetup::take() {
   emit changed(choices_);
 }
 
-/// Only what the chosen device has.
+/// Shows the rows that the chosen device needs.
 void ForceSetup::showRows() {
   const QString chosen = kind();
   const bool simulated = chosen.startsWith("sim"), real = !chosen.isEmpty() && !simulated;
@@ -150,8 +150,8 @@ void ForceSetup::showRows() {
   form_->setRowVisible(controller_, !chosen.isEmpty());
   form_->setRowVisible(note_, real);
   note_->setText(
-      tr("The first time: a hand on the power switch, and a largest force of 1 N. The guide to force "
-         "feedback tells how to wire it."));
+      tr("The first time, keep a hand on the power switch and set the largest force to 1 N. The guide to "
+         "force feedback describes the wiring."));
 }
 
 void ForceSetup::chooseFirmware() {

@@ -17,7 +17,7 @@ namespace detent::editor {
 
 class QuantityField;
 
-/// Shows ForceChoices and tells of changes by hand; changes nothing itself. GUI thread.
+/// Shows ForceChoices and reports changes by hand; changes nothing itself. GUI thread.
 class ForceSetup : public QWidget {
   Q_OBJECT
 

@@ -48,7 +48,7 @@ QString boundWords(playback::StabilityBound bound) {
 
 QString stretchWords(const playback::UnstableStretch& stretch, const Button& button,
                      const DisplayUnits& units) {
-  const QString what = stretch.falling ? tr("the falling jump %1 has %2") : tr("the wall %1 has %2");
+  const QString what = stretch.falling ? tr("the falling jump %1 has %2") : tr("the rise %1 has %2");
   return asSentence(stateBefore(button, stretch.state) +
                     what.arg(placeWords(stretch.from_mm, stretch.to_mm, units),
                              shown(stretch.worst.slope_N_per_mm, Quantity::slope, units)) +
@@ -78,7 +78,7 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
   QString words;
   switch (remark.kind) {
     case playback::ForceRemarkKind::wallSoftened:
-      words = tr("the wall of %1 at %2 is felt as %3")
+      words = tr("the rise of %1 at %2 is felt as %3")
                   .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
       break;
     case playback::ForceRemarkKind::fallSoftened:
@@ -86,7 +86,7 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
                   .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
       break;
     case playback::ForceRemarkKind::forceClipped:
-      words = tr("%1 is more than the device gives; %2 is felt")
+      words = tr("%1 is more than the device can give; %2 is felt")
                   .arg(in(remark.value, Quantity::force), in(remark.limit, Quantity::force));
       break;
     case playback::ForceRemarkKind::strokesCross:

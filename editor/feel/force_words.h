@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a force device does to a button, in the words of the window.
+// Words of the window for the effect of a force device on a button.
 
 #include <QString>
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace detent::editor {
 
-/// "The wall from 3.9 to 4.0 mm rises by 142 N/mm; the device bears 0.67 N/mm."
+/// A sentence with range and slope of a stretch, and the slope that the device bears.
 QString stretchWords(const playback::UnstableStretch& stretch, const Button& button,
                      const DisplayUnits& units);
-/// How many places there are and the worst of them; that all is well where there is none.
+/// Number of unstable places and the worst of them; a positive sentence if there is none.
 QString marginWords(const playback::StabilityMargin& margin, const Button& button, const DisplayUnits& units);
-/// "At 4 mm a wall of 142 N/mm is felt as 2 N/mm."
+/// A sentence with displacement, drawn slope and felt slope of a remark.
 QString remarkWords(const playback::ForceRemark& remark, const Button& button, const DisplayUnits& units);
-/// What the nearest stable button changed, state by state.
+/// Changes of the nearest stable button, state by state.
 QString changeWords(const std::vector<playback::StabilityChange>& changes, const Button& button,
                     const DisplayUnits& units);
 

@@ -22,7 +22,7 @@ class LevelMeter : public QWidget {
   /// Peak of the last moment as a share of full scale, at `time_s` on any steady clock. `ceiling` is the
   /// limiter's, a share of full scale.
   void setLevel(double level, double ceiling, double time_s);
-  /// No stream: empty, and the texts say nothing.
+  /// Shows that there is no stream: empty, without texts.
   void setIdle();
 
   double shown_dB() const { return shown_dB_; }

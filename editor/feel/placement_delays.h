@@ -8,7 +8,8 @@
 
 namespace detent::editor {
 
-/// Force crossing on a 425 Hz serial sensor to onset, from docs/measurements/bench-playback.md (a test compares them).
+/// Force crossing on a 425 Hz serial sensor to onset, from docs/measurements/bench-playback.md (a test
+/// compares them).
 struct PlacementDelay {
   playback::EventPlacement placement;
   int bufferFrames;             ///< at 48 kHz

@@ -26,7 +26,7 @@ constexpr double floor_px = 14;
 
 bool isPressKey(int key) { return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter; }
 
-/// As QPainter takes them.
+/// Alignment flags for QPainter.
 int flags(Qt::Alignment alignment) { return static_cast<int>(alignment.toInt()); }
 
 QFont scaled(const QFont& font, double factor, bool bold = false) {

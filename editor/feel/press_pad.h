@@ -16,14 +16,14 @@ class QTouchEvent;
 
 namespace detent::editor {
 
-/// What a mouse drag or a touch without pressure means. Keys always press by time, pens by pressure.
+/// Meaning of a mouse drag or a touch without pressure. Keys always press by time, pens by pressure.
 enum class Drive {
   time,   ///< a human-like press as long as the button is held
   depth,  ///< dragging down presses deeper
   force   ///< dragging down presses harder
 };
 
-/// What of a button the pad draws. Plain value.
+/// Properties of a button that the pad draws. Plain value.
 struct PadButton {
   QString name, stateName;
   double start_mm = 0, end_mm = 0;  ///< end_mm > start_mm, unless the button has no travel
@@ -32,7 +32,7 @@ struct PadButton {
   std::optional<double> operating_mm, reset_mm;
 };
 
-/// Where it stands. Plain value.
+/// Position of the pad. Plain value.
 struct PadMotion {
   double displacement_mm = 0, force_N = 0;
   bool pressed = false, releasing = false, contact = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a press of a button feels like, as signals to look at. Pure: same request, same answer.
+// Feel of a press of a button, as signals for display. Pure: same request, same answer.
 
 #include <memory>
 #include <optional>

@@ -5,7 +5,7 @@
 
 namespace detent::editor {
 
-// Also what is overtaken is told: while a hand drags, the waveform follows it.
+// Outdated results are reported too: while a hand drags, the waveform follows it.
 PressSignalSource::PressSignalSource(QObject* parent)
     : QObject(parent), answers_(this, [this](const auto& asked) {
         auto signal = std::make_shared<PressSignal>(pressSignalOf(asked.request));

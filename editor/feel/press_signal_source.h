@@ -13,8 +13,8 @@
 namespace detent::editor {
 
 /// One worker thread, begun with the first request. At most one request waits while one is computed, so an
-/// answer is never older than two computations. Its end waits for the running computation, some milliseconds. GUI
-/// thread, except where said.
+/// answer is never older than two computations. Its end waits for the running computation, some milliseconds.
+/// GUI thread, except where said.
 class PressSignalSource : public QObject {
   Q_OBJECT
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the forms of the setup are made of.
+// Parts for the forms of the setup.
 
 #include <initializer_list>
 #include <QComboBox>
@@ -13,11 +13,11 @@ namespace detent::editor {
 
 /// The layout of a form on `page`: fields as wide as there is room, long rows wrapped.
 QFormLayout* setupForm(QWidget* page);
-/// What a window wants to be at first, no larger than its screen has room for with a frame.
+/// First size of a window, no larger than its screen with a frame.
 QSize onScreen(const QWidget& window, QSize wanted);
-/// For choices that are ours to word: as wide as the longest.
+/// Combo box for texts of Detent: as wide as the longest.
 QComboBox* comboBox(const QString& name, const QString& tip);
-/// For names of devices and ports, which may be of any length.
+/// Combo box for names of devices and ports, which may be of any length.
 QComboBox* comboBoxOfNames(const QString& name, const QString& tip);
 /// A small grey line below a field.
 QLabel* noteLabel(const QString& name);

@@ -341,7 +341,7 @@ void SignalView::paintTime(QPainter& painter, const Layout& layout, const GraphC
   }
   painter.drawText(QRectF(0, bottom + 3, left_px - 8, 14), Qt::AlignRight | Qt::AlignTop, tr("ms"));
 
-  // How levels are coloured.
+  // Colour scale of levels.
   const QRectF bar(layout.wave.right() - 96, bottom + 19, 60, 7);
   QLinearGradient gradient(bar.topLeft(), bar.topRight());
   for (int i = 0; i <= 8; ++i)

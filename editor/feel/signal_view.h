@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a press feels like, or what another program made, drawn: vibration and its spectrogram over one time axis.
+// Draws the feel of a press, or a signal of another program: vibration and its spectrogram over one time
+// axis.
 
 #include <memory>
 #include <optional>
@@ -25,9 +26,10 @@ class SignalView : public QWidget {
   const std::shared_ptr<const PressSignal>& pressSignal() const { return press_; }
   /// A signal of another program instead, called `name`.
   void setReference(std::shared_ptr<const ReferenceDrawing> reference, const QString& name);
-  /// Draws at least so long a time (s) and so high a level (share of full scale), so that two views compare; 0: what the signal needs.
+  /// Draws at least so long a time (s) and so high a level (share of full scale), so that two views compare;
+  /// 0: what the signal needs.
   void setLeast(double duration_s, double peak);
-  /// How much time the axis spans.
+  /// Time span of the axis.
   double drawnDuration_s() const { return layoutOf().duration_s; }
 
   QSize sizeHint() const override;

@@ -67,7 +67,7 @@ QLayout* SoundBox::gainRow() {
   auto* label = new QLabel(tr("&Gain"));
   gain_ = described(
       new QSlider(Qt::Horizontal), "gain",
-      tr("Gain before the limiter, −40 to +20 dB; 0 dB is what the button and the device profile ask for"));
+      tr("Gain before the limiter, −40 to +20 dB; 0 dB: as the button and the device profile require"));
   gain_->setRange(static_cast<int>(lowestGain_dB * gainStepsPer_dB),
                   static_cast<int>(highestGain_dB * gainStepsPer_dB));
   gain_->setPageStep(static_cast<int>(6 * gainStepsPer_dB));

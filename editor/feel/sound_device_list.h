@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Sound devices, asked for without stopping the window: some drivers take seconds to answer.
+// List of sound devices, read without stopping the window: some drivers take seconds to answer.
 
 #include <QObject>
 #include <QString>
@@ -21,9 +21,9 @@ class SoundDeviceList : public QObject {
 
   void refresh();
   bool asking() const { return asking_; }
-  /// Those with an output, as last answered.
+  /// Devices with an output, as last listed.
   const std::vector<playback::SoundDevice>& outputs() const { return outputs_; }
-  /// Why there is no list, and what to do; empty where there is one.
+  /// The reason why there is no list, and the remedy; empty if there is one.
   const QString& trouble() const { return trouble_; }
 
  signals:

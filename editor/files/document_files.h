@@ -17,13 +17,13 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path);
 /// A new document of an import: unsaved from the start, because finding it may have cost an hour of work.
 std::unique_ptr<ButtonDocument> importedDocument(std::shared_ptr<const importer::ImportReport> report);
 
-/// What became of a document's file since it was last read or written here.
+/// State of a document's file since it was last read or written here.
 enum class DiskState {
   asKnown,
   changed,  ///< somebody else wrote it; writing now would take their work away
   gone      ///< deleted or moved away
 };
-/// Reads and hashes the whole file; asked before every write.
+/// Reads and hashes the whole file; called before every write.
 DiskState diskStateOf(const ButtonDocument& document);
 
 /// Writes the committed button atomically; on success the document has this path and is unmodified. On
@@ -41,8 +41,8 @@ QString buttonText(const Button& button);
 /// A new, unsaved document from such text; failures as readButtonFile.
 Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text);
 
-/// Where saving offers to put a document that has no path: its title as a safe file name, in `folder`, with
-/// a number where that name is taken.
+/// Path that saving offers for a document without one: its title as a safe file name, in `folder`, with a
+/// number if that name is taken.
 QString suggestedPath(const ButtonDocument& document, const QString& folder, const QString& ending);
 
 }  // namespace detent::editor

@@ -21,7 +21,7 @@
 namespace detent::editor {
 namespace {
 
-/// As `detent-play export --press` names it; the standard press is the one whose way down takes 120 ms.
+/// Name of a press for `detent-play export --press`; the standard press has a downstroke of 120 ms.
 std::string pressName(double wayDown_s) {
   const long wayDown_ms = std::lround(1000 * wayDown_s);
   return wayDown_ms == 120 ? "standard" : "human:" + std::to_string(wayDown_ms) + "ms";

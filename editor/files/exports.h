@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What leaves the editor besides button files: samples, drawings, pictures, sound. Every file is written
-// whole or not at all.
+// Exports beside button files: samples, drawings, pictures, sound. Every file is written whole or not at all.
 
 #include <functional>
 #include <QImage>
@@ -21,28 +20,30 @@ Result<Done> exportCsv(const Button& button, std::size_t state, const QString& p
 Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path);
 
 Result<Done> exportPng(const QImage& picture, const QString& path);
-/// A drawing of that size by the path's ending: ".svg" and ".pdf" by `draw` as vectors, anything else `picture` as PNG.
+/// A drawing of that size by the path's ending: ".svg" and ".pdf" by `draw` as vectors, anything else
+/// `picture` as PNG.
 Result<Done> exportDrawing(QSize size, const QString& path,
                            const std::function<void(QPaintDevice&, QSize)>& draw,
                            const std::function<QImage()>& picture);
 
-/// The vibration of a standard press (playback/playback.h) that begins in that state, on a perfect device: mono float
-/// WAV, 48 kHz.
+/// The vibration of a standard press (playback/playback.h) that begins in that state, on a perfect device:
+/// mono float WAV, 48 kHz.
 Result<Done> exportWav(const Button& button, std::size_t state, const QString& path);
 
-/// The buttons as one web page, as `detent-play page` writes it, byte for byte. Failure: as playback::sharePage, or the disk's.
+/// The buttons as one web page, as `detent-play page` writes it, byte for byte. Failure: as
+/// playback::sharePage, or the disk's.
 Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path);
 
-/// The button as a data package of Frictionless, byte for byte as `detent-graph convert` writes it: in `folder`, which is made where
-/// it is not there, and not left behind empty.
+/// The button as a data package of Frictionless, byte for byte as `detent-graph convert` writes it: in
+/// `folder`, which is made where it is not there, and not left behind empty.
 Result<Done> exportDataPackage(const Button& button, const QString& folder);
-/// A state as a project of WebPlotDigitizer, axes in `units`, as `detent-graph convert` writes it: with its picture (a TAR archive),
-/// or, where `path` ends in .json, without.
+/// A state as a project of WebPlotDigitizer, axes in `units`, as `detent-graph convert` writes it: with its
+/// picture (a TAR archive), or, where `path` ends in .json, without.
 Result<Done> exportTracedProject(const Button& button, std::size_t state, const DisplayUnits& units,
                                  const QString& path);
 
-/// What a press becomes for another device: the button from its first state, pressed by a finger whose way down takes so
-/// long; byte for byte as `detent-play export` writes it.
+/// A press for another device: the button from its first state, pressed by a finger with this downstroke;
+/// byte for byte as `detent-play export` writes it.
 struct DeviceExport {
   playback::ExportSettings settings;  ///< the press's name is filled in here
   double wayDown_s = 0.12;            ///< 0.01..10

@@ -22,14 +22,14 @@ class FileWatch : public QObject {
  public:
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// What the file holds now is known from here on; called again after saving.
+  /// From here on the present contents of the file are known; called again after saving.
   void watch(const QString& path);
   void forget(const QString& path);
 
  signals:
-  /// Its contents are others than known. Said once per content.
+  /// Emitted once if the file has contents other than the known ones.
   void changedOutside(const QString& path);
-  /// It was there and is not any more. Said once; coming back with other contents is a change.
+  /// Emitted once if the file vanished; a file that comes back with other contents is a change.
   void vanished(const QString& path);
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A graph as it is printed: what a person chooses, and the file it becomes. One drawing (model/file/svg_plot.h) goes into
-// SVG, PDF, PNG and onto paper, so that all of them show the same.
+// A graph as it is printed: what a person chooses, and the file it becomes. One drawing
+// (model/file/svg_plot.h) goes into SVG, PDF, PNG and onto paper, so that all of them show the same.
 
 #include <optional>
 #include <QImage>
@@ -14,7 +14,7 @@
 
 namespace detent::editor {
 
-/// Where the graph goes.
+/// Purpose of the graph.
 enum class GraphPreset {
   datasheet,  ///< 150 mm, callouts and dimensions
   paper,      ///< 88 mm, one column, black, nothing but the curves
@@ -33,16 +33,16 @@ struct GraphExport {
 SvgPlotStyle styleOf(GraphPreset preset, const DisplayUnits& units);
 /// The words of a plot in that language.
 PlotWords plotWords(PlotLanguage language);
-/// Of one plot; both at least 60 mm.
+/// Sets the size of one plot; both at least 60 mm.
 void setSize(SvgPlotStyle& style, double width_mm, double height_mm);
-/// Beside axes, numbers and titles there is room for curves.
+/// Returns true if there is room for curves beside axes, numbers and titles.
 bool hasRoom(const SvgPlotStyle& style);
 
-/// Of the whole drawing: one plot per state.
+/// Size of the whole drawing: one plot per state.
 QSizeF graphSize_mm(const Button& button, const SvgPlotStyle& style);
 /// Draws it into `place` of the painter's coordinates, as large as fits. False: no drawing.
 bool paintGraph(QPainter& painter, const QRectF& place, const Button& button, const SvgPlotStyle& style);
-/// At 300 dpi, black and white at 600 dpi; at most 16,000 pixels wide and high.
+/// Image at 300 dpi, black and white at 600 dpi; at most 16,000 pixels wide and high.
 QImage graphImage(const Button& button, const SvgPlotStyle& style);
 /// The whole file, or a Failure that says what stood in the way.
 Result<Done> exportGraph(const Button& button, const GraphExport& wanted, const QString& path);

@@ -37,7 +37,8 @@ QByteArray firstLine(const QByteArray& bytes) {
   return line.trimmed();
 }
 
-// JSON that other programs wrote about a graph, as the importer reads it: projects of digitizers, a tester's record, a data package.
+// JSON that other programs wrote about a graph, as the importer reads it: projects of digitizers, a tester's
+// record, a data package.
 bool isForeignJson(const QByteArray& start) {
   if (start.contains("\"detent-button\"")) return false;
   for (const char* key : {"\"axesColl\"", "\"wpd\"", "\"datasetColl\"", "\"down_x\"", "\"resources\""})

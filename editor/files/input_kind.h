@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a file on the disk is to the editor, before anything of it is read in full.
+// Kind of a file on the disk, before anything of it is read in full.
 
 #include <QString>
 #include <QStringList>
@@ -21,7 +21,7 @@ Result<InputKind> inputKindOf(const QString& path);
 
 /// Filters of an open dialogue, first one: everything the editor can open.
 QStringList openFilters();
-/// Of a dialogue that asks for a sheet to import; first one: everything that can be.
+/// Filters of a dialogue for sheets to import; the first one: all files that can be imported.
 QStringList importFilters();
 
 }  // namespace detent::editor

@@ -14,8 +14,9 @@
 namespace detent::editor {
 
 /// One lock file per open button file, in a folder of the person's own (never beside the file), named by the
-/// file's real path. The mark of an editor that died counts for nothing. A document that finds its file marked
-/// tries again every few seconds, so that the mark goes over when the other editor lets go. GUI thread.
+/// file's real path. The mark of an editor that died counts for nothing. A document that finds its file
+/// marked tries again every few seconds, so that the mark goes over when the other editor lets go. GUI
+/// thread.
 class OpenMarks : public QObject {
   Q_OBJECT
 

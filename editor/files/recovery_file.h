@@ -9,13 +9,14 @@
 
 namespace detent::editor {
 
-/// What a recovery file keeps. `path` is empty for a document that was never saved.
+/// Contents of a recovery file. `path` is empty for a document that was never saved.
 struct RecoveryRecord {
   Button button;
   QString path;
   QString title;
   QDateTime written;  ///< UTC
-  /// ButtonDocument::knownContent(), so that the guard against writing over somebody's change outlives the editor.
+  /// ButtonDocument::knownContent(), so that the guard against writing over somebody's change outlives the
+  /// editor.
   QByteArray knownContent = {};
   std::optional<PageCutout> cutout = {};
   Annotations annotations = {};

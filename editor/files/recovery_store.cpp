@@ -103,7 +103,7 @@ void RecoveryStore::report(const QString& sentence) {
     emit failed(sentence);
 }
 
-// By the writer, so that a write asked before cannot bring it back.
+// By the writer, so that an earlier write cannot bring it back.
 void RecoveryStore::removeFile(Watched& watched) {
   if (!std::exchange(watched.onDisk, false)) return;
   writer_.start([file = watched.file] { QFile::remove(file); });

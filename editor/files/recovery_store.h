@@ -64,9 +64,9 @@ class RecoveryStore : public QObject {
   /// where the picture lies; empty without one.
   QString keepPicture(const QImage& picture);
   void keepImport(const QByteArray& text);
-  /// It is finished, or given up.
+  /// Called when the import is finished or discarded.
   void dropImport();
-  /// Those of dead editors, as the last leftBehind() met them.
+  /// Imports of dead editors, as the last leftBehind() found them.
   const QList<LeftImport>& leftImports() const { return leftImports_; }
   void discard(const LeftImport& left);
 
@@ -91,7 +91,7 @@ class RecoveryStore : public QObject {
   std::unique_ptr<QLockFile> lock_;
   std::vector<std::unique_ptr<QLockFile>> reserved_;
   QHash<ButtonDocument*, std::shared_ptr<Watched>> watched_;
-  QThreadPool writer_;  // one thread: what is asked later is done later
+  QThreadPool writer_;  // one thread: later requests are done later
   QList<LeftImport> leftImports_;
   int nextFile_ = 1;
   bool failing_ = false;

@@ -11,16 +11,14 @@
 namespace detent::editor {
 
 ForecastBar::ForecastBar(QWidget* parent) : QWidget(parent) {
-  words_ = described(
-      new QLabel, "forecastWords",
-      tr("What a model of the sense of touch says about the vibration of both; asked of nobody. How far it "
-         "is to be "
-         "trusted: predicted-confusion in the documents."),
-      tr("Predicted confusion"));
+  words_ = described(new QLabel, "forecastWords",
+                     tr("Forecast by a model of touch from the vibration of both; no person was asked. Its "
+                        "limits: predicted-confusion in the documents."),
+                     tr("Predicted confusion"));
   words_->setWordWrap(true);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   help_ = described(new QPushButton(tr("Make &distinguishable…")), "makeDistinguishable",
-                    tr("Look for the smallest change of button A that people will notice"));
+                    tr("Find the smallest change of button A that people will notice"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(words_, 1);

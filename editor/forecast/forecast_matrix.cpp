@@ -40,7 +40,7 @@ ForecastMatrix::ForecastMatrix(QWidget* parent) : QDialog(parent) {
   progress_ = described(new QProgressBar, "matrixProgress");
   progress_->setFormat(tr("%v of %m"));
   stop_ = described(new QPushButton(tr("&Stop")), "matrixStop",
-                    tr("Give up what is being computed; the next edit begins anew"));
+                    tr("Cancel the computation; the next edit starts a new one"));
   stop_->setAutoDefault(false);
   auto* bottom = new QHBoxLayout;
   bottom->addWidget(progress_, 1);

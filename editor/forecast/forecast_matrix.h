@@ -15,13 +15,13 @@
 
 namespace detent::editor {
 
-/// Not modal; follows every edit while it is open. GUI thread.
+/// A table of forecasts for all open buttons. Not modal; follows every edit while it is open. GUI thread.
 class ForecastMatrix : public QDialog {
   Q_OBJECT
 
  public:
   explicit ForecastMatrix(QWidget* parent = nullptr);
-  /// In the order of the tabs.
+  /// Sets the documents, in the order of the tabs.
   void setDocuments(const std::vector<ButtonDocument*>& documents);
 
  signals:

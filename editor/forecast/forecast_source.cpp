@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mostKept = 128;  // felt buttons, about 200 kB each
 
-/// Which two of so many buttons, in the order of a forecast.
+/// Index pairs of this many buttons, in the order of a forecast.
 std::vector<std::pair<std::size_t, std::size_t>> pairsIn(std::size_t buttons, ForecastPairs pairs) {
   if (pairs == ForecastPairs::all) return playback::pairsOf(buttons);
   std::vector<std::pair<std::size_t, std::size_t>> found;

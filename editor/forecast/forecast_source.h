@@ -21,16 +21,16 @@ enum class ForecastPairs : std::uint8_t {
   ofFirst  ///< (0,1), (0,2), (0,3), ...
 };
 
-/// The pairs that were asked for, in their order.
+/// The requested pairs, in their order.
 struct Forecast {
   std::uint64_t revision = 0;
   std::vector<playback::PredictedPair> pairs;
   QString trouble;  ///< why there are none; empty otherwise
 };
 
-/// One worker thread, begun with the first request. What a button feels like and what was said of a pair is kept, so
-/// that an edit of one of fifty costs one button and its pairs. Its end gives up what runs, and waits some milliseconds. GUI
-/// thread, except where said.
+/// One worker thread, begun with the first request. What a button feels like and what was said of a pair is
+/// kept, so that an edit of one of fifty costs one button and its pairs. Its end gives up what runs, and
+/// waits some milliseconds. GUI thread, except where said.
 class ForecastSource : public QObject {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class ForecastSource : public QObject {
   std::uint64_t request(std::vector<Button> buttons, ForecastPairs pairs = ForecastPairs::all) {
     return answers_.ask({std::move(buttons), pairs});
   }
-  void cancel() { answers_.cancel(); }  ///< no answer comes for what was asked so far
+  void cancel() { answers_.cancel(); }  ///< no answer comes for earlier requests
 
  signals:
   /// Buttons and pairs.

@@ -8,9 +8,10 @@
 
 namespace detent::editor {
 
-/// "People tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is." As the terminal and the report say it.
+/// "People tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is." As the
+/// terminal and the report say it.
 QString forecastWords(const playback::PredictedPair& pair);
-/// "told apart: 0 to 7 errors in 90", for a line of a list.
+/// Verdict and range of errors in a few words, for a line of a list.
 QString shortForecastWords(const playback::PredictedPair& pair);
 /// "Snap ratio × 1.25": the name of the undo step.
 QString suggestionWords(const playback::Suggestion& suggestion);

@@ -57,7 +57,7 @@ void moveEdge(FrameCorners& c, std::size_t i, importer::Point by) {
   shift(c[next], across);
 }
 
-// What the curve does not allow is said and not kept.
+// Forbidden changes are reported and not kept.
 void takeMarks(PageView& view, const Corrections& next, const QString& label) {
   const ImportGraph* graph = view.state().current();
   const auto& good = graph ? graph->unmarked : nullptr;

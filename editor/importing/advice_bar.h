@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What went wrong and what to do about it, above the page, with the corrections that help as buttons.
+// Problem and remedies above the page, with the helpful corrections as buttons.
 
 #include <QFrame>
 #include <QHBoxLayout>
@@ -20,7 +20,7 @@ class AdviceBar : public QFrame {
 
   explicit AdviceBar(QWidget* parent = nullptr);
 
-  /// Nothing changes if it says this already.
+  /// Shows an advice; changes nothing if it is shown already.
   void say(Tone tone, const Advice& advice);
   void clear();
   QString text() const { return words_->text(); }

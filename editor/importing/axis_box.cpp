@@ -88,7 +88,7 @@ void AxisBox::build() {
   column->addWidget(details_);
   column->addWidget(extend_);
   extend_->setObjectName(axis_ == GraphAxis::x ? QStringLiteral("xExtend") : QStringLiteral("yExtend"));
-  extend_->setToolTip(tr("Numbers of this axis stand beyond the plot frame: move its edge there"));
+  extend_->setToolTip(tr("Numbers of this axis are beyond the plot frame: move its edge there"));
   extend_->hide();
   details_->setForegroundRole(QPalette::PlaceholderText);
 }

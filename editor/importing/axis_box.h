@@ -27,8 +27,8 @@ class AxisBox : public QGroupBox {
   /// The fields a person would be led to.
   QLineEdit* firstField() { return min_; }
   QComboBox* unitField() { return unit_; }
-  /// The first field whose text cannot be read, and what it says of it; null if all can. What was typed and not yet
-  /// taken is taken.
+  /// The first field whose text cannot be read, and what it says of it; null if all can. What was typed and
+  /// not yet taken is taken.
   QLineEdit* refusedField();
 
  signals:

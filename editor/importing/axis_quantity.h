@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a number at a page's axis is typed: in the unit printed there, or with one of its own.
+// Reads a number typed at a page's axis: in the unit printed there, or with one of its own.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace detent::editor {
 
-/// What readQuantity() asks for; QuantityReading::shown is then in the printed unit.
+/// Requirements of readQuantity(); QuantityReading::shown is then in the printed unit.
 struct AxisQuantity {
   Quantity quantity = Quantity::number;
   DisplayUnits units;  ///< the one of the axis is the printed one
@@ -18,7 +18,8 @@ struct AxisQuantity {
 /// `printedUnit` as AxisReading::unit; where it is none we know, numbers have no unit.
 AxisQuantity axisQuantity(GraphAxis axis, const std::string& printedUnit);
 
-/// An end of an axis that spans `span`, as it was read: to a thousandth of the axis, no finer than a page tells it.
+/// An end of an axis that spans `span`, as it was read: to a thousandth of the axis, no finer than the page's
+/// resolution.
 QString endText(double end, double span);
 
 }  // namespace detent::editor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person settled by hand about one graph of the import dialogue, as they see it on the page: ticks
-// with values, corners, units, colours, masks. The importer takes the same as ImportHints.
+// The user's corrections of one graph of the import dialogue, as they appear on the page: ticks with values,
+// corners, units, colours, masks. The importer takes the same as ImportHints.
 
 #include <array>
 #include <optional>
@@ -26,7 +26,7 @@ struct AxisTick {
   friend bool operator==(const AxisTick&, const AxisTick&) = default;
 };
 
-/// How one axis is scaled by hand: by the values at its two ends, or by ticks. Empty: as found.
+/// Scale of one axis by hand: by the values at its two ends, or by ticks. Empty: as found.
 struct AxisCorrection {
   std::optional<double> min, max;  ///< at the frame's left/bottom and right/top edge
   std::vector<AxisTick> ticks;     ///< if any, min and max are empty: the ticks say it all
@@ -34,8 +34,8 @@ struct AxisCorrection {
   friend bool operator==(const AxisCorrection&, const AxisCorrection&) = default;
 };
 
-/// A point with a name as a person has it: moved, added (`from` empty), or taken away (`to` empty). Of operating and reset
-/// point there is one at most, and only `to` counts.
+/// A point with a name as a person has it: moved, added (`from` empty), or taken away (`to` empty). Of
+/// operating and reset point there is one at most, and only `to` counts.
 struct MarkCorrection {
   enum class Kind { tactile, operating, reset } kind = Kind::tactile;
   Stroke stroke = Stroke::press;            ///< of a tactile point
@@ -43,7 +43,7 @@ struct MarkCorrection {
   friend bool operator==(const MarkCorrection&, const MarkCorrection&) = default;
 };
 
-/// Everything given by hand for one graph; a value that is not given is found. Plain value.
+/// The given values of one graph; a value that is not given is found. Plain value.
 struct Corrections {
   std::optional<FrameCorners> frame;
   AxisCorrection x, y;
@@ -69,14 +69,14 @@ struct AxisEnds {
   double min = 0, max = 0;
 };
 
-/// Where along an axis a place lies: 0 at the left/bottom edge, 1 at the right/top one, as the frame's
-/// perspective has it. Any finite place; corners must enclose an area (else nothing).
+/// Position of a point along an axis: 0 at the left/bottom edge, 1 at the right/top one, in the frame's
+/// perspective. Any finite point; corners must enclose an area (else empty).
 std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, importer::Point at);
 /// The place on the axis' edge with this share.
 importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);
 
-/// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them. Without corners
-/// they are lost.
+/// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them.
+/// Without corners they are lost.
 void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners);
 
 /// The ends that given ticks define: the line through them, by least squares. A single given tick is joined
@@ -84,7 +84,7 @@ void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<Fram
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
                                       const std::vector<AxisTick>& given, const std::vector<AxisTick>& found);
 
-/// What the importer knows of a graph when corrections are turned into hints.
+/// The importer's knowledge of a graph when corrections are turned into hints.
 struct FoundAxes {
   FrameCorners corners;
   std::vector<AxisTick> xTicks, yTicks;  ///< those that agreed with the progression

@@ -12,7 +12,7 @@
 namespace detent::editor {
 namespace {
 
-/// Ink of the curve that a stroke was traced on; transparent if it is not known.
+/// Colour of the curve that a stroke was traced on; transparent if it is not known.
 QColor colorOfStroke(const std::shared_ptr<const ImportedGraph>& imported, Stroke stroke) {
   const QColor unknown(Qt::transparent);
   if (!imported || !imported->report || !imported->evidence) return unknown;
@@ -80,7 +80,7 @@ QHBoxLayout* CurvesBox::strokeRow(Stroke stroke) {
 
 QHBoxLayout* CurvesBox::maskRow() {
   auto* box = new QPushButton(tr("Mask…"));
-  box->setToolTip(tr("Drag rectangles over what is not a curve"));
+  box->setToolTip(tr("Drag rectangles over parts that are not a curve"));
   connect(box, &QPushButton::clicked, this, [this] { emit toolAsked(PageToolKind::maskBox); });
   noMasks_ = described(new QToolButton, "removeMasks");
   noMasks_->setText(tr("Remove all"));

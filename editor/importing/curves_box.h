@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which ink is the press and which the release, what is masked, and how finely the page is drawn.
+// Colours of press and release, masks, and the resolution of the drawn page.
 
 #include <QCheckBox>
 #include <QGroupBox>

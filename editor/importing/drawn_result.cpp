@@ -56,7 +56,7 @@ std::vector<DrawnTick> ticksOf(GraphAxis axis, const importer::GraphEvidence& ev
   return ticks;
 }
 
-// Along a leaning edge the steps of its own ink pass for ticks: there only whole gridlines are to be trusted.
+// Along a tilted edge the steps of its own pixels resemble ticks: there only whole gridlines are reliable.
 std::vector<QPointF> linesOf(GraphAxis axis, const importer::GraphEvidence& evidence) {
   constexpr double level_px = 1.5;
   const auto& corners = evidence.frame.corners;

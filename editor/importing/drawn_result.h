@@ -31,10 +31,10 @@ struct DrawnStroke {
   QPolygonF fit, traced;
 };
 
-/// Everything of one answer in page units. Empty parts: it did not come so far.
+/// The parts of one answer in page units. Empty parts: the import did not come so far.
 struct DrawnResult {
   std::vector<DrawnTick> xTicks, yTicks;
-  std::vector<QPointF> xLines, yLines;  ///< feet of gridlines and ticks on the axes, to cling to
+  std::vector<QPointF> xLines, yLines;  ///< ends of gridlines and ticks on the axes, to snap to
   std::optional<DrawnStroke> press, release;
   std::vector<QPolygonF> traces;  ///< curves as traced, if no strokes came of them
   std::vector<DrawnMark> marks;

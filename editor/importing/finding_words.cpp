@@ -10,13 +10,14 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("detent::editor::ImportDialog", text); }
 
-/// How the person corrects a finding: the end of a sentence that says what to do, and the text of the button that does it.
+/// The user's correction of a finding: the end of a sentence with the instruction, and the text of the button
+/// for it.
 struct CorrectionWords {
   const char* instruction;
   const char* button;
 };
 
-/// A text that is translated; lupdate looks for this name.
+/// A text that is translated; lupdate searches for this name.
 constexpr const char* words(const char* text) { return text; }
 
 /// nullopt for what is not a correction.

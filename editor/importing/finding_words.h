@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What an import found, doubts and advises, in the words of someone who sits before the page.
+// Findings, doubts and remedies of an import, in words for a person with the page before them.
 
 #include <QString>
 #include <vector>
@@ -23,7 +23,7 @@ Advice adviceFor(const Failure& failure, const QString& documentName, const Disp
 Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& corrections,
                  const DisplayUnits& units = modelUnits);
 
-/// Whether the dialogue has a control that does it.
+/// Returns true if the dialogue has a control for it.
 bool isCorrection(RemedyKind kind);
 /// The corrections among them, in their order.
 std::vector<RemedyKind> correctionsAmong(const Remedies& remedies);
@@ -35,8 +35,8 @@ QString inWords(const std::vector<importer::EvidenceItem>& evidence, const Displ
 /// "Draw plot frame", on a button; empty of what is not a correction.
 QString textOnButton(RemedyKind correction);
 
-/// What keeps an import from being surer, in a line: its doubts, else the weakest step with what speaks for and against it.
-/// Empty where it is sure.
+/// The reason why an import is not more certain, in a line: its doubts, else the weakest step with its
+/// evidence. Empty if it is certain.
 QString causeOf(const importer::ImportReport& report, const DisplayUnits& units);
 
 /// "Plot frame": of what a step's finding speaks.

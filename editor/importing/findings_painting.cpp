@@ -13,7 +13,7 @@
 namespace detent::editor {
 namespace {
 
-// Pages are light whatever the window is: the colours for light ground serve both.
+// Pages are light in both themes: the colours for a light background serve both.
 const GraphColors& ink() {
   static const GraphColors colors = graphColors(false);
   return colors;
@@ -27,12 +27,12 @@ QPointF toWidget(const FindingsPicture& picture, importer::Point p) {
   return picture.pageToWidget.map(QPointF(p.x, p.y));
 }
 
-/// Where a text drawn with its left end at `at` has its plate.
+/// Background plate of a text drawn with its left end at `at`.
 QRectF plateAt(QPointF at, QSizeF text) {
   return {at.x() - 3, at.y() - 0.5 * text.height() - 1, text.width() + 6, text.height() + 2};
 }
 
-/// White below, colour above: seen on ink and on paper.
+/// White below, colour above: visible on dark lines and on paper.
 void haloed(QPainter& painter, const QPolygonF& line, const QPen& pen) {
   QPen halo(QColor(255, 255, 255, 170), pen.widthF() + 2);
   painter.setPen(halo);
@@ -150,13 +150,13 @@ QString markLabel(const DrawnMark& mark) {
   return {};
 }
 
-/// What of the page can be seen, in the painter's coordinates.
+/// The visible part of the page, in the painter's coordinates.
 QRectF shownPart(const QPainter& painter) {
   if (painter.hasClipping()) return painter.clipBoundingRect();
   return painter.worldTransform().inverted().mapRect(QRectF(painter.window()));
 }
 
-/// How far a plate has to go to be seen whole.
+/// Offset that brings a plate into sight.
 QPointF wayInto(const QRectF& shown, const QRectF& plate) {
   const auto way = [](double lower, double upper, double from, double to) {
     return std::max(std::min(0.0, upper - to), lower - from);

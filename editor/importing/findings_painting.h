@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How findings and corrections look on the page.
+// Drawing of findings and corrections on the page.
 
 #include <QPainter>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace detent::editor {
 
-/// What is painted over the page; references live as long as the call.
+/// Objects painted over the page; references live as long as the call.
 struct FindingsPicture {
   const DrawnResult& drawn;
   const Corrections& given;
@@ -27,8 +27,9 @@ void paintFindings(QPainter& painter, const FindingsPicture& picture);
 /// Middle of the plate that shows a tick's value, widget.
 QPointF tickPlate(GraphAxis axis, const FrameCorners& corners, const QTransform& pageToWidget, QPointF tick);
 
-/// Left end of a text beside a mark: of 24 places, first above it or below, the first whose plate covers nothing of `taken`, else the
-/// one that covers least. A plate that `shown` would cut off is moved into it. Its plate becomes taken too.
+/// Left end of a text beside a mark: of 24 places, first above it or below, the first whose plate covers
+/// nothing of `taken`, else the one that covers least. A plate that `shown` would cut off is moved into it.
+/// Its plate becomes taken too.
 QPointF freePlace(QPointF mark, QSizeF text, bool above, const QRectF& shown, std::vector<QRectF>& taken);
 
 /// A text on a plate, so that it can be read on any page. `at` is the plate's left middle.

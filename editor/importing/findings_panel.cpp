@@ -59,7 +59,7 @@ void FindingsPanel::build() {
     connect(box, &AxisBox::ticksAsked, this, [this] { emit toolAsked(PageToolKind::scale); });
 }
 
-// What is said decides how wide it would be, in any language.
+// The text determines the width, in any language.
 bool FindingsPanel::eventFilter(QObject* object, QEvent* event) {
   const bool handled = QScrollArea::eventFilter(object, event);
   if (object != widget() || event->type() != QEvent::LayoutRequest) return handled;
@@ -188,8 +188,8 @@ void FindingsPanel::showFrame(const ImportGraph& graph,
   frameDetails_->setVisible(found && !found->evidence.empty() && !graph.framedByHand());
 }
 
-/// What was shown or hidden changes the content's height: the area takes it up at once, so that nothing is
-/// drawn squeezed in between.
+/// A change of visibility changes the content's height: the area adopts it at once, so that nothing is drawn
+/// squeezed in between.
 void FindingsPanel::settleLayout() {
   widget()->layout()->activate();
   QEvent request(QEvent::LayoutRequest);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Keeps what is still to be asked of the import thread, in the order of its urgency, one question at a time.
+// Queue of queries for the import thread, in the order of their urgency, one query at a time.
 
 #include <list>
 #include <memory>
@@ -13,8 +13,7 @@
 
 namespace detent::editor {
 
-/// How soon an answer is wanted. A running `background` query makes way for a more urgent one and is asked
-/// again later.
+/// Urgency of a query. A running `background` query makes way for a more urgent one and is repeated later.
 enum class Urgency { background, visible, now };
 
 /// The GUI thread's end of the conversation. Never waits: its end stops the running work, and the thread ends
@@ -32,7 +31,8 @@ class ImportDesk : public QObject {
 
   /// Queued after what is as urgent. The answer comes as `answered`, unless the ticket is forgotten.
   Ticket ask(Query query, Urgency urgency);
-  /// Its answer is not wanted any more: stops it if it runs. Unknown tickets and 0 are ignored.
+  /// Drops a query whose answer is not wanted any more, and stops it if it runs. Unknown tickets and 0 are
+  /// ignored.
   void forget(Ticket ticket);
   void forgetAll();
   /// Queued or running.

@@ -70,8 +70,8 @@ bool isGiven(RemedyKind correction, const Corrections& given) {
   }
 }
 
-/// What would settle a doubt: what the importer names, without what is given already; units where the axes
-/// are in doubt and none was printed.
+/// Remedies for a doubt: those that the importer names, without the given ones; units if the axes are in
+/// doubt and none was printed.
 Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
   const importer::ImportReport& report = *graph.last->report;
   const Corrections& given = graph.history.now();
@@ -88,13 +88,13 @@ Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
     advice.problem = QObject::tr("The page names no units: %1 and %2 are a guess.")
                          .arg(QString::fromStdString(report.x->unit), QString::fromStdString(report.y->unit));
   const QString check =
-      QObject::tr("If everything lies right on the page, tick “I have checked it against the page”.");
+      QObject::tr("If everything matches the page, tick “I have checked it against the page”.");
   advice.remedy = advice.remedy.isEmpty() ? check : advice.remedy + ' ' + check;
   return advice;
 }
 
-/// Where a plot shows several switches. It stays when one of them was chosen: others may be wanted too, and the list does not move away
-/// under the hand.
+/// Advice on a plot with several switches. It stays when one of them was chosen: others may be wanted too,
+/// and the list does not move away under the hand.
 Advice adviceOnSwitches(const ImportGraph& graph) {
   return {QObject::tr("This plot shows %1 switches.").arg(graph.switches().size()),
           QObject::tr(
@@ -295,7 +295,7 @@ void ImportDialog::Impl::build() {
   QObject::connect(findings, &FindingsPanel::widthWanted, splitter, [this, splitter](int width_px) {
     constexpr double leastForPage = 0.4;  // of the dialogue
     QList<int> sizes = splitter->sizes();
-    if (!side->isVisible()) sizes[0] = firstSide_px;  // hidden, it is told as 0, which would put it away
+    if (!side->isVisible()) sizes[0] = firstSide_px;  // hidden, it is reported as 0, which would put it away
     const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
     const int least_px[] = {pages->minimumWidth(), static_cast<int>(leastForPage * all)};
     for (const int giver : {1, 0}) {
@@ -337,7 +337,7 @@ void ImportDialog::Impl::build() {
   QObject::connect(pasteButton, &QPushButton::clicked, &dialog, [this] { paste(); });
   QObject::connect(close, &QPushButton::clicked, &dialog, &QDialog::reject);
   QObject::connect(stop, &QPushButton::clicked, &state, &ImportState::cancel);
-  // What stands refused in a field would come in with the value from before.
+  // A refused field would come in with its previous value.
   QObject::connect(accept, &QPushButton::clicked, &state, [this] {
     if (view->takeEditor() && findings->acceptable()) state.acceptAll();
   });
@@ -558,7 +558,7 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   impl_->view->setTool(PageToolKind::adjust);
 }
 
-/// Widgets go before the state they look at.
+/// Widgets are deleted before the state they refer to.
 ImportDialog::~ImportDialog() { qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)); }
 
 void ImportDialog::openFile(const QString& path) {

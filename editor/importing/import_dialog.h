@@ -13,8 +13,8 @@
 
 namespace detent::editor {
 
-/// Open a file or a pasted picture in it, look, correct, import. One per import; may be used again. GUI
-/// thread; the work is done on a thread of its own and the dialogue never waits for it.
+/// Opens a file or a pasted picture for correction and import. One per import; may be used again. GUI thread;
+/// the work is done on a thread of its own and the dialogue never waits for it.
 class ImportDialog : public QDialog {
   Q_OBJECT
 
@@ -23,24 +23,24 @@ class ImportDialog : public QDialog {
   explicit ImportDialog(ViewSettings& settings, QWidget* parent = nullptr);
   ~ImportDialog() override;
 
-  /// A picture, PDF, SVG or force meter's CSV. Returns at once; what is wrong with it is said in the
-  /// dialogue. Where corrections would be given up, the leave question is asked first.
+  /// A picture, PDF, SVG or force meter's CSV. Returns at once; faults of the file are reported in the
+  /// dialogue. If corrections would be lost, the leave question comes first.
   void openFile(const QString& path);
   /// A pasted image.
   void openPicture(const QImage& picture);
-  /// As it was when it was interrupted.
+  /// Continues an interrupted import.
   void continueDraft(const ImportDraft& draft);
   ImportDraft draft() const;
   /// Null unless a picture was pasted.
   const QImage& pastedPicture() const;
-  /// Asked before corrections are given up by closing; without one they go without a word.
+  /// Called before closing discards corrections; without it they are discarded silently.
   void setLeaveQuestion(std::function<bool()> mayLeave) { mayLeave_ = std::move(mayLeave); }
   void reject() override;
   /// Closing ends all work.
   void done(int result) override;
 
  signals:
-  /// Once per accepted graph. Shared and never changed.
+  /// Emitted once per accepted graph. Shared and never changed.
   void imported(std::shared_ptr<const importer::ImportReport> report);
   /// This file could be read.
   void opened(const QString& path);

@@ -12,7 +12,7 @@
 
 namespace detent::editor {
 
-/// What a hand did to one graph.
+/// Corrections by hand of one graph.
 struct DraftGraph {
   GraphId id;
   Corrections corrections;
@@ -26,7 +26,7 @@ struct ImportDraft {
   importer::Quality quality = importer::Quality::standard;
   std::optional<GraphId> current;
   std::vector<DraftGraph> graphs;  ///< those with corrections
-  /// Nothing would be lost with it.
+  /// Returns true if nothing would be lost with it.
   bool empty() const { return graphs.empty(); }
   friend bool operator==(const ImportDraft&, const ImportDraft&) = default;
 };

@@ -38,7 +38,7 @@ QImage graphThumbnail(const importer::Page& page, const importer::ListedGraph& g
       .convertToFormat(QImage::Format_RGB32);
 }
 
-/// PNG keeps transparency, which the importer lays on the ground that shows the ink.
+/// PNG keeps transparency, which the importer lays on the background that shows the marks.
 Result<importer::ImportSession> openPasted(const OpenPicture& query) {
   QByteArray png;
   QBuffer buffer(&png);

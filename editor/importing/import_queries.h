@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the dialogue asks the import thread and what comes back: plain values, both ways.
+// Queries of the dialogue to the import thread, and their answers: plain values, both ways.
 
 #include <memory>
 #include <optional>
@@ -87,7 +87,7 @@ using Answer = std::variant<Failure, DocumentFacts, PageThumbnail, PageSheet, Fo
 /// The open document with the pictures made from it. One thread at a time; the import thread's.
 class ImportAnswers {
  public:
-  /// What comes of a query. A query of a page before anything was opened is a bug (checked).
+  /// Result of a query. A query of a page before anything was opened is a bug (checked).
   Answer answer(const Query& query, const importer::Progress& progress);
 
  private:

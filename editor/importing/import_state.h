@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the import dialogue knows: the open document, its pages and graphs, what was given by hand for each,
-// and the last results. Widgets draw it and call it; it asks the import thread and never waits.
+// State of the import dialogue: the open document, its pages and graphs, corrections for each, and the last
+// results. Widgets draw it and call it; it queries the import thread and never waits.
 
 #include <functional>
 #include <map>
@@ -28,7 +28,7 @@ struct ImportPage {
   ImportDesk::Ticket thumbnailTicket = 0, searchTicket = 0;
 };
 
-/// What remains of a result that was let go.
+/// The rest of a result that was released.
 struct ResultBrief {
   bool failed = false, doubtful = false;
   double confidence = 0;
@@ -66,14 +66,15 @@ struct ImportGraph {
   importer::Quality askedQuality = importer::Quality::standard;
   bool asked = false;
 
-  /// The switches that the newest reading saw in the plot, if there are several, with what chooses each of them.
+  /// The switches that the newest reading saw in the plot, if there are several, with what chooses each of
+  /// them.
   std::vector<SwitchChoice> switches() const;
   bool framedByHand() const { return history.now().frame.has_value(); }
   /// Corners in force, page units: given, else found; nothing before either is known.
   std::optional<FrameCorners> corners() const;
-  /// Of the newest results, or of those let go; nothing before the first.
+  /// Brief of the newest results, or of released ones; empty before the first.
   std::optional<ResultBrief> brief() const;
-  /// Keeps the brief only; asked for again when it is looked at.
+  /// Keeps the brief only; the result is requested again when it is shown.
   void letResultGo();
   /// A finished report for exactly what is set now.
   bool upToDate(importer::Quality quality) const;
@@ -86,12 +87,12 @@ class ImportState : public QObject {
  public:
   explicit ImportState(QObject* parent = nullptr);
 
-  /// Both drop what was open.
+  /// Opens a file; like openPicture it closes the previous one.
   void openFile(const QString& path);
   void openPicture(const QImage& picture);
   /// Opens the sheet of a draft again and gives its graphs the corrections they had, as they are found.
   void continueDraft(const ImportDraft& draft);
-  /// What would be lost if all went away now; `picture` of a pasted one is left to whoever writes it.
+  /// Unsaved corrections; the caller writes the `picture` of a pasted one.
   ImportDraft draft() const;
   /// Null unless a picture was pasted.
   const QImage& pastedPicture() const { return pasted_; }
@@ -108,7 +109,7 @@ class ImportState : public QObject {
   int searchedPages() const;
   std::vector<GraphId> graphs() const;
   const ImportGraph* graph(GraphId id) const;
-  /// How many buttons acceptAll() would give for what is ticked: graphs, and switches of one graph.
+  /// Number of buttons that acceptAll() would give for the ticked items: graphs, and switches of one graph.
   int tickedCount() const;
 
   int currentPage() const { return currentPage_; }
@@ -143,12 +144,12 @@ class ImportState : public QObject {
   bool working() const;
   /// Stops the running import; the last good result stays.
   void cancel();
-  /// Nothing is worked on any more; what is known stays.
+  /// Stops all work; known results stay.
   void stopAll();
 
-  /// Gives out the ticked graphs and switches (without any, the current graph), each by `accepted` when its result is there;
-  /// then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which is then the
-  /// current one.
+  /// Gives out the ticked graphs and switches (without any, the current graph), each by `accepted` when its
+  /// result is there; then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which
+  /// is then the current one.
   void acceptAll();
   bool accepting() const { return !toAccept_.empty(); }
 
@@ -178,7 +179,7 @@ class ImportState : public QObject {
   void askForImport(ImportGraph& graph, Urgency urgency);
   void letOldResultsGo();
   void rememberFound(ImportGraph& graph, const ImportedGraph& imported);
-  /// What is to be given out: a graph, or one of the switches in it.
+  /// A requested graph, or one of the switches in it.
   struct Wanted {
     GraphId graph;
     std::string curve;  ///< empty: as its corrections say
@@ -220,7 +221,7 @@ struct ExtendedFrame {
   FrameCorners corners;
   double value = 0;  ///< the number at its new end, in the axis' unit
 };
-/// Nothing where no number stands clearly outside at the right or upper end.
+/// The frame extended to tick labels; empty if none is clearly outside at the right or upper end.
 std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::GraphEvidence& evidence);
 
 }  // namespace detent::editor

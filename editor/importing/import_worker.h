@@ -22,7 +22,7 @@ class ImportWorker : public QObject {
 
  signals:
   void answered(quint64 ticket, std::shared_ptr<const Answer> answer);
-  /// At most 40 times a second.
+  /// Emitted at most 40 times a second.
   void progressed(quint64 ticket, double fraction, importer::ImportStep step);
 
  private:

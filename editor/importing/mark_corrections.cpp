@@ -24,7 +24,7 @@ class PageUnits {
     const importer::Point p = calibration_.toUnits(toView_(page));
     return {p.x, p.y};
   }
-  /// How far apart two places are on the page, in pixels of the view.
+  /// Distance of two points on the page, in pixels of the view.
   double distance_px(CurvePoint a, CurvePoint b) const {
     const importer::Point p = calibration_.toView({a.displacement_mm, a.force_N}),
                           q = calibration_.toView({b.displacement_mm, b.force_N});

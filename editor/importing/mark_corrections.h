@@ -9,17 +9,19 @@
 
 namespace detent::editor {
 
-/// What came of an import with the points of `marks`. A new tactile point begins a small jump that is drawn into place then.
+/// Result of an import with the points of `marks`. A new tactile point begins with a small jump that is then
+/// drawn into place.
 struct MarkedImport {
   ImportedGraph imported;
   std::vector<Failure> refused;  ///< points that the curve does not allow where they were put
 };
 
-/// In the order given. Without marks, report or page: the import itself. What it changed stands in the button's provenance as
-/// given by hand, and printed values are held against the changed button.
+/// Applies marks in the given order. Without marks, report or page: the import itself. The button's
+/// provenance records the changes as given, and printed values are compared with the changed button.
 MarkedImport withMarks(const ImportedGraph& imported, const std::vector<MarkCorrection>& marks);
 
-/// `given` with one more: a found or given point that was `from` somewhere is `to` somewhere else now, or nowhere.
+/// `given` with one more: a found or given point that was `from` somewhere is `to` somewhere else now, or
+/// nowhere.
 std::vector<MarkCorrection> withMark(std::vector<MarkCorrection> given, MarkCorrection next);
 
 }  // namespace detent::editor

@@ -31,7 +31,7 @@ OriginMark::OriginMark(ImportState& state, const QString& name, const QString& l
   reset_->setText(tr("Reset"));
   reset_->setObjectName(name);
   reset_->setAutoRaise(true);
-  reset_->setToolTip(tr("Back to what was found"));
+  reset_->setToolTip(tr("Restore the found value"));
   reset_->setAccessibleName(label);
   reset_->setVisible(false);
   connect(reset_, &QToolButton::clicked, &state,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who decided a value of an import, and the way back to what was found.
+// Shows if a value of an import was found or given, and restores the found one.
 
 #include <functional>
 #include <optional>
@@ -16,13 +16,14 @@ class OriginMark : public QWidget {
   Q_OBJECT
 
  public:
-  /// `reset` is applied to the current graph as the step `label`; `state` must outlive this. `name` is the button's.
+  /// `reset` is applied to the current graph as the step `label`; `state` must outlive this. `name` is the
+  /// button's.
   OriginMark(ImportState& state, const QString& name, const QString& label,
              std::function<void(Corrections&)> reset, QWidget* parent = nullptr);
 
-  /// Without a confidence nothing is said of what was found.
+  /// Shows the origin; without a confidence nothing is shown of a found value.
   void setOrigin(bool given, std::optional<double> confidence = {});
-  /// Where what was found needs other words.
+  /// Sets other words for a found value.
   void say(const QString& words) { words_->setText(words); }
   void setResettable(bool resettable) { reset_->setVisible(resettable); }
 

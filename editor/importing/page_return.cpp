@@ -26,7 +26,7 @@ bool isSheet(const QString& path, const std::string& sha256) {
          hash.addData(&file) && hash.result().toHex().toStdString() == sha256;
 }
 
-/// What was given with an option, empty for a switch; nothing where it was not given.
+/// The value given with an option, empty for a switch; nothing if it was not given.
 std::optional<std::string> given(const Provenance& provenance, const std::string& option) {
   for (const std::string& each : provenance.given) {
     if (each == option) return std::string();
@@ -35,8 +35,8 @@ std::optional<std::string> given(const Provenance& provenance, const std::string
   return {};
 }
 
-/// Where the curves were drawn or masked by hand they are not traced again, but frame and axes are: the page
-/// comes back without traced points.
+/// Imports frame and axes, but does not trace curves that were drawn or masked by hand: the page comes back
+/// without traced points.
 Result<importer::ImportReport> pageAlone(const Button& button,
                                          std::shared_ptr<const importer::GraphEvidence> evidence,
                                          const Failure& why) {

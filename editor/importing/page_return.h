@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The page of a button that was imported once: found again by name and hash, and put behind the curves. Its curves
-// are traced again where somebody wants the points.
+// The page of a button that was imported once: found again by name and hash, and put behind the curves. Its
+// curves are traced again where somebody wants the points.
 
 #include <atomic>
 #include <functional>
@@ -17,14 +17,14 @@
 
 namespace detent::editor {
 
-/// What the importer is asked so that it finds again what it found then: page, graph, quality, and what was
-/// given by hand as far as the file keeps it (values of the axes, units, a frame, exchanged strokes, the
-/// switch chosen of several; not colours and masks). The path is left empty.
+/// The request with which the importer finds the same graph again: page, graph, quality, and the given hints
+/// as far as the file keeps them (values of the axes, units, a frame, exchanged strokes, the switch chosen of
+/// several; not colours and masks). The path is left empty.
 importer::ImportRequest requestAgain(const Provenance& provenance);
 
-/// A file is the sheet only if its contents are: name and place alone prove nothing. One thread of its own
-/// looks and reads; documents may be closed meanwhile, and are never changed. A page that cannot be laid behind the curves by
-/// what the file keeps of it (placed_page.h) is read again at once. GUI thread.
+/// A file is the sheet only if its contents are: name and folder alone prove nothing. One thread of its own
+/// searches and reads; documents may be closed meanwhile, and are never changed. A page that cannot be laid
+/// behind the curves by the file's data (placed_page.h) is read again at once. GUI thread.
 class PageReturn : public QObject {
   Q_OBJECT
 
@@ -36,12 +36,12 @@ class PageReturn : public QObject {
 
   /// Traces the document's sheet when somebody wants the points.
   void attend(ButtonDocument& document);
-  /// Where a sheet was imported from.
+  /// Remembers the path that a sheet was imported from.
   void remember(const Provenance& provenance, const QString& path);
-  /// Looks beside the button's file and where the sheet was last; else shows the page that the file keeps. Nothing for
-  /// buttons that came from no sheet, and for those that have their page.
+  /// Searches beside the button's file and at the sheet's last location; else shows the page that the file
+  /// keeps. Nothing for buttons that came from no sheet, and for those that have their page.
   void bringBack(ButtonDocument& document);
-  /// From a file that a person chose.
+  /// Brings the page back from a file that a person chose.
   void bringBackFrom(ButtonDocument& document, const QString& path);
 
  signals:
@@ -53,14 +53,14 @@ class PageReturn : public QObject {
   void refused(detent::editor::ButtonDocument* document, const QString& sentence);
 
  private:
-  /// What the thread came to.
+  /// Result of the thread.
   struct Answer {
     QString path;  ///< of the sheet; empty: none of the places held it
     std::optional<PlacedPage> page;
     std::shared_ptr<const importer::ImportReport> report;
     std::optional<Failure> failure;  ///< of reading it again
   };
-  /// Looks at the places, lays the page, and reads it again if that cannot be done or `traced` is wanted.
+  /// Searches the locations, lays the page, and reads it again if that cannot be done or `traced` is wanted.
   static Answer lookAndRead(const Button& button, const QStringList& places, bool traced,
                             const std::atomic<bool>& stop);
   static void readAgain(const Button& button, Answer& answer, const importer::Progress& progress);
@@ -69,7 +69,7 @@ class PageReturn : public QObject {
   void start(ButtonDocument& document, const QStringList& places, bool traced,
              std::function<void(ButtonDocument&, const Answer&)> take);
   QString lastPlaceOf(const Button& button) const;
-  /// Where the sheet is not: the page that the button's file keeps, if it keeps one.
+  /// Shows the page that the button's file keeps, if the sheet is missing.
   static void showKept(ButtonDocument& document);
   void take(ButtonDocument& document, const Answer& answer, bool chosen);
 

@@ -28,12 +28,12 @@ class PageTool {
   virtual bool release(const QMouseEvent& event) = 0;
   virtual bool doubleClick(const QMouseEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }
-  /// Tab walks through what the tool can work on; false at the end.
+  /// Tab goes to the tool's next mark; false at the end.
   virtual bool walk(bool forward) {
     Q_UNUSED(forward);
     return false;
   }
-  /// What can be done at a place, as a menu; false: nothing.
+  /// Menu of the actions at a point; false: none.
   virtual bool menu(QPointF widget, QPoint global) {
     Q_UNUSED(widget);
     Q_UNUSED(global);
@@ -43,7 +43,7 @@ class PageTool {
   virtual void cancel() {}
   virtual void paint(QPainter&) const {}
   virtual QCursor cursor(QPointF widget) const = 0;
-  /// What the tool does, one sentence.
+  /// Description of the tool, one sentence.
   virtual QString hint() const = 0;
 
  protected:

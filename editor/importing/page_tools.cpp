@@ -24,7 +24,8 @@ importer::Box boxOf(importer::Point a, importer::Point b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
 }
 
-/// Click a place of an axis, type the value that stands there. Clings to ticks, gridlines and the ends of the axis.
+/// Click a place of an axis, type the value that stands there. Clings to ticks, gridlines and the ends of the
+/// axis.
 class ScaleTool : public PageTool {
  public:
   using PageTool::PageTool;
@@ -165,7 +166,7 @@ class MaskBoxTool : public RectangleTool {
  public:
   using RectangleTool::RectangleTool;
   QString hint() const override {
-    return tr("Drag a rectangle over what is not a curve: texts, arrows, stamps.");
+    return tr("Drag a rectangle over parts that are not a curve: texts, arrows, stamps.");
   }
 
  private:
@@ -190,7 +191,7 @@ bool isSameGraph(const FrameCorners& a, const FrameCorners& b) {
          leastShare * std::min(x.width() * x.height(), y.width() * y.height());
 }
 
-/// Where on the page a hand's edge of a frame meets a drawn line.
+/// Snaps an edge of a frame that is drawn by hand to a drawn line of the page.
 class LineSnap {
  public:
   explicit LineSnap(PageView& view)
@@ -209,7 +210,7 @@ class LineSnap {
  private:
   static constexpr double reach_px = 7;      // of the screen: a hand without a magnifier
   static constexpr int samples = 48;         // along an edge
-  static constexpr int leastContrast = 40;   // grey levels between a line and its ground
+  static constexpr int leastContrast = 40;   // grey levels between a line and its background
   static constexpr double leastShare = 0.6;  // of the edge that the line must be seen along; a dashed one is
 
   std::optional<int> grey(double across, double along, bool upright) const {
@@ -217,7 +218,7 @@ class LineSnap {
     return color ? std::optional(qGray(color->rgb())) : std::nullopt;
   }
 
-  // The place within reach at which most of the edge has ink; the middle of a thick line.
+  // The position within reach at which most of the edge has dark pixels; the middle of a thick line.
   double nearest(double edge, double from, double to, bool upright) const {
     const double step = 0.5 / picture_->pixelsPerUnit();
     const int offsets = static_cast<int>(reach_ / step);
@@ -324,7 +325,7 @@ class MaskBrushTool : public PageTool {
   }
   QCursor cursor(QPointF) const override { return Qt::BlankCursor; }
   QString hint() const override {
-    return tr("Paint over what is not a curve. [ and ] change the size of the brush.");
+    return tr("Paint over parts that are not a curve. [ and ] change the size of the brush.");
   }
 
  private:
@@ -346,7 +347,8 @@ class MaskBrushTool : public PageTool {
   QPointF last_, at_;
 };
 
-/// Click points along a curve, or draw along it; the line between is pulled to the ink when it is read.
+/// Click points along a curve, or draw along it; the line between is pulled to the curve's pixels when it is
+/// read.
 class DrawCurveTool : public PageTool {
  public:
   DrawCurveTool(PageView& view, Stroke stroke) : PageTool(view), stroke_(stroke) {}

@@ -375,12 +375,12 @@ void PageView::drawPage(QPainter& painter) const {
     painter.drawImage(QPointF(0, 0), thumbnail);
     painter.restore();
   }
-  // Nearer to the ground: what was found must stand out.
+  // Nearer to the background: findings must stand out.
   if (state_.current())
     painter.fillRect(paper, hasDarkGround() ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 80));
 }
 
-/// The page's ground as a whole, by its thumbnail.
+/// The page's background as a whole, from its thumbnail.
 bool PageView::hasDarkGround() const {
   const QImage& thumbnail = state_.page(state_.currentPage()).thumbnail;
   if (thumbnail.isNull()) return false;

@@ -63,7 +63,7 @@ class PageView : public QWidget {
   importer::Point onPage(importer::Point page) const;
   GraphColors colors() const;
   const DisplayUnits& units() const { return settings_.units(); }
-  /// Colour of the ink nearest to a place: what differs most from the ground around it.
+  /// Colour of the mark nearest to a point: the pixel that differs most from the background around it.
   std::optional<QColor> inkAt(QPointF widget) const;
   void panBy(QPointF widgetDelta);
   /// Asks for the value at a place of an axis, beside it; given as a step when it is typed.
@@ -72,9 +72,9 @@ class PageView : public QWidget {
   void askOrigin(importer::Point at);
   /// Says something about what was tried, where the tool's hint stands.
   void say(const QString& sentence) { emit hint(sentence); }
-  /// Where a glass shows the page enlarged; nothing hides it.
+  /// Position of the magnifier; nullopt hides it.
   void setMagnifier(std::optional<QPointF> widget);
-  /// As Enter in the value field that is open on the page; false if it cannot be read and stays open.
+  /// Accepts the open value field on the page, as Enter does; false if it cannot be read and stays open.
   bool takeEditor();
 
  signals:
@@ -128,7 +128,7 @@ class PageView : public QWidget {
   ImportState& state_;
   ViewSettings& settings_;
   std::unique_ptr<PageTool> tool_;
-  std::unique_ptr<PageTool> retired_;  ///< the tool before: it may have asked for its successor itself
+  std::unique_ptr<PageTool> retired_;  ///< the previous tool: it may have requested its successor itself
   PageToolKind toolKind_ = PageToolKind::adjust;
   std::optional<Corrections> preview_;
   DrawnResult drawn_;
@@ -141,7 +141,7 @@ class PageView : public QWidget {
   int fittedPage_ = 0;
   std::optional<QPointF> panFrom_, magnifier_;
   bool spaceDown_ = false;
-  mutable qint64 groundOf_ = 0;  ///< thumbnail whose ground was looked at
+  mutable qint64 groundOf_ = 0;  ///< thumbnail whose background was read
   mutable bool darkGround_ = false;
 };
 

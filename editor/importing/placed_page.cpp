@@ -16,7 +16,7 @@ constexpr double margin = 0.15;       // of the frame's longer side, as much as 
 constexpr int largestSide_px = 2000;  // as the import's own view
 constexpr int samplesOfCurve = 96;
 constexpr int nearInk_px = 2,
-              ground_px = 9;       // a curve is looked for so near, its ground is what lies so near
+              ground_px = 9;       // a curve is searched this near, its background is the pixels this near
 constexpr int leastContrast = 60;  // of 255, in one channel
 
 /// What the frame spans: displacement to the right, force upwards.
@@ -37,7 +37,8 @@ importer::Box around(const importer::Box& frame, const importer::Page& page) {
           std::min(page.width, frame.x1 + room), std::min(page.height, frame.y1 + room)};
 }
 
-/// Corners of the frame in the picture, from the one at the start of the press and full force, clockwise on the graph.
+/// Corners of the frame in the picture, from the one at the start of the press and full force, clockwise on
+/// the graph.
 QPolygonF cornersOf(const importer::Box& frame, const importer::Homography& pageToPicture, int quarterTurns) {
   std::array<importer::Point, 4> corners{
       {{frame.x0, frame.y0}, {frame.x1, frame.y0}, {frame.x1, frame.y1}, {frame.x0, frame.y1}}};
@@ -52,7 +53,7 @@ QPolygonF cornersOf(const importer::Box& frame, const importer::Homography& page
 
 std::array<int, 3> channelsOf(QRgb color) { return {qRed(color), qGreen(color), qBlue(color)}; }
 
-/// The middle of what lies around: the paper, or a filled ground.
+/// The median of the surroundings: the paper, or a filled background.
 std::array<int, 3> groundAt(const QImage& picture, QPoint at) {
   std::array<std::vector<int>, 3> around;
   const QRect patch =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What each quality level costs and gives, as measured.
+// Measured cost and error of each quality level.
 
 #include <QString>
 
@@ -8,7 +8,8 @@
 
 namespace detent::editor {
 
-/// Figures of one level: docs/measurements/trade.md, "Importer: level of quality"; tests/bench/trade_test.py fails where they differ.
+/// Figures of one level: docs/measurements/trade.md, "Importer: level of quality"; tests/bench/trade_test.py
+/// fails where they differ.
 struct QualityFigures {
   importer::Quality quality = importer::Quality::standard;
   double workOfDraft = 1;          ///< instructions of one whole import, as a multiple of a draft's

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What came out of an import, in the units shown: travel, strokes, printed values, remarks, times.
+// Result of an import, in the units shown: travel, strokes, printed values, remarks, times.
 
 #include <QGroupBox>
 #include <QLabel>

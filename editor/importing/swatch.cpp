@@ -17,7 +17,7 @@ QIcon swatchOf(const std::vector<QColor>& inks, const QPalette& palette) {
   painter.setPen(palette.color(QPalette::Mid));
   painter.drawRect(0, 0, pixmap.width() - 1, pixmap.height() - 1);
   QIcon swatch(pixmap);
-  swatch.addPixmap(pixmap, QIcon::Selected);  // an ink is not tinted where its row is chosen
+  swatch.addPixmap(pixmap, QIcon::Selected);  // a colour is not tinted where its row is chosen
   return swatch;
 }
 

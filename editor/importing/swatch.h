@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Inks of the page as small pictures on buttons and in lists.
+// Colours of the page as small pictures on buttons and in lists.
 
 #include <QColor>
 #include <QIcon>
@@ -12,7 +12,7 @@
 namespace detent::editor {
 
 QColor colorFrom(const importer::Rgb& ink);
-/// One or more inks side by side, framed as `palette` frames things; transparent ones stay empty.
+/// One or more colours side by side, framed as `palette` frames things; transparent ones stay empty.
 QIcon swatchOf(const std::vector<QColor>& inks, const QPalette& palette);
 
 }  // namespace detent::editor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The switches that one plot shows, as the legend names and colours them: which one is read, and which ones are imported.
+// The switches that one plot shows, as the legend names and colours them: which one is read, and which ones
+// are imported.
 
 #include <QGroupBox>
 #include <QListWidget>
@@ -9,8 +10,8 @@
 
 namespace detent::editor {
 
-/// Hidden for plots of one switch. The chosen row is the switch that is read and shown; ticked ones are imported
-/// together, each as a button of its own. GUI thread.
+/// Hidden for plots of one switch. The chosen row is the switch that is read and shown; ticked ones are
+/// imported together, each as a button of its own. GUI thread.
 class SwitchesBox : public QGroupBox {
   Q_OBJECT
 

@@ -95,7 +95,7 @@ QWidget* ComparePanel::plotSide() {
   });
   auto* difference =
       button<QToolButton>("compareDifference", tr("&Difference"),
-                          tr("Draw what the others have more than the first, below the graphs"));
+                          tr("Draw the difference of the others from the first below the graphs"));
   difference->setCheckable(true);
   connect(difference, &QToolButton::toggled, plot_, &ComparePlot::showDifferences);
   auto* picture = button<QToolButton>("comparePicture", tr("&Picture…"),
@@ -214,7 +214,7 @@ void ComparePanel::showColors() {
   }
 }
 
-// Two states of one button, or two buttons of one name, are told apart.
+// Distinguishes two states of one button, and two buttons of one name.
 QString ComparePanel::nameOf(const Side& side) const {
   if (!side.document) return {};
   QString name = side.document->title();

@@ -24,8 +24,9 @@ namespace detent::editor {
 class ComparePlot;
 class PressView;
 
-/// Two buttons or more, each by its name; differences are counted from the first. All can be worked on while it is
-/// open, and it follows. Plot beside the figures where it is wide, above them where it is high. GUI thread.
+/// Two buttons or more, each by its name; differences are counted from the first. All can be worked on while
+/// it is open, and it follows. Plot beside the figures where it is wide, above them where it is high. GUI
+/// thread.
 class ComparePanel : public QWidget {
   Q_OBJECT
 
@@ -44,7 +45,7 @@ class ComparePanel : public QWidget {
   /// One more beside those compared.
   void add(ButtonDocument* document);
 
-  /// What the table says, with units, as CSV text; for the clipboard.
+  /// The table with units as CSV text; for the clipboard.
   QString tableText() const;
   const ComparePlot& plot() const { return *plot_; }
 

@@ -20,8 +20,8 @@ struct ComparedGraph {
   ForceGraph graph;
 };
 
-/// Press solid, release dashed, a colour per button. The pointer moves a cursor, a click pins a second one from
-/// which differences are counted; Escape or a click on it takes it away. GUI thread.
+/// Press solid, release dashed, a colour per button. The pointer moves a cursor, a click pins a second one
+/// from which differences are counted; Escape or a click on it takes it away. GUI thread.
 class ComparePlot : public QCustomPlot {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class ComparePlot : public QCustomPlot {
   QString reading() const;
   /// Below the graphs: what each has more than the first, where both are.
   void showDifferences(bool shown);
-  /// Light, with names, as wide as asked for; touches nothing that is shown.
+  /// Light, with names, of the requested width; changes nothing that is shown.
   QImage picture(QSize size_px = {1800, 1200}, double devicePixelRatio = 2) const;
   /// The same as vectors into any device; `size` in its units.
   void renderTo(QPaintDevice& device, QSize size) const;

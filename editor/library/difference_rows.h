@@ -25,7 +25,7 @@ struct DifferenceRow {
 /// bottom-out, work, operating and reset point. Rows that none has are left out.
 std::vector<DifferenceRow> differencesOf(const std::vector<const ButtonState*>& states);
 
-/// As shown in tables, without the unit; "–" for what is not there.
+/// Text of a table cell, without the unit; "–" for a missing value.
 QString shownValue(std::optional<double> value, Measure measure, const DisplayUnits& units);
 /// Value `other` of the row minus the first, with its sign; "–" unless both are there.
 QString shownDifference(const DifferenceRow& row, std::size_t other, const DisplayUnits& units);

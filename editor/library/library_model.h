@@ -24,7 +24,7 @@ class OpenButtonsModel : public QAbstractListModel {
 
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   ButtonDocument* documentAt(const QModelIndex& index) const;
-  /// Whether people will tell each of them from the one shown, by document; those that are missing say nothing.
+  /// Forecasts of the difference of each button from the one shown, by document; missing ones show nothing.
   void setForecasts(std::map<ButtonDocument*, playback::PredictedPair> forecasts);
   /// Draws every picture anew, after the colours changed.
   void redraw();

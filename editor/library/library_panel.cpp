@@ -17,7 +17,7 @@ namespace {
 
 constexpr int forecastDelay_ms = 250;
 
-/// No item is wider than the list: long names are broken or get an ellipsis.
+/// Draws items no wider than the list: long names are broken or get an ellipsis.
 class PictureDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -39,7 +39,7 @@ QListView* pictureList(QAbstractItemModel* model, const QString& objectName, con
   list->setResizeMode(QListView::Adjust);
   list->setTextElideMode(Qt::ElideMiddle);
   list->setIconSize(LibraryPanel::pictureSize_px);
-  list->setUniformItemSizes(true);  // pictures are asked for only where they are seen
+  list->setUniformItemSizes(true);  // pictures are requested only for visible rows
   list->setEditTriggers(QAbstractItemView::NoEditTriggers);
   list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -142,7 +142,7 @@ void LibraryPanel::setDocuments(const std::vector<ButtonDocument*>& documents, B
   forecastSoon_.start();
 }
 
-/// The one shown against every other; nothing is computed while nobody looks.
+/// The one shown against every other; nothing is computed while the panel is hidden.
 void LibraryPanel::askForecasts() {
   if (!isVisible() || !active_ || documents_.size() < 2) return;
   std::vector<Button> buttons{active_->button()};

@@ -21,7 +21,7 @@ class LibraryPanel : public QWidget {
  public:
   explicit LibraryPanel(QWidget* parent = nullptr);
 
-  /// In the order of the tabs; `active` is marked.
+  /// Sets the documents, in the order of the tabs; `active` is marked.
   void setDocuments(const std::vector<ButtonDocument*>& documents, ButtonDocument* active);
   void setFolder(const QString& folder);
   const QString& folder() const { return files_.folder(); }
@@ -31,7 +31,7 @@ class LibraryPanel : public QWidget {
  signals:
   void documentChosen(ButtonDocument* document);
   void fileChosen(const QString& path);
-  /// Beside the active one.
+  /// Requests a comparison with the active one.
   void compareRequested(ButtonDocument* document);
   void compareFileRequested(const QString& path);
   /// Several that were selected, and no others.
@@ -59,7 +59,7 @@ class LibraryPanel : public QWidget {
   PictureCache pictures_{pictureSize_px};
   OpenButtonsModel open_{pictures_};
   FolderModel files_{pictures_};
-  // Who will be taken for the one shown; asked again after an edit of any.
+  // Forecasts for the one shown; repeated after an edit of any.
   std::vector<ButtonDocument*> documents_;
   ButtonDocument* active_ = nullptr;
   ForecastSource forecasts_;

@@ -57,7 +57,7 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
   form->addRow(name, way);
   auto* ends = new QDialogButtonBox(QDialogButtonBox::Cancel);
   create_ = described(ends->addButton(tr("&Create"), QDialogButtonBox::AcceptRole),
-                      QStringLiteral("morphCreate"), tr("Opens the button in between in a tab of its own"));
+                      QStringLiteral("morphCreate"), tr("Opens the button in between in a new tab"));
   sides_ = new QBoxLayout(QBoxLayout::TopToBottom);
   auto* rest = new QVBoxLayout;
   rest->addLayout(form);

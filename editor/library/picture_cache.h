@@ -33,7 +33,7 @@ class PictureCache : public QObject {
   void forget(const QString& key);
 
   QSize size_px() const { return size_px_; }
-  /// Why a file has no picture: a sentence for a tool tip, empty if it has one.
+  /// The reason why a file has no picture: a sentence for a tool tip, empty if it has one.
   QString trouble(const QString& path) const;
 
   /// Colours and pixel ratio of the pictures made from now on; what was made with others is dropped.

@@ -22,7 +22,7 @@ constexpr std::size_t mostRanges = 6;  // in view at once
 FilterBar::FilterBar(const DisplayUnits& units, QWidget* parent) : QWidget(parent), units_(units) {
   words_ = described(new QLineEdit, "measuredWords",
                      tr("Show only switches with these words in name, credit, licence or file"),
-                     tr("Words to look for"));
+                     tr("Words to search for"));
   words_->setPlaceholderText(tr("Search: maker, name, credit \u2026"));
   words_->setClearButtonEnabled(true);
   kind_ = described(new QComboBox, "measuredKind", tr("Show only switches of this kind"), tr("Kind"));

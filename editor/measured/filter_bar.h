@@ -23,9 +23,9 @@ class FilterBar : public QWidget {
  public:
   explicit FilterBar(const DisplayUnits& units, QWidget* parent = nullptr);
 
-  /// As it stands there; ends that cannot be read are left open, and marked.
+  /// The filter as typed; ends that cannot be read are left open, and marked.
   SwitchFilter filter() const;
-  /// What is typed without a unit is in these from now on.
+  /// From now on numbers typed without a unit are in these.
   void setUnits(const DisplayUnits& units);
   /// One more figure with both ends open.
   void addRange();

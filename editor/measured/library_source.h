@@ -18,7 +18,7 @@ struct LibraryRequest {
   bool pages = false;  ///< pages and pictures of datasheets too: seconds each
 };
 
-/// One worker thread: what is asked first is done first. GUI thread; answers come through the event loop.
+/// One worker thread: earlier requests are done first. GUI thread; answers come through the event loop.
 class LibrarySource : public QObject {
   Q_OBJECT
 
@@ -26,8 +26,8 @@ class LibrarySource : public QObject {
   explicit LibrarySource(QObject* parent = nullptr);
   ~LibrarySource() override;  ///< cancels what runs, and waits for it
 
-  /// `loaded` or `failed` follows. A library that cannot be read, as that of another version of the program, is made anew from folders,
-  /// where some are given: then as index().
+  /// `loaded` or `failed` follows. A library that cannot be read, as that of another version of the program,
+  /// is made anew from folders, where some are given: then as index().
   void load(const QString& database, LibraryRequest orFrom = {});
   /// `indexed`, then what load() gives; or `failed`. Calls `progressed` meanwhile.
   void index(LibraryRequest request);
@@ -40,14 +40,14 @@ class LibrarySource : public QObject {
   void loaded(const QString& database, std::shared_ptr<const detent::editor::MeasuredSwitches> switches);
   void indexed(const detent::importer::IndexSummary& summary);
   void progressed(double fraction, const QString& file);
-  /// All that were asked for and could be read; `last` of the call.
+  /// All requested switches that could be read; `last` of the call.
   void opened(const std::vector<detent::Button>& buttons);
   void failed(const QString& sentence);
 
  private:
   void loadHere(const QString& database);  // worker thread
   void indexHere(LibraryRequest request);  // worker thread
-  /// On the worker's own thread, page by page, as the import window reads them.
+  /// Reader of pages on the worker's own thread, page by page, as in the import window.
   importer::PageReader pageReader();
   void run(std::function<void()> work);
 

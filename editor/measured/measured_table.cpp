@@ -206,17 +206,16 @@ QVariant MeasuredTable::headerData(int section, Qt::Orientation orientation, int
     case kindColumn:
       return asTip ? tr("By the drop: linear below 5 gf, tactile above 8 gf, between") : tr("Kind");
     case distanceColumn:
-      return asTip
-                 ? tr("In lab noises, what two laboratories differ by on one switch: below 1 nobody can say "
-                      "that two differ")
-                 : tr("Distance");
+      return asTip ? tr("In lab noises, the difference of two laboratories on one switch; below 1 two "
+                        "records may be one switch")
+                   : tr("Distance");
     case forecastColumn:
-      return asTip ? tr("Whether people will tell it from the one asked for; of the nearest only")
+      return asTip ? tr("Forecast of the difference from the reference, for the nearest only")
                    : tr("Forecast");
     case licenceColumn:
-      return asTip ? tr("What the folder says of who may do what with the measurements") : tr("Licence");
+      return asTip ? tr("Licence of the measurements, from their folder") : tr("Licence");
     case creditColumn:
-      return asTip ? tr("Whose measurements these are") : tr("Credit");
+      return asTip ? tr("Author of the measurements") : tr("Credit");
     case fileColumn:
       return asTip ? tr("The file the switch was read from") : tr("File");
     default:

@@ -13,7 +13,7 @@
 
 namespace detent::editor {
 
-/// What an open library holds. Immutable once it is shared.
+/// Contents of an open library. Immutable once it is shared.
 struct MeasuredSwitches {
   std::vector<importer::LibrarySwitch> switches;
   importer::FeelMap map;  ///< a place for each
@@ -41,25 +41,25 @@ class MeasuredTable : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Takes away what was asked for and forecast; filter and order stay.
+  /// Removes requested distances and forecasts; filter and order stay.
   void setSwitches(std::shared_ptr<const MeasuredSwitches> switches);
   void setUnits(const DisplayUnits& units);
   void setFilter(SwitchFilter filter);
   /// Distances of all to this shape; without one there are none. Where no column sorts, the nearest is first.
   void rankBy(const std::optional<importer::FeltShape>& like);
-  /// What is foretold of one, in a few words.
+  /// Forecast of one switch, in a few words.
   void setForecast(SwitchIndex of, const QString& words);
-  /// By a column; -1: the nearest first, or by name. What has no value comes last in either order.
+  /// Sorts by a column; -1: the nearest first, or by name. Missing values come last in either order.
   void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
 
   const std::vector<importer::LibrarySwitch>& switches() const;
   const importer::FeelMap& map() const;
-  /// Of the rows, from the top.
+  /// Switches of the rows, from the top.
   const std::vector<SwitchIndex>& shown() const { return shown_; }
   std::optional<double> distanceOf(SwitchIndex of) const;
-  /// Of all records of that switch by its laboratory.
+  /// Spread of all records of that switch by its laboratory.
   importer::SwitchSpread spreadOf(SwitchIndex of) const;
-  /// What people said of a switch of that name.
+  /// Ratings of a switch of that name.
   std::vector<importer::Rating> ratingsOf(SwitchIndex of) const;
   bool ranked() const { return !distances_.empty(); }
 
@@ -79,7 +79,7 @@ class MeasuredTable : public QAbstractTableModel {
   std::shared_ptr<const MeasuredSwitches> all_;
   std::vector<QString> searched_;  // of each
   std::vector<SwitchIndex> shown_;
-  std::vector<double> distances_;  // in lab noises, of each; empty: nothing is asked for
+  std::vector<double> distances_;  // in lab noises, of each; empty: no distances requested
   std::map<SwitchIndex, QString> forecasts_;
   SwitchFilter filter_;
   DisplayUnits units_;

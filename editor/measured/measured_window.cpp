@@ -33,13 +33,14 @@ constexpr QSize first_px{1180, 760}, leastPlot_px{260, 180};
 constexpr int nameColumn_em = 20, figureColumn_em = 11, wideColumn_em = 14, headerLines = 3;
 constexpr int tableShare = 3, plotsShare = 2;  // of the width
 constexpr int mapShare = 1, overlayShare = 1;  // of the plots' height
-constexpr int rankPause_ms = 120;              // of an edit of the button asked for
+constexpr int rankPause_ms = 120;              // after an edit of the reference button
 constexpr int forecastPause_ms = 400;
 constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20;
 constexpr std::size_t comparedSwitches = seriesColors;
 constexpr int longestList = 4;  // of credits and licences in a line
 
-/// A header whose sections cannot be dragged has no grips: a click beside a line between two rows chooses the row.
+/// A header whose sections cannot be dragged has no grips: a click beside a line between two rows chooses the
+/// row.
 class NoGrips : public QProxyStyle {
  public:
   NoGrips() : QProxyStyle(QStringLiteral("Fusion")) {}  // what outlinedStyle() stands on
@@ -140,8 +141,8 @@ QWidget* MeasuredWindow::emptyPage() {
   emptyWords_->setText(
       tr("More than 1,500 key switches have been measured in public. Clone one of these collections "
          "(force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements "
-         "(CSV, ODS, JSON, button files), and add their folder. Detent ships none: whose they are and what "
-         "may be done with them stands with each."));
+         "(CSV, ODS, JSON, button files), and add their folder. Detent ships none; each shows its author and "
+         "licence."));
   auto* page = new QWidget;
   auto* row = new QHBoxLayout;
   row->addWidget(actionButton("measuredAddFolder", tr("&Add a folder…"),
@@ -263,8 +264,8 @@ QWidget* MeasuredWindow::mapView() {
     connect(box, &QComboBox::currentIndexChanged, this, &MeasuredWindow::followScales);
     return box;
   };
-  mapX_ = scaleBox("measuredMapX", tr("What the map counts to the right"), 0);
-  mapY_ = scaleBox("measuredMapY", tr("What the map counts upwards"), 1);
+  mapX_ = scaleBox("measuredMapX", tr("Horizontal axis of the map"), 0);
+  mapY_ = scaleBox("measuredMapY", tr("Vertical axis of the map"), 1);
   auto* choice = new QHBoxLayout;
   for (const auto& [words, box] : {std::pair(tr("Map: &right"), mapX_), std::pair(tr("&up"), mapY_)}) {
     auto* label = new QLabel(words);
@@ -289,9 +290,9 @@ QLayout* MeasuredWindow::actionRow() {
                    tr("Put those first that feel like the switch chosen"), [this] { askLikeChosen(); });
   openButton_ =
       actionButton("measuredOpen", tr("Open as a &button"),
-                   tr("Open what is chosen as buttons in tabs of their own"), [this] { openChosen(false); });
+                   tr("Open the chosen switches as buttons, each in a tab"), [this] { openChosen(false); });
   compareButton_ = actionButton("measuredCompare", tr("&Compare"),
-                                tr("Open what is chosen, two to six, and lay them over each other"),
+                                tr("Open two to six chosen switches and lay them over each other"),
                                 [this] { openChosen(true); });
   report_ =
       actionButton("measuredReport", tr("Write a &page…"),
@@ -441,7 +442,7 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
   emit shown();
 }
 
-// ---- what is asked for
+// ---- requests
 
 void MeasuredWindow::followDocuments() {
   if (places_.documents) listed_ = places_.documents();
@@ -493,7 +494,7 @@ void MeasuredWindow::askLikeChosen() {
   rank();
 }
 
-// Who asks wants to see them, whatever the table was sorted by.
+// The user wants to see the nearest ones, whatever the table was sorted by.
 void MeasuredWindow::nearestFirst() { view_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder); }
 
 void MeasuredWindow::rank() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The measured switches of a library: table, map, overlay; which of them feels like a button; credit and licence always in view.
+// The measured switches of a library: table, map, overlay; which of them feels like a button; credit and
+// licence always in view.
 
 #include <functional>
 #include <optional>
@@ -29,45 +30,45 @@
 
 namespace detent::editor {
 
-/// How the window reaches the tabs and the disk; tests put their own in. All of it outlives the window.
+/// Access of the window to the tabs and the disk; tests put their own in. All of it outlives the window.
 struct MeasuredPlaces {
   ViewSettings& view;
   QSettings& settings;  ///< "measured/…": the library's file, its folders
   std::function<std::vector<ButtonDocument*>()> documents;
-  /// In tabs of their own.
+  /// Opens buttons, each in a tab.
   std::function<void(const std::vector<Button>&)> open;
   /// Likewise, and over each other in the comparison.
   std::function<void(const std::vector<Button>&)> compare;
-  // What a person chooses; empty: cancelled.
+  // The user's choice; empty: cancelled.
   std::function<QString(QWidget*parent)> libraryFile, folder;
   std::function<QString(QWidget* parent, const QString& suggested)> page;
 };
 
-/// Not modal. GUI thread.
+/// The window of measured switches. Not modal. GUI thread.
 class MeasuredWindow : public QDialog {
   Q_OBJECT
 
  public:
   explicit MeasuredWindow(MeasuredPlaces places, QWidget* parent = nullptr);
 
-  /// The open buttons that can be asked for changed.
+  /// The open buttons that can be chosen changed.
   void followDocuments();
   /// The nearest to this one first.
   void askFor(ButtonDocument& document);
   /// Shows this library from now on.
   void openLibrary(const QString& database);
-  /// Its measurements, into the library shown; the person's own where there is none.
+  /// Adds a folder's measurements to the shown library; to the user's own if there is none.
   void addFolder(const QString& folder);
 
  signals:
-  /// What an answer to openLibrary or addFolder has brought is shown.
+  /// The result of openLibrary or addFolder is shown.
   void shown();
 
  protected:
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// What the others are compared with.
+  /// The reference of the comparison.
   struct Asked {
     QString name;
     importer::LibrarySwitch entry;   ///< its own where it is of the library

@@ -27,7 +27,8 @@ QString unitWords(KeyFigure figure, const DisplayUnits& units) {
   return symbolOf(quantityOf(figure), units);
 }
 
-/// As many as the least step needs in the unit shown: numbers of a column stand under each other.
+/// Number of decimals that the least step needs in the unit shown, so that the numbers of a column are
+/// aligned.
 int decimalsOf(KeyFigure figure, const DisplayUnits& units) {
   const double step = shownFigure(leastStep, figure, units);
   constexpr double rounding = 1e-9;

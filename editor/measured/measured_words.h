@@ -17,7 +17,7 @@ QString licenceWords(const importer::LibrarySwitch& entry);
 QString creditWords(const importer::LibrarySwitch& entry);
 /// Title, credit and licence, a line each.
 QString creditedTitle(const importer::LibrarySwitch& entry);
-/// In the unit shown, without it; a share in %.
+/// Text of a figure in the unit shown, without it; a share in %.
 QString figureText(double value, KeyFigure figure, const DisplayUnits& units);
 /// "53.2 ± 0.1" for "53.2"; without an error as it is.
 QString withError(const QString& shown, const std::optional<double>& sigma, KeyFigure figure,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether people will tell the nearest switches from the button asked for.
+// Forecasts of the difference of the nearest switches from the reference button.
 
 #include <atomic>
 #include <QObject>
@@ -11,7 +11,8 @@
 
 namespace detent::editor {
 
-/// Reads the switches' logs anew, since a forecast needs the whole button; the latest question wins. GUI thread.
+/// Reads the switches' logs anew, since a forecast needs the whole button; the latest question wins. GUI
+/// thread.
 class NearestForecasts : public QObject {
   Q_OBJECT
 

@@ -17,15 +17,16 @@ struct ScatterPoint {
   double displacement_mm = 0, mean_N = 0, sd_N = 0;  ///< sd of one of them, n - 1
 };
 
-/// Over the travel that all have; empty for fewer than two.
+/// Mean and scatter over the common travel; empty for fewer than two.
 std::vector<ScatterPoint> scatterOf(const std::vector<const importer::FeltShape*>& shapes);
 
-/// Press solid, release dashed, a colour each; beyond `mostCurves` only the band speaks for the rest. GUI thread.
+/// Press solid, release dashed, a colour each; beyond `mostCurves` only the band speaks for the rest. GUI
+/// thread.
 class OverlayPlot : public QCustomPlot {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t mostCurves = 6;  ///< as many colours can be told apart
+  static constexpr std::size_t mostCurves = 6;  ///< as many colours can be distinguished
 
   explicit OverlayPlot(QWidget* parent = nullptr);
 
@@ -34,7 +35,7 @@ class OverlayPlot : public QCustomPlot {
     QString name;
     const importer::FeltShape* shape = nullptr;  ///< lives as long as it is shown
   };
-  /// `asked` is what the others are compared with; it is drawn in the text's colour.
+  /// The reference of the others (null: none) is drawn in the text's colour.
   void show(std::vector<Entry> entries, std::optional<importer::FeltShape> asked, const DisplayUnits& units);
 
  protected:

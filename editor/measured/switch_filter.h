@@ -17,7 +17,7 @@ struct SwitchFilter {
   std::vector<importer::FigureRange> ranges;  ///< a switch without the figure keeps none
 };
 
-/// What words are looked for in: one text per switch, in lower case.
+/// Text that is searched for words: one per switch, in lower case.
 QString searchedText(const importer::LibrarySwitch& entry);
 /// `searched`: searchedText of the entry.
 bool keeps(const SwitchFilter& filter, const importer::LibrarySwitch& entry, const QString& searched);

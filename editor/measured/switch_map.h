@@ -12,15 +12,15 @@
 
 namespace detent::editor {
 
-/// What a direction of the map counts: a figure, or a principal axis (0 or 1).
+/// Quantity of a direction of the map: a figure, or a principal axis (0 or 1).
 struct MapScale {
   std::optional<KeyFigure> figure;
   std::size_t axis = 0;
   friend bool operator==(const MapScale&, const MapScale&) = default;
 };
 
-/// A click chooses the nearest dot, a drag all in the rectangle; with Ctrl they are added to those chosen. The wheel zooms, a double
-/// click shows all again. Switches without a figure have no place. GUI thread.
+/// A click chooses the nearest dot, a drag all in the rectangle; with Ctrl they are added to those chosen.
+/// The wheel zooms, a double click shows all again. Switches without a figure have no place. GUI thread.
 class SwitchMap : public QCustomPlot {
   Q_OBJECT
 
@@ -32,11 +32,12 @@ class SwitchMap : public QCustomPlot {
   void setUnits(const DisplayUnits& units);
   /// These stand out.
   void setChosen(std::set<SwitchIndex> chosen);
-  /// Once for all that changed until the window is painted.
+  /// Repaints once for all changes until the window is painted.
   void redraw();
-  /// Where a switch lies in the widget; empty where it has no place or is not shown.
+  /// Position of a switch in the widget; empty if it has none or is not shown.
   std::optional<QPointF> placeOf(SwitchIndex which);
-  /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes with most.
+  /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes
+  /// with most.
   QString titleOf(const MapScale& scale) const;
 
  signals:

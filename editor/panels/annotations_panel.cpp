@@ -162,7 +162,7 @@ QWidget* AnnotationsPanel::versionsBox() {
   goBack_ =
       addButton(*row, "versionGoBack", tr("Go back to it"), tr("The button becomes the chosen version"));
   openVersion_ = addButton(*row, "versionOpen", tr("Open beside"),
-                           tr("Open the chosen version as a button of its own, to compare it"));
+                           tr("Open the chosen version as a new button, to compare it"));
   column->addLayout(row);
   connect(versionName_, &QLineEdit::returnPressed, this, &AnnotationsPanel::keepVersion);
   connect(goBack_, &QPushButton::clicked, this, &AnnotationsPanel::goBack);
@@ -244,7 +244,7 @@ void AnnotationsPanel::link(const EditLinks& links, const QString& label) {
 void AnnotationsPanel::addNote() {
   const auto selected = canvas_.selected();
   const auto at = selected ? placeOf(*selected, canvas_.state(), canvas_.values()) : std::nullopt;
-  if (!at) return emit said(tr("Select a point or section in the graph first: the note stands there."));
+  if (!at) return emit said(tr("Select a point or section in the graph first; the note is placed there."));
   const QString text = noteText_->text().trimmed();
   if (text.isEmpty() || document_.history().dragging()) return;
   Annotations next = document_.annotations();

@@ -45,7 +45,7 @@ QString sentenceOf(const Warning& warning, const Words& words) {
       return Checks::tr("The release begins at %1, %2 away from the end of the press at %3.")
           .arg(words.place(), words.value(), words.against());
     case Rule::noRelease:
-      return Checks::tr("There is no release curve; the press stands in for it.");
+      return Checks::tr("There is no release curve; the press curve is used instead.");
     case Rule::negativeForce:
       return Checks::tr("The %1 falls to %2 at %3: the button pulls.")
           .arg(words.stroke(), words.value(), words.place());

@@ -11,9 +11,9 @@
 
 namespace detent::editor {
 
-/// Both strokes of a tactile switch and, in `mark`, the figure: a force as an arrow up from the travel axis,
-/// a travel as an arrow below it, a spring rate as a chord, a work as an area. Lines scale with the box, down
-/// to one unit.
+/// Draws both strokes of a tactile switch and, in `mark`, the figure: a force as an arrow up from the travel
+/// axis, a travel as an arrow below it, a spring rate as a chord, a work as an area. Lines scale with the
+/// box, down to one unit.
 void paintKeyFigure(QPainter& painter, const QRectF& box, KeyFigure figure, const GraphColors& colors,
                     const QColor& mark);
 

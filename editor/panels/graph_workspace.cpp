@@ -124,9 +124,8 @@ QWidget* GraphWorkspace::makeBar() {
   statesLabel_->setBuddy(states_);
   speedsLabel_ = new QLabel(tr("Sp&eed"));
   speeds_ = described(new QComboBox, "speedSwitcher",
-                      tr("The speed whose graph is edited, and which stands where no speed is known; those "
-                         "of the other speeds "
-                         "are drawn thin."),
+                      tr("The speed whose graph is edited and used where no speed is known; graphs of other "
+                         "speeds are drawn thin."),
                       tr("Speed of the graph"));
   speedsLabel_->setBuddy(speeds_);
   underlayLabel_ = new QLabel(tr("&Page"));
@@ -349,12 +348,12 @@ void GraphWorkspace::addSnapActions() {
   snapGrid_ =
       addViewSwitch("snapGrid", tr("Snap to &grid"), tr("Dragged points cling to the snap grid"), false);
   snapTraced_ = addViewSwitch("snapTraced", tr("Snap to tr&aced points"),
-                              tr("Dragged points cling to what was traced on the page"), false);
+                              tr("Dragged points snap to the points traced on the page"), false);
   snapOther_ =
       addViewSwitch("snapOther", tr("Snap to the other &stroke"),
                     tr("Points of the press cling to the release curve, and the other way round"), false);
-  connect(addViewAction("snapGridSteps", tr("Grid ste&ps…"),
-                        tr("How far apart the lines of the snap grid lie"), QKeySequence("Alt+G")),
+  connect(addViewAction("snapGridSteps", tr("Grid ste&ps…"), tr("Spacing of the snap grid"),
+                        QKeySequence("Alt+G")),
           &QAction::triggered, this, [this] {
             auto* dialog = new GridDialog(settings_, this);
             dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -82,10 +82,10 @@ QString definitionOf(KeyFigure figure) {
       return KeyFiguresModel::tr("From the operating point to the end of the press (OT).");
     case bottomOutForce:
       return KeyFiguresModel::tr(
-          "Force at the foot of the wall; where there is none, at the end of the travel.");
+          "Force at the start of the bottom-out; without one, at the end of the travel.");
     case bottomOutTravel:
       return KeyFiguresModel::tr(
-          "Displacement of the foot of the wall; where there is none, the end of the travel.");
+          "Displacement at the start of the bottom-out; without one, the end of the travel.");
     case totalTravel:
       return KeyFiguresModel::tr("From the start to the end of the press (TT).");
     case endForce:
@@ -266,7 +266,7 @@ QVariant KeyFiguresModel::headerData(int section, Qt::Orientation orientation, i
     return told ? data(index(section, figure), role) : QVariant();
   }
   if (role == Qt::ToolTipRole) {
-    if (section == now) return tr("What is typed here is done at once; what is kept stays");
+    if (section == now) return tr("Typed values are applied at once; kept figures stay");
     if (section == wanted)
       return tr("Values that are to be had together: shown dashed in the graph before they are taken");
     if (section == keep) return tr("Figures that stay as they are while others are given");

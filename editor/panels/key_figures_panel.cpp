@@ -37,7 +37,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       meaning_(described(new QLabel, "keyFigureMeaning")),
       trouble_(described(new QLabel, "keyFiguresTrouble")),
       take_(described(new QPushButton(tr("Take &over")), "takeFigures",
-                      tr("Change the curve so that it has what is wanted"))),
+                      tr("Change the curve to the wanted figures"))),
       giveUp_(described(new QPushButton(tr("Give &up")), "giveUpFigures", tr("Want nothing any more"))),
       solving_(described(new QLabel(tr("Looking for the smallest change…")), "keyFiguresSolving")) {
   setObjectName(QStringLiteral("keyFiguresPanel"));

@@ -151,10 +151,8 @@ Operation makeLinearOperation(const OperationTarget& target) {
     which.choices << tr("both");
     which.value = 2;
   }
-  Operation op{tr("Make linear"),
-               tr("A straight line from the start to the bottom-out; the wall stays."),
-               {which},
-               {}};
+  Operation op{
+      tr("Make linear"), tr("A straight line from the start to the bottom-out, which stays."), {which}, {}};
   op.edit = [state = target.state](const Button& start, const Values& v) -> Result<Button> {
     const auto linear = [](const StrokeCurve& curve) { return makeLinear(curve); };
     if (v[0] < 1.5) return editOne(start, state, strokeOf(v[0]), linear);
@@ -262,18 +260,17 @@ Operation snapRatioOperation(const OperationTarget& target) {
 Operation refitOperation(const OperationTarget& target) {
   const auto& origin = *target.origin;
   const auto pieces = [](const StrokeCurve& curve) { return static_cast<double>(curve.knots().size() - 1); };
-  Operation op{
-      tr("Refit to the traced points"),
-      tr("Fits the curves anew to what was traced on the page, with the number of pieces you choose. "
-         "Edits by hand are replaced."),
-      {{tr("Pieces of the press"),
-        FieldKind::count,
-        pieces(target.graph().press()),
-        1,
-        200,
-        tr("More follow the points closer, fewer are easier to shape"),
-        {}}},
-      {}};
+  Operation op{tr("Refit to the traced points"),
+               tr("Fits the curves again to the traced points, with the number of pieces you choose. "
+                  "Replaces edits by hand."),
+               {{tr("Pieces of the press"),
+                 FieldKind::count,
+                 pieces(target.graph().press()),
+                 1,
+                 200,
+                 tr("More follow the points closer, fewer are easier to shape"),
+                 {}}},
+               {}};
   op.slow = true;
   if (origin.strokes.release)
     op.fields.push_back({tr("Pieces of the release"),
@@ -348,8 +345,7 @@ Operation dampingOperation(const OperationTarget& target) {
   }
   Operation op{
       tr("Damping"),
-      tr("Force that follows velocity, for force feedback devices. Its course is shaped in the damping "
-         "view."),
+      tr("Force in proportion to velocity, for force feedback devices. Shape it in the damping view."),
       {{tr("Damping"), FieldKind::choice, 1, 0, 0, {}, {tr("off"), tr("on")}},
        {tr("At the start"), FieldKind::damping, start, 0, 1000, tr("N·s/mm at 0 mm"), {}},
        {tr("At the end"), FieldKind::damping, end, 0, 1000, tr("N·s/mm at the end of the travel"), {}}},

@@ -51,7 +51,7 @@ class ValuesModel : public QAbstractTableModel {
   void accepted();
 
  private:
-  /// Without a mark: a heading.
+  /// A row of the table; without a mark it is a heading.
   struct Row {
     std::optional<MarkId> mark;
     QString heading;

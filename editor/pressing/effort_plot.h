@@ -12,8 +12,8 @@
 
 namespace detent::editor {
 
-/// Effort is the peak force of the fingertip. Colours are those of the comparison; a button without a forecast has no dot.
-/// GUI thread.
+/// Effort is the peak force of the fingertip. Colours are those of the comparison; a button without a
+/// forecast has no dot. GUI thread.
 class EffortPlot : public QCustomPlot {
   Q_OBJECT
 

@@ -14,25 +14,27 @@
 
 namespace detent::editor {
 
-/// In the order of the buttons asked for.
+/// In the order of the requested buttons.
 struct PressAnswer {
   std::uint64_t revision = 0;
   std::vector<std::shared_ptr<const playback::PressForecast>> forecasts;
 };
 
-/// One worker thread, begun with the first request. A forecast takes seconds: those of the last requests are kept, so that an edit
-/// of one of six costs one. Its end gives up what runs, and waits some milliseconds. GUI thread, except where said.
+/// One worker thread, begun with the first request. A forecast takes seconds: those of the last requests are
+/// kept, so that an edit of one of six costs one. Its end gives up what runs, and waits some milliseconds.
+/// GUI thread, except where said.
 class PressSource : public QObject {
   Q_OBJECT
 
  public:
   explicit PressSource(QObject* parent = nullptr);
 
-  /// `operateAt_mm`: where the contact of all closes instead. Gives the revision of the answer, unless a later request overtakes it.
+  /// `operateAt_mm`: where the contact of all closes instead. Gives the revision of the answer, unless a
+  /// later request overtakes it.
   std::uint64_t request(std::vector<Button> buttons, std::optional<double> operateAt_mm) {
     return answers_.ask({std::move(buttons), operateAt_mm});
   }
-  void cancel() { answers_.cancel(); }  ///< no answer comes for what was asked so far
+  void cancel() { answers_.cancel(); }  ///< no answer comes for earlier requests
 
  signals:
   void progress(int done, int all);  ///< buttons

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How people will press the buttons that are compared: figures of a forecast, misses against effort, and what if the contact closed
-// elsewhere.
+// Forecast of people's presses of the compared buttons: figures, misses against effort, and the effect of
+// another contact point.
 
 #include <QCheckBox>
 #include <QLabel>

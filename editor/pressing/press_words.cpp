@@ -93,13 +93,13 @@ QString reasonWords(NoForecast reason) {
     case NoForecast::noOperatingPoint:
       return tr("The button has no operating point. Set one, or say below where it would act.");
     case NoForecast::operatingPointOutside:
-      return tr("The operating point is not within the travel. Say one that is.");
+      return tr("The operating point is not within the travel. Enter one within it.");
     case NoForecast::tooLight:
       return tr("Its force stays below 0.02 N: the finger's own weight is all there is.");
     case NoForecast::tooHeavy:
       return tr("30 N of muscle do not close its contact for every finger.");
     case NoForecast::noRelease:
-      return tr("It has no release curve: nothing says what the way up is like. Draw one.");
+      return tr("It has no release curve. Draw one.");
     case NoForecast::selfLocking:
       return tr("It locks: one cycle takes two presses, and only the first is forecast.");
   }

@@ -19,7 +19,7 @@ PressTerm termOf(playback::PressFigure figure, const DisplayUnits& units);
 /// "52 (40 to 71)": median in two digits, and 5 to 95 % of the fingers; "no forecast" where there is none.
 QString bandWords(const playback::PressForecast& forecast, playback::PressFigure figure,
                   const DisplayUnits& units);
-/// Why a figure is not forecast, a sentence; empty where it is.
+/// The reason why a figure is not forecast, a sentence; empty if it is.
 QString reasonWords(playback::NoForecast reason);
 /// "higher, × 1.4", "no difference forecast": how the second stands to the first.
 QString differenceWords(const playback::PressDifference& difference);

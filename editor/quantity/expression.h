@@ -7,13 +7,13 @@
 
 namespace detent::editor {
 
-/// What kept a text from being a quantity.
+/// Reason why a text is not a quantity.
 enum class QuantityTrouble {
   empty,
   noNumber,         ///< "about two", "5 +", an open bracket
   groupSeparator,   ///< "1,250.5", "1 250", "1'250"
   unknownUnit,      ///< "5 apples"
-  otherQuantity,    ///< "5 gf" where a length is asked for
+  otherQuantity,    ///< "5 gf" in place of a length
   mixedUnits,       ///< "50 + 5 gf" while cN are shown: which unit has the 50?
   nothingToChange,  ///< "+10 %" of no value
   notWhole,         ///< "1.5" of a count

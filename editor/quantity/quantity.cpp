@@ -74,7 +74,7 @@ QString doubtOfShare(const QString& text, double share, const DisplayUnits& unit
 
 // Of a button: a finger's force, the travel of the longest lever switches.
 constexpr double mostForce_N = 20, mostTravel_mm = 30;
-// What most buttons have: in this range another unit is proposed.
+// Usual values of buttons: in this range another unit is proposed.
 constexpr double usualForce_N[] = {0.05, 10}, usualTravel_mm[] = {0.1, 10};
 
 // The number that was typed, with the first unit in which it would be usual.
@@ -153,7 +153,7 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
                  : tr("“%1” is no known unit. Type for example %2.").arg(reading.culprit, example);
     case QuantityTrouble::otherQuantity:
       return symbol.isEmpty()
-                 ? tr("“%1” has a unit, and a number without one is asked for.").arg(reading.culprit)
+                 ? tr("“%1” has a unit. Enter a number without one.").arg(reading.culprit)
                  : tr("“%1” measures something else. Type a number in %2.").arg(reading.culprit, symbol);
     case QuantityTrouble::mixedUnits:
       return tr("In “%1” some numbers have a unit and some have none. Give each its unit.")

@@ -2,8 +2,8 @@
 #pragma once
 // The one way numbers with a unit are read and shown: in fields, tables, dialogues, on axes and ticks.
 //
-// Reading is the same in every locale: both decimal signs, never a group separator (what looks like one is
-// refused, not guessed), any known unit, sums and products, and changes of what stands there now.
+// Reading is the same in every locale: both decimal signs, never a group separator (a possible one is
+// refused, not guessed), any known unit, sums and products, and changes of the present value.
 
 #include <optional>
 #include <QString>
@@ -14,7 +14,7 @@
 
 namespace detent::editor {
 
-/// What a number means; decides its units.
+/// Meaning of a number; decides its units.
 enum class Quantity {
   length,      ///< mm
   force,       ///< N
@@ -43,12 +43,12 @@ struct QuantityReading {
 QuantityReading readQuantity(const QString& text, Quantity quantity, const DisplayUnits& units,
                              std::optional<double> now = {});
 
-/// Why a text was refused, and what can be typed instead: one sentence or two for the person.
+/// The reason why a text was refused, and what can be typed instead: one sentence or two for the person.
 QString refusalOf(const QuantityReading& reading, Quantity quantity, const DisplayUnits& units);
 
-/// A question where what was typed is no button's: more than 20 N or 30 mm, either way; more than the whole of a share, or less than
-/// a hundredth where its sign was not typed. "… Meant: 60 gf? …" with the same number in the unit that fits, if one does. Empty where
-/// nothing is odd, and for slopes and all else.
+/// A question where what was typed is no button's: more than 20 N or 30 mm, either way; more than the whole
+/// of a share, or less than a hundredth where its sign was not typed. "… Meant: 60 gf? …" with the same
+/// number in the unit that fits, if one does. Empty where nothing is odd, and for slopes and all else.
 QString doubtOf(const QString& text, double value, Quantity quantity, const DisplayUnits& units);
 
 /// Size of the shown unit in mm, N, N/mm; 0.01 for shares, 1 for numbers without a unit.
@@ -58,7 +58,7 @@ QString symbolOf(Quantity quantity, const DisplayUnits& units);
 
 /// A value (mm, N ...) in the shown unit, without the unit.
 QString quantityText(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);
-/// With the unit: "1.305 mm".
+/// Text with the unit: "1.305 mm".
 QString quantityWithUnit(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);
 
 }  // namespace detent::editor

@@ -68,7 +68,7 @@ void QuantityField::take(const QString& typed) {
   if (!reading.value) return refuse(refusalOf(reading, quantity_, units_));
   if (const QString why = rangeRefusal(*reading.value); !why.isEmpty()) return refuse(why);
   refuse({});
-  // What stood there, typed again, is the value it stood for, with all its digits.
+  // The shown text, typed again, is the value it was made from, with all its digits.
   const double read = typed.trimmed() == textOf(before_)
                           ? before_
                           : std::clamp(*reading.value, range_.lowest, range_.highest);
@@ -77,7 +77,7 @@ void QuantityField::take(const QString& typed) {
   if (keyboardTracking()) emit valueChanged(value_);
 }
 
-// What was refused stays as typed, so that it can be mended.
+// Refused text stays as typed, so that it can be corrected.
 void QuantityField::settle() {
   if (!acceptable()) return;
   const bool untold = !keyboardTracking() && value_ != before_;
@@ -94,7 +94,7 @@ QString QuantityField::textOf(double value) const {
 }
 
 QString QuantityField::rangeRefusal(double value) const {
-  // What is shown as the bound, with its few digits, is the bound.
+  // The shown text of the bound, with its few digits, is the bound.
   const double slack =
       std::pow(10.0, 1 - shownDigits) * std::max(std::abs(range_.lowest), std::abs(range_.highest));
   if (value >= range_.lowest - slack && value <= range_.highest + slack) return {};

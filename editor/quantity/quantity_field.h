@@ -9,7 +9,7 @@
 
 namespace detent::editor {
 
-/// What lies in a QuantityField's range, in mm, N ... (as QuantityReading::value).
+/// Values in a QuantityField's range, in mm, N ... (as QuantityReading::value).
 struct QuantityRange {
   double lowest = 0, highest = 0;
 };
@@ -32,9 +32,9 @@ class QuantityField : public QAbstractSpinBox {
   void setUnits(const DisplayUnits& units);
   /// Shown instead of the lowest value of the range ("automatic").
   void setLowestText(const QString& text);
-  /// What stands there can be read and lies in the range.
+  /// Returns true if the text can be read and lies in the range.
   bool acceptable() const { return refusal_.isEmpty(); }
-  /// Why it is not; empty where it is.
+  /// The reason why it is not acceptable; empty if it is.
   const QString& refusal() const { return refusal_; }
 
   void stepBy(int steps) override;

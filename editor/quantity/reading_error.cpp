@@ -15,7 +15,8 @@ std::optional<ReadingError> readingErrorOf(const Button& button) {
   const auto force = forceUnitFrom(from->yAxis->unit);
   const double width = from->frame[2] - from->frame[0], height = from->frame[3] - from->frame[1];
   if (!length || !force || !(width > 0 && height > 0)) return {};
-  // Documents are rendered so that the frame is about so wide; of pictures the unit of the frame is the pixel.
+  // Documents are rendered so that the frame is about so wide; of pictures the unit of the frame is the
+  // pixel.
   constexpr double renderedFrame_px = 1000;
   const QString file = QString::fromStdString(from->sourceFile).toLower();
   const bool rendered = file.endsWith(QLatin1String(".pdf")) || file.endsWith(QLatin1String(".svg"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How many digits of a value mean something: what was read off a page has an error, what was typed has none.
+// Number of significant digits of a value: a value read off a page has an error, a typed one has none.
 
 #include <optional>
 #include <QString>
@@ -15,12 +15,12 @@ struct ReadingError {
   double mm, N;  ///< > 0
 };
 
-/// As far as the button's file tells: the rest of the fit and of the axes' ticks, together, over the size of the plot
-/// frame. Empty for buttons that were not read off a page.
+/// From the button's file: the residuals of the fit and of the axes' ticks, together, over the size of the
+/// plot frame. Empty for buttons that were not read off a page.
 std::optional<ReadingError> readingErrorOf(const Button& button);
 
-/// A value (mm, N, N/mm) in the shown unit, without the unit: with the digits that the error leaves, or those that
-/// were typed since; without an error `significant` ones at most.
+/// A value (mm, N, N/mm) in the shown unit, without the unit: with the digits that the error leaves, or those
+/// that were typed since; without an error `significant` ones at most.
 QString readText(double value, Quantity quantity, const DisplayUnits& units,
                  const std::optional<ReadingError>& error, int significant = 5);
 

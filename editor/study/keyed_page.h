@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A page for participants: large plain texts and buttons, each of which says its key. A key does what its button does, because both
-// come from one place.
+// A page for participants: large plain texts and buttons, each of which says its key. A key does what its
+// button does, because both come from one place.
 
 #include <functional>
 #include <QLabel>
@@ -36,14 +36,14 @@ class KeyedPage : public QWidget {
  public:
   explicit KeyedPage(QWidget* parent = nullptr);
 
-  /// What stands in the middle, from top to bottom.
+  /// Contents of the middle, from top to bottom.
   QVBoxLayout* column() const { return column_; }
   QLabel* addText(const char* name, const QString& text, int points,
                   Qt::Alignment alignment = Qt::AlignCenter, int stretch = 0);
   /// A button that acts when it is clicked; placed in the column, or by the caller.
   QPushButton* addButton(const PageButton& button, const std::function<void()>& act);
   QPushButton* makeButton(const PageButton& button, const std::function<void()>& act);
-  /// One that acts when it goes down, not when it comes up.
+  /// A pad that acts when it goes down, not when it comes up.
   QPushButton* makePad(const PageButton& button, const std::function<void()>& act);
   /// Likewise; it stays down while it is what is under the finger.
   QPushButton* makeFeelButton(const PageButton& button, const std::function<void()>& act);

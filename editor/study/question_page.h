@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What every question's page has: what is asked, what is wrong, how many there were, and the ways out of it.
+// Common parts of every question's page: the question, faults, the number of questions, and the ways out of
+// it.
 
 #include "editor/study/keyed_page.h"
 

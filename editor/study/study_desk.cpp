@@ -144,10 +144,9 @@ QLayout* StudyDesk::nextForm() {
   listening_ = comboBox("studyListening", tr("What reaches the ears; kept in every row"));
   addChoice(listening_, tr("quiet"), static_cast<int>(playback::Listening::quiet));
   addChoice(listening_, tr("masked by rain"), static_cast<int>(playback::Listening::masked));
-  headphones_ =
-      described(new QLineEdit, "studyHeadphones",
-                tr("Sound device on which rain is played for the ears; turn it up until the vibration cannot "
-                   "be heard"));
+  headphones_ = described(
+      new QLineEdit, "studyHeadphones",
+      tr("Sound device of the headphones that play rain; turn it up until the vibration is inaudible"));
   headphones_->setPlaceholderText(tr("on the outputs behind the vibration's"));
   sensor_ = comboBoxOfNames("studySensor",
                             tr("Serial port of a force sensor under the finger, calibrated by the study's "
@@ -187,7 +186,7 @@ QLayout* StudyDesk::actionRow() {
   start_ = described(new QPushButton(tr("&Begin or go on")), "studyStart",
                      tr("Open the participant's window, or let the program answer"));
   report_ = described(new QPushButton(tr("Write the &report…")), "studyReport",
-                      tr("Write tables and pictures of what was answered so far as one HTML page"));
+                      tr("Write tables and pictures of the answers so far as one HTML page"));
   report_->setAutoDefault(false);
   connect(start_, &QPushButton::clicked, this, &StudyDesk::start);
   connect(report_, &QPushButton::clicked, this, &StudyDesk::writeReport);
@@ -319,7 +318,8 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   return Done{};
 }
 
-/// Who has agreed goes on at once; who has not is asked first, and is in no journal until then.
+/// A participant who has agreed goes on at once; one who has not reads the consent first, and is in no
+/// journal until then.
 Result<Done> StudyDesk::askOrOpen(const playback::ParticipantRecord& record, StudyWork& work) {
   if (!record.consent) {
     Result<playback::ConsentText> consent =
@@ -341,7 +341,8 @@ QScreen* StudyDesk::participantScreen() const {
   return chosen < screens.size() ? screens[chosen] : QGuiApplication::primaryScreen();
 }
 
-/// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own the desk stays.
+/// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own
+/// the experimenter's view stays.
 void StudyDesk::showStation(StudyWork work) {
   atWork_ = QString::fromStdString(work.participant);
   window_ = new StudyWindow(std::move(work));

@@ -22,7 +22,7 @@
 
 namespace detent::editor {
 
-/// How the desk reaches devices and asks for places; tests put their own in.
+/// Access of the experimenter's view to devices and files; tests put their own in.
 struct StudyPlaces {
   /// The open buttons, of which a new study can be made.
   std::function<std::vector<ButtonDocument*>()> documents = [] { return std::vector<ButtonDocument*>{}; };
@@ -50,17 +50,17 @@ class HiddenWindows {
   std::vector<QPointer<QWidget>> hidden_;
 };
 
-/// Not modal. GUI thread.
+/// The experimenter's view. Not modal. GUI thread.
 class StudyDesk : public QDialog {
   Q_OBJECT
 
  public:
   explicit StudyDesk(StudyPlaces places = {}, QWidget* parent = nullptr);
-  /// Shows that study; a folder that holds none is told in the window.
+  /// Shows that study; a folder without a study is reported in the window.
   void showStudy(const QString& folder);
 
  private:
-  /// Who gives the answers of the next session.
+  /// Source of the answers of the next session.
   enum class Answers { person, rehearsal, guess, perfect };
 
   QLayout* folderRow();

@@ -102,7 +102,7 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
 }
 
 QLayout* StudyMaker::designForm() {
-  kind_ = comboBox("makerKind", tr("What a participant is asked"));
+  kind_ = comboBox("makerKind", tr("The participants' task"));
   addChoice(kind_, tr("Which of two is X?"), static_cast<int>(playback::StudyKind::abx));
   addChoice(kind_, tr("Which of all is X?"), static_cast<int>(playback::StudyKind::matching));
   addChoice(kind_, tr("Which of two has more? A threshold"),
@@ -199,7 +199,7 @@ QWidget* StudyMaker::consentRow() {
   return rowOf({consent_, browse});
 }
 
-/// What a kind usually takes stands there first.
+/// The usual number of trials of a kind is the initial value.
 void StudyMaker::kindChosen() {
   form_->setRowVisible(quantity_, kind() == playback::StudyKind::threshold);
   form_->setRowVisible(scale_, kind() == playback::StudyKind::rating);
@@ -214,8 +214,8 @@ void StudyMaker::kindChosen() {
 }
 
 QLayout* StudyMaker::folderRow() {
-  folder_ = described(new QLineEdit, "makerFolder",
-                      tr("A folder that is not there yet; it holds the whole study and can be copied"));
+  folder_ =
+      described(new QLineEdit, "makerFolder", tr("A new folder; it holds the whole study and can be copied"));
   auto* browse =
       described(new QPushButton(tr("&Choose…")), "makerBrowse", tr("Choose where the folder is made"));
   browse->setAutoDefault(false);

@@ -240,7 +240,7 @@ QString StudyWindow::howWords() const {
                       : words("Its key or a click makes you feel it under your finger.");
 }
 
-/// Which ones were not pressed through yet, and which of them were let go too early.
+/// Words for the stimuli that were not pressed through yet, and for those released too early.
 QString StudyWindow::unfeltWords() const {
   if (desk_->slotOfX() == 1) return words("First press it to the end and let go.");  // of a scale
   QStringList missing;
@@ -305,7 +305,7 @@ void StudyWindow::showIntroduction() {
   showWords(text, At::words);
 }
 
-/// What comes after an answer: words before the first one that counts, a rest, the next question, or the end.
+/// After an answer follow words before the first one that counts, a rest, the next question, or the end.
 void StudyWindow::showNext() {
   const playback::Trial* trial = work_.session->trial();
   if (trial == nullptr) return showEnd(words("That was the last one. Thank you."));
@@ -395,13 +395,13 @@ void StudyWindow::answer(std::size_t choice, std::optional<double> rating) {
 
 void StudyWindow::tell(const QString& trouble) { question_->showTrouble(trouble); }
 
-/// What was felt so far stays; what was to be timed is over.
+/// Felt stimuli stay; a running timing is over.
 void StudyWindow::askToStop() {
   if (timed_ != nullptr) timed_->leave();
   show(stop_, At::question);
 }
 
-/// They think better of stopping.
+/// Continues after the participant changed their mind about stopping.
 void StudyWindow::goOn() {
   if (!isTimed()) return show(question_, At::question);
   if (const Result<Done> noted = work_.session->interrupted("stop not confirmed"); !noted)
@@ -429,10 +429,10 @@ void StudyWindow::showEnd(const QString& text) {
   show(end_, At::end);
 }
 
-/// What was half felt is asked anew, once the device is back.
+/// An interrupted stimulus is repeated, once the device is back.
 void StudyWindow::watchDevice() {
   if (!desk_) {
-    if (!timed_) work_.player->takeFelt();  // nothing piles up while nothing is asked
+    if (!timed_) work_.player->takeFelt();  // nothing piles up between questions
     return;
   }
   desk_->felt(work_.player->takeFelt());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The participant's station: consent, what is asked, one question at a time, rests, the end. Large plain controls, each with its key, in
-// the participant's language; no label of any button. The experimenter's view is study_desk.h.
+// The participant's station: consent, instructions, one question at a time, rests, the end. Large plain
+// controls, each with its key, in the participant's language; no label of any button. The experimenter's view
+// is study_desk.h.
 
 #include <memory>
 #include <optional>
@@ -22,25 +23,25 @@ struct StudyWork {
   std::unique_ptr<playback::Study> study;
   std::string participant;
   playback::SessionStart start;  ///< the session is opened with it once the participant agrees
-  /// What they are asked to agree to first; none: they have agreed before.
+  /// Text of the consent; none: they have agreed before.
   std::optional<playback::ConsentText> consent;
   std::unique_ptr<playback::StudyPlayer> player;
   bool sensor = false;  ///< a force sensor or a force device presses; else keys and the large buttons do
   bool force =
       false;  ///< a force device does: Escape takes its force away, the experimenter's F9 brings it back
   QString language = QStringLiteral("en");
-  std::unique_ptr<playback::ParticipantSession> session{};  ///< open already where no consent is asked for
+  std::unique_ptr<playback::ParticipantSession> session{};  ///< open already if no consent is needed
 };
 
-/// Where a participant is, for the experimenter.
+/// A participant's progress, for the experimenter.
 struct StudyProgress {
   enum class At : std::uint8_t { consent, words, question, rest, pause, trouble, end };
   At at = At::consent;
   std::size_t answered = 0, questions = 0;  ///< practice too
 };
 
-/// Works through one participant's trials. Every answer is on the disk before the next question is shown. Shown over a whole screen;
-/// closing it from outside (Alt+F4) pauses. GUI thread.
+/// Works through one participant's trials. Every answer is on the disk before the next question is shown.
+/// Shown over a whole screen; closing it from outside (Alt+F4) pauses. GUI thread.
 class StudyWindow : public QWidget {
   Q_OBJECT
 

@@ -43,7 +43,7 @@ constexpr Field fields[] = {
      QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "C&onsent texts:")},
 };
 
-/// As the field is called; what no field asks for, as it was.
+/// Name of the field for an option; the option itself if there is no field.
 QString fieldOf(const QString& option) {
   const auto* const field =
       std::ranges::find_if(fields, [&](const Field& each) { return option == QLatin1String(each.option); });

@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// sentenceOf(), where an option of the program is named as the field of maker or desk that asks for the same.
+/// sentenceOf(), with the field of the window in place of the program's option.
 QString studySentence(Failure failure);
 
 }  // namespace detent::editor

@@ -19,7 +19,8 @@ constexpr int padDown_ms = 80;  // a key shows on the pad for so long
 constexpr double stampStep_s = 0.002;
 constexpr double oldestStamp_s = 0.2;  // a stamp of another clock is not taken for one of this
 
-/// How long ago an event came, by its stamp; none where that is not of the steady clock (X11 and Wayland stamp input by it).
+/// How long ago an event came, by its stamp; none where that is not of the steady clock (X11 and Wayland
+/// stamp input by it).
 std::optional<double> ageOf(quint64 stamp_ms) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   const double now_ms = std::chrono::duration<double, std::milli>(now).count();

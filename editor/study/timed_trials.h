@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Timed trials in a participant's window, one after the other: playback's TimedRun with a page in front of it.
+// Timed trials in a participant's window, one after the other: playback's TimedRun with a page in front of
+// it.
 
 #include <optional>
 #include <QObject>
@@ -14,20 +15,21 @@ class QInputEvent;
 
 namespace detent::editor {
 
-/// What is said behind a trial, in the participant's language.
+/// Texts after a trial, in the participant's language.
 struct TimedWords {
   QString hit, missed, enough;
   QString noPress, held, notFelt;
   QString notKept;  ///< %1: why
 };
 
-/// Presses are timed by the stamp that the window system gives them, in ms of the system's steady clock; where it gives none, by when they reached
-/// this window. How late a stamp may be is watched while a trial is shown. GUI thread.
+/// Presses are timed by the stamp that the window system gives them, in ms of the system's steady clock;
+/// where it gives none, by when they reached this window. How late a stamp may be is watched while a trial is
+/// shown. GUI thread.
 class TimedTrials : public QObject {
   Q_OBJECT
 
  public:
-  /// How a press's time comes about, for the journal.
+  /// Origin of a press's time, for the journal.
   static std::string pressRoute();
 
   /// Study, player and page must outlive it.
@@ -36,7 +38,7 @@ class TimedTrials : public QObject {
 
   /// The trial that comes next begins.
   void show(playback::ParticipantSession& session);
-  /// Nothing is shown any more, and nothing is kept of what was.
+  /// Hides the trial and forgets its presses.
   void leave();
   /// The event that is about to press the pad.
   void note(const QInputEvent& event);

@@ -40,7 +40,7 @@ void TimingPicture::paintEvent(QPaintEvent*) {
   }
 }
 
-/// As many circles as beats, filled as they come; the one to press with is the largest.
+/// Paints as many circles as beats, filled as they come; the one to press with is the largest.
 void TimingPicture::paintBeats(QPainter& painter) const {
   const double step_px = static_cast<double>(width()) / static_cast<double>(view_.beats + 1);
   for (std::size_t i = 0; i < view_.beats; ++i) {

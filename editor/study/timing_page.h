@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A timed question as a participant sees it: beats, a ball that runs into its window, or the time that is left; and a large pad. It knows no label
-// of any button.
+// A timed question as a participant sees it: beats, a ball that runs into its window, or the time that is
+// left; and a large pad. It knows no label of any button.
 
 #include "editor/study/question_page.h"
 #include "playback/study.h"
 
 namespace detent::editor {
 
-/// What is written on the page, in the participant's language.
+/// Texts on the page, in the participant's language.
 struct TimingWords {
   QString pad, space;  ///< "Press here", "space bar"
   QString left;        ///< "%1 s left"
 };
 
-/// What there is to be seen of a trial just now. Plain value.
+/// Visible state of a trial. Plain value.
 struct TimingView {
   playback::TimingTask task = playback::TimingTask::cue;
   std::size_t beats = 0, beatsCome = 0;  ///< cue
@@ -55,7 +55,7 @@ class TimingPage : public QuestionPage {
   TimingPicture* picture() const { return picture_; }
   /// Null where a sensor presses.
   QPushButton* pad() const { return pad_; }
-  /// How the trial before ended: "hit".
+  /// Result of the previous trial: "hit".
   void showResult(const QString& text) { result_->setText(text); }
 
  signals:

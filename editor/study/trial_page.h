@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One question as a participant sees it: what can be felt and what can be answered, for each kind of study. It knows no label of any button.
+// One question as a participant sees it: what can be felt and what can be answered, for each kind of study.
+// It knows no label of any button.
 
 #include <optional>
 
@@ -10,7 +11,7 @@
 
 namespace detent::editor {
 
-/// What is written on a question's controls, in the participant's language.
+/// Texts on a question's controls, in the participant's language.
 struct TrialWords {
   QString feelX, feelOne, feelIt;  ///< "Feel X", "Feel %1", "Feel it"
   QString answer;                  ///< "X is %1", "%1 is better"
@@ -29,7 +30,7 @@ class TrialPage : public QuestionPage {
   void showRealX(const QString& text) { x_->setText(text); }
   void allowAnswers(bool allowed);
   bool answersAllowed() const;
-  /// Which one is under the finger; nothing: none.
+  /// Marks the stimulus under the finger; empty: none.
   void mark(std::optional<std::size_t> slot);
   /// A number that was begun is gone.
   void clearNumber();

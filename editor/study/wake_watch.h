@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How late this machine wakes a program that waits.
+// Measures the lateness with which this machine wakes a waiting program.
 
 #include <atomic>
 #include <thread>
 
 namespace detent::editor {
 
-/// Asks to be woken every millisecond, on a thread of its own. What stamps an event waits for it in the same way: this is as late as a stamp may be,
-/// as far as a program can know.
+/// Asks to be woken every millisecond, on a thread of its own. What stamps an event waits for it in the same
+/// way: this is as late as a stamp may be, as far as a program can know.
 class WakeWatch {
  public:
   WakeWatch();

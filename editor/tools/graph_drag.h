@@ -20,8 +20,8 @@ struct DragTask {
   Stroke stroke = Stroke::press;
   std::optional<MarkId> mark;  ///< mark whose position is shown; nullopt: the pointer's
   bool snaps = true;
-  /// From the button before the drag. If it fails, a point stops at the limit, other items keep their last
-  /// shape.
+  /// The edit, computed from the button before the drag. If it fails, a point stops at the limit, other items
+  /// keep their last shape.
   Edit edit;
 };
 

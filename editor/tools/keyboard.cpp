@@ -175,7 +175,7 @@ void Keyboard::removeSelected() {
         tr("Remove %n points", nullptr, static_cast<int>(all.size())));
   if (selected->kind == MarkKind::turn || isSlope(selected->kind)) selected = selectedKnot();
   if (!selected) {
-    context_.say(tr("No knot stands at this turn. Select a knot or a tactile point."));
+    context_.say(tr("There is no knot at this turn. Select a knot or a tactile point."));
     return;
   }
   apply(removeMark(context_.document.history().committed(), context_.document.activeState(), *selected),

@@ -20,7 +20,7 @@ class Keyboard {
   bool pressed(int key, Qt::KeyboardModifiers modifiers);
   bool wants(int key, Qt::KeyboardModifiers modifiers) const;
 
-  /// Also used by the menu's actions. Reports the reason if it is impossible.
+  /// Removes the selection; also used by the menu's actions. Reports the reason if it is impossible.
   void removeSelected();
   void toggleSelectedCorner();
   void togglePin();

@@ -105,7 +105,7 @@ void SelectTool::toggleHeld() {
   for (const MarkId& mark : canvas.selection())
     for (const MarkId& point : points(mark)) add(point);
   const std::vector<MarkId> held = points(held_->id);
-  if (held.empty()) return context_.say(tr("No knot stands here. Add one (K) to select it with others."));
+  if (held.empty()) return context_.say(tr("There is no knot here. Add one (K) to select it with others."));
   const bool allThere = std::all_of(
       held.begin(), held.end(), [&](MarkId m) { return std::find(now.begin(), now.end(), m) != now.end(); });
   if (allThere && !now.empty()) {

@@ -9,9 +9,9 @@
 
 namespace detent::editor {
 
-/// Selects and moves points, slope handles and sections; a drag on empty ground selects the points in its
-/// rectangle. Shift toggles the selection; a drag moves all selected points. A click on a selected mark takes
-/// the one beneath; a double click adds a knot, or toggles a corner.
+/// Selects and moves points, slope handles and sections; a drag on the empty background selects the points in
+/// its rectangle. Shift toggles the selection; a drag moves all selected points. A click on a selected mark
+/// takes the one beneath; a double click adds a knot, or toggles a corner.
 class SelectTool : public Tool {
  public:
   using Tool::Tool;

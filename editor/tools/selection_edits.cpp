@@ -28,7 +28,7 @@ using KnotsEdit = std::function<Result<StrokeCurve>(const StrokeCurve&, const st
 Result<StrokeCurve> editThese(const StrokeCurve& curve, const std::vector<std::size_t>& knots,
                               const KnotsEdit& edit) {
   if (knots.back() >= curve.knots().size())
-    return selectionRefusal(Message("names a knot that is not there"), Message("Select the points again"));
+    return selectionRefusal(Message("names a knot that does not exist"), Message("Select the points again"));
   return edit(curve, knots);
 }
 
@@ -163,7 +163,7 @@ Result<Button> alignSelection(const Button& button, std::size_t state, const std
                             Message("Select two or more; all go to the last one"));
   const StrokeCurve& of = button.states()[state].graph.curve(last->stroke);
   if (last->index >= of.knots().size())
-    return selectionRefusal(Message("names a knot that is not there"), Message("Select the points again"));
+    return selectionRefusal(Message("names a knot that does not exist"), Message("Select the points again"));
   const double level = partOf(placeOf(of, last->index), direction);
   return editKnots(button, state, marks,
                    [&](const StrokeCurve& curve, const std::vector<std::size_t>& knots) {

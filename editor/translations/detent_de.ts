@@ -49,8 +49,8 @@
         <translation>Der Rückweg beginnt bei %1, %2 entfernt vom Ende des Drückens bei %3.</translation>
     </message>
     <message>
-        <source>There is no release curve; the press stands in for it.</source>
-        <translation>Es gibt keine Kurve für den Rückweg; das Drücken steht für sie.</translation>
+        <source>There is no release curve; the press curve is used instead.</source>
+        <translation>Es gibt keine Loslasskurve; stattdessen gilt die Druckkurve.</translation>
     </message>
     <message>
         <source>The %1 falls to %2 at %3: the button pulls.</source>
@@ -465,8 +465,8 @@ Lizenz: %3</translation>
         <translation>Die Seite nennt keine Einheiten: %1 und %2 sind geraten.</translation>
     </message>
     <message>
-        <source>If everything lies right on the page, tick “I have checked it against the page”.</source>
-        <translation>Wenn alles auf der Seite richtig liegt, setzen Sie das Häkchen bei „Ich habe es mit der Seite verglichen“.</translation>
+        <source>If everything matches the page, tick “I have checked it against the page”.</source>
+        <translation>Wenn alles zur Seite passt, setzen Sie das Häkchen bei „Ich habe es mit der Seite verglichen“.</translation>
     </message>
     <message>
         <source>not readable yet</source>
@@ -775,8 +775,8 @@ Lizenz: %3</translation>
         <translation>Wählen Sie einen Ort innerhalb der Kurve</translation>
     </message>
     <message>
-        <source>stands already at %1</source>
-        <translation>steht schon bei %1</translation>
+        <source>is already at %1</source>
+        <translation>ist schon bei %1</translation>
     </message>
     <message>
         <source>Move that knot instead</source>
@@ -791,7 +791,7 @@ Lizenz: %3</translation>
         <translation>Verschieben Sie ihn stattdessen</translation>
     </message>
     <message>
-        <source>would stand at %1, before knot %2 at %3</source>
+        <source>would be at %1, before knot %2 at %3</source>
         <translation>stünde bei %1, vor Knoten %2 bei %3</translation>
     </message>
     <message>
@@ -995,8 +995,8 @@ Lizenz: %3</translation>
         <translation>geht bei %1 hinter %2 zurück</translation>
     </message>
     <message>
-        <source>turns back inside a wall at %1</source>
-        <translation>kehrt bei %1 in einer Wand um</translation>
+        <source>turns back inside a vertical rise at %1</source>
+        <translation>kehrt bei %1 in einem senkrechten Anstieg um</translation>
     </message>
     <message>
         <source>point %1</source>
@@ -1231,7 +1231,7 @@ Lizenz: %3</translation>
         <translation>wäre ein Druckpunkt zu schwach, um einer zu sein</translation>
     </message>
     <message>
-        <source>the wall at the end would begin elsewhere</source>
+        <source>the bottom-out would begin elsewhere</source>
         <translation>begänne der Anschlag an anderer Stelle</translation>
     </message>
     <message>
@@ -1531,8 +1531,8 @@ Lizenz: %3</translation>
         <translation>Graphen eines Tasters mit demselben Weg angeben</translation>
     </message>
     <message>
-        <source>stands at %1, %2 at %3</source>
-        <translation>steht bei %1, %2 bei %3</translation>
+        <source>is at %1, %2 at %3</source>
+        <translation>ist bei %1, %2 bei %3</translation>
     </message>
     <message>
         <source>Let the own graph of every state be the one of the same speed</source>
@@ -1983,8 +1983,8 @@ Lizenz: %3</translation>
         <translation>der fallende Sprung %1 hat %2</translation>
     </message>
     <message>
-        <source>the wall %1 has %2</source>
-        <translation>die Wand %1 hat %2</translation>
+        <source>the rise %1 has %2</source>
+        <translation>der Anstieg %1 hat %2</translation>
     </message>
     <message>
         <source>; the device bears %1 %2</source>
@@ -2003,16 +2003,16 @@ Lizenz: %3</translation>
         <translation>An %1 Stellen ist der Taster steiler, als das Gerät trägt. Die schlimmste:</translation>
     </message>
     <message>
-        <source>the wall of %1 at %2 is felt as %3</source>
-        <translation>die Wand von %1 bei %2 fühlt sich wie %3 an</translation>
+        <source>the rise of %1 at %2 is felt as %3</source>
+        <translation>der Anstieg von %1 bei %2 fühlt sich wie %3 an</translation>
     </message>
     <message>
         <source>the fall of %1 at %2 is felt as %3</source>
         <translation>der Abfall von %1 bei %2 fühlt sich wie %3 an</translation>
     </message>
     <message>
-        <source>%1 is more than the device gives; %2 is felt</source>
-        <translation>%1 ist mehr, als das Gerät gibt; gefühlt wird %2</translation>
+        <source>%1 is more than the device can give; %2 is felt</source>
+        <translation>%1 ist mehr, als das Gerät geben kann; gefühlt wird %2</translation>
     </message>
     <message>
         <source>the release lies up to %1 above the press at %2, which would make energy; both are felt as the release there</source>
@@ -2307,8 +2307,8 @@ Lizenz: %3</translation>
         <translation>Linear machen</translation>
     </message>
     <message>
-        <source>A straight line from the start to the bottom-out; the wall stays.</source>
-        <translation>Eine Gerade vom Anfang bis zum Anschlag; die Wand bleibt.</translation>
+        <source>A straight line from the start to the bottom-out, which stays.</source>
+        <translation>Eine Gerade vom Anfang bis zum Anschlag, der bleibt.</translation>
     </message>
     <message>
         <source>Mirror press to release</source>
@@ -2383,8 +2383,8 @@ Lizenz: %3</translation>
         <translation>Neu an die abgelesenen Punkte anpassen</translation>
     </message>
     <message>
-        <source>Fits the curves anew to what was traced on the page, with the number of pieces you choose. Edits by hand are replaced.</source>
-        <translation>Passt die Kurven mit der gewählten Zahl von Stücken neu an das an, was auf der Seite abgelesen wurde. Änderungen von Hand werden ersetzt.</translation>
+        <source>Fits the curves again to the traced points, with the number of pieces you choose. Replaces edits by hand.</source>
+        <translation>Passt die Kurven mit der gewählten Zahl von Stücken neu an die abgelesenen Punkte an. Ersetzt Änderungen von Hand.</translation>
     </message>
     <message>
         <source>Pieces of the press</source>
@@ -2435,8 +2435,8 @@ Lizenz: %3</translation>
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Force that follows velocity, for force feedback devices. Its course is shaped in the damping view.</source>
-        <translation>Kraft, die der Geschwindigkeit folgt, für Geräte mit Kraftrückmeldung. Ihr Verlauf wird in der Dämpfungsansicht geformt.</translation>
+        <source>Force in proportion to velocity, for force feedback devices. Shape it in the damping view.</source>
+        <translation>Kraft im Verhältnis zur Geschwindigkeit, für Geräte mit Kraftrückmeldung. Formen Sie sie in der Dämpfungsansicht.</translation>
     </message>
     <message>
         <source>off</source>
@@ -2523,8 +2523,8 @@ Lizenz: %3</translation>
         <translation>„%1“ ist keine bekannte Einheit. Geben Sie zum Beispiel %2 ein.</translation>
     </message>
     <message>
-        <source>“%1” has a unit, and a number without one is asked for.</source>
-        <translation>„%1“ hat eine Einheit; gefragt ist eine Zahl ohne Einheit.</translation>
+        <source>“%1” has a unit. Enter a number without one.</source>
+        <translation>„%1“ hat eine Einheit. Geben Sie eine Zahl ohne Einheit ein.</translation>
     </message>
     <message>
         <source>“%1” measures something else. Type a number in %2.</source>
@@ -2687,7 +2687,7 @@ Lizenz: %3</translation>
         <translation>Der Taster hat keinen Schaltpunkt. Setzen Sie einen, oder geben Sie unten an, wo er auslösen würde.</translation>
     </message>
     <message>
-        <source>The operating point is not within the travel. Say one that is.</source>
+        <source>The operating point is not within the travel. Enter one within it.</source>
         <translation>Der Schaltpunkt liegt nicht im Weg. Geben Sie einen an, der darin liegt.</translation>
     </message>
     <message>
@@ -2699,8 +2699,8 @@ Lizenz: %3</translation>
         <translation>30 N der Muskeln schließen seinen Kontakt nicht bei jedem Finger.</translation>
     </message>
     <message>
-        <source>It has no release curve: nothing says what the way up is like. Draw one.</source>
-        <translation>Er hat keine Loslasskurve: Nichts sagt, wie der Weg nach oben ist. Zeichnen Sie eine.</translation>
+        <source>It has no release curve. Draw one.</source>
+        <translation>Er hat keine Loslasskurve. Zeichnen Sie eine.</translation>
     </message>
     <message>
         <source>It locks: one cycle takes two presses, and only the first is forecast.</source>
@@ -2835,7 +2835,7 @@ Lizenz: %3</translation>
         <translation>Einen Knoten, einen Druckpunkt, den Schaltpunkt oder den Rückschaltpunkt wählen</translation>
     </message>
     <message>
-        <source>names a knot that is not there</source>
+        <source>names a knot that does not exist</source>
         <translation>nennt einen Knoten, den es nicht gibt</translation>
     </message>
     <message>
@@ -3066,8 +3066,8 @@ Lizenz: %3</translation>
         <translation>Daneben öffnen</translation>
     </message>
     <message>
-        <source>Open the chosen version as a button of its own, to compare it</source>
-        <translation>Die gewählte Fassung als eigenen Taster öffnen, um sie zu vergleichen</translation>
+        <source>Open the chosen version as a new button, to compare it</source>
+        <translation>Die gewählte Fassung als neuen Taster öffnen, um sie zu vergleichen</translation>
     </message>
     <message>
         <source>Take the chosen version away</source>
@@ -3094,8 +3094,8 @@ Lizenz: %3</translation>
         <translation>Zusammenhalten</translation>
     </message>
     <message>
-        <source>Select a point or section in the graph first: the note stands there.</source>
-        <translation>Wählen Sie zuerst einen Punkt oder Abschnitt im Graphen: dort steht die Notiz.</translation>
+        <source>Select a point or section in the graph first; the note is placed there.</source>
+        <translation>Wählen Sie zuerst einen Punkt oder Abschnitt im Graphen; die Notiz kommt dorthin.</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -3269,7 +3269,7 @@ Lizenz: %3</translation>
         <translation>beschriftet „%1“</translation>
     </message>
     <message>
-        <source>Numbers of this axis stand beyond the plot frame: move its edge there</source>
+        <source>Numbers of this axis are beyond the plot frame: move its edge there</source>
         <translation>Zahlen dieser Achse stehen jenseits des Rahmens: seine Kante dorthin rücken</translation>
     </message>
     <message>
@@ -3295,8 +3295,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::ChecksPanel</name>
     <message>
-        <source>What is odd about the button</source>
-        <translation>Was an dem Taster auffällt</translation>
+        <source>Problems and oddities of the button</source>
+        <translation>Probleme und Auffälligkeiten des Tasters</translation>
     </message>
     <message>
         <source>Nothing is odd about this button.</source>
@@ -3326,8 +3326,8 @@ Lizenz: %3</translation>
         <translation>&amp;Differenz</translation>
     </message>
     <message>
-        <source>Draw what the others have more than the first, below the graphs</source>
-        <translation>Unter den Graphen zeichnen, was die anderen mehr haben als der erste</translation>
+        <source>Draw the difference of the others from the first below the graphs</source>
+        <translation>Unter den Graphen den Unterschied der anderen zum ersten zeichnen</translation>
     </message>
     <message>
         <source>&amp;Picture…</source>
@@ -3500,8 +3500,8 @@ Lizenz: %3</translation>
         <translation>Maske …</translation>
     </message>
     <message>
-        <source>Drag rectangles over what is not a curve</source>
-        <translation>Rechtecke über das ziehen, was keine Kurve ist</translation>
+        <source>Drag rectangles over parts that are not a curve</source>
+        <translation>Rechtecke über Teile ziehen, die keine Kurve sind</translation>
     </message>
     <message>
         <source>Remove all</source>
@@ -3582,12 +3582,12 @@ Lizenz: %3</translation>
         <translation>Größter Zeitfehler: %1 ms; verschmolzene Grains: %2; Frequenzen um bis zu %3 Hz verschoben</translation>
     </message>
     <message>
-        <source>The format has no room for the whole press: what comes last is cut off. The file says from where on.</source>
-        <translation>Das Format hat keinen Platz für den ganzen Druck: Was zuletzt kommt, ist abgeschnitten. Die Datei sagt, ab wo.</translation>
+        <source>The format has no room for the whole press: its end is cut off. The file says where.</source>
+        <translation>Das Format hat keinen Platz für den ganzen Druck: Sein Ende ist abgeschnitten. Die Datei sagt, wo.</translation>
     </message>
     <message>
-        <source>What the press is written for</source>
-        <translation>Wofür der Druck geschrieben wird</translation>
+        <source>Target format of the press</source>
+        <translation>Zielformat des Drucks</translation>
     </message>
     <message>
         <source>Samples per second</source>
@@ -3780,8 +3780,8 @@ Lizenz: %3</translation>
         <translation>Einrichtung</translation>
     </message>
     <message>
-        <source>How the pad is pressed, what is felt, devices and force sensor</source>
-        <translation>Wie das Feld gedrückt wird, was zu fühlen ist, Geräte und Kraftsensor</translation>
+        <source>Pad, feedback, devices and force sensor</source>
+        <translation>Feld, Rückmeldung, Geräte und Kraftsensor</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -4010,11 +4010,11 @@ Lizenz: %3</translation>
         <translation>Audiogerät, das den Wandler treibt</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Search again</source>
         <translation>Neu suchen</translation>
     </message>
     <message>
-        <source>Look for sound devices again</source>
+        <source>Search for sound devices again</source>
         <translation>Noch einmal nach Audiogeräten suchen</translation>
     </message>
     <message>
@@ -4098,15 +4098,15 @@ Lizenz: %3</translation>
         <translation>Ausgabekanäle: %1, %2 Hz</translation>
     </message>
     <message>
-        <source>%1 (not there now)</source>
-        <translation>%1 (gerade nicht da)</translation>
+        <source>%1 (not connected)</source>
+        <translation>%1 (nicht angeschlossen)</translation>
     </message>
     <message>
         <source>Looking for sound devices…</source>
         <translation>Audiogeräte werden gesucht …</translation>
     </message>
     <message>
-        <source>No sound device was found. Connect one or start the sound server, then look again.</source>
+        <source>No sound device was found. Connect one or start the sound server, then search again.</source>
         <translation>Kein Audiogerät gefunden. Schließen Sie eines an oder starten Sie den Audioserver, dann suchen Sie neu.</translation>
     </message>
     <message>
@@ -4264,7 +4264,7 @@ Lizenz: %3</translation>
         <translation>Nur Schalter mit diesen Wörtern in Name, Urheber, Lizenz oder Datei zeigen</translation>
     </message>
     <message>
-        <source>Words to look for</source>
+        <source>Words to search for</source>
         <translation>Gesuchte Wörter</translation>
     </message>
     <message>
@@ -4563,8 +4563,8 @@ Lizenz: %3</translation>
         <translation>Fir&amp;mware:</translation>
     </message>
     <message>
-        <source>What the simulated finger does</source>
-        <translation>Was der simulierte Finger tut</translation>
+        <source>Behaviour of the simulated finger</source>
+        <translation>Verhalten des simulierten Fingers</translation>
     </message>
     <message>
         <source>presses again and again</source>
@@ -4579,8 +4579,8 @@ Lizenz: %3</translation>
         <translation>F&amp;inger:</translation>
     </message>
     <message>
-        <source>The device is never asked for more force than this</source>
-        <translation>Vom Gerät wird nie mehr Kraft verlangt als diese</translation>
+        <source>The force never exceeds this value</source>
+        <translation>Die Kraft überschreitet diesen Wert nie</translation>
     </message>
     <message>
         <source>the device&apos;s own</source>
@@ -4615,8 +4615,8 @@ Lizenz: %3</translation>
         <translation>Der Mikrocontroller rechnet das Gesetz in seinem eigenen Takt</translation>
     </message>
     <message>
-        <source>The force table is uploaded: no USB delay stands between position and force</source>
-        <translation>Die Krafttabelle wird hochgeladen: Keine USB-Verzögerung steht zwischen Ort und Kraft</translation>
+        <source>The force table is uploaded: there is no USB delay between position and force</source>
+        <translation>Die Krafttabelle wird hochgeladen: Zwischen Ort und Kraft liegt keine USB-Verzögerung</translation>
     </message>
     <message>
         <source>Damp where the button gives more than it took</source>
@@ -4631,8 +4631,8 @@ Lizenz: %3</translation>
         <translation>Wählen …</translation>
     </message>
     <message>
-        <source>The first time: a hand on the power switch, and a largest force of 1 N. The guide to force feedback tells how to wire it.</source>
-        <translation>Beim ersten Mal: eine Hand am Netzschalter, und eine größte Kraft von 1 N. Der Leitfaden zur Kraftrückmeldung sagt, wie es verdrahtet wird.</translation>
+        <source>The first time, keep a hand on the power switch and set the largest force to 1 N. The guide to force feedback describes the wiring.</source>
+        <translation>Beim ersten Mal eine Hand am Netzschalter lassen und die größte Kraft auf 1 N stellen. Der Leitfaden zur Kraftrückmeldung beschreibt die Verdrahtung.</translation>
     </message>
     <message>
         <source>Firmware of the Falcon</source>
@@ -4650,15 +4650,15 @@ Lizenz: %3</translation>
         <translation>Vorhergesagte Verwechslung</translation>
     </message>
     <message>
-        <source>What a model of the sense of touch says about the vibration of both; asked of nobody. How far it is to be trusted: predicted-confusion in the documents.</source>
-        <translation>Was ein Modell des Tastsinns zur Schwingung beider sagt; niemand wurde gefragt. Wie weit ihm zu trauen ist: predicted-confusion in den Dokumenten.</translation>
+        <source>Forecast by a model of touch from the vibration of both; no person was asked. Its limits: predicted-confusion in the documents.</source>
+        <translation>Vorhersage eines Modells des Tastsinns aus der Schwingung beider; niemand wurde gefragt. Seine Grenzen: predicted-confusion in den Dokumenten.</translation>
     </message>
     <message>
         <source>Make &amp;distinguishable…</source>
         <translation>&amp;Unterscheidbar machen …</translation>
     </message>
     <message>
-        <source>Look for the smallest change of button A that people will notice</source>
+        <source>Find the smallest change of button A that people will notice</source>
         <translation>Die kleinste Änderung von Taster A suchen, die Menschen bemerken</translation>
     </message>
     <message>
@@ -4689,8 +4689,8 @@ Lizenz: %3</translation>
         <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>Give up what is being computed; the next edit begins anew</source>
-        <translation>Aufgeben, was berechnet wird; die nächste Änderung beginnt neu</translation>
+        <source>Cancel the computation; the next edit starts a new one</source>
+        <translation>Die Berechnung abbrechen; die nächste Änderung beginnt eine neue</translation>
     </message>
     <message>
         <source>Open two buttons or more to compare them.</source>
@@ -4746,8 +4746,8 @@ Lizenz: %3</translation>
         <translation>Wählen, wohin die Datei kommt, und sie schreiben</translation>
     </message>
     <message>
-        <source>What the graph is made for</source>
-        <translation>Wofür der Graph ist</translation>
+        <source>Purpose of the graph</source>
+        <translation>Zweck des Graphen</translation>
     </message>
     <message>
         <source>Datasheet</source>
@@ -4934,8 +4934,8 @@ Lizenz: %3</translation>
         <translation>Vorlaufweg und Differenzweg</translation>
     </message>
     <message>
-        <source>A band about the press so far above and below its force</source>
-        <translation>Ein Band um den Hinweg, so weit über und unter seiner Kraft</translation>
+        <source>Tolerance band: this force above and below the press</source>
+        <translation>Toleranzband: diese Kraft über und unter der Druckkurve</translation>
     </message>
     <message>
         <source>A band about the press so much force above and below it</source>
@@ -4954,8 +4954,8 @@ Lizenz: %3</translation>
         <translation>Die Schrift ist zu groß für dieses Maß: Für die Kurven bleibt kein Platz.</translation>
     </message>
     <message>
-        <source>An axis begins where it ends, or behind it. Type a smaller beginning or a larger end.</source>
-        <translation>Eine Achse beginnt, wo sie endet, oder dahinter. Geben Sie einen kleineren Anfang oder ein größeres Ende ein.</translation>
+        <source>An axis must begin below its end. Type a smaller start or a larger end.</source>
+        <translation>Eine Achse muss unter ihrem Ende beginnen. Geben Sie einen kleineren Anfang oder ein größeres Ende ein.</translation>
     </message>
 </context>
 <context>
@@ -5173,8 +5173,8 @@ Lizenz: %3</translation>
         <translation>An &amp;abgelesenen Punkten fangen</translation>
     </message>
     <message>
-        <source>Dragged points cling to what was traced on the page</source>
-        <translation>Gezogene Punkte haften an dem, was auf der Seite abgelesen wurde</translation>
+        <source>Dragged points snap to the points traced on the page</source>
+        <translation>Gezogene Punkte rasten an den auf der Seite abgelesenen Punkten ein</translation>
     </message>
     <message>
         <source>Snap to the other &amp;stroke</source>
@@ -5197,15 +5197,15 @@ Lizenz: %3</translation>
         <translation>S&amp;chrittweiten des Rasters …</translation>
     </message>
     <message>
-        <source>How far apart the lines of the snap grid lie</source>
-        <translation>Wie weit die Linien des Fangrasters auseinanderliegen</translation>
+        <source>Spacing of the snap grid</source>
+        <translation>Abstand der Linien des Fangrasters</translation>
     </message>
     <message>
         <source>Sp&amp;eed</source>
         <translation>G&amp;eschwindigkeit</translation>
     </message>
     <message>
-        <source>The speed whose graph is edited, and which stands where no speed is known; those of the other speeds are drawn thin.</source>
+        <source>The speed whose graph is edited and used where no speed is known; graphs of other speeds are drawn thin.</source>
         <translation>Die Geschwindigkeit, deren Graph bearbeitet wird und die gilt, wo keine bekannt ist; die anderen sind dünn gezeichnet.</translation>
     </message>
     <message>
@@ -5624,12 +5624,12 @@ Lizenz: %3</translation>
         <translation>Vom Schaltpunkt bis zum Ende des Drucks (OT).</translation>
     </message>
     <message>
-        <source>Force at the foot of the wall; where there is none, at the end of the travel.</source>
-        <translation>Kraft am Fuß der Wand; wo keine ist, am Ende des Wegs.</translation>
+        <source>Force at the start of the bottom-out; without one, at the end of the travel.</source>
+        <translation>Kraft am Beginn des Anschlags; ohne Anschlag am Ende des Wegs.</translation>
     </message>
     <message>
-        <source>Displacement of the foot of the wall; where there is none, the end of the travel.</source>
-        <translation>Weg des Fußes der Wand; wo keine ist, das Ende des Wegs.</translation>
+        <source>Displacement at the start of the bottom-out; without one, the end of the travel.</source>
+        <translation>Weg am Beginn des Anschlags; ohne Anschlag das Ende des Wegs.</translation>
     </message>
     <message>
         <source>From the start to the end of the press (TT).</source>
@@ -5660,8 +5660,8 @@ Lizenz: %3</translation>
         <translation>Behalten: %1</translation>
     </message>
     <message>
-        <source>What is typed here is done at once; what is kept stays</source>
-        <translation>Was hier eingegeben wird, geschieht sofort; was behalten wird, bleibt</translation>
+        <source>Typed values are applied at once; kept figures stay</source>
+        <translation>Eingegebene Werte gelten sofort; behaltene Kenngrößen bleiben</translation>
     </message>
     <message>
         <source>Values that are to be had together: shown dashed in the graph before they are taken</source>
@@ -5731,8 +5731,8 @@ Lizenz: %3</translation>
         <translation>Üb&amp;ernehmen</translation>
     </message>
     <message>
-        <source>Change the curve so that it has what is wanted</source>
-        <translation>Die Kurve so ändern, dass sie hat, was gewünscht ist</translation>
+        <source>Change the curve to the wanted figures</source>
+        <translation>Die Kurve auf die gewünschten Kenngrößen ändern</translation>
     </message>
     <message>
         <source>Give &amp;up</source>
@@ -5783,8 +5783,8 @@ Lizenz: %3</translation>
         </translation>
     </message>
     <message>
-        <source>No knot stands at this turn. Select a knot or a tactile point.</source>
-        <translation>An diesem Umkehrpunkt steht kein Knoten. Wählen Sie einen Knoten oder einen Druckpunkt.</translation>
+        <source>There is no knot at this turn. Select a knot or a tactile point.</source>
+        <translation>An diesem Umkehrpunkt ist kein Knoten. Wählen Sie einen Knoten oder einen Druckpunkt.</translation>
     </message>
     <message>
         <source>Select a knot to make it a corner or smooth.</source>
@@ -6501,8 +6501,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::MarginOverlay</name>
     <message>
-        <source>What slopes the force device bears</source>
-        <translation>Welche Steigungen das Kraftgerät trägt</translation>
+        <source>Slopes that the force device bears</source>
+        <translation>Steigungen, die das Kraftgerät trägt</translation>
     </message>
     <message>
         <source>%1, bears %2</source>
@@ -6512,8 +6512,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::MaskBoxTool</name>
     <message>
-        <source>Drag a rectangle over what is not a curve: texts, arrows, stamps.</source>
-        <translation>Ziehen Sie ein Rechteck über das, was keine Kurve ist: Texte, Pfeile, Stempel.</translation>
+        <source>Drag a rectangle over parts that are not a curve: texts, arrows, stamps.</source>
+        <translation>Ziehen Sie ein Rechteck über Teile, die keine Kurve sind: Texte, Pfeile, Stempel.</translation>
     </message>
     <message>
         <source>Mask rectangle</source>
@@ -6527,8 +6527,8 @@ Lizenz: %3</translation>
         <translation>Maske malen</translation>
     </message>
     <message>
-        <source>Paint over what is not a curve. [ and ] change the size of the brush.</source>
-        <translation>Übermalen Sie, was keine Kurve ist. [ und ] ändern die Größe des Pinsels.</translation>
+        <source>Paint over parts that are not a curve. [ and ] change the size of the brush.</source>
+        <translation>Übermalen Sie Teile, die keine Kurve sind. [ und ] ändern die Größe des Pinsels.</translation>
     </message>
 </context>
 <context>
@@ -6548,32 +6548,32 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Art</translation>
     </message>
     <message>
-        <source>In lab noises, what two laboratories differ by on one switch: below 1 nobody can say that two differ</source>
-        <translation>In Laborabweichungen, also dem, worin zwei Labors bei einem Schalter abweichen: unter 1 kann niemand sagen, dass zwei sich unterscheiden</translation>
+        <source>In lab noises, the difference of two laboratories on one switch; below 1 two records may be one switch</source>
+        <translation>In Laborabweichungen, dem Unterschied zweier Labors bei einem Schalter; unter 1 können zwei Aufzeichnungen ein Schalter sein</translation>
     </message>
     <message>
         <source>Distance</source>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Whether people will tell it from the one asked for; of the nearest only</source>
-        <translation>Ob man ihn vom gesuchten unterscheiden wird; nur für die nächsten</translation>
+        <source>Forecast of the difference from the reference, for the nearest only</source>
+        <translation>Vorhersage des Unterschieds zum gesuchten, nur für die nächsten</translation>
     </message>
     <message>
         <source>Forecast</source>
         <translation>Vorhersage</translation>
     </message>
     <message>
-        <source>What the folder says of who may do what with the measurements</source>
-        <translation>Was der Ordner dazu sagt, wer mit den Messungen was tun darf</translation>
+        <source>Licence of the measurements, from their folder</source>
+        <translation>Lizenz der Messungen, aus ihrem Ordner</translation>
     </message>
     <message>
         <source>Licence</source>
         <translation>Lizenz</translation>
     </message>
     <message>
-        <source>Whose measurements these are</source>
-        <translation>Von wem die Messungen sind</translation>
+        <source>Author of the measurements</source>
+        <translation>Urheber der Messungen</translation>
     </message>
     <message>
         <source>Credit</source>
@@ -6622,7 +6622,7 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Welche Dateien nicht genommen wurden, und warum</translation>
     </message>
     <message>
-        <source>More than 1,500 key switches have been measured in public. Clone one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files), and add their folder. Detent ships none: whose they are and what may be done with them stands with each.</source>
+        <source>More than 1,500 key switches have been measured in public. Clone one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files), and add their folder. Detent ships none; each shows its author and licence.</source>
         <translation>Mehr als 1.500 Tastenschalter sind öffentlich vermessen. Klonen Sie eine dieser Sammlungen (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) oder nehmen Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien), und fügen Sie deren Ordner hinzu. Detent bringt keine mit: von wem sie sind und was man damit tun darf, steht bei jeder.</translation>
     </message>
     <message>
@@ -6698,12 +6698,12 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Hauptachse %1</translation>
     </message>
     <message>
-        <source>What the map counts to the right</source>
-        <translation>Was die Karte nach rechts zählt</translation>
+        <source>Horizontal axis of the map</source>
+        <translation>Waagerechte Achse der Karte</translation>
     </message>
     <message>
-        <source>What the map counts upwards</source>
-        <translation>Was die Karte nach oben zählt</translation>
+        <source>Vertical axis of the map</source>
+        <translation>Senkrechte Achse der Karte</translation>
     </message>
     <message>
         <source>Map: &amp;right</source>
@@ -6726,16 +6726,16 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Als &amp;Taster öffnen</translation>
     </message>
     <message>
-        <source>Open what is chosen as buttons in tabs of their own</source>
-        <translation>Gewähltes als Taster in eigenen Reitern öffnen</translation>
+        <source>Open the chosen switches as buttons, each in a tab</source>
+        <translation>Die gewählten Schalter als Taster öffnen, jeden in einem Reiter</translation>
     </message>
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Vergleichen</translation>
     </message>
     <message>
-        <source>Open what is chosen, two to six, and lay them over each other</source>
-        <translation>Gewähltes öffnen, zwei bis sechs, und übereinanderlegen</translation>
+        <source>Open two to six chosen switches and lay them over each other</source>
+        <translation>Zwei bis sechs gewählte Schalter öffnen und übereinanderlegen</translation>
     </message>
     <message>
         <source>Write a &amp;page…</source>
@@ -6829,8 +6829,8 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>&amp;Erstellen</translation>
     </message>
     <message>
-        <source>Opens the button in between in a tab of its own</source>
-        <translation>Öffnet den Taster dazwischen in einem eigenen Reiter</translation>
+        <source>Opens the button in between in a new tab</source>
+        <translation>Öffnet den Taster dazwischen in einem neuen Reiter</translation>
     </message>
     <message>
         <source>Against A: %1</source>
@@ -7006,8 +7006,8 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Back to what was found</source>
-        <translation>Zurück zum Gefundenen</translation>
+        <source>Restore the found value</source>
+        <translation>Den gefundenen Wert wiederherstellen</translation>
     </message>
     <message>
         <source>given</source>
@@ -7393,8 +7393,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Detent ended without closing and kept what was not saved: %1</source>
-        <translation>Detent endete, ohne zu schließen, und hat behalten, was nicht gespeichert war: %1</translation>
+        <source>Detent ended unexpectedly and kept unsaved changes: %1</source>
+        <translation>Detent wurde unerwartet beendet und hat ungesicherte Änderungen bewahrt: %1</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -7524,8 +7524,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ziehen Sie Punkte, Steigungsgriffe und Abschnitte; auf dem Grund ziehen wählt mehrere. Umschalt hält eine Achse, Strg fängt nicht, Esc bricht ab.</translation>
     </message>
     <message>
-        <source>No knot stands here. Add one (K) to select it with others.</source>
-        <translation>Hier steht kein Knoten. Fügen Sie einen hinzu (K), um ihn mit anderen auszuwählen.</translation>
+        <source>There is no knot here. Add one (K) to select it with others.</source>
+        <translation>Hier ist kein Knoten. Fügen Sie einen hinzu (K), um ihn mit anderen auszuwählen.</translation>
     </message>
     <message numerus="yes">
         <source>%n points selected</source>
@@ -7553,12 +7553,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::SheetDesk</name>
     <message>
-        <source>Give up the corrections made to this sheet?</source>
-        <translation>Die Berichtigungen an diesem Blatt aufgeben?</translation>
-    </message>
-    <message>
-        <source>Give up</source>
-        <translation>Aufgeben</translation>
+        <source>Discard the corrections of this sheet?</source>
+        <translation>Die Berichtigungen dieses Blatts verwerfen?</translation>
     </message>
     <message>
         <source>a pasted picture</source>
@@ -7770,8 +7766,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Verstärkung</translation>
     </message>
     <message>
-        <source>Gain before the limiter, −40 to +20 dB; 0 dB is what the button and the device profile ask for</source>
-        <translation>Verstärkung vor dem Begrenzer, −40 bis +20 dB; 0 dB ist, was Taster und Geräteprofil verlangen</translation>
+        <source>Gain before the limiter, −40 to +20 dB; 0 dB: as the button and the device profile require</source>
+        <translation>Verstärkung vor dem Begrenzer, −40 bis +20 dB; 0 dB: wie Taster und Geräteprofil es verlangen</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -7913,8 +7909,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>auf den Ausgängen hinter dem der Schwingung</translation>
     </message>
     <message>
-        <source>Sound device on which rain is played for the ears; turn it up until the vibration cannot be heard</source>
-        <translation>Audiogerät, auf dem Regen für die Ohren gespielt wird; drehen Sie auf, bis die Schwingung nicht mehr zu hören ist</translation>
+        <source>Sound device of the headphones that play rain; turn it up until the vibration is inaudible</source>
+        <translation>Audiogerät der Kopfhörer, die Regen spielen; drehen Sie auf, bis die Schwingung nicht zu hören ist</translation>
     </message>
     <message>
         <source>Serial port of a force sensor under the finger, calibrated by the study&apos;s device profile; empty: keys and large buttons press</source>
@@ -7953,7 +7949,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Bericht schreiben …</translation>
     </message>
     <message>
-        <source>Write tables and pictures of what was answered so far as one HTML page</source>
+        <source>Write tables and pictures of the answers so far as one HTML page</source>
         <translation>Tabellen und Bilder der bisherigen Antworten als eine HTML-Seite schreiben</translation>
     </message>
     <message>
@@ -8092,8 +8088,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Taster, wie sie jetzt gezeigt sind:</translation>
     </message>
     <message>
-        <source>What a participant is asked</source>
-        <translation>Was eine Person gefragt wird</translation>
+        <source>The participants&apos; task</source>
+        <translation>Aufgabe der Teilnehmer</translation>
     </message>
     <message>
         <source>Which of two is X?</source>
@@ -8144,8 +8140,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>keines (gewählt unter Einrichtung bei Fühlen)</translation>
     </message>
     <message>
-        <source>A folder that is not there yet; it holds the whole study and can be copied</source>
-        <translation>Ein Ordner, den es noch nicht gibt; er enthält die ganze Studie und lässt sich kopieren</translation>
+        <source>A new folder; it holds the whole study and can be copied</source>
+        <translation>Ein neuer Ordner; er enthält die ganze Studie und lässt sich kopieren</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -9420,8 +9416,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Bauen Sie mit DETENT_WITH_MUPDF=ON, oder exportieren Sie die Seite als PNG mit mindestens 300 dpi, und importieren Sie das</translation>
     </message>
     <message>
-        <source>Take out of the file what the sensor did not measure</source>
-        <translation>Aus der Datei nehmen, was der Sensor nicht gemessen hat</translation>
+        <source>Remove the values that the sensor did not measure from the file</source>
+        <translation>Entfernen Sie aus der Datei, was der Sensor nicht gemessen hat</translation>
     </message>
     <message>
         <source>it cannot be read: %1</source>
@@ -9472,8 +9468,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>„%1“ ist kein Name eines Tasters</translation>
     </message>
     <message>
-        <source>no row of numbers stands along it</source>
-        <translation>an ihr steht keine Reihe von Zahlen</translation>
+        <source>there is no row of numbers along it</source>
+        <translation>an ihr ist keine Reihe von Zahlen</translation>
     </message>
     <message>
         <source>its range is empty</source>
@@ -10356,7 +10352,7 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::importer::trace</name>
     <message>
-        <source>no curve runs through the plot frame in this ink</source>
+        <source>no curve of this colour runs through the plot frame</source>
         <translation>keine Kurve dieser Farbe läuft durch den Rahmen</translation>
     </message>
     <message>
@@ -10463,19 +10459,19 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Einen Text für jede Sprache nennen: NAME.en.txt, NAME.de.txt</translation>
     </message>
     <message>
-        <source>was simulated so far</source>
-        <translation>wurde bisher simuliert</translation>
+        <source>already has simulated answers</source>
+        <translation>hat schon simulierte Antworten</translation>
     </message>
     <message>
-        <source>is a person&apos;s so far</source>
-        <translation>gehört bisher einer Person</translation>
+        <source>already has answers of a person</source>
+        <translation>hat schon Antworten einer Person</translation>
     </message>
     <message>
         <source>Give another id</source>
         <translation>Eine andere Kennung eingeben</translation>
     </message>
     <message>
-        <source>has listened &quot;%1&quot; so far, not &quot;%2&quot;</source>
+        <source>has used the condition &quot;%1&quot; so far, not &quot;%2&quot;</source>
         <translation>hörte bisher „%1“, nicht „%2“</translation>
     </message>
     <message>
@@ -10483,8 +10479,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>In derselben Bedingung weitermachen oder eine andere Kennung eingeben</translation>
     </message>
     <message>
-        <source>is too like &quot;%1&quot;, who is in the study already</source>
-        <translation>gleicht zu sehr „%1“, die schon in der Studie ist</translation>
+        <source>is too similar to &quot;%1&quot;, who is already in the study</source>
+        <translation>ist „%1“ zu ähnlich, die schon in der Studie ist</translation>
     </message>
     <message>
         <source>Give an id that is read out differently</source>
@@ -10571,8 +10567,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Höchstens %1 wählen</translation>
     </message>
     <message>
-        <source>has no meaning where no pairs are asked for</source>
-        <translation>bedeutet nichts, wo nicht nach Paaren gefragt wird</translation>
+        <source>has no meaning in a study without pairs</source>
+        <translation>hat in einer Studie ohne Paare keine Bedeutung</translation>
     </message>
     <message>
         <source>Leave it out</source>
@@ -11427,16 +11423,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Stellen Sie den Ordner wieder her</translation>
     </message>
     <message>
-        <source>had a file &quot;%1&quot; beside it that is gone: whether its end was cut off cannot be told</source>
-        <translation>hatte eine Datei „%1“ neben sich, die fehlt: Ob das Ende abgeschnitten wurde, lässt sich nicht sagen</translation>
+        <source>had a file &quot;%1&quot; beside it that is missing: its end may have been cut off</source>
+        <translation>hatte eine Datei „%1“ neben sich, die fehlt: Sein Ende kann abgeschnitten sein</translation>
     </message>
     <message>
         <source>Restore both from a copy</source>
         <translation>Stellen Sie beide aus einer Kopie wieder her</translation>
     </message>
     <message>
-        <source>does not say how long the journal was</source>
-        <translation>sagt nicht, wie lang das Journal war</translation>
+        <source>does not record the length of the journal</source>
+        <translation>hält die Länge des Journals nicht fest</translation>
     </message>
     <message>
         <source>held %1 lines when it was last written, and these are not all there</source>
@@ -12130,8 +12126,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Durchgang %1</translation>
     </message>
     <message>
-        <source>is not the trial that is asked</source>
-        <translation>ist nicht der Durchgang, nach dem gefragt wird</translation>
+        <source>is not the current trial</source>
+        <translation>ist nicht der laufende Durchgang</translation>
     </message>
     <message>
         <source>Answer the trial that is shown</source>
@@ -12189,7 +12185,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie mindestens einen an</translation>
     </message>
     <message>
-        <source>were asked for too often at once</source>
+        <source>were requested too often at once</source>
         <translation>wurden zu oft zugleich verlangt</translation>
     </message>
     <message>

@@ -10,12 +10,13 @@ class QStyle;
 
 namespace detent::editor {
 
-/// Palettes for Qt's Fusion style; text on every ground has a contrast of 4.5 : 1 or more.
+/// Palettes for Qt's Fusion style; text on every background has a contrast of 4.5 : 1 or more.
 QPalette lightPalette();
 QPalette darkPalette();
 
-/// Qt's Fusion style with outlines of fields, boxes and buttons that have a contrast of 3 : 1 or more to every ground
-/// (Fusion derives them from the window's colour: on dark ground they cannot be seen). The caller owns it.
+/// Qt's Fusion style with outlines of fields, boxes and buttons that have a contrast of 3 : 1 or more to
+/// every background (Fusion derives them from the window's colour: on a dark background they cannot be seen).
+/// The caller owns it.
 QStyle* outlinedStyle();
 
 /// The palette for a choice; `system` is what the desktop gave the program at its start: whether it is dark

@@ -17,7 +17,7 @@ struct Arguments {
 /// ("-platform offscreen") are left to Qt.
 Arguments argumentsFrom(const QStringList& words);
 
-/// What --help prints.
+/// Text of --help.
 QString helpText();
 
 }  // namespace detent::editor

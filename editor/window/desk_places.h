@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the desks of the window work with: the tabs, the disk's folders, the person's answers.
+// Environment of the window's controllers: the tabs, the disk's folders, the person's answers.
 
 #include <QDir>
 #include <QFileInfo>
@@ -23,8 +23,8 @@ struct DeskPlaces {
   Prompts& prompts;
   RecoveryStore& recovery;
 
-  /// Where the person opened or saved last; their documents at first, or what they have instead. A folder that is not there
-  /// would stand in the dialogue as the name of a file.
+  /// Folder of the last file that was opened or saved; at first the user's documents, or its replacement. A
+  /// missing folder would appear in the dialogue as the name of a file.
   QString folder() const {
     for (const QString& each : {settings.value("files/folder").toString(),
                                 QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})

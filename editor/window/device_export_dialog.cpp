@@ -91,9 +91,8 @@ QString lossWords(const playback::ExportLoss& loss) {
              .arg(numberText(loss.worstTimingError_ms, 3), QString::number(loss.grainsMerged),
                   numberText(loss.frequencyMoved_Hz, 3)) +
          (loss.cut
-              ? QStringLiteral("\n") +
-                    DeviceExportDialog::tr("The format has no room for the whole press: what comes last is "
-                                           "cut off. The file says from where on.")
+              ? QStringLiteral("\n") + DeviceExportDialog::tr("The format has no room for the whole press: "
+                                                              "its end is cut off. The file says where.")
               : QString());
 }
 
@@ -102,8 +101,8 @@ QString lossWords(const playback::ExportLoss& loss) {
 DeviceExportDialog::DeviceExportDialog(Button button, QWidget* parent)
     : QDialog(parent),
       button_(std::move(button)),
-      format_(described(new QComboBox, QStringLiteral("deviceFormat"), tr("What the press is written for"),
-                        tr("What the press is written for"))),
+      format_(described(new QComboBox, QStringLiteral("deviceFormat"), tr("Target format of the press"),
+                        tr("Target format of the press"))),
       rate_(numbers("deviceRate", tr("Samples per second"), rates_Hz, QStringLiteral("Hz"), 48000)),
       bits_(numbers("deviceBits", tr("Bits of a sample"), sampleBits, tr("bits"), 16)),
       wayDown_(described(new QSpinBox, QStringLiteral("deviceWayDown"), tr("How long the finger goes down"),

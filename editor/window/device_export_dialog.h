@@ -13,7 +13,7 @@
 
 namespace detent::editor {
 
-/// What is chosen in the dialogue, and how its file ends.
+/// The choice in the dialogue, and the ending of its file.
 struct DeviceChoice {
   DeviceExport wanted;
   QString name;    ///< of the format, for people

@@ -14,7 +14,7 @@
 
 namespace detent::editor {
 
-/// Owns its document. Its side panels are made when they are first asked for and go with it. GUI thread.
+/// Owns its document. Its side panels are made when they are first needed and go with it. GUI thread.
 class DocumentTab : public QWidget {
   Q_OBJECT
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What goes out of a tab in formats of others.
+// Exports of a tab in other formats.
 
 #include <functional>
 #include <QObject>
@@ -19,9 +19,9 @@ class ExportDesk : public QObject {
   explicit ExportDesk(const DeskPlaces& places, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
-  /// With decimal commas, and semicolons between the fields.
+  /// CSV with decimal commas, and semicolons between the fields.
   void semicolonCsv(DocumentTab& tab);
-  /// The graph as it is printed; how is asked for.
+  /// The graph for printing; a dialogue requests the settings.
   void graph(DocumentTab& tab);
   void png(DocumentTab& tab);
   /// The comparison's plot; `tab` has the place to say what went wrong.
@@ -33,7 +33,7 @@ class ExportDesk : public QObject {
   void tracedProject(DocumentTab& tab);
   /// The button as a web page anyone can press.
   void page(DocumentTab& tab);
-  /// A press in the format of another device, which is asked for.
+  /// A press in the format of another device, which a dialogue requests.
   void device(DocumentTab& tab);
 
  signals:

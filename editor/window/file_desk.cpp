@@ -220,7 +220,7 @@ bool FileDesk::saveAs(DocumentTab& tab) {
       at_.prompts.fileToSave(&at_.window, tr("Save as"), suggested, tr("Buttons") + " (*.button.json)");
   if (chosen.isEmpty()) return false;
   const QString path = withButtonEnding(QFileInfo(chosen).absoluteFilePath());
-  // The dialogue asked about the name it saw, not about the one with the ending.
+  // The dialogue confirmed the name it saw, not the one with the ending.
   if (path != QFileInfo(chosen).absoluteFilePath() && QFileInfo::exists(path) &&
       !at_.prompts.confirm(&at_.window, tr("%1 exists already.").arg(shownPath(path)), tr("Replace it")))
     return false;
@@ -285,7 +285,7 @@ void FileDesk::changedOutside(const QString& path) {
       {{"reload", tr("Reload"), [this, tab] { reload(*tab); }},
        {"keepMine", tr("Keep mine"), [tab, seen = contentHash(path)] {
           tab->document().history().stack().resetClean();
-          tab->document().setKnownContent(seen);  // the next save is not asked about the same content again
+          tab->document().setKnownContent(seen);  // the next save does not ask about the same content again
         }}});
 }
 

@@ -49,7 +49,7 @@ QJsonObject axesJson(const QCustomPlot& plot) {
 
 QJsonArray transformJson(const QTransform& t) { return {t.m11(), t.m12(), t.m21(), t.m22(), t.dx(), t.dy()}; }
 
-// What comes of it may still move the page.
+// The result may still move the page.
 bool isReading(const ImportState& state) {
   return state.opening() || state.working() || (state.isOpen() && state.searchedPages() < state.pageCount());
 }

@@ -115,8 +115,7 @@ GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, Q
 
 QFormLayout* GraphExportDialog::madeFor() {
   auto* form = new QFormLayout;
-  preset_ =
-      choiceOf("graphPreset", tr("What the graph is made for"), {tr("Datasheet"), tr("Paper"), tr("Slide")});
+  preset_ = choiceOf("graphPreset", tr("Purpose of the graph"), {tr("Datasheet"), tr("Paper"), tr("Slide")});
   format_ = choiceOf("graphFormat", tr("Format of the file"),
                      {tr("Drawing (SVG)"), tr("PDF"), tr("Picture (PNG)")});
   width_ = fieldOf("graphWidth", tr("Width of the graph"), Quantity::length, widths_mm);
@@ -174,7 +173,7 @@ QFormLayout* GraphExportDialog::shown() {
   callouts_ = checkOf("graphCallouts", tr("&Name the points"),
                       tr("Tactile points, operating and reset point and bottom-out, with their values"));
   dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"), tr("Pre-travel and differential travel"));
-  tolerance_ = fieldOf("graphTolerance", tr("A band about the press so far above and below its force"),
+  tolerance_ = fieldOf("graphTolerance", tr("Tolerance band: this force above and below the press"),
                        Quantity::share, {0, widestTolerance});
   toleranceForce_ =
       fieldOf("graphToleranceForce", tr("A band about the press so much force above and below it"),
@@ -254,7 +253,7 @@ QString GraphExportDialog::refusal() const {
   if (!hasRoom(style)) return tr("The font is too large for this size: there is no room for the curves.");
   for (const auto& ends : {style.xEnds, style.yEnds})
     if (ends && !(ends->lowest < ends->highest))
-      return tr("An axis begins where it ends, or behind it. Type a smaller beginning or a larger end.");
+      return tr("An axis must begin below its end. Type a smaller start or a larger end.");
   return {};
 }
 

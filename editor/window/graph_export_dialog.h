@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a graph is printed: for what, how large, in which words and units; with a picture of what comes out.
+// Settings of a printed graph: purpose, size, words and units; with a preview.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -15,7 +15,8 @@
 
 namespace detent::editor {
 
-/// A preset fills in everything; what is changed afterwards stays. The picture follows every change. GUI thread.
+/// A preset fills in everything; what is changed afterwards stays. The picture follows every change. GUI
+/// thread.
 class GraphExportDialog : public QDialog {
   Q_OBJECT
 

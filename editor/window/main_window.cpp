@@ -679,7 +679,7 @@ void MainWindow::storeSession() {
   at_.settings.setValue("session/shown", tabs_->current() ? tabs_->current()->document().path() : QString());
 }
 
-// What is no longer there is no trouble: it was not asked for.
+// A missing file is no trouble: nobody requested it.
 void MainWindow::restoreSession() {
   const QString shownPath = at_.settings.value("session/shown").toString();
   for (const QString& path : at_.settings.value("session/files").toStringList())

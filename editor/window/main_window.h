@@ -28,7 +28,7 @@ class MarginOverlay;
 
 QPalette currentDesktopPalette();
 
-/// What a window works with; all of it outlives the window.
+/// Objects that a window needs; all of them outlive the window.
 struct WindowPlaces {
   ViewSettings& view;
   QSettings& settings;
@@ -55,7 +55,7 @@ class MainWindow : public QMainWindow {
   std::vector<ShortcutRow> shortcuts() const;
   /// Opens what was open when the window was closed last, and shows what was shown.
   void restoreSession();
-  /// Beside the one that is shown.
+  /// Compares another button with the one that is shown.
   void compareWith(ButtonDocument* other);
   /// These, the first as the one differences are counted from; opens the dock.
   void compareAll(const std::vector<ButtonDocument*>& documents);
@@ -65,7 +65,7 @@ class MainWindow : public QMainWindow {
   void average();
   void showForecasts();
   void showStudy();
-  /// Thousands of measured switches; made when it is first asked for.
+  /// Thousands of measured switches; made when it is first needed.
   MeasuredWindow& showMeasured();
 
  protected:

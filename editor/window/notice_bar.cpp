@@ -16,7 +16,7 @@
 namespace detent::editor {
 namespace {
 
-// The ground alone is its own; text and buttons stay those of the program.
+// The background alone is its own; text and buttons stay those of the program.
 void paintGround(QFrame& row) {
   const bool trouble = row.property("trouble").toBool();
   QPalette palette;

@@ -28,7 +28,7 @@ class NoticeBar : public QWidget {
   /// A notice with the same `id` is replaced. Announced to screen readers.
   void say(const QString& id, Kind kind, const QString& text, const std::vector<Choice>& choices = {});
   void dismiss(const QString& id);
-  /// What is said now, oldest first.
+  /// Current texts, oldest first.
   QStringList texts() const;
 
  protected:

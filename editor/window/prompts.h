@@ -36,12 +36,12 @@ class Prompts {
   virtual bool confirm(QWidget* parent, const QString& question, const QString& act);
   /// The button to start from.
   virtual std::optional<Button> newButton(QWidget* parent);
-  /// For which device a press of the button is written.
+  /// Requests the device for which a press of the button is written.
   virtual std::optional<DeviceChoice> deviceExport(QWidget* parent, const Button& button);
-  /// How the button's graph is written.
+  /// Format of the button's graph.
   virtual std::optional<GraphExport> graphExport(QWidget* parent, const Button& button,
                                                  const DisplayUnits& units);
-  /// Where to print; false: cancelled.
+  /// Requests the printer; false: cancelled.
   virtual bool printer(QWidget* parent, QPrinter& printer);
   /// A text, changed or not; nullopt: cancelled.
   virtual std::optional<QString> text(QWidget* parent, const QString& title, const QString& label,

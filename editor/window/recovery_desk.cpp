@@ -23,7 +23,7 @@ void RecoveryDesk::say(const QList<LeftBehind>& left) {
     names << tr("%1 (%2)").arg(one.record.title,
                                QLocale().toString(one.record.written.toLocalTime(), QLocale::ShortFormat));
   at_.notices.say("recovery", NoticeBar::Kind::information,
-                  tr("Detent ended without closing and kept what was not saved: %1").arg(names.join(", ")),
+                  tr("Detent ended unexpectedly and kept unsaved changes: %1").arg(names.join(", ")),
                   {{"recover", tr("Recover"), [this, left] { recover(left); }},
                    {"discardRecovery", tr("Discard…"), [this, left] { discard(left); }}});
 }
@@ -34,14 +34,14 @@ void RecoveryDesk::discard(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
-// What was recovered is on the disk under this editor's name before the old file goes.
+// The recovered document is on the disk under this editor's name before the old file goes.
 void RecoveryDesk::recover(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) emit recovered(&recoverOne(one.record));
   at_.recovery.flush();
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
-// What somebody else wrote since is not what these changes were made on: saving asks.
+// These changes were not made on the file that somebody else wrote since: saving asks.
 void RecoveryDesk::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
   document.history().replace(record.button, tr("Recover unsaved changes"));
   if (record.cutout != document.cutout()) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What editors that died left behind, offered once at the start.
+// Documents of editors that died, offered once at the start.
 
 #include "editor/window/desk_places.h"
 
 namespace detent::editor {
 
-/// Nothing is thrown away unasked, and nothing left behind goes before it lies in this editor's own store. GUI
-/// thread.
+/// Offers what was left behind. Nothing is discarded without a question, and no file of a dead editor is
+/// removed before it is in this editor's own store. GUI thread.
 class RecoveryDesk : public QObject {
   Q_OBJECT
 

@@ -61,7 +61,7 @@ ImportDialog& SheetDesk::dialog() {
     at_.recovery.dropImport();
   });
   importing_->setLeaveQuestion([this] {
-    return at_.prompts.confirm(importing_, tr("Give up the corrections made to this sheet?"), tr("Give up"));
+    return at_.prompts.confirm(importing_, tr("Discard the corrections of this sheet?"), tr("Discard"));
   });
   connect(importing_, &QDialog::accepted, &at_.window, &QWidget::activateWindow);
   connect(importing_, &QDialog::finished, this, &SheetDesk::startNext, Qt::QueuedConnection);

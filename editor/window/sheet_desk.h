@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What goes between sheets and tabs: imports one after the other, what was corrected in them kept, and the
-// sheets of saved buttons found again.
+// Connects sheets and tabs: imports one after the other, keeps corrections, and finds the sheets of saved
+// buttons again.
 
 #include <deque>
 #include <QImage>
@@ -29,7 +29,7 @@ class SheetDesk : public QObject {
   void attend(ButtonDocument& document);
   /// The page that the button was read from, behind its curves; where it cannot be found the tab says so.
   void bringPageBack(ButtonDocument& document);
-  /// Whether the button's file holds the page too, from the next save on.
+  /// Makes the button's file hold the page too, from the next save on.
   void keepPage(ButtonDocument& document, bool keep);
   /// Says which imports a dead editor left unfinished, with a choice. After the recovery store was searched.
   void offerInterrupted();

@@ -28,7 +28,7 @@ class TabArea : public QStackedWidget {
   DocumentTab* current() const;
   void show(ButtonDocument& document);
   void showNext(int step);
-  /// In the order of the tabs.
+  /// All tabs, in their order.
   std::vector<DocumentTab*> all() const;
   std::vector<ButtonDocument*> documents() const;
   /// The tab with this file, if it is open.

@@ -8,8 +8,8 @@
 namespace detent::editor {
 namespace {
 
-/// lupdate files texts under the class or namespace whose function asks; where that is no QObject, they are asked for under another
-/// name. So a text that its name does not have is looked for under the others.
+/// lupdate files texts under the class or namespace of the calling function; if that is no QObject, they are
+/// requested under another name. So a text that is missing under its name is searched under the others.
 class Translator : public QTranslator {
  public:
   Translator(const QStringList& contexts, QObject* parent) : QTranslator(parent) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the window shows while no button is open.
+// Contents of the window while no button is open.
 
 #include <QAction>
 #include <QListWidget>

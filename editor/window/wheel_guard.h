@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who scrolls past a choice does not change it.
+// Ignores wheel events on combo boxes without focus.
 
 #include <QObject>
 #include <QPointer>
@@ -8,9 +8,10 @@
 
 namespace detent::editor {
 
-/// While it lives, the wheel changes a choice, a number field, a slider or the tab shown only where the last click was
-/// and the keyboard still is; over all others it scrolls what they stand in. Scroll bars and plots are not meant:
-/// they show, and change nothing. Over the head of a table it scrolls the table. One for the whole application. GUI thread.
+/// While it lives, the wheel changes a choice, a number field, a slider or the tab shown only where the last
+/// click was and the keyboard still is; over all others it scrolls what they stand in. Scroll bars and plots
+/// are not meant: they show, and change nothing. Over the head of a table it scrolls the table. One for the
+/// whole application. GUI thread.
 class WheelGuard : public QObject {
  public:
   explicit WheelGuard(QObject* parent);

@@ -36,9 +36,10 @@ struct AxisReading {
   std::string title;  ///< as read
 };
 
-/// What moves the points of a sheet besides perspective: paper that sags or bulges, and a lens that bends straight lines. Both
-/// move a point along the line from one place of the picture (the foot of the camera's axis, the lens' middle) by an amount
-/// of second degree in the point. Places are counted from `middle_px` in units of `half_px`.
+/// Distortion of a sheet besides perspective: paper that sags or bulges, and a lens that bends straight
+/// lines. Both move a point along the line from one centre of the picture (the camera's axis, the lens'
+/// middle) by an amount of second degree in the point. Points are counted from `middle_px` in units of
+/// `half_px`.
 struct SheetBend {
   Point middle_px;
   double half_px = 1;             ///< > 0
@@ -89,8 +90,8 @@ struct AxesFound {
   Found<AxisCalibration> calibration;
   /// Tick labels, titles and the document's own texts; legend and callouts come with readGraphTexts.
   std::vector<SeenText> texts;
-  /// Lines of writing beside them that are no words that were read: with text where they are short names ("TS-10", "1.6 N"), without
-  /// where they could not be read.
+  /// Lines of writing beside them that are no words that were read: with text where they are short names
+  /// ("TS-10", "1.6 N"), without where they could not be read.
   std::vector<SeenText> otherLines;
   std::vector<Remark> remarks;
   RightScale rightScale = RightScale::none;
@@ -101,16 +102,17 @@ struct AxesFound {
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints = {},
                            const Progress& progress = {});
 
-/// Looks for titles of units that were not found, in a view that shows more of the page around the same frame: titles stand
-/// farther out than labels, and a view made for a plot cuts them. `frame` in that view's pixels, `toWide` from the pixels
-/// that `axes` were read in. What is found takes the stated default's place, in the scale as well.
+/// Searches titles for units that were not found, in a view that shows more of the page around the same
+/// frame: titles are farther out than labels, and a view made for a plot cuts them. `frame` in that view's
+/// pixels, `toWide` from the pixels that `axes` were read in. A unit that is found replaces the stated
+/// default, in the scale as well.
 void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
                       const Homography& toWide);
 
 /// Adds to `axes.texts` what else is written in and beside the frame: callouts, legend, titles over the plot.
-/// Only lines of at least three letters that were read with some certainty, so their boxes may be masked; the rest goes to
-/// `axes.otherLines`.
-/// Apart from readAxes because who lists graphs needs none of it (5 to 10 ms per line).
+/// Only lines of at least three letters that were read with some certainty, so their boxes may be masked; the
+/// rest goes to `axes.otherLines`. Apart from readAxes because who lists graphs needs none of it (5 to 10 ms
+/// per line).
 void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes,
                     const Progress& progress = {});
 

@@ -38,7 +38,7 @@ std::vector<Box> labelGlyphs(const GraphReading& r, const Box& band) {
   return glyphsIn(r.glyphs, band, largest);
 }
 
-/// Words of ink that may be numbers.
+/// Words of dark pixels that may be numbers.
 std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis axis) {
   const auto glyphs = labelGlyphs(r, band);
   auto words = numberBoxes(glyphs);
@@ -47,8 +47,8 @@ std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis ax
   return words;
 }
 
-/// A word left of the axis as far as its last digit reaches: one that touches the axis was taken for a tick, in part or
-/// whole, and "120" would be read as 12. A tick is lower than a digit.
+/// A word left of the axis as far as its last digit reaches: one that touches the axis was taken for a tick,
+/// in part or whole, and "120" would be read as 12. A tick is lower than a digit.
 Box untilAxis(const GraphReading& r, const Box& word) {
   constexpr double apart = 0.45, digit = 0.5;  // of the word's height
   const int top = std::max(0, static_cast<int>(std::ceil(word.y0))),
@@ -108,7 +108,8 @@ void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places, double a
   }
 }
 
-/// A number with the letters that follow it on its line, up to the next of the `numbers`. `glyphs` from the left.
+/// A number with the letters that follow it on its line, up to the next of the `numbers`. `glyphs` from the
+/// left.
 Box withLettersBehind(const std::vector<Box>& glyphs, const Box& number, const std::vector<Box>& numbers) {
   constexpr double blank = 0.9, level = 0.4;  // of the number's height; of the lower one's
   Box whole = number;
@@ -123,8 +124,8 @@ Box withLettersBehind(const std::vector<Box>& glyphs, const Box& number, const s
   return whole;
 }
 
-/// Labels of an x axis stand about their ticks with the unit behind the number ("0.5 mm"), though that was taken for another word. One
-/// alone may be a title beside the last number.
+/// Labels of an x axis stand about their ticks with the unit behind the number ("0.5 mm"), though that was
+/// taken for another word. One alone may be a title beside the last number.
 void centreWithUnits(const GraphReading& r, const AxisLabels& found, std::vector<LabelPlace>& places) {
   constexpr int fewest = 2;
   const std::vector<Box> wholes = withLettersBehind(r.glyphs, found);
@@ -147,7 +148,8 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   }
   const auto read = readSmallLabels(r.darkness, words, centers, axis == Axis::x);
   if (!read) return;
-  // The engine drops points and digits of small print, but what it reads whole and with certainty stands there.
+  // The engine drops points and digits of small print, but what it reads whole and with certainty stands
+  // there.
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string engine = digitsOf(found.words[i].utf8), together = digitsOf(read->texts[i]);
     if (found.words[i].confidence >= sureLabelReading && engine.size() == together.size() &&
@@ -185,8 +187,9 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
   }
 }
 
-/// "00" as wide as two digits, where the scale has its zero, is a "0.0" that lost its point: the print has decimals, and its
-/// other numbers of two digits without a point have lost theirs. Small print reads 0.0, 0.5, 1.0 as 00, 5, 10.
+/// "00" as wide as two digits, where the scale has its zero, is a "0.0" that lost its point: the print has
+/// decimals, and its other numbers of two digits without a point have lost theirs. Small print reads 0.0,
+/// 0.5, 1.0 as 00, 5, 10.
 void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& places, const std::vector<GridLine>& ticks,
                    Axis axis, double angle_deg) {
   constexpr double asWide = 0.8;  // of the usual width of a digit
@@ -217,7 +220,8 @@ void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& places, const std
   found.progression = fitProgression(places, ticks, axis == Axis::x);
 }
 
-/// Numbers that fall to the right or upwards are believed where all of a row agree, four at least, each at its tick.
+/// Numbers that fall to the right or upwards are believed where all of a row agree, four at least, each at
+/// its tick.
 std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& places,
                                               const std::vector<GridLine>& ticks, Axis axis) {
   constexpr int fewest = 4;
@@ -268,8 +272,8 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   return found;
 }
 
-/// Nothing better is to be expected. Letters of a title that runs upwards read as numbers that count on, too; they do not
-/// stand at the axis' ticks or gridlines.
+/// Nothing better is to be expected. Letters of a title that runs upwards read as numbers that count on, too;
+/// they do not stand at the axis' ticks or gridlines.
 bool settles(const AxisLabels& a, const std::vector<GridLine>& lines) {
   constexpr std::size_t fewestLines = 3;
   return agreed(a) >= 3 && 2 * agreed(a) > static_cast<int>(a.words.size()) &&
@@ -294,8 +298,8 @@ std::optional<AxisLabels> tryRows(GraphReading& r, Axis axis, std::vector<Box> w
   return best;
 }
 
-/// The column of numbers left of the frame that read upwards, as some programs set them (R by itself). Turned with the page
-/// they stand in a row above the plot, and mirrored below it.
+/// The column of numbers left of the frame that read upwards, as some programs set them (R by itself). Turned
+/// with the page they stand in a row above the plot, and mirrored below it.
 std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
                                            const std::vector<GridLine>& lines) {
   constexpr double upwards_deg = 90;
@@ -314,15 +318,16 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
   return fitRow(r, row, lines, Axis::y, TextKind::number, upwards_deg);
 }
 
-/// Whether most labels were read without any certainty, as digits are made of letters: "20gf" is 209 or nothing.
+/// Returns true if most labels were read with low confidence, because digits consist of letters: "20gf" is
+/// 209 or nothing.
 bool holdsLetters(const AxisLabels& labels) {
   constexpr double doubted = 0.2;  // of the engine's certainty
   const auto isDoubted = [](const SeenText& word) { return word.confidence < doubted; };
   return 2 * std::ranges::count_if(labels.words, isDoubted) > std::ssize(labels.words);
 }
 
-/// Whether all numbers of a scale end in the same digit, and not in one that scales end in: 9, 509 and 1009 are "0g", "50g" and
-/// "100g".
+/// Returns true if all numbers of a scale end in the same digit, and not in one that scales end in: 9, 509
+/// and 1009 are "0g", "50g" and "100g".
 bool endsAlike(const AxisLabels& labels) {
   if (!labels.progression) return false;
   std::string ends;
@@ -334,7 +339,8 @@ bool endsAlike(const AxisLabels& labels) {
          ends.find_first_not_of(ends.front()) == std::string::npos;
 }
 
-/// Whether a column's words stand as close as the letters of a title that runs upwards do: numbers leave room between them.
+/// Returns true if a column's words are as close as the letters of a title that runs upwards: numbers leave
+/// room between them.
 bool isWriting(const AxisLabels& column) {
   constexpr double closest = 0.45;  // of the lower one's height
   int close = 0;
@@ -396,7 +402,8 @@ std::vector<Box> rightLabelWords(const std::vector<Box>& glyphs) {
   return words;
 }
 
-/// Without the small flat marks of one size in front of every number of a column: the ends of ticks, shorter than a minus.
+/// Without the small flat marks of one size in front of every number of a column: the ends of ticks, shorter
+/// than a minus.
 std::vector<Box> withoutTicksBefore(std::vector<Box> glyphs, const LabelRow& column) {
   constexpr std::size_t fewest = 3;
   constexpr double same_px = 1.5, low = 0.3, shorter = 0.4;  // px; of a number's height

@@ -28,20 +28,20 @@ struct AxisLabels {
 /// "20gf" -> "20" and "gf"; no digits in front: nothing.
 std::pair<std::string, std::string> numberAndSuffix(const std::string& text);
 
-/// The numbers of an axis with the letters that follow each on its line, in their order; what can be read as no number is left as it is.
-/// `glyphs`: the blobs outside the frame.
+/// The tick labels with the letters that follow each on its line, in their order; labels that are no number
+/// stay as they are. `glyphs`: the blobs outside the frame.
 std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLabels& labels);
 
 /// Rows (columns for y) of words beside the frame are tried from the most regular one on, until one makes a
 /// progression. nullopt if no row of two or more words is there.
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis);
 
-/// The column of numbers right of the frame, if one of four or more stands there evenly spaced; else nothing is read. `lines`: the
-/// gridlines and ticks they stand at, none where those are another scale's.
+/// The column of numbers right of the frame, if one of four or more stands there evenly spaced; else nothing
+/// is read. `lines`: the gridlines and ticks they stand at, none where those are another scale's.
 std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<GridLine>& lines);
 
-/// Whether a column of numbers reaches over so much of the frame's height that it is a scale: "PB-01" to "PB-04" in a legend count on
-/// as well.
+/// Returns true if a column of numbers covers so much of the frame's height that it is a scale: "PB-01" to
+/// "PB-04" in a legend are a progression as well.
 bool reachesFar(const AxisLabels& labels, const Box& frame);
 
 }  // namespace detent::importer

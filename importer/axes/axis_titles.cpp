@@ -75,8 +75,8 @@ bool isContradicted(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, P
   return !best.other.empty();
 }
 
-/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure.
-/// `alien`: the unit of the other axis, in its brackets.
+/// Quantity named in the line nearest to the axis, if it is not the one that the axis must measure. `alien`:
+/// the unit of the other axis, in its brackets.
 template <class Alien>
 std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Alien alien) {
   const SeenText* const nearest = nearestLine(lines, towards);
@@ -104,7 +104,7 @@ void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<See
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
 }
 
-/// What lines in the plot itself say, where a unit stands for sure: a title at the axis' end may be set over
+/// Title from lines in the plot itself, if they have a certain unit: a title at the axis' end may be set over
 /// the axis, and callouts ("4.2 mm") are none.
 template <class Unit, class Parse>
 void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
@@ -266,7 +266,7 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   const TitlePlaces at = placesBeside(b, labels);
   AxisTitle<ForceUnit> title = readYTitleAt(r, at);
   if (title.unit || !title.other.empty() || !at.mirrored) return title;
-  // Programs move an axis' numbers to the right and leave its title where it was.
+  // Programs move tick labels to the right and leave the title where it was.
   AxisTitle<ForceUnit> left = readYTitleAt(r, placesBeside(b, {b.x0 - 1, b.y0, b.x0, b.y1}));
   return left.unit ? left : title;
 }

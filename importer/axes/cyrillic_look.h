@@ -7,8 +7,8 @@
 
 namespace detent::importer {
 
-/// Puts back the words of strokes that were read as the Latin letters and digits they look like, one or two of which may be wrong:
-/// "HaxaTue" is "Нажатие", "Bo3Bpat" is "Возврат". What looks like none of them stays.
+/// Restores the words of strokes that were read as similar Latin letters and digits, one or two of which may
+/// be wrong: "HaxaTue" is "Нажатие", "Bo3Bpat" is "Возврат". Other text stays.
 std::string withCyrillicWords(std::string_view utf8);
 
 }  // namespace detent::importer

@@ -12,7 +12,7 @@
 
 namespace detent::importer {
 
-/// How text is drawn. All labels of an axis share one hand.
+/// Style of drawn text. All labels of an axis share one style.
 struct Hand {
   int font = 0;           ///< of OpenCV's Hershey fonts
   double height_px = 0;   ///< of a digit, > 0
@@ -22,8 +22,8 @@ struct Hand {
 /// Width of a text in advances of a digit, as in common typefaces.
 double advancesOf(const std::string& ascii);
 
-/// Pixels of a word on finer ones, upright, ink high, with room for trying places; empty outside the picture.
-/// `quarterTurns`: clockwise, until the word stands upright.
+/// Enlarged pixels of a word, upright, dark is high, with a margin for trying positions; empty outside the
+/// picture. `quarterTurns`: clockwise, until the word stands upright.
 cv::Mat finePatch(const cv::Mat& darkness, const Box& word, int quarterTurns = 0);
 
 /// Texts in one hand, drawn on the pixels of finePatch(); each is drawn once.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The text engine's archives name functions of libraries for what is never asked of them here: to fetch a page from the
-// web, to unpack models, to write animations. With these in their place some 40 shared libraries (TLS, Kerberos, LDAP,
-// XML, ICU, ...) need not be loaded (docs/develop/decisions/0406-text-engine.md). Each answers "not possible", as the
-// function whose place it takes may; the engine then goes on without.
+// The text engine's archives name functions of libraries that are never called here: to fetch a page from the
+// web, to unpack models, to write animations. With these replacements some 40 shared libraries (TLS,
+// Kerberos, LDAP, XML, ICU, ...) need not be loaded (docs/develop/decisions/0406-text-engine.md). Each
+// returns "not possible", as the replaced function may; the engine then goes on without.
 
 extern "C" {
 

@@ -30,7 +30,7 @@ std::vector<std::vector<std::size_t>> numbered(const std::vector<std::vector<Let
   return numbers;
 }
 
-/// Whether one sign stands for one shape and one shape for one sign all over the labels.
+/// Returns true if one sign stands for one shape and one shape for one sign in all labels.
 bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<std::size_t>>& shapes) {
   constexpr std::size_t none = ~std::size_t{0};
   std::array<std::size_t, 128> shapeOf;
@@ -49,7 +49,7 @@ bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<s
   return true;
 }
 
-/// How many signs of the labels the engine read as they are.
+/// Number of signs of the labels that the engine read in the same way.
 std::size_t agreeingTexts(const std::vector<std::string>& texts, const std::vector<std::string>& engine) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < texts.size(); ++i)
@@ -58,7 +58,7 @@ std::size_t agreeingTexts(const std::vector<std::string>& texts, const std::vect
   return count;
 }
 
-/// Whether a shape is wider than a digit: several that touch.
+/// Returns true if a shape is wider than a digit: several that touch.
 bool anyTouch(const std::vector<std::vector<LetterShape>>& words) {
   constexpr double widest = 1.6;  // times the usual width
   std::vector<int> widths;
@@ -106,7 +106,7 @@ std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& ink, c
 
 bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words) {
   constexpr double paper = 0.25, full = 0.75,
-                   mostBetween = 0.05;  // of the darkest; of the pixels in full ink
+                   mostBetween = 0.05;  // of the darkest; of the fully dark pixels
   cv::Mat all;
   for (const Box& word : words) {
     const cv::Rect at = cv::Rect(0, 0, darkness.cols, darkness.rows) &

@@ -46,7 +46,8 @@ std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX, const 
   return s;
 }
 
-/// Whether a word like the labels stands at a place along the axis, or flush with it: `inwards` -1 or 1 along the axis.
+/// Returns true if a word like the labels is at a position along the axis, or flush with it: `inwards` -1 or
+/// 1 along the axis.
 bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, double place, int inwards) {
   constexpr double flush = 0.75;  // of a word's width: half of it, and a little
   const double along = 0.35 * s.height + 2, beside = 0.4 * s.height + 2;
@@ -60,7 +61,7 @@ bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, do
   });
 }
 
-/// How far the words count on from the outermost label in a direction; `edge` if not beyond it.
+/// Position of the last word that continues the labels in a direction; `edge` if not beyond it.
 double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, int direction, double edge) {
   constexpr double clearlyBeyond = 0.4;  // of a step: a last label may stand a little off the grid
   double at = direction > 0 ? s.places.back() : s.places.front();
@@ -69,7 +70,7 @@ double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, i
   return direction * (at - edge) > clearlyBeyond * s.step_px ? at : edge;
 }
 
-/// How much darker a line's place is than both its sides, on average over a stretch along it.
+/// Darkness of a line less that of both its sides, on average over a stretch along it.
 double lineContrast(const cv::Mat& darkness, double at, double from, double to, bool upright) {
   constexpr int beside_px = 4;
   const int a = static_cast<int>(std::lround(std::min(from, to))),
@@ -88,7 +89,8 @@ double lineContrast(const cv::Mat& darkness, double at, double from, double to, 
   return (line - sides) / (b - a + 1);
 }
 
-/// Whether most gridlines across an edge go on to another place beyond it; the axis that it stands on where `axisTells`.
+/// Returns true if most gridlines across an edge continue to another position beyond it; also the axis that
+/// it stands on if `axisTells`.
 bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, double axis, bool axisTells,
                double from, double to, bool upright) {
   constexpr double seen = 6;  // grey levels
@@ -108,8 +110,8 @@ bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, dou
   return (lines >= fewest && 2 * on > lines) || (axisTells && goesOn(axis));
 }
 
-/// Whether an edge is drawn where the numbers want one, if with gaps: a last number may stand off the last line, and the
-/// frame ends at that line.
+/// Returns true if an edge is drawn where the numbers require one, if with gaps: a last number may be away
+/// from the last line, and the frame ends at that line.
 bool isDrawn(const cv::Mat& darkness, double edge, double from, double to, bool upright) {
   constexpr double seen = 6, enough = 0.3;  // grey levels; of the pieces
   constexpr int reach_px = 4, pieces = 20;

@@ -42,7 +42,7 @@ std::vector<Box> turnedLetters(const GraphReading& r, const std::vector<Box>& gl
   return letters;
 }
 
-/// Whether two lines lie closer than lines of writing ever do: parts of the same letters.
+/// Returns true if two lines are closer than lines of text ever are: parts of the same letters.
 bool areParts(const Box& a, const Box& b) {
   constexpr double closest = 0.13;  // of the height of both together
   const double along = std::min(a.x1, b.x1) - std::max(a.x0, b.x0);
@@ -70,7 +70,8 @@ std::vector<Box> joinedParts(std::vector<Box> lines) {
   return textLines(lines, 1.3);
 }
 
-/// Whether a line is long enough to be a title, and says no unit by itself, or one so short that a letter of it may be lost.
+/// Returns true if a line is long enough to be a title and has no unit of its own, or is so short that a
+/// letter of it may be lost.
 bool mayHideUnit(const Box& line, const std::string& text) {
   if (line.width() < 2 * line.height() || !otherQuantityIn(text).empty()) return false;
   const auto force = forceUnitIn(text);
@@ -78,10 +79,11 @@ bool mayHideUnit(const Box& line, const std::string& text) {
   return !lengthUnitIn(text);
 }
 
-/// The bracketed unit of a line whose letters the engine does not know, though it saw a bracket, and in which nothing else names one.
+/// The bracketed unit of a line whose letters the engine does not know, though it saw a bracket, and in which
+/// nothing else names one.
 std::optional<std::string> unreadUnit(const cv::Mat& darkness, const Box& place, double height_px,
                                       int quarterTurns, const std::string& text) {
-  constexpr double largest_px = 16;  // the engine tells larger brackets and letters apart
+  constexpr double largest_px = 16;  // the engine separates larger brackets and letters
   if (height_px > largest_px || forceUnitIn(text) || text.find_first_of("()[]") == std::string::npos)
     return {};
   return bracketedUnit(darkness, place, quarterTurns);

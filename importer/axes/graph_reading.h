@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the steps of reading one graph share: the view, where its ink is, and what was read so far.
+// Data shared by the steps of reading one graph: the view, its dark pixels, and the results so far.
 
 #include <vector>
 
@@ -35,8 +35,8 @@ class GraphReading {
   std::vector<SeenText> readLinesInside(const Box& region, double angle_deg, Point towards,
                                         std::size_t atMost);
 
-  /// The same for scripts whose letters are of several parts, one above the other: those that readLines took for lines of
-  /// their own are one line. Nothing where no parts lie so.
+  /// The same for scripts whose letters are of several parts, one above the other: those that readLines took
+  /// for lines of their own are one line. Nothing where no parts lie so.
   std::vector<SeenText> readLinesOfParts(const Box& region, double angle_deg, Point towards,
                                          std::size_t atMost);
 

@@ -32,7 +32,7 @@ std::optional<Unit> unitBehindNumbers(GraphReading& r, const AxisLabels& labels,
   return most->first;
 }
 
-/// What stands on an axis in the highest number's neighbour's stead; empty where a number stands there or nothing does.
+/// Box in place of the highest number's neighbour on an axis; empty if a number or nothing is there.
 Box placeBelowHighest(const GraphReading& r, const AxisLabels& labels, bool alongX) {
   constexpr double near = 0.3, beside = 0.5;  // of a step along the axis; of a number's height across it
   const Progression& p = *labels.progression;
@@ -76,7 +76,7 @@ std::optional<Unit> unitInPlaceOfNumber(GraphReading& r, const AxisLabels& label
 
 std::optional<LengthUnit> lengthUnitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels) {
   constexpr double certain =
-      0.8;  // of the engine's certainty: units of length look little alike, cN and mN do
+      0.8;  // of the engine's confidence: units of length are hardly confused, cN and mN are
   return unitInPlaceOfNumber<LengthUnit>(r, labels, true, certain, lengthUnitIn);
 }
 

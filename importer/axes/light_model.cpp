@@ -65,8 +65,8 @@ std::string joined(const Parts& parts) {
   return data;
 }
 
-/// The list of letters with private names. A line is LETTER PROPERTIES... NORMAL-FORM, parted by blanks, then a tab and
-/// a remark. Empty if it does not look so.
+/// The list of letters with private names. A line is LETTER PROPERTIES... NORMAL-FORM, separated by blanks,
+/// then a tab and a remark. Empty if the list has another format.
 std::string renamedList(std::string_view list, std::vector<std::string>& letters) {
   std::istringstream in{std::string(list)};
   std::string line;

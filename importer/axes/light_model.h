@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tesseract's model without what makes up nine tenths of its start: a table of letters that older recognisers confused.
-// The engine looks every letter of that table up among the model's own; with those renamed to private code points it
-// finds none and skips it. docs/develop/decisions/0406-text-engine.md
+// Tesseract's model without nine tenths of its start-up time: a table of letters that older recognisers
+// confused. The engine searches every letter of that table among the model's own; with those renamed to
+// private code points it finds none and skips it. docs/develop/decisions/0406-text-engine.md
 
 #include <optional>
 #include <string>
@@ -14,15 +14,15 @@ namespace detent::importer {
 /// A model to start the engine from memory with, and the letters behind its private code points.
 class LightModel {
  public:
-  /// From the bytes of a .traineddata file. nullopt if they are no such file or of another layout: then the engine has
-  /// to start from the file itself.
+  /// Reads the bytes of a .traineddata file. nullopt if they are no such file or of another layout: then the
+  /// engine has to start from the file itself.
   static std::optional<LightModel> from(std::string_view traineddata);
 
-  /// For TessBaseAPI::Init from memory.
+  /// The model for TessBaseAPI::Init from memory.
   const std::string& bytes() const { return bytes_; }
-  /// What the engine has to be asked for, letter by letter: as it names them. Letters it does not know are left out.
+  /// Request to the engine, letter by letter, with its own names. Letters it does not know are left out.
   std::string renamed(std::string_view letters) const;
-  /// What the engine answered, as written on the page.
+  /// The engine's answer, as written on the page.
   std::string original(std::string_view answer) const;
 
  private:

@@ -48,7 +48,7 @@ std::optional<double> parsed(std::string_view s) {
   return value;
 }
 
-/// What the sign in a number can be.
+/// Possible meanings of the sign in a number.
 enum class SignIn {
   none,       ///< a whole number
   thousands,  ///< "1,000", "12,500": may be either

@@ -26,12 +26,12 @@ std::string withoutGroupSigns(std::string_view utf8);
 /// anything else stands in it.
 std::optional<double> printedNumber(std::string_view utf8);
 
-/// All readings of a label: as it stands, and with the decimal point that small print loses put back, which weighs less
-/// where the label was read with certainty. `confidence` 0..1 of the reading.
+/// All readings of a label: as it stands, and with the decimal point that small print loses put back, which
+/// weighs less where the label was read with certainty. `confidence` 0..1 of the reading.
 std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence = 0);
 
-/// Readings of numbers in one print, `texts` as they were read: where one has lost its point ("08" can only be 0.8) it counts
-/// as read, and all others may have lost theirs as well as not.
+/// Readings of numbers in one print, `texts` as they were read: where one has lost its point ("08" can only
+/// be 0.8) it counts as read, and all others may have lost theirs as well as not.
 void expectLostPoints(const std::vector<std::string>& texts,
                       std::vector<std::vector<NumberReading>>& readings);
 
@@ -42,12 +42,12 @@ enum class ThousandsSign {
   possible,  ///< "1,000" and "2,000" alone may be either
 };
 
-/// Readings of numbers in one print where a sign sets thousands apart: "500, 1,000, 1,500" counts by five hundreds. Where it
-/// is certain the decimal reading goes.
+/// Readings of numbers in one print where a sign sets thousands apart: "500, 1,000, 1,500" counts by five
+/// hundreds. Where it is certain the decimal reading goes.
 ThousandsSign expectThousands(const std::vector<std::string>& texts,
                               std::vector<std::vector<NumberReading>>& readings);
 
-/// Whether a number was read digit by digit as one that it looks like: "8" where 0 stands, "66" where 60 does.
+/// Returns true if a number was read digit by digit as a similar one: "8" for 0, "66" for 60.
 bool looksLike(std::string_view read, std::string_view number);
 
 /// A text's digits alone, in their order.

@@ -31,8 +31,8 @@ double exactStep(const std::vector<double>& values) {
   return static_cast<double>(std::abs(step)) * lastDigit;
 }
 
-/// The number that five values and more count by, each of them off by no more than the rounding of its last printed digit:
-/// programs that part an axis evenly print 0.2137, 0.4273, 0.6410. 0 if they do not.
+/// The number that five values and more count by, each of them off by no more than the rounding of its last
+/// printed digit: programs that part an axis evenly print 0.2137, 0.4273, 0.6410. 0 if they do not.
 double roundedStep(std::vector<double> values) {
   constexpr std::size_t fewest = 5;
   constexpr double leastDigits = 10;  // of a step, in last digits: below it much counts on evenly
@@ -45,7 +45,7 @@ double roundedStep(std::vector<double> values) {
   return step >= leastDigits * lastDigit ? step : 0;
 }
 
-/// What decimal numbers count by; 0 if all are equal.
+/// Common step of decimal numbers; 0 if all are equal.
 double commonStep(const std::vector<double>& values) {
   return std::max(exactStep(values), roundedStep(values));
 }
@@ -157,8 +157,9 @@ std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Plac
   return best;
 }
 
-/// A reading that alone needs a much finer step than all the others is a misreading that happens to lie close: a repaired one ("198"
-/// as 19.8 near 20) sooner than one read as it stands (a zero and its tick as 0.4).
+/// A reading that alone needs a much finer step than all the others is a misreading that happens to lie
+/// close: a repaired one ("198" as 19.8 near 20) sooner than one read as it stands (a zero and its tick as
+/// 0.4).
 void dropStrayReadings(const std::vector<LabelPlace>& labels, Trial& t) {
   constexpr double finerIfRepaired = 4, finerAsRead = 20;  // times
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -197,7 +198,7 @@ OnStep linesOnStep(const std::vector<GridLine>& ticks, const Progression& p, dou
   return on;
 }
 
-/// How many lines a grid of this step would have between the outermost ones found.
+/// Number of lines of a grid with this step between the outermost ones found.
 double expectedLines(const OnStep& on) {
   if (on.pairs.size() < 2) return 0;
   double low = on.pairs.front().second, high = low;
@@ -274,7 +275,7 @@ std::vector<std::pair<double, double>> centresOf(const std::vector<LabelPlace>& 
   return centres;
 }
 
-/// How unevenly labels stand beside where a scale has their values: all a little lower is even.
+/// Unevenness of the labels' distances from the positions of their values: all a little lower is even.
 double unevenness_px(const std::vector<std::pair<double, double>>& centres, const Progression& p) {
   double sum = 0, squares = 0;
   for (const auto& [x, v] : centres) sum += p.position(v) - x, squares += std::pow(p.position(v) - x, 2);
@@ -282,8 +283,9 @@ double unevenness_px(const std::vector<std::pair<double, double>>& centres, cons
   return std::sqrt(std::max(0.0, squares / n - std::pow(sum / n, 2)));
 }
 
-/// Where few labels have a line within reach and the scale through those few leaves the even row that all labels stand in, one
-/// of the lines is something else's, a curve's turn or a leader's end: then the scale of the row.
+/// Where few labels have a line within reach and the scale through those few leaves the even row that all
+/// labels stand in, one of the lines is something else's, a curve's turn or a leader's end: then the scale of
+/// the row.
 std::optional<Progression> scaleOfRow(const std::vector<LabelPlace>& labels, const Progression& p,
                                       int withTick) {
   constexpr int fewest = 5;

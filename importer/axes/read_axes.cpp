@@ -54,7 +54,7 @@ Failure unread(const std::optional<AxisLabels>& labels, Axis axis, const std::ve
     return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
                      placeOf(axis));
   return {FailureCode::noForceGraph, "plot frame", placeOf(axis),
-          Message("no row of numbers stands along it"), rangeOf(axis)};
+          Message("there is no row of numbers along it"), rangeOf(axis)};
 }
 
 bool hasProgression(const std::optional<AxisLabels>& labels) { return labels && labels->progression; }
@@ -146,10 +146,10 @@ bool isRestOf(const std::string& read, const std::string& expected) {
          digitsOf(expected).find(digits) != std::string::npos;
 }
 
-/// How a label that can be read stands to the scale the others agree on.
+/// Relation of a readable label to the scale the others agree on.
 enum class LabelVerdict {
   fits,  ///< on its line, or its line's value a little beside it (the zero in the corner)
-  rest,  ///< a piece of the number that should stand there, or its look
+  rest,  ///< a piece of the number that should be there, or a similar one
   contradicts
 };
 
@@ -167,7 +167,8 @@ LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
   return isMisread || isRestOf(labels.words[i].utf8, shown) ? LabelVerdict::rest : LabelVerdict::contradicts;
 }
 
-/// A residual as on an axis no longer than a plot needs: scaled up, a plot's lines are off by more pixels and not by more.
+/// A residual as on an axis no longer than a plot needs: scaled up, a plot's lines are off by more pixels and
+/// not by more.
 double residualAtUsualSize_px(double residual_px, double length_px) {
   constexpr double longestNeeded_px = 1500;
   return residual_px / std::max(1.0, length_px / longestNeeded_px);
@@ -186,8 +187,8 @@ double printedShare(const AxisLabels& labels) {
   return p.labels / ((high - low) / p.step + 1);
 }
 
-/// Values of the labels that agree: scales count from a multiple of their step, and near zero as often as not. 48, 68 and 88
-/// beside labels that say otherwise, or 6.1 to 6.3 alone, are digits misread alike.
+/// Values of the labels that agree: scales count from a multiple of their step, and near zero as often as
+/// not. 48, 68 and 88 beside labels that say otherwise, or 6.1 to 6.3 alone, are digits misread alike.
 double usualOf(const AxisLabels& labels, int readable) {
   constexpr double misreadAlike = 0.4, farFromZero = 5;  // the last in spans
   const Progression& p = *labels.progression;
@@ -202,8 +203,8 @@ double usualOf(const AxisLabels& labels, int readable) {
   return stray || low > farFromZero * (high - low) ? misreadAlike : 1;
 }
 
-/// Whether labels without ticks make a scale by themselves: a row of numbers that counts on without a gap, each within a fraction of a
-/// pixel of its even place, and the axis at its foot stands at one of its steps.
+/// Returns true if labels without ticks make a scale by themselves: a complete progression, each within a
+/// fraction of a pixel of its even position, with the axis at one of its steps.
 bool isWholeRow(const Progression& p, double printed, double foot_px) {
   constexpr int fewest = 4;
   constexpr double even_px = 0.75, onLine_px = 2;
@@ -364,7 +365,8 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   return newton ? ForceUnit::newton : ForceUnit::gramForce;
 }
 
-/// Whether one scale is the other in another unit of force: zero at the same place, a known factor between them.
+/// Returns true if one scale is the other in another unit of force: zero at the same position, a known factor
+/// between them.
 bool sameForces(const Progression& a, const Progression& b, double frameHeight_px) {
   constexpr double sameFactor = 0.015, samePlace = 0.02;  // relative; of the frame's height
   constexpr std::array units{ForceUnit::newton,       ForceUnit::centinewton, ForceUnit::gramForce,
@@ -444,8 +446,8 @@ void takeTitle(AxisReading& axis, const AxisTitle<Unit>& title) {
   axis.otherQuantity.clear();
 }
 
-/// Whether an axis' own title or numbers say something of its unit, read or not: no heading speaks for it then. The heading
-/// itself may have been taken for its title.
+/// Returns true if an axis' own title or numbers give its unit, read or not: then no heading applies to it.
+/// The heading itself may have been taken for its title.
 bool saysItsUnit(const AxisReading& axis, const std::string& heading) {
   const auto unit = axis.title.find_first_of("([/,%");
   const auto isBare = [](const TickLabel& tick) {
@@ -455,7 +457,8 @@ bool saysItsUnit(const AxisReading& axis, const std::string& heading) {
          (unit != std::string::npos && !heading.starts_with(axis.title.substr(0, unit)));
 }
 
-/// The units of a heading over the plot for axes that name none, unless either axis contradicts. Said as a doubt.
+/// The units of a heading over the plot for axes that name none, unless either axis contradicts. Said as a
+/// doubt.
 void takeHeadingUnits(AxesFound& axes, GraphReading& r) {
   constexpr std::size_t fewLines = 4;
   AxisCalibration& cal = axes.calibration.value;
@@ -479,7 +482,7 @@ void takeHeadingUnits(AxesFound& axes, GraphReading& r) {
   }
 }
 
-/// How far an axis of a button reaches, mm or N.
+/// Range of an axis of a button, mm or N.
 struct AxisReach {
   double least = 0, most = 0;
 };
@@ -487,7 +490,7 @@ constexpr double axisBeyondCurve = 2;  // axes end at most so many times as far 
 constexpr AxisReach travels_mm{leastTravel_mm, axisBeyondCurve*mostTravel_mm},
     forces_N{leastForce_N, axisBeyondCurve*mostForce_N};
 
-/// Multiplies the numbers of an axis.
+/// Multiplies the tick labels.
 void multiply(AxisReading& axis, double factor) {
   axis.min *= factor, axis.max *= factor;
   for (TickLabel& tick : axis.ticks) tick.value *= factor;
@@ -511,8 +514,8 @@ void applyMultipliers(AxisCalibration& cal, GraphReading& r, const std::optional
   if (!hints.yMin && !hints.yMax) apply(cal.y, Axis::y, 1, extentOf(y, {b.x0 - 1, b.y0, b.x0, b.y1}));
 }
 
-/// What an axis' numbers are to be multiplied by where "1,000" may be a thousand or have three decimals and only one of them
-/// makes a button's size: 1 or 1000. Where both or none do it stays unclear.
+/// Factor for the tick labels if "1,000" may be a thousand or have three decimals and only one of them gives
+/// a button's size: 1 or 1000. If both or none do it stays unclear.
 double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach) {
   if (!axis.thousandsUnclear || !axis.unitFound) return 1;
   const double asDecimals = std::max(std::abs(axis.min), std::abs(axis.max)) * perUnit,

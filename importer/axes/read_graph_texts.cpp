@@ -75,8 +75,9 @@ struct Inked {
   const cv::Mat& ink;
 };
 
-/// Whether a mark beside a letter is a legend's sample: a dash too long for writing, or in another ink than the letter a shorter
-/// one, a filled square or disc, a line with its marker. `usual_px`: height of the letters.
+/// Whether a mark beside a letter is a legend's sample: a dash too long for writing, or in another ink than
+/// the letter a shorter one, a filled square or disc, a line with its marker. `usual_px`: height of the
+/// letters.
 bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& on) {
   constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wide = 0.6,
                    highest = 3.2;  // of a letter's height
@@ -91,7 +92,8 @@ bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& 
   return dash || mark.width() > longDash * usual_px || filledShare(on.ink, mark) >= filled;
 }
 
-/// Entries of a legend that stand in one row, parted at the samples between them and without them; the samples.
+/// Entries of a legend that stand in one row, parted at the samples between them and without them; the
+/// samples.
 struct LegendRow {
   std::vector<TextLine> entries;
   std::vector<Box> samples;
@@ -124,8 +126,8 @@ LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
   return row;
 }
 
-/// Whether a level line runs all through a mark: a legend's sample with its marker, a leader with its head. Letters that touch
-/// have none.
+/// Whether a level line runs all through a mark: a legend's sample with its marker, a leader with its head.
+/// Letters that touch have none.
 bool isLineLike(const Box& mark, const cv::Mat& ink) {
   constexpr double nearlyAll = 0.9;  // of its columns
   const int left = std::max(0, static_cast<int>(std::ceil(mark.x0))),
@@ -188,7 +190,8 @@ int letterCountOfText(const std::string& text) {
       text.begin(), text.end(), [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }));
 }
 
-/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N", beside a legend key also "A" and "2019".
+/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N", beside a legend
+/// key also "A" and "2019".
 bool isShortName(const SeenText& seen, bool besideSample) {
   constexpr double sure = 0.6;  // confidence
   const auto digits = std::count_if(seen.utf8.begin(), seen.utf8.end(),
@@ -207,7 +210,8 @@ std::string shapeOf(const std::string& name) {
   return shape;
 }
 
-/// Short names that were read with doubt count where others of the same make stand in line with them, as in a legend.
+/// Short names that were read with doubt count where others of the same make stand in line with them, as in a
+/// legend.
 void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubted) {
   for (const SeenText& name : doubted) {
     const auto own = std::ranges::find(lines, name.box, &SeenText::box);
@@ -219,8 +223,9 @@ void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubte
   }
 }
 
-/// Two panels of one button, the press in one and the release in the other: the plot's own heading is the word for the press, and in line
-/// with it, over a plot at the right, stands the word for the release. That is added to the texts.
+/// Two panels of one button, the press in one and the release in the other: the plot's own heading is the
+/// word for the press, and in line with it, over a plot at the right, stands the word for the release. That
+/// is added to the texts.
 void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& ink, double largest_px,
                       TextReader& reader) {
   constexpr double above = 0.6, beside = 1.6;  // of the plot's height, beyond its last number; of its width

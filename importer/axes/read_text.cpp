@@ -49,12 +49,12 @@ std::optional<LightModel> installedModel() {
   return {};
 }
 
-/// What may stand in a line of this kind; empty: anything.
+/// Letters that may occur in a line of this kind; empty: any.
 std::string lettersOf(TextKind kind) {
   switch (kind) {
     case TextKind::number:
       return "0123456789.,-";
-    case TextKind::unit:  // with the Latin letters that Cyrillic ones look like
+    case TextKind::unit:  // with the Latin letters that resemble Cyrillic ones
       return "mcMCNdkKgGfFoOzZlLbinhuesrpH()[]/,.";
     case TextKind::words:
       break;
@@ -109,7 +109,7 @@ Engine& engineOfThread() {
   return engine;
 }
 
-/// The crop as black on white, text upright, about as high as asked, with a white margin.
+/// The crop as black on white, text upright, at about the requested height, with a white margin.
 cv::Mat crop(const Raster& raster, const Box& box, double angle_deg, const Rendering& rendering) {
   const int x0 = std::clamp(static_cast<int>(std::floor(box.x0 + 0.5)) - 1, 0, raster.width_px);
   const int x1 = std::clamp(static_cast<int>(std::ceil(box.x1 + 0.5)) + 1, 0, raster.width_px);

@@ -30,7 +30,7 @@ class TextReader {
   /// (bold print closes its digits) and at another size, and the surest reading counts.
   SeenText readLineCarefully(const Box& box, TextKind kind, double angle_deg = 0);
 
-  /// What a line of words reads as at other sizes than readLine's: small print comes out differently at each.
+  /// Readings of a line of words at other sizes than readLine's: small print comes out differently at each.
   std::vector<SeenText> readLineOtherwise(const Box& box, double angle_deg = 0);
 
   /// False if Tesseract or its language data are missing; then everything reads as empty.

@@ -29,7 +29,7 @@ class Comparison {
   Comparison(const Row& row, const Hand& hand)
       : row_(row), hand_(hand), drawn_(hand), seen_(row.words.size()) {}
 
-  /// Whether every word is about as wide as its text would be.
+  /// Returns true if every word is about as wide as its text would be.
   bool fits(const std::vector<std::string>& texts) const {
     for (std::size_t i = 0; i < texts.size(); ++i)
       if (!fits(row_.words[i].width(), texts[i])) return false;
@@ -43,7 +43,7 @@ class Comparison {
   }
 
  private:
-  /// Ink ends short of its advance, by more where a one stands; smoothing makes it wider.
+  /// Drawn pixels end short of the advance, by more at a one; smoothing makes them wider.
   bool fits(double width_px, const std::string& text) const {
     constexpr double bearing = 0.15, besideOne = 0.35, halo_px = 1.5,
                      hands_share = 0.07;  // both of a digit's advance: white beside it, and more beside a 1
@@ -67,8 +67,8 @@ struct JudgedLabel {
   double likeness = -1;                                ///< of the least alike label
 };
 
-/// Nats of a label's pixels, noise and the difference of typefaces not known beforehand; what scaling and blur join is
-/// counted once.
+/// Nats of a label's pixels, noise and the difference of typefaces not known beforehand; what scaling and
+/// blur join is counted once.
 double natsOf(double likeness, const Box& word) {
   constexpr double independent = 0.25, most = 0.99;  // of the pixels; highest correlation that is believed
   const double pixels = independent * (word.width() + 2) * (word.height() + 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Labels too small for the text engine, read together: the numbers of an axis count on evenly, so that what a few pixels
-// of one digit leave open the others settle (docs/develop/decisions/0408-small-print.md).
+// Labels too small for the text engine, read together: tick labels are evenly spaced, so that the digits of
+// all settle those that a few pixels leave open (docs/develop/decisions/0408-small-print.md).
 
 #include <optional>
 #include <string>
@@ -22,9 +22,9 @@ struct SmallLabels {
 /// Highest digits that are read together; larger ones the engine reads.
 constexpr double smallDigits_px = 8.5;
 
-/// Reads words of a row or a column (three to twelve, ordered along the axis, `centers_px` along it) as numbers in even
-/// steps. `darkness`: of their view, ink high. `rising`: values grow with the place. Nothing where no even numbers of the
-/// words' widths are alike enough, or several are.
+/// Reads words of a row or a column (three to twelve, ordered along the axis, `centers_px` along it) as
+/// numbers in even steps. `darkness`: of their view, dark is high. `rising`: values grow with the position.
+/// Empty if no even numbers of the words' widths are similar enough, or several are.
 std::optional<SmallLabels> readSmallLabels(const cv::Mat& darkness, const std::vector<Box>& words,
                                            const std::vector<double>& centers_px, bool rising);
 

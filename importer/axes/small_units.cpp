@@ -36,7 +36,8 @@ double unitLikeness(const Unit& unit, const cv::Mat& patch, double height, std::
   return best - unit.rare;
 }
 
-/// Hands of these fonts whose digits, lower than brackets, are so high and wide, in shares of the line's height.
+/// Hands of these fonts whose digits, lower than brackets, are so high and wide, in shares of the line's
+/// height.
 std::vector<DrawnText> unitFonts(double height, std::initializer_list<int> fonts,
                                  std::initializer_list<double> digits,
                                  std::initializer_list<double> advances) {
@@ -53,7 +54,8 @@ struct JudgedUnit {
   double likeness = -1;
 };
 
-/// The units that two common hands leave in the running; none where nothing like a unit in brackets stands there.
+/// The units that two common hands leave in the running; none where nothing like a unit in brackets stands
+/// there.
 std::vector<JudgedUnit> likelyUnits(const cv::Mat& patch, double height) {
   constexpr double leastLike = 0.4, behind = 0.2;  // correlations: of a unit at all, and below the best
   std::vector<DrawnText> common = unitFonts(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.71, 0.83}, {0.82});

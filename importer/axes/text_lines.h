@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where text stands around a frame: glyphs, words and lines found in the ink, before anything is read.
+// Text around a frame: glyphs, words and lines found in the dark pixels, before anything is read.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace detent::importer {
 
-/// Those of `glyphs` that lie in `region` (view pixels) and are no larger than `maxSize_px`.
+/// The members of `glyphs` that lie in `region` (view pixels) and are no larger than `maxSize_px`.
 std::vector<Box> glyphsIn(const std::vector<Box>& glyphs, const Box& region, double maxSize_px);
 
 /// A line of text and its letters.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether a text's letters may be misread.
+// Source of a text: its letters may be misread.
 
 #include "importer/axes/axis_calibration.h"
 #include "importer/lexicon/lexicon.h"

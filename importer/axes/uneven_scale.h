@@ -10,8 +10,8 @@
 
 namespace detent::importer {
 
-/// What labels at these places (pixels along the axis, value) are a scale of: "values on a logarithmic
-/// scale", "categories, not to scale". Empty where a linear scale fits, or where too few labels say.
+/// The kind of scale of labels at these positions (pixels along the axis, value): "values on a logarithmic
+/// scale", "categories, not to scale". Empty if a linear scale fits, or if there are too few labels.
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels);
 
 inline constexpr char logarithmicScale[] = "values on a logarithmic scale";

@@ -14,7 +14,8 @@
 namespace detent::importer {
 namespace {
 
-/// The symbol of a unit that plots are drawn in, as read or as what it is a misreading of; empty if it is none.
+/// The symbol of a unit that plots are drawn in, as read or as what it is a misreading of; empty if it is
+/// none.
 std::string_view symbolIn(std::string_view core, bool apart) {
   constexpr double surelyMisread = 0.5;             // cost of a reading
   constexpr std::array others{"n", "p", "m", "P"};  // units by the book that no plot names so
@@ -47,8 +48,8 @@ std::vector<Box> joinedAlong(std::vector<Box> blobs) {
   return letters;
 }
 
-/// Where the unit may begin, likeliest first: at the last word, at a bracket within it, behind the last letter as wide as it is
-/// high, and a word earlier, where a stroke or a bracket stands alone.
+/// Where the unit may begin, likeliest first: at the last word, at a bracket within it, behind the last
+/// letter as wide as it is high, and a word earlier, where a stroke or a bracket stands alone.
 std::vector<std::size_t> starts(const std::vector<Box>& letters, double height) {
   constexpr double blank = 0.22, stroke = 0.45, lone = 0.65, square = 0.75;  // of the line's height
   constexpr std::size_t longest = 9;  // letters of a unit with its brackets
@@ -78,7 +79,7 @@ std::vector<std::size_t> starts(const std::vector<Box>& letters, double height) 
   return out;
 }
 
-/// What a reading names; `apart` if a mark in front of it says that a unit stands there, as one within it does.
+/// The unit in a reading; `apart` if a mark in front of it announces a unit, as one within it does.
 std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool apart) {
   std::string core;
   std::size_t marks = 0;
@@ -97,7 +98,7 @@ std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool ap
     apart = apart || c != '.';
   }
   const std::string_view symbol = symbolIn(core, apart);
-  // A letter less than there is ink was lost: the N of "cN".
+  // A letter less than there are blobs was lost: the N of "cN".
   if (symbol.empty() || blobs > core.size() + marks) return {};
   // Words of their own, or too short to be more than a word's end.
   if (!apart && (core.size() < 2 || core == "of" || core == "in")) return {};
@@ -113,7 +114,8 @@ std::string UnitToken::endOf(const std::string& line) const {
 
 namespace {
 
-/// How sure a reading has to be: of three letters and more between two brackets hardly anything but a unit comes out as one.
+/// Least confidence of a reading: three letters and more between two brackets are hardly ever misread as a
+/// unit.
 double leastSure(const std::string& text) {
   constexpr double sure = 0.7, sureInBrackets = 0.5;  // of the engine's
   constexpr std::ptrdiff_t fewest = 5;                // signs

@@ -19,8 +19,9 @@ struct UnitToken {
   std::string endOf(const std::string& line) const;
 };
 
-/// The unit that a line ends in. `letters`: the line's blobs, turned so that the line reads along +x; `quarterTurns` clockwise that turned
-/// them; `angle_deg` of the line's baseline in the view. nullopt where nothing of the closed list of units stands there.
+/// The unit that a line ends in. `letters`: the line's blobs, turned so that the line reads along +x;
+/// `quarterTurns` clockwise that turned them; `angle_deg` of the line's baseline in the view. nullopt where
+/// nothing of the closed list of units stands there.
 std::optional<UnitToken> unitAtEnd(TextReader& reader, std::vector<Box> letters, int quarterTurns,
                                    double angle_deg);
 

@@ -13,11 +13,11 @@ namespace detent::importer {
 
 struct BatchOptions {
   int jobs = 0;                  ///< processes at once; 0: one per core
-  double timeLimit_s = 120;      ///< per input, wall clock; > 0
+  double timeLimit_s = 120;      ///< per input, elapsed time; > 0
   double memoryLimit_MB = 4096;  ///< per input, address space; > 0
 };
 
-/// What a child hands back for its input: lines for the report, already complete.
+/// A child's result for its input: lines for the report, already complete.
 struct InputOutcome {
   std::string input;
   int exitCode = 0;
@@ -27,10 +27,9 @@ struct InputOutcome {
 };
 
 /// Runs `handle(input)` in a child for every input; it prints JSON lines to the file descriptor it is given
-/// as a stream of text and returns the exit code. A child that is killed from outside is started
-/// once more. `finished` is called in the order of the inputs, whatever
-/// `jobs` is, on the calling thread; `cancelled` is asked several times a second. Call from a process without
-/// other threads.
+/// as a stream of text and returns the exit code. A child that is killed from outside is started once more.
+/// `finished` is called in the order of the inputs, whatever `jobs` is, on the calling thread; `cancelled` is
+/// called several times a second. Call from a process without other threads.
 Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOptions& options,
                          const std::function<int(const std::string& input, std::string& reportLines)>& handle,
                          const std::function<void(const InputOutcome&)>& finished,

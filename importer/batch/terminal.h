@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether somebody is watching. POSIX.
+// Returns true if output goes to a terminal. POSIX.
 
 namespace detent::importer {
 

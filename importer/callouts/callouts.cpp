@@ -63,12 +63,12 @@ std::vector<Phrase> phrasesInside(const AxesFound& axes, const Box& frame) {
   return phrases;
 }
 
-/// Ink or paper, per pixel: how far a pixel is from the plot's most frequent colour.
+/// Distance of each pixel from the plot's most frequent colour: mark or paper.
 class InkTest {
  public:
   InkTest(const Raster& raster, const Box& frame) : raster_(raster), paper_(mostFrequent(raster, frame)) {}
 
-  /// A pixel of ink within one pixel of the point.
+  /// A pixel of a mark within one pixel of the point.
   bool near(Point p) const {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
     for (int dy = -1; dy <= 1; ++dy) {
@@ -108,8 +108,9 @@ class InkTest {
 
 constexpr double leastShare = 0.8;  // of a leader that is a thin stroke
 
-/// Share of the straight line between two points that is a thin stroke of ink: ink on it, none beside it. 0..1; 0 as
-/// soon as it cannot reach `leastShare` any more, as nearly all lines from a word to a curve cross blank paper.
+/// Share of the straight line between two points that is a thin stroke: marked pixels on it, none beside it.
+/// 0..1; 0 as soon as it cannot reach `leastShare` any more, as nearly all lines from a word to a curve cross
+/// blank paper.
 double leaderShare(const InkTest& ink, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};

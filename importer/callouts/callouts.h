@@ -20,7 +20,7 @@ struct Callout {
   CalloutKind kind = CalloutKind::operatingPoint;
   CurvePoint at;          ///< mm, N, on the traced stroke
   Point at_px;            ///< the same in view pixels
-  double confidence = 0;  ///< share of the leader that is a thin line of ink, 0..1
+  double confidence = 0;  ///< share of the leader that is a thin line, 0..1
   std::string text;
 };
 

@@ -11,7 +11,7 @@ struct PointNoise {
   double sigma_N = 0;   ///< > 0
 };
 
-/// How the number of pieces is chosen.
+/// Criterion for the number of pieces.
 enum class PieceCriterion {
   bic,   ///< chi-square + parameters * ln(points), both in independent points
   fixed  ///< exactly FitOptions::pieces, or fewer if there are too few points

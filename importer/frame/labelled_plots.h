@@ -19,7 +19,7 @@ struct LabelledPlot {
   double score = 0;         ///< higher is surer; comparable within one page
 };
 
-/// Best first, without overlaps. Upright plots only. `ink`: text pixels, 255 or 0.
+/// Best first, without overlaps. Upright plots only. Text pixels are 255, others 0.
 std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_px, double minHeight_px);
 
 }  // namespace detent::importer

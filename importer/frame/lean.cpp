@@ -31,7 +31,7 @@ std::vector<cv::Point> levelCrests(const cv::Mat& darkness) {
   return crests;
 }
 
-/// How sharply points fall into horizontal rows after removing the tilt.
+/// Sharpness of the horizontal rows of points after removing the tilt.
 double rowScore(const std::vector<cv::Point>& points, double slope, int size, std::vector<int>& rows) {
   const int room = static_cast<int>(std::abs(slope) * size) + 2;
   rows.assign(static_cast<std::size_t>(size + 2 * room + 2), 0);

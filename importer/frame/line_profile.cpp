@@ -101,8 +101,8 @@ std::optional<EdgeLine> consensusLine(const std::vector<Peak>& peaks, const std:
   return edge;
 }
 
-/// Position of a line from many short stretches; those with something beside the line look wider and are left
-/// out.
+/// Position of a line from many short stretches; those with something beside the line appear wider and are
+/// left out.
 std::optional<Peak> cleanPeak(const cv::Mat& d, int l, int r, int y0, int y1) {
   const int reach = r - l + 4;
   const int w0 = std::max(0, l - reach), w1 = std::min(d.cols, r + reach + 1);

@@ -27,7 +27,7 @@ struct EdgeLine {
 std::optional<EdgeLine> locateColumnEdge(const cv::Mat& darkness, double across, double from, double to,
                                          double reach);
 
-/// How a line near column `across` covers the pixels beside its crest, as shares of the crest's darkness:
+/// Coverage of the pixels beside a line's crest near column `across`, as shares of the crest's darkness:
 /// left, right, and two pixels away. Median over [from, to].
 struct RimCover {
   double left = 0, right = 0, beyond = 0;

@@ -63,7 +63,7 @@ Segments segmentsOf(const cv::Mat& grey) {
   return segments;
 }
 
-/// How well a segment points to a vanishing point: 1 exactly, 0 from `agrees_deg` on.
+/// Agreement of a segment with a vanishing point: 1 exactly, 0 from `agrees_deg` on.
 double agreement(const Segment& segment, const cv::Vec3d& point) {
   const Point towards{point[0] - point[2] * segment.middle.x, point[1] - point[2] * segment.middle.y};
   const double off_deg =

@@ -111,7 +111,7 @@ struct EdgeFit {
   double inside = 0;    ///< length inside
   double length = 0;    ///< of the members, in all
   int members = 0, endAtFrom = 0, endAtTo = 0;
-  double reachFrom = 0, reachTo = 0;  ///< share of the grid lines that reach the edge
+  double reachFrom = 0, reachTo = 0;  ///< share of the gridlines that reach the edge
 };
 
 /// Cost of a line beyond the edge: small if it ends soon (ticks, open grids), large if it reaches the grid's
@@ -123,7 +123,7 @@ double overhangCost(double by, double size, bool edgeDrawn, double toNext) {
   return (edgeDrawn && !gridGoesOn ? 0.12 : 1.0) * std::min(1.0, by / (0.25 * size));
 }
 
-/// How the lines of one direction fit: whether they end at the rectangle's edges or continue.
+/// Fit of the lines of one direction: they end at the rectangle's edges or continue.
 EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to, double acrossFrom,
                  double acrossTo, double coverFrom, double coverTo, const NextLines& next) {
   struct Place {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// SQLite's connection and statements as values that close themselves. Faults are thrown here and caught in store.cpp.
+// SQLite's connection and statements as values that close themselves. Faults are thrown here and caught in
+// store.cpp.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +12,7 @@
 
 namespace detent::importer {
 
-/// What SQLite could not do.
+/// Error of SQLite.
 struct DatabaseFault {
   int code = SQLITE_ERROR;  ///< primary result code
   std::string words;        ///< SQLite's own
@@ -62,7 +63,8 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// All or nothing: what is not committed is rolled back. Takes the right to write at once, so that it never has to give up halfway.
+/// All or nothing: what is not committed is rolled back. Takes the right to write at once, so that it never
+/// has to give up halfway.
 class Transaction {
  public:
   explicit Transaction(Database& database);

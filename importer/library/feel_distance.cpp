@@ -10,14 +10,16 @@
 namespace detent::importer {
 namespace {
 
-/// Slopes beyond are of walls and edges, where a hundredth of a millimetre decides.
+/// Steeper slopes belong to bottom-outs and edges, where a hundredth of a millimetre decides.
 constexpr double steepest_gf_per_mm = 60;
 
 /// Cells of the wanted travel: 0.04 mm on a key switch, below which slopes are of the meters' noise.
 constexpr int cells = 96;
-/// Contacts are laid apart by up to so many cells, in strides: preload and the first resistance differ between meters.
+/// Contacts are laid apart by up to so many cells, in strides: preload and the first resistance differ
+/// between meters.
 constexpr int farthestShift = 8, shiftStride = 2;
-/// Left out at either end of what both have, as a share of it: contact and wall, where a hundredth of a millimetre decides.
+/// Left out at either end of the common travel, as a share of it: contact and bottom-out, where a hundredth
+/// of a millimetre decides.
 constexpr double leftOutOfEnds = 0.05;
 
 /// Forces at 0, step, ... while the shape lasts, at most `most` of them, linear in between.
@@ -102,7 +104,7 @@ FeelDistance::FeelDistance(const FeltShape& wanted, const FeelWeights& weights)
 
 std::vector<FeelDifference> FeelDistance::differencesTo(const FeltShape& other, double atMost_gf) const {
   constexpr int most = cells + 1 + farthestShift;
-  // Who is as far as the last that counts is not left out by a rounding.
+  // A switch at the same distance as the last one that counts is not left out by rounding.
   const double most_gf2 = squared(atMost_gf) * (1 + 1e-9);
   const std::vector<double> press = sampled_gf(other.press_N, other.travel_mm, step_mm_, most);
   // A record without its way up is compared by its way down alone, which has then to speak for both.

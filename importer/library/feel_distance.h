@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How far apart two switches feel, by their curves, in units of what two laboratories differ by on one switch.
+// Felt distance of two switches, by their curves, in units of the difference of two laboratories on one
+// switch.
 
 #include <limits>
 #include <vector>
@@ -9,8 +10,9 @@
 
 namespace detent::importer {
 
-/// Median distance between the records of one switch in two laboratories, over the pairs of docs/measurements/bench-library.md. Below it nobody can say
-/// that two records are of different switches. `library_bench` prints it.
+/// Median distance between the records of one switch in two laboratories, over the pairs of
+/// docs/measurements/bench-library.md. Below it nobody can say that two records are of different switches.
+/// `library_bench` prints it.
 inline constexpr double labNoise_gf = 3.2;
 
 /// Two curves laid on one another with one place of contact, over the middle of the displacements both have.
@@ -22,8 +24,9 @@ struct FeelDifference {
   double shift_mm = 0;                    ///< of the second curve's contact against the first's
 };
 
-/// d^2 = press^2 + (release)^2 + (slope)^2 + (level)^2 + (travel)^2 + (shift)^2, each times its weight, at the shift where d is least. By
-/// how much the release lies below the press does not count: laboratories differ by that as much as switches do.
+/// d^2 = press^2 + (release)^2 + (slope)^2 + (level)^2 + (travel)^2 + (shift)^2, each times its weight, at
+/// the shift where d is least. By how much the release lies below the press does not count: laboratories
+/// differ by that as much as switches do.
 struct FeelWeights {
   double release = 1;     ///< gf per gf
   double slope_mm = 0.1;  ///< gf per gf/mm
@@ -36,12 +39,13 @@ struct FeelWeights {
 class FeelDistance {
  public:
   explicit FeelDistance(const FeltShape& wanted, const FeelWeights& weights = {});
-  /// >= 0, in units of lab noise; 0 to itself. What is farther than `atMost` is infinitely far where that is found out early.
+  /// >= 0, in units of lab noise; 0 to itself. What is farther than `atMost` is infinitely far where that is
+  /// found out early.
   double to(const FeltShape& other, double atMost_labNoise = std::numeric_limits<double>::infinity()) const;
-  /// At least so far is every shape of this travel, in units of lab noise.
+  /// Lower bound of the distance to any shape of this travel, in units of lab noise.
   double leastTo(double travel_mm) const;
-  /// One for every shift of the contact, within 8 % of the wanted travel, but for shifts of which some terms alone are farther than
-  /// `atMost_gf`.
+  /// One for every shift of the contact, within 8 % of the wanted travel, but for shifts of which some terms
+  /// alone are farther than `atMost_gf`.
   std::vector<FeelDifference> differencesTo(const FeltShape& other,
                                             double atMost_gf = std::numeric_limits<double>::infinity()) const;
 
@@ -51,7 +55,7 @@ class FeelDistance {
   FeelWeights weights_;
 };
 
-/// At the shift where it is least, in gf; of no shift infinite.
+/// Distance at the shift where it is least, in gf; of no shift infinite.
 double distance_gf(const std::vector<FeelDifference>& byShift, const FeelWeights& weights);
 
 }  // namespace detent::importer

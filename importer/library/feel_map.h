@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Switches on a map: places whose distances are as near as two dimensions allow to how far the switches feel apart.
+// Switches on a map: places whose distances are as near as two dimensions allow to how far the switches feel
+// apart.
 
 #include <array>
 #include <optional>
@@ -22,8 +23,9 @@ struct FeelMap {
   std::vector<std::array<double, 2>> places;  ///< of each switch, in lab noises from the mean of all
 };
 
-/// Principal axes of press, release and travel, weighted as in FeelDistance but with one contact and without slopes. Forces grow along
-/// the first axis; the second is signed so that the travel grows along it. Same input, same map. Any thread.
+/// Principal axes of press, release and travel, weighted as in FeelDistance but with one contact and without
+/// slopes. Forces grow along the first axis; the second is signed so that the travel grows along it. Same
+/// input, same map. Any thread.
 FeelMap feelMapOf(const std::vector<LibrarySwitch>& switches);
 
 }  // namespace detent::importer

@@ -28,8 +28,8 @@ std::vector<Ranked> nearestOf(std::vector<Ranked> all, std::size_t limit) {
   return all;
 }
 
-/// The nearest `limit` > 0, whoever is as far as the last of them, and some that are farther. From the travel that is most alike on,
-/// so that most curves need not be read.
+/// The nearest `limit` > 0, whoever is as far as the last of them, and some that are farther. From the travel
+/// that is most alike on, so that most curves need not be read.
 Result<std::vector<Ranked>> rankedByFeel(const LibraryStore& store, const FeelDistance& distance,
                                          const std::vector<std::pair<SwitchId, double>>& travels_mm,
                                          std::size_t limit) {
@@ -115,7 +115,8 @@ Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindReq
   return nearest;
 }
 
-/// Those that keep the ranges: nearest first where something is asked for, else by name. `fitting`: how many there are.
+/// Switches that keep the ranges: nearest first if there is a reference, else by name. `fitting`: their
+/// number.
 Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRequest& request,
                                          const Wanted& wanted, std::size_t& fitting) {
   std::vector<Ranked> ranked;

@@ -23,18 +23,18 @@ struct FindRequest {
 
 struct FoundSwitch {
   LibrarySwitch entry;
-  std::optional<double>
-      distance_labNoise;             ///< where `like` was asked; below 1 nobody can say that they differ
+  std::optional<double> distance_labNoise;  ///< if `like` was given; below 1 the two may be one switch
   SwitchSpread spread;               ///< of all records of this switch by its laboratory, this one among them
   std::vector<Rating> ratings = {};  ///< what people said of a switch of this name
 };
 
-/// 1: nobody can say that it differs; 2: within two lab noises, and so on. Who stands first in a group says little.
+/// 1: nobody can say that it differs; 2: within two lab noises, and so on. Who stands first in a group says
+/// little.
 inline std::size_t groupOf(double distance_labNoise) {
   return 1 + static_cast<std::size_t>(distance_labNoise);
 }
 
-/// One that misses some of the ranges, and by how much (missOf).
+/// A switch that misses some of the ranges, and the distance from them (missOf).
 struct NearMiss {
   LibrarySwitch entry;
   double miss_labNoise = 0;  ///< > 0

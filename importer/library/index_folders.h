@@ -37,11 +37,11 @@ struct IndexSummary {
 
 struct IndexProgress {
   std::function<void(double fraction, const std::string& file)> report;  ///< may be empty
-  std::function<bool()> cancelled;  ///< asked from any thread; may be empty
+  std::function<bool()> cancelled;  ///< called from any thread; may be empty
 };
 
-/// What was read before a Failure or an end by force stays read. Failure unreadableInput: no such folder; those of
-/// LibraryStore::openToWrite and put; cancelled.
+/// Files that were read before a Failure or a forced end stay read. Failure unreadableInput: no such folder;
+/// those of LibraryStore::openToWrite and put; cancelled.
 Result<IndexSummary> indexFolders(const IndexRequest& request, const IndexProgress& progress = {});
 
 }  // namespace detent::importer

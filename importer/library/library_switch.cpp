@@ -8,7 +8,7 @@
 namespace detent::importer {
 namespace {
 
-// Of 112 labelled switches 94 to 96 in 100 are told apart by any bar from 5 to 8 gf.
+// Of 112 labelled switches 94 to 96 in 100 are classified correctly by any bar from 5 to 8 gf.
 constexpr double linearBelow_gf = 5, tactileAbove_gf = 8;
 
 // Of 1,008 records with a peak 125 are of linear switches; 99 of these have it so near the start.

@@ -10,12 +10,12 @@
 
 namespace detent::importer {
 
-/// By the largest drop of the press: laboratories agree on it outside of 5 to 8 gf.
+/// Kind by the largest drop of the press: laboratories agree on it outside of 5 to 8 gf.
 enum class SwitchKind { linear, between, tactile };
 std::string_view nameOf(SwitchKind kind);
 SwitchKind kindOf(const KeyFigures& figures);
-/// Takes peak, valley and what follows from them from a linear switch whose peak lies where it is first touched: there its preload is
-/// met, which is no tactile point. `start_mm`: of the press.
+/// Takes peak, valley and what follows from them from a linear switch whose peak lies where it is first
+/// touched: there its preload is met, which is no tactile point. `start_mm`: of the press.
 void forgetContactBump(KeyFigures& figures, KeyFigures& sigmas, double start_mm);
 
 struct LibrarySwitch {

@@ -59,7 +59,7 @@ struct Shape {
       for (int k = bend; k <= bends; ++k) terms[degree + 1 + k - bend] = term(past, k);
     return terms;
   }
-  /// What a step of the joint changes at t, or the slope there.
+  /// Change of the value or slope at t by a step of the joint.
   double perJoint(double t, const VectorXd& solved, int derivative = 0) const {
     if (kind == Joint::none) return 0;
     VectorXd moving = at(t, derivative + 1);
@@ -68,7 +68,8 @@ struct Shape {
   }
 };
 
-/// t of the samples, and their forces as what each adds to those before it: white, of a variance of 1 up to a common factor.
+/// t of the samples, and their forces as what each adds to those before it: white, of a variance of 1 up to a
+/// common factor.
 struct Columns {
   explicit Columns(const LocalWindow& window) {
     const auto& points = window.points;
@@ -91,7 +92,7 @@ struct Columns {
     force = whitened(force_N);
   }
   double at(double displacement_mm) const { return (displacement_mm - middle_mm) / half_mm; }
-  /// What each row adds to what is expected by those before it (Kalman 1960), in standard deviations.
+  /// Innovation of each row beyond the prediction from those before it (Kalman 1960), in standard deviations.
   MatrixXd whitened(MatrixXd rows) const {
     Eigen::RowVectorXd expected = Eigen::RowVectorXd::Zero(rows.cols());
     for (Index i = 0; i < rows.rows(); ++i) {
@@ -131,7 +132,7 @@ std::optional<Solved> solved(const Columns& columns, const MatrixXd& terms_N) {
   return solution;
 }
 
-/// The terms of all samples, and what a step of the joint changes of them where that is asked by their values.
+/// The terms of all samples, and the change of them by a step of the joint if the solution is given.
 MatrixXd matrixOf(const Columns& columns, const Shape& shape, const VectorXd* solved = nullptr) {
   const Index terms = shape.columns();
   MatrixXd matrix = MatrixXd::Zero(columns.t.size(), terms + (solved ? 1 : 0));
@@ -157,14 +158,15 @@ MatrixXd matrixOf(const Columns& columns, const Shape& shape, const VectorXd* so
   return matrix;
 }
 
-/// What one model says, and how well it runs through the samples.
+/// Estimate of one model, and its fit to the samples.
 struct Said {
   LocalPlace place;
   double squares = 0;
   Index parameters = 0;
 };
 
-/// The mean of the models by their evidence (Akaike's, corrected for few samples); their errors hold what they differ by.
+/// The mean of the models by their evidence (Akaike's, corrected for few samples); their errors hold what
+/// they differ by.
 std::optional<LocalPlace> meanPlace(const std::vector<Said>& all, const Columns& columns) {
   if (all.empty()) return {};
   const auto n = static_cast<double>(columns.t.size());
@@ -205,7 +207,8 @@ LocalPlace placeOf(const Columns& columns, double t, double force_N, const Matri
   return place;
 }
 
-/// A shape through the samples; by Gauss and Newton where it has a joint, whose step stands behind the terms in the covariance.
+/// A shape through the samples; by Gauss and Newton where it has a joint, whose step stands behind the terms
+/// in the covariance.
 std::optional<Solved> placed(const Columns& columns, Shape& shape) {
   if (shape.kind == Shape::Joint::none) return solved(columns, matrixOf(columns, shape));
   constexpr int rounds = 25;
@@ -215,7 +218,8 @@ std::optional<Solved> placed(const Columns& columns, Shape& shape) {
     if (shape.parameters() + 2 > columns.t.size()) return {};
     const Eigen::HouseholderQR<MatrixXd> qr(columns.whitened(matrixOf(columns, shape)));
     const VectorXd terms = qr.solve(columns.force);
-    // What of the joint's column, and of the forces, no term explains: its step is their regression (Golub & Pereyra 1973).
+    // The part of the joint's column, and of the forces, that no term explains: its step is their regression
+    // (Golub & Pereyra 1973).
     const auto unexplained = [&](const VectorXd& column) -> VectorXd {
       const VectorXd turned = qr.householderQ().adjoint() * column;
       return turned.tail(turned.size() - shape.columns());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A place on a stroke and its force, from the samples around it: several models of the window, each as likely as its evidence says
-// (Burnham & Anderson 2002), with the errors of each and what they differ by (docs/develop/decisions/0813).
+// A place on a stroke and its force, from the samples around it: several models of the window, each as likely
+// as its evidence says (Burnham & Anderson 2002), with the errors of each and what they differ by
+// (docs/develop/decisions/0813).
 
 #include <optional>
 #include <vector>
@@ -25,11 +26,11 @@ struct LocalWindow {
   double share = 0;         ///< [0, 1)
 };
 
-/// The extremum of the window's models: a peak for a `sign` of 1, a valley for -1. Nothing where no model has one, or too few samples
-/// tell. Any thread.
+/// The extremum of the window's models: a peak for a `sign` of 1, a valley for -1. Nothing where no model has
+/// one, or too few samples tell. Any thread.
 std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign);
 
-/// Where a wall begins, above a gentler course; `near_mm`: about there.
+/// Start of a bottom-out, above a gentler slope; `near_mm`: its approximate displacement.
 std::optional<LocalPlace> cornerIn(const LocalWindow& window, double near_mm);
 
 /// The force at a displacement of the window, of which nothing is unknown.

@@ -13,7 +13,8 @@
 namespace detent::importer {
 namespace {
 
-/// Half of what holds 68.3 % of the sums of a normal error and of two that may lie anywhere between minus and plus their bounds.
+/// Half of what holds 68.3 % of the sums of a normal error and of two that may lie anywhere between minus and
+/// plus their bounds.
 double halfOf68(double variance, double a, double b) {
   constexpr double share = 0.682689;  // of a normal error, within one standard error
   constexpr double coarse = 1e-2;     // of the other errors: below, a bound is as good as normal
@@ -81,11 +82,12 @@ class Measured {
  private:
   Error& errorOf(KeyFigure figure) { return errors_[static_cast<std::size_t>(figure)]; }
 
-  /// Start, peak, valley and foot by the models of the samples around each, and the figures that are made of them.
+  /// Start, peak, valley and start of the bottom-out by the models of the samples around each, and the
+  /// figures that are made of them.
   void measurePlaces() {
     constexpr double depth = 0.25;      // of what an extremum stands out, down to which its samples count
     constexpr double leastNoises = 3;   // that its samples reach down at least
-    constexpr double footReach = 0.12;  // of the travel, below a wall
+    constexpr double footReach = 0.12;  // of the travel, below a bottom-out
     const StrokeCurve& press = state_.graph.press();
     const double end_mm = down_.last().displacement_mm;
     const BottomOut bottom = bottomOutOf(press);
@@ -126,7 +128,8 @@ class Measured {
     figures_[KeyFigure::initialForce] = places.start.force_N;
     errorOf(KeyFigure::initialForce).variance = found[0] ? found[0]->variance_N2 : 0;
     for (std::size_t i = 0; i < found.size(); ++i) addPlace(places, i, found[i]);
-    // What is rounded off a place is rounded off its neighbours too, where the readings go on evenly; an end has its own.
+    // Rounding of a displacement affects its neighbours too if the readings are evenly spaced; an end has its
+    // own.
     if (down_.isEven() || !bottom.wall) {
       ShapePlaces away = places;
       for (std::size_t i = 1; i < found.size(); ++i)
@@ -157,7 +160,8 @@ class Measured {
     return moved;
   }
 
-  /// What the errors of one place do to every figure; a place that was not found leaves its figures without an error.
+  /// Effect of the errors of one displacement on every figure; a displacement that was not found leaves its
+  /// figures without an error.
   void addPlace(const ShapePlaces& places, std::size_t which, const std::optional<LocalPlace>& found) {
     constexpr double tiny_mm = 1e-6, tiny_N = 1e-6;
     ShapePlaces deeper = places, harder = places;

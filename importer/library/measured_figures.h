@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The figures of a measured switch from its samples, and how far the meter's noise and its steps let them be off.
+// The figures of a measured switch from its samples, and how far the meter's noise and its steps let them be
+// off.
 
 #include "importer/importer.h"
 #include "model/key_figures.h"
@@ -8,15 +9,15 @@
 namespace detent::importer {
 
 struct MeasuredFigures {
-  /// Of the samples, where they tell a figure; else of the fit.
+  /// Figures from the samples, if they determine them; else from the fit.
   KeyFigures figures;
-  /// Standard errors: half of what holds 68.3 % of the errors of noise and steps together. Empty where the samples do not tell one, as
-  /// of a peak of too few samples.
+  /// Standard errors: half of what holds 68.3 % of the errors of noise and steps together. Empty where the
+  /// samples do not tell one, as of a peak of too few samples.
   KeyFigures sigmas;
 };
 
-/// Of an imported log's first state. Not contained: the meter's own calibration, and that another unit of the switch differs
-/// (docs/develop/decisions/0813). Any thread.
+/// Figures of an imported log's first state. Not included: the meter's own calibration, and the difference of
+/// another unit of the switch (docs/develop/decisions/0813). Any thread.
 MeasuredFigures measuredFiguresOf(const ImportReport& report);
 
 }  // namespace detent::importer

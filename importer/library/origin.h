@@ -9,7 +9,7 @@
 
 namespace detent::importer {
 
-/// What a row says where nobody states a licence.
+/// Text of a row without a stated licence.
 inline constexpr const char* noLicenceStated = "none stated";
 
 struct Origin {
@@ -17,11 +17,11 @@ struct Origin {
   std::string credit;  ///< "owner/name" of the clone the file stands in; empty where there is none
 };
 
-/// Looks for licence files and clones, from a file's folder up to the root it was reached by. Remembers what it saw of each folder.
-/// One thread.
+/// Searches licence files and clones, from a file's folder up to the root it was reached by. Remembers the
+/// contents of each folder. One thread.
 class Origins {
  public:
-  /// What was given by hand settles itself; empty: found.
+  /// Given values override; empty: found.
   Origins(std::string givenLicence, std::string givenCredit);
   Origin of(const std::filesystem::path& folder, const std::filesystem::path& root);
 
@@ -31,10 +31,12 @@ class Origins {
   std::map<std::filesystem::path, Origin> seen_;
 };
 
-/// The name of the licence that a text is; its first line where it is none that is known; empty for an empty text.
+/// The name of the licence that a text is; its first line where it is none that is known; empty for an empty
+/// text.
 std::string licenceNamed(std::string_view text);
 
-/// "owner/name" from a git configuration's first URL, without what it may hold of passwords; empty where there is none.
+/// "owner/name" from a git configuration's first URL, without what it may hold of passwords; empty where
+/// there is none.
 std::string creditFrom(std::string_view gitConfig);
 
 }  // namespace detent::importer

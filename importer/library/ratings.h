@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person said of a switch, beside what a meter did: score sheets, as their author wrote them. Nothing is computed from them.
+// Ratings of a switch by a person, beside the measurements: score sheets, as their author wrote them. Nothing
+// is computed from them.
 
 #include <map>
 #include <string>
@@ -19,8 +20,9 @@ struct Rating {
       scores;  ///< "Push Feel", 31; in the sheet's order and on its scale
 };
 
-/// The switches of a score sheet: CSV with a line of headings, among them "Switch Name" and "Push Feel", and the scores up to the first
-/// heading that is empty. Empty for any other text. Source, licence and credit are left empty. Any thread.
+/// The switches of a score sheet: CSV with a line of headings, among them "Switch Name" and "Push Feel", and
+/// the scores up to the first heading that is empty. Empty for any other text. Source, licence and credit are
+/// left empty. Any thread.
 std::vector<Rating> ratingsIn(std::string_view csv);
 
 /// "ThereminGoat/switch-scores of \"Alpaca V2\": Push Feel 32, Wobble 22": whose, of what, and what.
@@ -30,8 +32,8 @@ std::string ratingWords(const Rating& rating);
 class RatingsByName {
  public:
   explicit RatingsByName(const std::vector<Rating>& all);
-  /// Those whose name has the same words in any order, with the maker's or, where two are left, without; of one person's sheets the one
-  /// that says most.
+  /// Ratings whose name has the same words in any order, with the maker's or, if two are left, without; of
+  /// one person's sheets the most detailed one.
   std::vector<Rating> of(const std::string& switchName) const;
 
  private:

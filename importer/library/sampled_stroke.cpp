@@ -30,8 +30,9 @@ std::vector<double> runningMeans(const std::vector<double>& values, std::size_t 
   return means;
 }
 
-/// Polynomials of rising degree through so many samples side by side, orthonormal; and the autocovariances that noise has behind a cubic:
-/// noise of which each sample carries on a share to the next, 0 of white noise.
+/// Polynomials of rising degree through so many samples side by side, orthonormal; and the autocovariances
+/// that noise has behind a cubic: noise of which each sample carries on a share to the next, 0 of white
+/// noise.
 struct Blocks {
   static constexpr std::size_t mostLags = 40;
   static constexpr Eigen::Index cubic = 4;  // terms
@@ -72,7 +73,7 @@ struct Noise {
   double carried_N2 = 0;   ///< of this, what it carries on to the next by a share
   double share = 0;
 
-  /// How many readings share one error.
+  /// Number of readings that share one error.
   double together() const { return 1 + carried_N2 / variance_N2 * ((1 + share) / (1 - share) - 1); }
 };
 
@@ -101,7 +102,8 @@ Noise noiseBy(const Eigen::VectorXd& covariances, const Blocks& blocks) {
   return best;
 }
 
-/// Means over the stretches through which a cubic runs as well as any higher polynomial. Nothing where there are none.
+/// Means over the stretches through which a cubic runs as well as any higher polynomial. Nothing where there
+/// are none.
 std::optional<Eigen::VectorXd> covariancesBehindCubics(const std::vector<CurvePoint>& points,
                                                        const Blocks& blocks, double together) {
   const auto length = static_cast<std::size_t>(blocks.basis.rows());
@@ -157,7 +159,8 @@ SampledStroke::SampledStroke(const StrokeCurve& curve, const std::vector<CurvePo
   weighNoise();
 }
 
-/// Noise from the stretches of samples that a cubic follows: by their autocovariances how large it is and how many samples share one error.
+/// Noise from the stretches of samples that a cubic follows: by their autocovariances how large it is and how
+/// many samples share one error.
 void SampledStroke::weighNoise() {
   constexpr std::size_t longest = 200, fewest = 30;  // samples
   const std::size_t length = std::min(longest, points_.size() / 2);
@@ -177,7 +180,8 @@ void SampledStroke::weighNoise() {
   static const Blocks usual(longest);
   const std::optional<Blocks> own = length == longest ? std::nullopt : std::optional<Blocks>(length);
   const Blocks& blocks = own ? *own : usual;
-  // What samples share looks like a bend to who takes each for a reading of its own: with what was found, once more.
+  // Shared errors of samples resemble a bend if each is taken for a reading of its own: repeated with the
+  // estimated noise.
   std::optional<Noise> found;
   for (int round = 0; round < 2; ++round) {
     const auto covariances = covariancesBehindCubics(points_, blocks, found ? found->together() : 1);
@@ -226,7 +230,7 @@ LocalWindow SampledStroke::window(std::size_t from, std::size_t to) const {
   for (std::size_t i = from; i < to; ++i) {
     const double at_mm = std::clamp(points_[i].displacement_mm, curve_.start_mm(), curve_.end_mm());
     window.points.push_back(points_[i]);
-    // What is rounded off a place is each sample's own.
+    // Rounding of a displacement is each sample's own error.
     window.own.push_back(own_N2 + std::pow(rounded_mm * curve_.slope_N_per_mm(at_mm), 2));
   }
   return window;

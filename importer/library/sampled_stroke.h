@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A stroke's samples beside the curve that was fitted to them: what the meter's noise and steps are, and the windows of samples around
-// a place.
+// A stroke's samples beside the curve that was fitted to them: what the meter's noise and steps are, and the
+// windows of samples around a place.
 
 #include <vector>
 
@@ -23,17 +23,18 @@ class SampledStroke {
   const CurvePoint& first() const { return points_.front(); }
   const CurvePoint& last() const { return points_.back(); }
 
-  /// By trapezia, from one displacement to another.
+  /// Area by trapezia, from one displacement to another.
   double area_mJ(double from_mm, double to_mm) const;
   double areaVariance() const;
-  /// By how much the area grows per mm that the travel ends later: where the readings go on by one step each, what the end is off is
-  /// spread over the way.
+  /// Growth of the area per mm that the travel ends later: if the readings are evenly spaced, an error of the
+  /// end is spread over the way.
   double areaPerEnd_N() const;
 
-  /// Samples around an extremum (`sign` 1: a peak, -1: a valley), down to `depth_N` from it, between two displacements.
+  /// Samples around an extremum (`sign` 1: a peak, -1: a valley), down to `depth_N` from it, between two
+  /// displacements.
   LocalWindow around(double displacement_mm, double sign, double depth_N, double from_mm, double to_mm) const;
   LocalWindow between(double from_mm, double to_mm) const;
-  /// From the first sample to where the force leaves it by more than noise, at most up to `to_mm`.
+  /// Window from the first sample to where the force leaves it by more than noise, at most up to `to_mm`.
   LocalWindow atStart(double to_mm) const;
 
  private:

@@ -38,7 +38,7 @@ const char* const fileTable =
 /// Columns before the figures; `file` ties a switch to its file.
 constexpr int firstFigure = 7, figureCount = static_cast<int>(keyFigureCount);
 const std::string switchColumns = "name, unit, run, part, licence, credit, scale_doubtful";
-/// Of a table of their own: who looks at figures reads no curves, who compares curves nothing else.
+/// In a table of its own: searches of figures read no curves, comparisons of curves read nothing else.
 const std::string curveColumns = "travel_mm, press, release";
 
 /// ", peak_force_N, ..." for each figure, with words before and behind its name.
@@ -131,7 +131,8 @@ KeyFigures figuresIn(const Statement& row, int first) {
   return figures;
 }
 
-/// A row's curveColumns from `first` on, into `shape`, whose memory is used again. Throws DatabaseFault where they are no whole curve.
+/// A row's curveColumns from `first` on, into `shape`, whose memory is used again. Throws DatabaseFault where
+/// they are no whole curve.
 void readShape(const Statement& row, int first, FeltShape& shape) {
   shape.travel_mm = row.real(first).value_or(0);
   unpack(row.view(first + 1), shape.press_N);
@@ -139,7 +140,7 @@ void readShape(const Statement& row, int first, FeltShape& shape) {
   if (!isWhole(shape)) throw DatabaseFault{SQLITE_CORRUPT, "the curve of a switch is not whole"};
 }
 
-/// What `switchIn` reads; sources of it: `switchTables`.
+/// Columns that `switchIn` reads; sources of it: `switchTables`.
 std::string rowColumns() {
   return switchColumns + figureColumns() + sigmaColumns() + ", path, sha256, version, " + curveColumns;
 }
@@ -207,7 +208,7 @@ bool isDamage(const DatabaseFault& fault) {
   return fault.code == SQLITE_CORRUPT || fault.code == SQLITE_NOTADB;
 }
 
-/// What a file is by its head.
+/// Kind of a file by its first bytes.
 enum class FileKind { none, library, otherDatabase, other };
 
 FileKind fileKindOf(const std::string& path) {
@@ -296,7 +297,7 @@ struct LibraryStore::Impl {
   Database database;
   Message rebuilt = {};
 
-  /// What `work` gives; faults of the database become a Failure.
+  /// Result of `work`; faults of the database become a Failure.
   template <class Work>
   auto guarded(Work work) -> Result<decltype(work())> {
     try {

@@ -19,17 +19,18 @@
 
 namespace detent::importer {
 
-/// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
+/// Version of the tables. Raised with every change to them or to the meaning of a key figure: files of other
+/// versions are rebuilt.
 inline constexpr int libraryVersion = 7;
 
-/// Why a file is not in the library.
+/// A file that is not in the library, with the reason.
 struct RefusedFile {
   std::string file;
   FailureCode code = FailureCode::unreadableInput;
   std::string reason;  ///< a sentence, in English
 };
 
-/// How a file stood when it was looked at. Times are of the file clock and mean something to themselves only.
+/// State of a file when it was read. Times are of the file clock and comparable with each other only.
 struct FileStamp {
   std::int64_t bytes = 0;
   std::int64_t modified_ns = 0;
@@ -46,7 +47,7 @@ struct LibraryFile {
   std::vector<Rating> ratings = {};
 };
 
-/// What the library knows of a file without its switches.
+/// The library's data of a file without its switches.
 struct KnownFile {
   FileStamp stamp;
   std::string sha256, version;
@@ -69,17 +70,18 @@ bool byName(const LibrarySwitch& a, const LibrarySwitch& b);
 /// One open library. One thread; any number of processes.
 class LibraryStore {
  public:
-  /// Makes the file where there is none. One of another version is emptied, a damaged one moved aside: `rebuilt` says so. Failure
-  /// wrongUsage: a database of another program, a folder, what is no database by name and content.
+  /// Makes the file where there is none. One of another version is emptied, a damaged one moved aside:
+  /// `rebuilt` says so. Failure wrongUsage: a database of another program, a folder, what is no database by
+  /// name and content.
   static Result<LibraryStore> openToWrite(const std::string& path);
-  /// All that is asked of it is of one moment: who writes waits until it is gone. Failure unreadableInput: missing, damaged, of
-  /// another version.
+  /// All queries see one moment: a writer waits until it is gone. Failure unreadableInput: missing, damaged,
+  /// of another version.
   static Result<LibraryStore> openToRead(const std::string& path);
   LibraryStore(LibraryStore&&) noexcept;
   LibraryStore& operator=(LibraryStore&&) noexcept;
   ~LibraryStore();
 
-  /// Why what was in the file is not any more; empty where it is.
+  /// The reason why the file was rebuilt; empty if it was not.
   const Message& rebuilt() const;
   Result<std::map<std::string, KnownFile>> files() const;
   /// All of them or, on a Failure, none: each in the place of what was known of its path.
@@ -87,23 +89,24 @@ class LibraryStore {
   /// Files that are as they were known but for their stamp, and files that are gone. All or none.
   Result<Done> restamp(const std::vector<std::pair<std::string, FileStamp>>& same,
                        const std::vector<std::string>& gone);
-  /// Of files that are there, by name; those that keep every range.
+  /// Switches of present files, by name; those that keep every range.
   Result<std::vector<LibrarySwitch>> switches(const std::vector<FigureRange>& ranges = {}) const;
   /// These, in this order.
   Result<std::vector<LibrarySwitch>> switchesOf(const std::vector<SwitchId>& ids) const;
-  /// What `switches` gives, without reading it.
+  /// Ids of the result of `switches`, without reading it.
   Result<std::vector<SwitchId>> idsByName(const std::vector<FigureRange>& ranges) const;
-  /// How far what keeps every range travels (FeltShape::travel_mm), without reading curves; in no order.
+  /// Travel of the switches that keep every range (FeltShape::travel_mm), without reading curves; in no
+  /// order.
   Result<std::vector<std::pair<SwitchId, double>>> travels_mm(const std::vector<FigureRange>& ranges) const;
-  /// Their curves, in this order, until `take` wants no more.
+  /// Passes their curves, in this order, to `take` until it returns false.
   Result<Done> shapesOf(const std::vector<SwitchId>& ids,
                         const std::function<bool(SwitchId, const FeltShape&)>& take) const;
-  /// Of all files that are there, in no order.
+  /// Figures of all present files, in no order.
   Result<std::vector<std::pair<SwitchId, KeyFigures>>> figures() const;
   Result<std::vector<std::pair<SwitchId, std::string>>> names() const;
-  /// Of the files that are there, in the order of the sheets.
+  /// Ratings of the present files, in the order of the sheets.
   Result<std::vector<Rating>> ratings() const;
-  /// Of the files that are there: those of one switch by one laboratory, by name and credit.
+  /// Records of the present files: those of one switch by one laboratory, by name and credit.
   Result<std::vector<UnitRecord>> records(const std::string& name, const std::string& credit) const;
 
  private:

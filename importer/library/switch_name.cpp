@@ -11,7 +11,7 @@
 namespace detent::importer {
 namespace {
 
-/// What laboratories add to the name of a switch to say what the file is.
+/// Words that laboratories add to the name of a switch to describe the file.
 constexpr std::array<std::string_view, 17> fileWords{
     "raw",     "data", "csv",        "ods",     "json",  "truth",  "curve",  "force", "log",
     "datalog", "high", "resolution", "highres", "hires", "button", "output", "result"};
@@ -38,7 +38,7 @@ std::vector<std::string> nameWords(std::string_view text) {
   return words;
 }
 
-/// A short mark that tells one unit from another: "2", "B", "01".
+/// A short mark that distinguishes units: "2", "B", "01".
 bool isMark(const std::string& word) {
   const bool digits = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
   return (digits && word.size() <= 3) ||
@@ -94,7 +94,7 @@ std::string_view lastPart(std::string_view stem) {
   return at == std::string_view::npos || at + 2 == stem.size() ? stem : stem.substr(at + 2);
 }
 
-/// What stands before that, or the folder: "Maker Model".
+/// The part before that, or the folder: "Maker Model".
 std::string folderPart(std::string_view stem, const std::filesystem::path& path) {
   const std::size_t at = stem.rfind("__");
   return at == std::string_view::npos ? path.parent_path().filename().string()

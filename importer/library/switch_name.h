@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a measured file is called: the switch, and which unit and run of it.
+// Name of a measured file: the switch, and its unit and run.
 
 #include <filesystem>
 #include <string>
@@ -15,8 +15,8 @@ struct SwitchName {
   bool operator==(const SwitchName&) const = default;
 };
 
-/// From the file's name. Words that only say what kind of file it is ("Raw Data CSV", "truth") are no name: where nothing else is
-/// left, the folder's name is the switch's. Any thread.
+/// Name from the file's name. Words that only describe the kind of file ("Raw Data CSV", "truth") are no
+/// name: if nothing else is left, the folder's name is the switch's. Any thread.
 SwitchName switchNameFrom(const std::filesystem::path& path);
 
 }  // namespace detent::importer

@@ -18,12 +18,12 @@ struct UnitRecord {
 
 struct SwitchSpread {
   std::size_t records = 1, units = 1;
-  /// Standard deviation (n - 1) between the means of the units; of a single unit between its records. Empty where fewer than two
-  /// have the figure.
+  /// Standard deviation (n - 1) between the means of the units; of a single unit between its records. Empty
+  /// where fewer than two have the figure.
   KeyFigures sd;
 };
 
-/// Of the records of one switch. Any thread.
+/// Spread of the records of one switch. Any thread.
 SwitchSpread spreadOf(const std::vector<UnitRecord>& records);
 
 }  // namespace detent::importer

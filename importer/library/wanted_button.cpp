@@ -11,7 +11,7 @@
 namespace detent::importer {
 namespace {
 
-/// What one lab noise is for a figure: its force, or what costs as much in FeelDistance.
+/// One lab noise of a figure: its force, or a value that costs as much in FeelDistance.
 double noiseOf(FigureUnit unit) {
   const double noise_N = labNoise_gf * newtonsPer(ForceUnit::gramForce);
   const double noise_mm = labNoise_gf / FeelWeights{}.travel_gf_per_mm;

@@ -20,7 +20,7 @@ void flushed(png_structp) {}
 [[noreturn]] void failed(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 void ignored(png_structp, png_const_charp) {}
 
-/// What a jump back must not skip the destructors of stands outside. libpng reports by longjmp.
+/// Objects whose destructors a jump must not skip are declared outside. libpng reports by longjmp.
 bool writeRows(png_structp png, png_infop info, const Raster& picture) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_compression_level(png, quickLevel);

@@ -14,14 +14,15 @@
 namespace detent::importer {
 namespace {
 
-// Okabe & Ito's palette: told apart by colour-blind eyes. RGB order, as Raster.
+// Okabe & Ito's palette, for colour vision deficiencies. RGB order, as Raster.
 const cv::Scalar leftOverColor(230, 159, 0), pressColor(213, 94, 0), releaseColor(0, 114, 178),
     frameColor(0, 158, 115), tickColor(204, 121, 167);
 
 constexpr int subPixelBits = 4;
 constexpr double subPixel = 1 << subPixelBits;
 
-/// Draws in view pixels on a picture enlarged by `scale`; one that was followed in a mirror is shown as it stands on the page.
+/// Draws in view pixels on a picture enlarged by `scale`; one that was followed in a mirror is shown as it
+/// stands on the page.
 class Canvas {
  public:
   Canvas(const PageView& view, double scale)
@@ -92,7 +93,7 @@ std::string shortNumber(double value) {
   return text;
 }
 
-/// The fitted curve in view pixels: every piece sampled, walls as they are.
+/// The fitted curve in view pixels: every piece sampled, vertical rises as they are.
 std::vector<Point> curveInView(const StrokeCurve& curve, const AxisCalibration& calibration) {
   constexpr int samplesPerPiece = 24;
   std::vector<Point> points_px;

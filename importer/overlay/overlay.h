@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The result drawn back over the page, so that a look says whether the import is right.
+// The result drawn back over the page, to check the import by eye.
 
 #include "importer/strokes/stroke_pair.h"
 #include "model/button.h"
@@ -9,11 +9,11 @@ namespace detent::importer {
 
 struct GraphEvidence;
 
-/// Frame, ticks with the values read, traced points, fitted curves, tactile points and unexplained ink over the (paled) view,
-/// enlarged so that one curve pixel is visible. Any thread.
+/// Frame, ticks with the values read, traced points, fitted curves, tactile points and unexplained marks over
+/// the (paled) view, enlarged so that one curve pixel is visible. Any thread.
 Raster drawOverlay(const GraphEvidence& evidence, const StrokePair& strokes, const Button& button);
 
-/// What a refused import looked at: frame, ticks, traced curves, and the ink that none of it explains.
+/// Evidence of a refused import: frame, ticks, traced curves, and the marks that none of it explains.
 Raster drawOverlay(const GraphEvidence& evidence);
 
 }  // namespace detent::importer

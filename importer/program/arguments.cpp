@@ -106,10 +106,9 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_option("--graph", raw.graph,
                  "graph on its page in reading order, from 1 (default: the most certain)")
       ->check(within(1, 10000));
-  app.add_option(
-      "--curve", a.request.hints.strokes.curve,
-      "NAME|N: of several switches in one plot the one to import, by its name in the legend or by its "
-      "number; --list shows both");
+  app.add_option("--curve", a.request.hints.strokes.curve,
+                 "NAME|N: switch to import if a plot shows several, by its name in the legend or its number; "
+                 "--list shows both");
   app.add_option(
          "--record", a.request.hints.strokes.curve,
          "NAME|N|mean: of several records in a table (cycles, specimens, switches) the one to import, or "
@@ -153,18 +152,16 @@ void addOutputs(CLI::App& app, Arguments& a) {
   app.add_option("--trace-csv", a.tracePath, "traced points before the fit, same columns");
   app.add_option(
       "--overlay", a.overlayPath,
-      "picture to write: what was found and what ink is left over, drawn over the page (png); also "
-      "where the graph is not certain enough");
-  app.add_option(
-      "--dump-steps", a.stepsPath,
-      "for developers: what each step found, to write as JSON (tokens, axes, polylines, pair), as far "
-      "as the import came");
+      "picture to write (png): findings and unexplained marks drawn over the page; written on exit 5 too");
+  app.add_option("--dump-steps", a.stepsPath,
+                 "for developers: file to write with the results of each step as JSON (tokens, axes, "
+                 "polylines, pair), also of a refused import");
 }
 
 void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
   auto* group = app.add_option_group("By hand",
-                                     "Every automatic decision can be given instead. Page units: pixels of a "
-                                     "picture, points (1/72 in) of a document, origin top left");
+                                     "Replaces automatic decisions. Page units: pixels of a picture, points "
+                                     "(1/72 in) of a document, origin top left");
   group->add_option("--frame", raw.frame,
                     "plot frame: X0,Y0,X1,Y1 or four corners as eight numbers, page units");
   group->add_option("--x-axis", raw.xAxis, "MIN:MAX at the frame's left and right edge, in the x unit");
@@ -175,7 +172,7 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
   group->add_option("--release-color", raw.releaseColor, "colour of the release curve, #rrggbb");
   group->add_option(
       "--press-line", raw.pressLine,
-      "X0,Y0,X1,Y1,... points along the press curve, page units; the line between is pulled to the ink");
+      "X0,Y0,X1,Y1,... points along the press curve, page units; between them the drawn curve is followed");
   group->add_option("--release-line", raw.releaseLine, "the same along the release curve");
   group->add_option("--mask", raw.masks, "X0,Y0,X1,Y1 to ignore, page units; may be given several times")
       ->take_all()
@@ -191,23 +188,21 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
   group->add_option("--release-force-column", columns.releaseForce, "NAME|N");
   group->add_option("--stroke-column", columns.stroke, "NAME|N: its cells say press or release");
   group->add_option("--cycle-column", columns.cycle, "NAME|N: its cells number cycles or name specimens");
-  group->add_flag("--swap-strokes", a.request.hints.strokes.swap, "press and release the other way round");
+  group->add_flag("--swap-strokes", a.request.hints.strokes.swap, "exchange press and release");
 }
 
 void addBatch(CLI::App& app, Arguments& a) {
-  auto* group = app.add_option_group("Batch", "Many inputs, each in a process of its own");
+  auto* group = app.add_option_group("Batch", "Many inputs, each in its own process");
   group->add_flag("--batch", a.batch,
-                  "import every graph of every INPUT into --out-dir; @FILE stands for the inputs that FILE "
-                  "lists, one a line, - for those on standard input");
-  group->add_option("--out-dir", a.outDir, "folder for results and report.jsonl (made if missing)");
+                  "import every graph of every INPUT into --out-dir; @FILE: inputs that FILE lists, one per "
+                  "line; -: inputs listed on standard input");
+  group->add_option("--out-dir", a.outDir, "folder for results and report.jsonl (created if missing)");
   group->add_option("--jobs", a.batchOptions.jobs, "processes at once (default: one per core)")
       ->check(within(1, 1024));
-  group->add_flag(
-      "--resume", a.resume,
-      "keep what report.jsonl has of inputs that are the same, byte for byte, with the same options and "
-      "version");
+  group->add_flag("--resume", a.resume,
+                  "skip inputs that report.jsonl already has with the same bytes, options and version");
   group->add_flag("--no-overlays", a.withoutOverlays,
-                  "no *.overlay.png beside each result: nine tenths of what a batch writes");
+                  "write no *.overlay.png (nine tenths of a batch's output)");
   group->add_option("--memory-limit", a.batchOptions.memoryLimit_MB, "MB of address space per input")
       ->check(within(64.0, 1e6))
       ->capture_default_str();
@@ -226,19 +221,16 @@ void addLimits(CLI::App& app, Arguments& a) {
       ->check(within(0.001, 1e6))
       ->capture_default_str();
   group
-      ->add_option(
-          "--time-limit", a.timeLimit_s,
-          "seconds per input (default: none; 120 with --batch): then the best that was read until then is "
-          "taken and marked so, or the input refused")
+      ->add_option("--time-limit", a.timeLimit_s,
+                   "seconds per input (default: none; 120 with --batch); then the best result so far is "
+                   "taken and marked, or the input is refused")
       ->check(within(0.01, 86400.0));
   group
       ->add_option("--max-page-seconds", limits.maxPageSeconds,
-                   "of processor time, to interpret or to draw one page of a document")
+                   "processor time to interpret or to draw one page of a document")
       ->check(within(0.01, 86400.0))
       ->capture_default_str();
-  group
-      ->add_option("--max-document-megabytes", limits.maxDocumentMegabytes,
-                   "of memory that reading a document may take")
+  group->add_option("--max-document-megabytes", limits.maxDocumentMegabytes, "memory to read a document")
       ->check(within(17.0, 1e6))
       ->capture_default_str();
 }
@@ -273,8 +265,8 @@ std::vector<std::string> withListsRead(const std::vector<std::string>& inputs) {
   return all;
 }
 
-/// Options that were given, one a line, but for those that do not bear on a result: where results go, how many processes make
-/// them, how they are told.
+/// Options that were given, one a line, but for those that do not bear on a result: where results go, how
+/// many processes make them, how they are told.
 std::string settledBy(const CLI::App& app) {
   static const std::set<std::string> besides{"INPUT",    "--batch", "--out-dir",   "--jobs",
                                              "--resume", "--json",  "--json-lines"};
@@ -353,9 +345,9 @@ void settle(const RawOptions& raw, Arguments& a) {
 Parsed parseArguments(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   CLI::App app{
       "Reads the force graph of a push button from a plot, a datasheet page or a force meter's log.\n"
-      "With no hints it finds everything itself. Displacement in mm, force in N in everything it writes.\n"
+      "It finds everything without hints. Everything it writes is in mm and N.\n"
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph found,\n"
-      "5 found but not certain enough (says what to pass), 130 interrupted."};
+      "5 found but not certain enough (the message says what to pass), 130 interrupted."};
   app.name("detent-import");
   app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   app.set_version_flag("--version", std::string("detent-import ") + version(), "Print the version and exit");

@@ -14,8 +14,8 @@ namespace {
 
 // Two records closer than that were meant to be of one speed: testers keep theirs to a few percent.
 constexpr double sameSpeed = 1.05;
-// From here on a difference of speed is worth a graph of its own: what one record is off by, the change with speed is off by over the
-// difference of the two.
+// From here on a difference of speed is worth a graph of its own: what one record is off by, the change with
+// speed is off by over the difference of the two.
 constexpr double otherSpeed = 1.5;
 
 template <class... Values>

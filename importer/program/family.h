@@ -9,7 +9,7 @@
 
 namespace detent::importer {
 
-/// What a person should know of such records; each is told, none is a reason to refuse.
+/// Remarks on such records; each is reported, none is a reason to refuse.
 enum class FamilyDoubt {
   speedsClose,   ///< two speeds so close that noise may be all their graphs differ by
   pressUneven,   ///< one half of the press was much faster than the other: the graph is not of one speed
@@ -31,8 +31,8 @@ struct Family {
   std::vector<std::pair<FamilyDoubt, std::string>> doubts;  ///< with their sentences
 };
 
-/// Failures: those of an import; unreadableInput for a record without times; wrongUsage for what is no record, for fewer than two speeds, and
-/// for more than four records; a broken rule of Button.
+/// Failures: those of an import; unreadableInput for a record without times; wrongUsage for what is no
+/// record, for fewer than two speeds, and for more than four records; a broken rule of Button.
 Result<Family> importFamily(const std::vector<std::string>& inputs, const ImportRequest& request,
                             const Progress& progress);
 

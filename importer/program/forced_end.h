@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A program that is told to end does so, whatever a library is busy with.
+// Ends a cancelled program, whatever a library is busy with.
 
 #include <functional>
 #include <future>
@@ -8,8 +8,9 @@
 
 namespace detent::importer {
 
-/// While one lives, the process ends `grace_s` after `cancelled` was first true: files that are not complete go, the exit code is that of
-/// a cancelled import. What asks `cancelled` itself has that time to end in order. `cancelled` is asked from a thread of its own.
+/// While one lives, the process ends `grace_s` after `cancelled` was first true: files that are not complete
+/// are removed, the exit code is that of a cancelled import. Code that calls `cancelled` itself has that time
+/// to end in order. `cancelled` is called from a thread of its own.
 class ForcedEnd {
  public:
   explicit ForcedEnd(std::function<bool()> cancelled, double grace_s = 0.3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the library answers, as JSON in the shape that scripts rely on.
+// The library's answers, as JSON in the shape that scripts rely on.
 
 #include <string>
 

@@ -47,7 +47,7 @@ struct LibraryArguments {
   bool json = false, pages = false;
 };
 
-/// How many of a figure's unit inside make one of the word's; empty for another unit's word.
+/// Number of a figure's unit inside that make one of the word's; empty for another unit's word.
 std::optional<double> factorOf(std::string_view unit, FigureUnit figure) {
   switch (figure) {
     case FigureUnit::mm:
@@ -120,10 +120,10 @@ std::string optionOf(const KeyFigureName& name) {
 }
 
 void addRanges(CLI::App& app, std::vector<FigureRange>& ranges) {
-  auto* group = app.add_option_group("Figures",
-                                     "What a switch has to have, both ends included, either may be left out; "
-                                     "without a unit in N, mm, N/mm, mJ or shares. "
-                                     "docs/reference/glossary.md defines each");
+  auto* group =
+      app.add_option_group("Figures",
+                           "Required ranges, both ends included; either may be left out; without a unit in "
+                           "N, mm, N/mm, mJ or shares. docs/reference/glossary.md defines each");
   for (const KeyFigureName& name : keyFigureNames()) {
     const auto take = [&ranges, &name](const std::string& text) {
       const auto range = rangeFrom(text, name);
@@ -137,62 +137,67 @@ void addRanges(CLI::App& app, std::vector<FigureRange>& ranges) {
 }
 
 CLI::App* addIndex(CLI::App& app, LibraryArguments& a) {
-  CLI::App* index = app.add_subcommand(
-      "index", "Reads folders of measured switches into the library; what is unchanged is not read again");
+  CLI::App* index =
+      app.add_subcommand("index", "Index folders of measured switches; unchanged files are not read again");
   index
       ->add_option("FOLDER", a.index.folders,
-                   "folders (or files) with csv, ods, json and .button.json; hidden ones are passed over")
+                   "folders (or files) with csv, ods, json and .button.json; hidden ones are skipped")
       ->required();
-  index->add_option("--db", a.index.database, "the library's file; made where there is none")->required();
-  index->add_option("--licence", a.index.licence,
-                    "of all that is read now (default: the folder's licence file, else \"none stated\")");
+  index->add_option("--db", a.index.database, "the library's file; created if missing")->required();
+  index->add_option(
+      "--licence", a.index.licence,
+      "licence of these measurements (default: the folder's licence file, else \"none stated\")");
   index->add_option("--credit", a.index.credit,
-                    "whose measurements these are (default: the clone's owner/name)");
+                    "author of these measurements (default: the clone's owner/name)");
   index->add_flag(
       "--pages", a.pages,
-      "datasheets too: pdf, svg, png, jpg, bmp, tiff, webp, gif, each in a process of its own; seconds each");
+      "read datasheets too: pdf, svg, png, jpg, bmp, tiff, webp, gif, each in its own process; seconds each");
   index->add_option("--jobs", a.index.jobs, "threads (default: one per core)")
       ->check(numberWithin<CLI::Validator>(1, 1024));
   index->add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
   return index;
 }
 
-/// What `find` and `report` share.
+/// Options that `find` and `report` share.
 CLI::Option* addSearch(CLI::App* find, LibraryArguments& a) {
   find->add_option("--db", a.find.database, "the library's file")->required();
   CLI::Option* const like =
       find->add_option("--like", a.like, "a button or force log: .button.json, csv, ods, json");
-  find->add_option("--like-part", a.likePart, "of several switches or states in it, from 1")
+  find->add_option("--like-part", a.likePart, "number of the switch or state in it, from 1")
       ->check(numberWithin<CLI::Validator>(1, 1e6))
       ->capture_default_str();
-  CLI::Option* const limit = find->add_option("--limit", a.find.limit, "switches shown")
+  CLI::Option* const limit = find->add_option("--limit", a.find.limit, "number of switches to show")
                                  ->check(numberWithin<CLI::Validator>(1, 1e6))
                                  ->capture_default_str();
   find->add_flag_callback(
-          "--all", [&a] { a.find.limit = std::numeric_limits<std::size_t>::max(); }, "all that fit are shown")
+          "--all", [&a] { a.find.limit = std::numeric_limits<std::size_t>::max(); }, "show all that fit")
       ->excludes(limit);
-  find->add_option("--name", a.find.name, "part of the switch's name, in upper or lower case");
+  find->add_option("--name", a.find.name, "part of the switch's name; case does not matter");
   find->add_option("--kind", a.find.kind, "linear, between (a drop of 5 to 8 gf) or tactile")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, SwitchKind>{{"linear", SwitchKind::linear},
-                                                                    {"between", SwitchKind::between},
-                                                                    {"tactile", SwitchKind::tactile}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SwitchKind>{{"linear", SwitchKind::linear},
+                                                                            {"between", SwitchKind::between},
+                                                                            {"tactile", SwitchKind::tactile}})
+                      .description(""))
+      ->type_name("linear|between|tactile");
   find->add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
   addRanges(*find, a.find.ranges);
   return like;
 }
 
 CLI::App* addFind(CLI::App& app, LibraryArguments& a) {
-  CLI::App* find = app.add_subcommand("find", "Switches that feel like one, or have figures; nearest first");
+  CLI::App* find = app.add_subcommand(
+      "find", "Find switches that feel like a given one or have given figures; nearest first");
   addSearch(find, a);
-  find->add_option("-o,--output", a.wanted,
-                   "*.button.json to write: the nearest switch, bent by the least that gives it the figures");
+  find->add_option(
+      "-o,--output", a.wanted,
+      "*.button.json to write: the nearest switch with the smallest change that gives it the figures");
   return find;
 }
 
 CLI::App* addReport(CLI::App& app, LibraryArguments& a) {
   CLI::App* report = app.add_subcommand(
-      "report", "What feels like a switch, as one page to send: plots, figures, credits, licences");
+      "report",
+      "Write the switches that feel like a given one as one page: plots, figures, credits, licences");
   addSearch(report, a)->required();
   report->add_option("-o,--output", a.page, "page to write (*.html); whole or not at all")->required();
   return report;
@@ -231,7 +236,7 @@ KeyFigures sigmasFrom(const Json& json) {
   return sigmas;
 }
 
-/// What a child hands back of a page: its buttons, or why there are none.
+/// A child's result for a page: its buttons, or the reason why there are none.
 std::string pageLine(const std::string& path) {
   const auto buttons = readPageButtons(path, Quality::standard);
   Json line;
@@ -309,7 +314,7 @@ std::string cell(const std::optional<double>& value, double unit, const char* fo
   return text;
 }
 
-/// What a person should know of a row beside its figures.
+/// Remarks on a row beside its figures.
 std::string remarksOf(const FoundSwitch& each) {
   std::string words;
   if (each.spread.records > 1)
@@ -345,7 +350,7 @@ void printTable(const std::vector<FoundSwitch>& found) {
   }
 }
 
-/// What was asked for; its errors only where they are told.
+/// The reference switch; its errors only if they are reported.
 Result<LibrarySwitch> switchLike(const LibraryArguments& a, bool errors) {
   if (!isLibraryFile(a.like))
     return Failure{
@@ -458,7 +463,7 @@ int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
   CLI::App app{
       "Keeps thousands of measured switches and finds them by feel. Displacement in mm, force in N in its "
       "JSON.\n"
-      "Exit codes: 0 done, 1 internal fault or the disk refused, 2 wrong usage, 3 input cannot be read, 130 "
+      "Exit codes: 0 done, 1 internal fault or disk error, 2 wrong usage, 3 input cannot be read, 130 "
       "interrupted."};
   app.name("detent-import library");
   app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());

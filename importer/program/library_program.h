@@ -6,11 +6,11 @@
 
 namespace detent::importer {
 
-/// Whether the command line is the library's: "library" counts only before one of its own commands or alone, so that an input of that
-/// name is imported as any other.
+/// Returns true if the command line is the library's: "library" counts only before one of its own commands or
+/// alone, so that an input of that name is imported as any other.
 bool isLibraryCommand(int argc, const char* const* argv);
 
-/// Runs, prints, and gives the exit code. `cancelled` may be asked from any thread.
+/// Runs, prints, and returns the exit code. `cancelled` may be called from any thread.
 int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled);
 
 }  // namespace detent::importer

@@ -10,7 +10,7 @@
 
 namespace detent::importer {
 
-/// Of one import: a line where another step begins, and at every twentieth of the whole. One thread.
+/// Progress of one import: a line where another step begins, and at every twentieth of the whole. One thread.
 class StepLines {
  public:
   void show(double fraction, ImportStep step);  ///< 0..1 over the whole import
@@ -20,7 +20,8 @@ class StepLines {
   double shown_ = 0;
 };
 
-/// Of a batch: an input is done, the `done`th of `total`. `exitCode` is what detent-import would have ended with for it.
+/// Progress of a batch: an input is done, the `done`th of `total`. `exitCode` is that of detent-import for
+/// it.
 void showInputDone(const std::string& input, int exitCode, std::size_t done, std::size_t total);
 
 }  // namespace detent::importer

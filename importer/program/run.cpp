@@ -74,7 +74,8 @@ Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const 
   return outputs.paths();
 }
 
-/// Of a refused import the overlay alone is written: what it looked at and what it left over. Says so, in a line.
+/// Of a refused import the overlay alone is written: what it looked at and what it left over. Says so, in a
+/// line.
 std::string writeRefusal(const GraphEvidence& evidence, const Failure& why, const OutputPaths& paths) {
   if (paths.overlay.empty() || why.code != FailureCode::notCertain) return {};
   StagedOutputs outputs;
@@ -415,7 +416,8 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
   }
 }
 
-/// Stands for the key of an input whose outputs the disk refused: that is no finding about the input, and ends the batch.
+/// Stands for the key of an input whose outputs the disk refused: that is no finding about the input, and
+/// ends the batch.
 constexpr const char* notWritten = "outputs not written";
 
 /// What a child hands back: the key of its input on a line of its own, then the report's lines.

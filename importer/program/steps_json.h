@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What each step of an import found, for developers: the oracle that rules and rewrites of the importer are
-// measured with.
+// Results of each step of an import, for developers: the reference against which rules and rewrites of the
+// importer are measured.
 
 #include <string>
 

@@ -166,7 +166,8 @@ class SheetProblem {
   double cost_ = 0;
 };
 
-/// How many neighbouring residuals along a line share one error: the integrated autocorrelation, lag by lag until it is spent.
+/// Number of neighbouring residuals along a line that share one error: the integrated autocorrelation, lag by
+/// lag until it is spent.
 double placesPerError(const std::vector<double>& residuals, const std::vector<int>& lineOf) {
   double variance = 0;
   for (const double r : residuals) variance += r * r;
@@ -223,9 +224,9 @@ SheetCovariance SheetProblem::covariance(int lines) {
   return covariance;
 }
 
-/// What the lines of one axis can tell.
+/// Information from the lines of one axis.
 struct Told {
-  int courses = 0;  ///< lines seen along their course
+  int courses = 0;  ///< lines seen along their length
   int known = 0;    ///< of known value
   bool enough() const { return courses >= 2 && known >= 2; }
   bool twist() const { return courses >= 3; }  ///< two edges alone show it as a tilt
@@ -241,7 +242,8 @@ Told toldBy(const std::vector<SightedLine>& lines, bool ofForce) {
   return told;
 }
 
-/// Whether so much less cost is worth so many more unknowns (Schwarz 1978), with the places that stand for themselves.
+/// Returns true if the lower cost is worth the additional unknowns (Schwarz 1978), counting independent
+/// samples.
 bool worthIt(double before, double after, int unknowns, int lines) {
   const double independent = toldByALine * lines;
   return independent * std::log(before / std::max(after, 1e-12)) > unknowns * std::log(independent);

@@ -18,7 +18,8 @@ constexpr double apart_px = 3;         // nearer lines are one
 constexpr double leastContrast = 7;    // grey levels of a mean profile, as for the lines of a frame
 constexpr int halfWidest_px = 9;       // thicker ones are bars
 
-/// One axis of a plot, so that both are looked at in the same way: across = across the line, along = along it.
+/// One axis of a plot, so that both are looked at in the same way: across = across the line, along = along
+/// it.
 struct AxisView {
   bool ofForce;
   const cv::Mat& darkness;  // rows run along the line
@@ -46,7 +47,8 @@ struct AxisView {
 double acrossOf(Point p, bool ofForce) { return ofForce ? p.y : p.x; }
 double alongOf(Point p, bool ofForce) { return ofForce ? p.x : p.y; }
 
-/// Centroid of the ridge about a crest, above the line between its feet; empty where it is none or too thick.
+/// Centroid of the ridge about a crest, above the line between its ends; empty if there is none or it is too
+/// thick.
 std::optional<double> centreOf(const std::vector<double>& profile, int crest) {
   const auto at = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
   const int n = static_cast<int>(profile.size());
@@ -106,7 +108,8 @@ SightedLine sightLine(const AxisView& axis, double about, double reach_px) {
   return line;
 }
 
-/// Values of labels in mm or N with the pixel of their tick along the axis; the frame's ends where no label counts.
+/// Values of labels in mm or N with the pixel of their tick along the axis; the frame's ends where no label
+/// counts.
 struct Known {
   double position_px, value;
 };

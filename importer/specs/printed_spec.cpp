@@ -21,7 +21,8 @@ struct Phrases {
   std::array<std::string_view, 9> words;  // empty ones at the end
 };
 
-// As datasheets print them, lower case, without spaces. Longer ones first: "pressurepointforce" is not "force".
+// As datasheets print them, lower case, without spaces. Longer ones first: "pressurepointforce" is not
+// "force".
 constexpr Phrases phrases[] = {
     {SpecQuantity::tactileForce, {"pressurepointforce", "tactileforce", "druckpunktkraft", "触感力"}},
     {SpecQuantity::endForce, {"totaltravelforce", "endforce", "endkraft"}},
@@ -207,8 +208,9 @@ std::optional<PrintedSpec> valuesIn(std::string_view row) {
   return spec;
 }
 
-/// The values of a row with a column per variant of the product, "3.0 ± 0.4 4.0 ± 0.4 mm": every one in the row's unit. With
-/// words of bounds, which belong to one value, and where a number has another unit or is no value: the first alone.
+/// The values of a row with a column per variant of the product, "3.0 ± 0.4 4.0 ± 0.4 mm": every one in the
+/// row's unit. With words of bounds, which belong to one value, and where a number has another unit or is no
+/// value: the first alone.
 std::vector<PrintedSpec> variantsIn(const std::string& row, SpecQuantity quantity, double rowFactor) {
   const auto first = valuesIn(row);
   if (!first) return {};
@@ -333,7 +335,7 @@ std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {
     const auto named = quantityNamedIn(row);
     if (!named) continue;
     const auto factor = factorIn(row, named->quantity);
-    // What stands before the name is the row's number, unless nothing stands after it.
+    // Text before the name is the row's number, unless there is none after it.
     if (!factor) continue;
     auto variants = variantsIn(row.substr(named->end), named->quantity, *factor);
     if (variants.empty()) variants = variantsIn(row, named->quantity, *factor);

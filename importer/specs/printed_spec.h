@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the page says in words: "Pressure point force 55 ± 25 cN", "Pretravel 2 ± 0.6 mm", "总行程 4.0±0.4
-// mm". Read from the document's own text, then held against the imported graph.
+// Values that the page prints in words: "Pressure point force 55 ± 25 cN", "Pretravel 2 ± 0.6 mm", "总行程
+// 4.0±0.4 mm". Read from the document's own text, then compared with the imported graph.
 
 #include <optional>
 #include <string>
@@ -38,7 +38,8 @@ Message messageOf(const SpecCheck& check);
 /// out. A row with a value for each variant of the product gives one spec for each.
 std::vector<PrintedSpec> readPrintedSpecs(const Page& page);
 
-/// Compares what the button has, with the variant of a row that comes nearest; specs of quantities it has not (no operating point known) give no check.
+/// Compares what the button has, with the variant of a row that comes nearest; specs of quantities it has not
+/// (no operating point known) give no check.
 std::vector<SpecCheck> checkAgainst(const std::vector<PrintedSpec>& specs, const Button& button);
 
 }  // namespace detent::importer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A stroke's points without its single wild ones.
+// A stroke's points without single outliers.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,8 +10,9 @@
 
 namespace detent::importer {
 
-/// Each point as the median of it and its two neighbours, in displacement and in force; an end as the point beside it. Fewer than three
-/// are left as they are. For judging a whole (extent, sign, direction), not for tracing: a wall's only sample goes, too.
+/// Each point as the median of it and its two neighbours, in displacement and in force; an end as the point
+/// beside it. Fewer than three are left as they are. For judging a whole (extent, sign, direction), not for
+/// tracing: a bottom-out's only sample goes, too.
 inline std::vector<CurvePoint> calmed(const std::vector<CurvePoint>& points) {
   if (points.size() < 3) return points;
   const auto middle = [](double a, double b, double c) {

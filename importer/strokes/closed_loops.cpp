@@ -29,7 +29,7 @@ Course courseOf(const CurveTrace& trace) {
   return course;
 }
 
-/// Row of the course in a column, between its points; the outermost ones beyond its ends.
+/// Row of the path in a column, between its points; the outermost ones beyond its ends.
 double rowAt(const Course& course, double column_px) {
   const auto right = std::ranges::lower_bound(course.points_px, column_px, {}, &Point::x);
   if (right == course.points_px.begin()) return right->y;
@@ -38,16 +38,17 @@ double rowAt(const Course& course, double column_px) {
   return a.x < b.x ? std::lerp(a.y, b.y, (column_px - a.x) / (b.x - a.x)) : b.y;
 }
 
-/// The highest point: where a stroke meets the wall.
+/// The highest point: where a stroke meets the bottom-out.
 Point tipOf(const Course& course) { return *std::ranges::min_element(course.points_px, {}, &Point::y); }
 
-/// How far two courses' ends may lie apart, as shares of the room both take. Up a wall a tip lies where the line that covers
-/// the other one leaves it to be seen; at rest, where all curves begin, more of a line is covered.
+/// Largest distance of two paths' ends, as shares of their common bounding box. On a bottom-out the visible
+/// tip depends on the line that covers the other one; at rest, where all curves begin, more of a line is
+/// covered.
 struct Apart {
   double atRest, across, along;
 };
 
-/// Whether both run over the same columns and up to the same tip.
+/// Returns true if both run over the same columns and up to the same tip.
 bool endTogether(const Course& a, const Course& b, Apart most) {
   const Box both = a.room_px.joined(b.room_px);
   const Point tipA = tipOf(a), tipB = tipOf(b);
@@ -57,7 +58,7 @@ bool endTogether(const Course& a, const Course& b, Apart most) {
          std::abs(tipA.y - tipB.y) <= along_px;
 }
 
-/// Whether `upper` lies above `lower` wherever they part, and they do over most of their way.
+/// Returns true if `upper` lies above `lower` wherever they separate, and they do over most of their length.
 bool enclose(const Course& upper, const Course& lower) {
   constexpr int columns = 100;
   constexpr double clear = 0.01, mostBelow = 0.02, leastAbove = 0.5;  // the first of the height
@@ -79,8 +80,8 @@ bool endFarApart(const Course& a, const Course& b) {
   return std::abs(a.room_px.x1 - b.room_px.x1) > farShare * a.room_px.joined(b.room_px).width();
 }
 
-/// Where both run, the share of the columns in which the one lies clearly above the other, of both the smaller one: 0 where they do not
-/// cross.
+/// Where both run, the share of the columns in which the one lies clearly above the other, of both the
+/// smaller one: 0 where they do not cross.
 double crossedShare(const Course& a, const Course& b) {
   constexpr int columns = 100;
   constexpr double clear = 0.02;  // of the height
@@ -96,8 +97,9 @@ double crossedShare(const Course& a, const Course& b) {
   return to_px > from_px ? std::min(above, below) / static_cast<double>(columns) : 0;
 }
 
-/// How far the far ends of both lie from the other line, of the two the nearer one, in shares of the room both take: of measured switches
-/// no release begins farther than 0.007 from its press (docs/develop/decisions/0809-several-curves-in-one-colour.md).
+/// Distance of the far ends of both from the other line, of the two the nearer one, in shares of their common
+/// bounding box: of measured switches no release begins farther than 0.007 from its press
+/// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 double gapAtTheEnds(const Course& a, const Course& b) {
   const Box both = a.room_px.joined(b.room_px);
   const auto inShares = [&](const Course& course) {
@@ -113,16 +115,16 @@ double gapAtTheEnds(const Course& a, const Course& b) {
   return std::min(gap(ofA, ofB), gap(ofB, ofA));
 }
 
-/// Whether both begin and end in one place, as press and release of one switch do and two presses do not: of 238 pairs of drawn presses none
-/// ended within 0.03 of each other, of 550 switches 523 within 0.01.
+/// Returns true if both begin and end in one point, as press and release of one switch do and two presses do
+/// not: of 238 pairs of drawn presses none ended within 0.03 of each other, of 550 switches 523 within 0.01.
 bool endInOnePoint(const Course& a, const Course& b) {
   constexpr Apart closed{0.03, 0.01, 0.025};
   constexpr double mostGap = 0.005;  // of the room both take
   return endTogether(a, b, closed) && gapAtTheEnds(a, b) <= mostGap;
 }
 
-/// Whether each lies above the other as no two strokes of one switch do. Those of a key with two snaps cross as well, on a part of their way
-/// back from the point where they end.
+/// Returns true if each lies above the other as no two strokes of one switch do. Those of a key with two
+/// snaps cross as well, on a part of their way back from the point where they end.
 bool cross(const Course& a, const Course& b) {
   constexpr double least = 0.08,
                    ofTwoSnaps = 0.28;  // of the columns; of 17 drawn keys with two snaps 0.23 at most

@@ -10,22 +10,25 @@
 
 namespace detent::importer {
 
-/// Whether force only falls from a trace's left end to its right one. No stroke of a button does: it begins where the finger
-/// meets the key and ends at the wall. `trace` of two points or more.
+/// Returns true if the force only falls from a trace's left end to its right one. No stroke of a button does:
+/// it begins where the finger meets the key and ends at the bottom-out. `trace` of two points or more.
 bool onlyFalls(const CurveTrace& trace);
 
-/// The curves that close loops, one pair for each switch, the upper one first: both begin and end together, the upper one
-/// lies above all the way. `drawn` are indices of traces of two points or more. Empty where a curve that does not only
-/// fall belongs to no loop or might belong to two: two samples of one switch end near each other.
+/// The curves that close loops, one pair for each switch, the upper one first: both begin and end together,
+/// the upper one lies above all the way. `drawn` are indices of traces of two points or more. Empty where a
+/// curve that does not only fall belongs to no loop or might belong to two: two samples of one switch end
+/// near each other.
 std::vector<std::vector<std::size_t>> closedLoops(const std::vector<CurveTrace>& traces,
                                                   const std::vector<std::size_t>& drawn);
 
-/// Whether two curves are strokes of one switch by their course alone: they begin and end in one place, and one lies above the other all the
-/// way. Two presses have walls of their own (docs/develop/decisions/0814-unseen-styles.md).
+/// Returns true if two curves are strokes of one switch by their paths alone: they begin and end in one
+/// point, and one lies above the other all the way. Two presses have separate bottom-outs
+/// (docs/develop/decisions/0814-unseen-styles.md).
 bool closeInOnePoint(const CurveTrace& first, const CurveTrace& second);
 
-/// One group for each curve, where all are drawn in inks of their own and no two of them can be the strokes of one switch:
-/// they cross, or of three and more end apart. Empty otherwise, and where one is too short for a stroke or only falls.
+/// One group for each curve, if all are drawn in colours of their own and no two of them can be the strokes
+/// of one switch: they cross, or of three and more end apart. Empty otherwise, and if one is too short for a
+/// stroke or only falls.
 std::vector<std::vector<std::size_t>> pressesApart(const std::vector<CurveTrace>& traces,
                                                    const std::vector<std::size_t>& drawn);
 

@@ -110,15 +110,16 @@ bool namesWear(std::string_view utf8, TextSource source) {
          (std::ranges::any_of(wordsOf(utf8), saysSo) || holdsSign(utf8, WordKind::wear));
 }
 
-/// Returns true if a word is the beginning or the end of a word of this kind, whose rest a legend key or a frame hides.
+/// Returns true if a word is the beginning or the end of a word of this kind, whose rest a legend key or a
+/// frame hides.
 bool isFragmentOf(const std::string& word, WordKind kind) {
   return std::ranges::any_of(entriesOf(kind), [&](const LexiconEntry& entry) {
     return entry.form == WordForm::whole && (entry.word.starts_with(word) || entry.word.ends_with(word));
   });
 }
 
-/// Returns true if a recognised text may be the misread name of a stroke: one word with more letters wrong than prove a
-/// name, a fragment of one, or a letter or two.
+/// Returns true if a recognised text may be the misread name of a stroke: one word with more letters wrong
+/// than prove a name, a fragment of one, or a letter or two.
 bool mayBeMisread(std::string_view utf8, Stroke stroke, TextSource source) {
   constexpr std::size_t fewest = 3;  // letters of a name
   const std::vector<std::string> words = wordsOf(utf8);

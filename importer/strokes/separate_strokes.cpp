@@ -84,7 +84,7 @@ struct Comparison {
   double topDifference_N = 0;  ///< highest force of the first minus that of the second
 };
 
-/// Walls at the ends are left out: there a small shift in displacement is a large one in force.
+/// Bottom-outs at the ends are left out: there a small shift in displacement is a large one in force.
 Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N) {
   Comparison c;
   const auto span = [](const StrokePoints& s) {
@@ -122,7 +122,7 @@ Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N)
   return c;
 }
 
-/// What a trace's own confidence is worth here: no curve at 0, beyond doubt from 0.7 on.
+/// Confidence from a trace's own confidence: 0 for no curve, 1 from 0.7 on.
 double credit(double traceConfidence) { return std::clamp(0.2 + 1.15 * traceConfidence, 0.0, 1.0); }
 
 /// The strokes of one switch run over the same travel; leaders, markers and curves of two switches need not.
@@ -157,7 +157,7 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
   return verdict;
 }
 
-/// Two colours tell curves apart that are drawn in two; what has one ink is told apart by hand.
+/// Two colours separate curves that are drawn in two; curves in one colour are separated by hand.
 Remedies remediesFor(bool oneInk, const Message& with) {
   if (oneInk)
     return {{RemedyKind::addMask, "over the curves of other switches"},
@@ -222,7 +222,7 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
   auto notSeen = releaseNamedBeside(trace, axes.texts);
-  // A title may have come to the curve as its name, and in one ink the release's words.
+  // A title may have come to the curve as its name, and in one colour the release's words.
   if (!notSeen) notSeen = releaseNamedAnywhere(axes.texts);
   // Confidences of a single trace, by what it is called.
   constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
@@ -279,7 +279,7 @@ double topOf(const StrokePoints& stroke, double CurvePoint::*coordinate) {
   return (*std::ranges::max_element(stroke.points, {}, coordinate)).*coordinate;
 }
 
-/// Both drop by so much that where and how tells them apart.
+/// Returns true if both drop by so much that the position and shape of the drop separates them.
 bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
   constexpr double leastDrop = 0.05;  // of the press' highest force
   const double highest_N = topOf(press, &CurvePoint::force_N);
@@ -296,14 +296,14 @@ bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
          largestDrop(release).valley_mm - largestDrop(press).valley_mm > late * travel_mm;
 }
 
-/// What both strokes span together.
+/// Common span of both strokes.
 double spanOfBoth(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
   const double low = (*std::ranges::min_element(first.points, {}, coordinate)).*coordinate,
                otherLow = (*std::ranges::min_element(second.points, {}, coordinate)).*coordinate;
   return std::max(topOf(first, coordinate), topOf(second, coordinate)) - std::min(low, otherLow);
 }
 
-/// How much higher the first's largest value is than the second's, as a share of what both span together.
+/// Difference of the first's largest value and the second's, as a share of their common span.
 double topsApart(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
   return (topOf(first, coordinate) - topOf(second, coordinate)) / spanOfBoth(first, second, coordinate);
 }
@@ -315,9 +315,9 @@ bool reachApart(const StrokePoints& first, const StrokePoints& second) {
   return std::abs(topsApart(first, second, &CurvePoint::displacement_mm)) > clear;
 }
 
-/// Force by which the lines lie apart where both end, as a share of what they span, where neither is steep
-/// there: the loop is open, as between the curves of two things. Up a wall the strokes of one button may be
-/// cut at different heights.
+/// Force between the lines where both end, as a share of their span, if neither is steep there: the loop is
+/// open, as between the curves of two things. On a bottom-out the strokes of one button may be cut at
+/// different heights.
 double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   constexpr double lastShare = 0.03, steep = 0.1;  // of the travel; of the span, over that stretch
   constexpr std::size_t columns = 200;
@@ -339,7 +339,7 @@ double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   return std::abs(a.force_N - b.force_N) / span_N;
 }
 
-/// Of two lines in inks of their own one reaches further and the other higher: two switches'. A release
+/// Of two lines in colours of their own one reaches further and the other higher: two switches'. A release
 /// whose end lies under the press reaches less of both.
 bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.1;    // of both strokes' span; of 123 drawn pairs 0.013 at most
@@ -358,8 +358,8 @@ Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
   return shares;
 }
 
-/// How far the far end of one line lies from the other line, of both ends the nearer one, as a share of what
-/// both span.
+/// Distance of the far end of one line from the other line, of both ends the nearer one, as a share of their
+/// common span.
 double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   const CurvePoint span{spanOfBoth(first, second, &CurvePoint::displacement_mm),
                         spanOfBoth(first, second, &CurvePoint::force_N)};
@@ -372,9 +372,9 @@ double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   return std::min(gap(a, b), gap(b, a));
 }
 
-/// Two lines in inks of their own that end at different heights, the lower end beside the other's line and
-/// not on it: two presses, each with a wall of its own. A release that is cut lower up the wall begins on
-/// the press.
+/// Two lines in colours of their own that end at different heights, the lower end beside the other's line and
+/// not on it: two presses, each with a bottom-out of its own. A release that is cut lower on the bottom-out
+/// begins on the press.
 bool wallsApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.12;  // of both strokes' span
   constexpr double beside = 0.01;      // of both spans; of 449 drawn pairs of measured switches 0.005 at most
@@ -382,9 +382,9 @@ bool wallsApart(const StrokePoints& first, const StrokePoints& second) {
          gapAtTheEnd(first, second) > beside;
 }
 
-/// How much of the difference between two strokes (of its mean square, over the displacement of both) goes
-/// where one is taken for the other scaled in force and moved along the travel: 1 for two samples of one
-/// shape.
+/// Share of the difference between two strokes (of its mean square, over the displacement of both) that
+/// vanishes if one is taken for the other scaled in force and moved along the travel: 1 for two samples of
+/// one shape.
 double sharedShape(const StrokePoints& first, const StrokePoints& second) {
   constexpr int cells = 200, mostMoved = 20;
   const double from_mm =
@@ -414,7 +414,7 @@ double sharedShape(const StrokePoints& first, const StrokePoints& second) {
 /// Two presses, of two samples or states: the one is the other scaled, as no friction makes a release, and
 /// the loop stays open.
 bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double open = 0.015;  // of pairs that are shaped alike 0.007 at most, as a wall in steps more
+  constexpr double open = 0.015;  // pairs of one shape: at most 0.007, with a stepped bottom-out more
   constexpr double alike = 0.9;   // of pairs that stay open 0.84 at most
   return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
 }
@@ -443,8 +443,8 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
   const Verdict verdict = judge(first, second, compared, newtonPerPx);
   Found<StrokePair> found;
-  // Two tints that the legend names apart and the tracer saw as one ink: which of its lines is whose is not
-  // known.
+  // Two tints that the legend names separately and the tracer saw as one colour: the owner of each line is
+  // not known.
   constexpr double ofMergedTints = 0.45;
   constexpr double ofApart = 0.45;  // credit, as above
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
@@ -491,8 +491,8 @@ void orient(CurveTrace& trace) {
   std::ranges::reverse(trace.width_px);
 }
 
-/// A stroke begins at rest, at the foot: where it is not seen there because it lies under another curve, it
-/// runs down with that one. True where it does.
+/// A stroke begins at rest, at the baseline: if its beginning lies under another curve, it runs down with
+/// that one. Returns true if it does.
 bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   constexpr double touching_px = 3, least = 0.05, most = 0.05;  // the last two of its height, of its width
   if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return false;
@@ -538,8 +538,8 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   return true;
 }
 
-/// Whether `other` runs on from one end of `own`, its own way, to where `own` is not seen any more: the rest
-/// of it lies under the other. A line that crosses the end hides nothing of it.
+/// Returns true if `other` continues from one end of `own`, in its direction, where `own` is not visible any
+/// more: the rest of it lies under the other. A line that crosses the end hides nothing of it.
 bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
   constexpr double goesOnShare = 0.05, sameWay = 0.7;  // of the height that `own` spans; cosine
   constexpr std::size_t look = 8;                      // points to either side
@@ -604,14 +604,14 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();
-  // Two entries of the legend in one ink are two strokes, of which one was not told from the other.
+  // Two entries of the legend in one colour are two strokes that were not separated.
   if (its.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
       strokes.front().label.find(kLabelParting) != std::string::npos)
     return tooMany(traces);
   auto found =
       its.size() == 1 ? pressAlone(strokes.front(), axes) : pairOf(strokes[0], strokes[1], axes, hints.swap);
   if (!found) return found;
-  // One of several that no legend tells apart: whether it has a release under another one, nothing says.
+  // One of several that no legend distinguishes: its release may lie under another one.
   constexpr double ofOneOfSeveral = 0.6;
   if (its.size() == 1 && switches.size() > 1 && traces[its.front()].label.empty())
     found->confidence = std::min(found->confidence, ofOneOfSeveral);

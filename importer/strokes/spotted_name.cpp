@@ -34,7 +34,7 @@ Rgb paperOf(const Raster& picture) {
   return {level(8), level(4), level(0)};
 }
 
-/// How far each pixel is from the paper, colour levels.
+/// Distance of each pixel from the paper, colour levels.
 cv::Mat inkOf(const Raster& picture) {
   const Rgb paper = paperOf(picture);
   cv::Mat ink(picture.height_px, picture.width_px, CV_32F);
@@ -44,7 +44,7 @@ cv::Mat inkOf(const Raster& picture) {
   return ink;
 }
 
-/// Cut to where its ink stands; empty without any.
+/// Cut to the bounding box of its dark pixels; empty without any.
 cv::Mat cutToInk(const cv::Mat& ink) {
   const cv::Rect at = cv::boundingRect(cv::Mat(ink > 100));
   return at.empty() ? cv::Mat{} : ink(at).clone();
@@ -90,7 +90,7 @@ std::vector<Place> placesOf(const cv::Mat& name, const cv::Mat& ink) {
   return apart;
 }
 
-/// Columns from a word to the nearest ink of a switch's curves, level with it; empty where none is near.
+/// Columns from a word to the nearest pixel of a switch's curves, level with it; empty if none is near.
 std::optional<int> columnsTo(const PlotSwitch& its, const std::vector<CurveTrace>& traces, const Box& word,
                              const Raster& picture) {
   constexpr double reach = 4, band = 0.3;  // in heights of the word
@@ -107,7 +107,7 @@ std::optional<int> columnsTo(const PlotSwitch& its, const std::vector<CurveTrace
   return {};
 }
 
-/// A curve through a word makes it look like another one.
+/// A curve through a word makes it resemble another one.
 bool isRunThrough(const Box& word, const std::vector<CurveTrace>& traces) {
   constexpr double rim_px = 2;
   return std::ranges::any_of(traces, [&](const CurveTrace& trace) {

@@ -29,9 +29,9 @@ struct StrokeHints {
   bool operator==(const StrokeHints&) const = default;
 };
 
-/// Failure noForceGraph: nothing that could be a press; notCertain: several switches and none chosen, curves of which
-/// it is not clear which belong together, or press and release that cannot be told apart; wrongUsage: the switch chosen
-/// is not there.
+/// Failure noForceGraph: nothing that could be a press; notCertain: several switches and none chosen, curves
+/// that cannot be grouped, or press and release that cannot be separated; wrongUsage: the chosen switch does
+/// not exist.
 Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
                                           const StrokeHints& hints = {});
 

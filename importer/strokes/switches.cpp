@@ -21,13 +21,13 @@ std::optional<Stroke> namedStroke(const CurveTrace& trace) {
   return trace.stroke ? trace.stroke : strokeNamedBy(trace.label);
 }
 
-/// Two strokes of one ink that the tracer told apart.
+/// Two strokes of one colour that the tracer separated.
 bool shareAnInk(const CurveTrace& a, const CurveTrace& b) {
   return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
 }
 
-/// Without arrows and leaders in an ink of their own: what has no name and only falls, where the legend names a stroke
-/// among more than two curves.
+/// Without arrows and leaders in a colour of their own: curves without a name that only fall, if the legend
+/// names a stroke among more than two curves.
 Indices withoutMarks(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   const auto isNamed = [&](std::size_t i) { return namedStroke(traces[i]).has_value(); };
   if (drawn.size() < 3 || std::ranges::none_of(drawn, isNamed)) return drawn;
@@ -61,8 +61,8 @@ std::vector<Indices> loopsWithoutNames(std::vector<CurveTrace> traces, const Ind
   return closedLoops(traces, drawn);
 }
 
-/// The press and the release that were named, by hand or by the legend, beside curves that nothing is said of: marks and
-/// leaders. Where the legend calls one "press" and no more, the other's name may be misread.
+/// The press and the release that were named, by hand or by the legend, beside curves that nothing is said
+/// of: marks and leaders. Where the legend calls one "press" and no more, the other's name may be misread.
 std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
                                                                 const Indices& drawn) {
   Indices named;
@@ -74,13 +74,14 @@ std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vecto
   const CurveTrace& sure = namedStroke(a) ? a : b;
   const bool bothNamed = namedStroke(a) && namedStroke(b);
   if (!bothNamed && !sure.stroke && !switchNamedBy(sure.label).empty()) return {};
-  if (drawn.size() > 2 && shareAnInk(a, b)) return {};  // an ink beside it draws another switch
+  if (drawn.size() > 2 && shareAnInk(a, b)) return {};  // another curve of this colour draws another switch
   const bool byHand = a.stroke && b.stroke;
   if (!byHand && !mayBeOnePair(a.label, b.label)) return {};
   return std::pair(named[0], named[1]);
 }
 
-/// Whether a trace has the place of a name that could not be read, where all others have theirs and none of them names a stroke.
+/// Returns true if a trace has the position of a name that could not be read, all others have theirs and none
+/// of them names a stroke.
 bool isUnreadName(std::size_t its, const std::vector<CurveTrace>& traces, const Indices& drawn) {
   constexpr std::size_t fewest = 3;
   if (drawn.size() < fewest || !traces[its].label.empty() || traces[its].labelBox_px.empty()) return false;
@@ -89,7 +90,8 @@ bool isUnreadName(std::size_t its, const std::vector<CurveTrace>& traces, const 
   });
 }
 
-/// Each trace's partner: itself for a press alone. Empty where one has several or where a release stands alone.
+/// Each trace's partner: itself for a press alone. Empty where one has several or where a release stands
+/// alone.
 std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   std::vector<Indices> groups;
   for (const std::size_t i : drawn) {
@@ -110,7 +112,8 @@ std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indi
   return groups;
 }
 
-/// Two curves in inks of their own whose names may be words for strokes that no list has, and whose course says that they are strokes.
+/// Returns true for two curves in colours of their own whose names may be words for strokes that no list has,
+/// and whose paths are those of strokes.
 bool areStrokesByCourse(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   if (drawn.size() != 2) return false;
   const CurveTrace &a = traces[drawn[0]], &b = traces[drawn[1]];
@@ -182,7 +185,7 @@ std::string bare(std::string_view name) {
   return out;
 }
 
-/// What looks alike in pixels written alike.
+/// Letters that resemble each other in pixels, written alike.
 std::string blurred(std::string_view name) {
   constexpr std::string_view kLooksLike = "0o1l5s8b2zil";  // first like second, third like fourth, ...
   std::string out = bare(name);
@@ -192,7 +195,7 @@ std::string blurred(std::string_view name) {
   return out;
 }
 
-/// Switches with a name, or a legend's words of a stroke, that is `asked` once both are written by `spelled`.
+/// Switches with a name, or a legend's words of a stroke, equal to the requested one after `spelled`.
 template <class Spelled>
 Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTrace>& traces,
               const std::string& asked, Spelled spelled) {
@@ -206,7 +209,7 @@ Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTr
   return fitting;
 }
 
-/// Switches whose name is the end of `asked`: the legend's line sample was read over the rest of it.
+/// Switches whose name is the end of the requested one: the legend key was read over the rest of it.
 Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::string& asked) {
   constexpr std::size_t fewest = 4;  // letters and digits
   const std::string wanted = bare(asked);
@@ -231,8 +234,8 @@ std::vector<std::string> nameWordsOf(std::string_view name) {
   return words;
 }
 
-/// Whether a word of five letters and more differs from another in one letter within it, which a reader of pixels may have
-/// misread. First and last ones and digits tell switches apart: "SwitchA", "Mk2".
+/// Returns true if a word of five letters and more differs from another in one letter within it, which a text
+/// engine may have misread. First and last ones and digits distinguish switches: "SwitchA", "Mk2".
 bool isMisreadOf(const std::string& read, const std::string& asked) {
   constexpr std::size_t fewest = 5;
   if (read.size() != asked.size() || asked.size() < fewest) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Several switches in one plot: which traces belong to one of them, what the legend calls it, which one is asked for.
+// Several switches in one plot: the traces of each, its name in the legend, and the requested one.
 // docs/develop/decisions/0701-several-switches.md
 
 #include <cstddef>
@@ -22,19 +22,20 @@ struct PlotSwitch {
       traces;  ///< one or two of the traces it was found among, in the order of the colours
 };
 
-/// The switches in the order of the legend (from its top, row by row), without one from the highest curve to the lowest:
-/// this is what numbers them from 1. A plot of one switch gives one; nothing where it is not clear which curves belong
-/// together. Traces of less than two points are none.
+/// The switches in the order of the legend (from its top, row by row), without one from the highest curve to
+/// the lowest: this is what numbers them from 1. A plot of one switch gives one; nothing where it is not
+/// clear which curves belong together. Traces of less than two points are none.
 std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces);
 
-/// Index of the switch meant by `asked`: its name or the legend's words of one of its strokes, or its number from 1.
-/// Case, blanks and signs do not matter, nor what readers of pixels confuse (B and 8, O and 0), as long as one switch
-/// alone fits. Empty `asked`: the only one. Failure notCertain where there are several and none is asked for,
-/// wrongUsage where no or more than one fits; both name all switches.
+/// Index of the requested switch: its name or the legend's words of one of its strokes, or its number from 1.
+/// Case, blanks and signs do not matter, nor letters that a text engine confuses (B and 8, O and 0), as long
+/// as one switch alone fits. An empty request: the only one. Failure notCertain if there are several and none
+/// is requested, wrongUsage if no or more than one fits; both name all switches.
 Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
                                  const std::vector<CurveTrace>& traces, const std::string& asked);
 
-/// Whether `asked` is this switch's number or name, but for what readers of pixels confuse: more than near to it.
+/// Returns true if the request is this switch's number or name, except for letters that a text engine
+/// confuses: an exact match, not a similar one.
 bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t its, const std::vector<CurveTrace>& traces,
              const std::string& asked);
 

@@ -55,7 +55,8 @@ PageSize sizeOf(RsvgHandle* handle) {
   return size;
 }
 
-/// Cairo rounds to 1/256 of a unit: small drawings are drawn larger. A power of two, so that nothing else is rounded.
+/// Cairo rounds to 1/256 of a unit: small drawings are drawn larger. A power of two, so that nothing else is
+/// rounded.
 double scaleFor(const PageSize& size, bool rasters) {
   constexpr double side_units = 8192;  // of the PDF
   const double side_px = std::max(size.width_px, size.height_px);

@@ -112,7 +112,8 @@ pid_t start(const std::string& path, const WorkerJob& job, int in, int out,
   return error == 0 ? worker : -error;
 }
 
-/// Waits until the worker ends; kills it where it is cancelled or sleeps too long. `end` is set in these cases.
+/// Waits until the worker ends; kills it where it is cancelled or sleeps too long. `end` is set in these
+/// cases.
 int waitFor(pid_t worker, const WorkerJob& job, WorkerEnd& end) {
   using Clock = std::chrono::steady_clock;
   constexpr int pollInterval_ms = 20;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Runs detent-svg-worker, the program that draws SVG files: no library of it is loaded here, and whatever a drawing does
-// to it, this process goes on. POSIX. Any thread.
+// Runs detent-svg-worker, the program that draws SVG files: no library of it is loaded here, and whatever a
+// drawing does to it, this process goes on. POSIX. Any thread.
 
 #include <functional>
 #include <span>

@@ -93,7 +93,7 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
 /// are curves.
 std::vector<CurveInk> curvesInShades(const PlotInks& plot, int stronger, int paler);
 
-/// A curve in the colour of frame and text beside one coloured ink that draws both strokes: another switch.
+/// A curve in the colour of frame and text beside one colour that draws both strokes: another switch.
 std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop);
 
 /// The best line of each of these colours, however weak; -1 and duplicates are skipped.

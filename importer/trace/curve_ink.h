@@ -48,7 +48,7 @@ struct Ink {
 
 inline constexpr double kSameInkAngle = 0.985;  // cosine between two differences to the paper of one colour
 
-/// The ink of a colour on a given paper.
+/// The palette entry of a colour on a given paper.
 Ink inkOfColor(Rgb color, Color3 paper);
 
 /// Coverage across a line: its sum and centroid.
@@ -84,7 +84,7 @@ class PlumbLane {
 
   /// Thicknesses of the rows between two rows, without horizontal lines of the plot.
   std::vector<double> rows(double y0, double y1) const;
-  /// The row up to which every row from `foot` on has at least `least_px`, allowing gaps of `gap_px`.
+  /// The row up to which every row from the start on has at least `least_px`, allowing gaps of `gap_px`.
   double top(double foot, double least_px, double gap_px) const;
   /// Sub-pixel position of the lane's coverage between two rows.
   double middle(double y0, double y1) const;

@@ -15,8 +15,8 @@ namespace detent::importer::trace {
 /// Returns true if nothing is drawn at a place of the area.
 using BareAt = std::function<bool(Point)>;
 
-/// Pixels of each line of four or more dashes at even gaps on bare paper. `ink`: 255 where coverage is; lines
-/// are about `thickness_px` thick. Marks that touch a curve (`curves`: 255) are rims of its markers.
+/// Pixels of each line of four or more dashes at even gaps on bare paper. The mask is 255 where coverage is;
+/// lines are about `thickness_px` thick. Marks that touch a curve (`curves`: 255) are rims of its markers.
 std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& curves, double thickness_px,
                                            const BareAt& isBare);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a result leaves unexplained: the curves are drawn back onto the plot with its lines and words, and the
+// Unexplained marks of a result: the curves are drawn back onto the plot with its lines and words, and the
 // remaining pixels are examined. On pixels of the view, so that documents and pictures are treated alike.
 
 #include <vector>
@@ -41,7 +41,7 @@ struct LineBeside {
   Point at_px;       ///< on it, view pixels
 };
 
-/// What of a plot a result does not explain, and where the result has no support.
+/// Marks of a plot that a result does not explain, and places where the result has no support.
 struct Explanation {
   std::vector<Remainder> left;  ///< most curve-like first
   std::vector<Leap> leaps;      ///< longest first

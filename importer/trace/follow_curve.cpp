@@ -13,7 +13,7 @@ namespace detent::importer::trace {
 namespace {
 
 // Coverages that count as none and as full. A thin line's ridge shares its coverage between two pixels; a
-// thick one's is full, so paler marks of the same hue can be told apart.
+// thick one's is full, so paler marks of the same hue can be separated.
 constexpr float kThinFrom = 0.0F, kThinFull = 0.65F;
 constexpr float kThickFrom = 0.3F, kThickFull = 0.9F;  // coverages; lines of kThick_px and more
 constexpr double kThick_px = 1.8;
@@ -30,7 +30,7 @@ constexpr float kWallColumn =
 enum Stage : int { headUp, headDown, body, tailUp, tailDown };
 constexpr int kStages = 5;
 
-/// How a state of the search was reached.
+/// The previous step of a state of the search.
 enum class ColumnStep : std::uint8_t { start, alongX, fromBefore, fromOtherBefore, up, down };
 
 /// Largest value within two pixels; at the plane's rim only along it.
@@ -135,8 +135,8 @@ class CurveSearch {
     }
   }
 
-  /// Moves every stage one column on. Later stages come first, because they use the previous column of earlier
-  /// ones.
+  /// Moves every stage one column on. Later stages come first, because they use the previous column of
+  /// earlier ones.
   void arrive(int x) {
     const std::size_t n = rows();
     const float* gain = gain_.data();

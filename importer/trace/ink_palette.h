@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The colours in front of the background. An antialiased, thin or pale line shows its colour only mixed with
-// what lies behind, so colours are told apart by the *direction* of their difference, which mixing does not
+// the background, so colours are separated by the *direction* of their difference, which mixing does not
 // change; its length is the strength.
 
 #include <vector>

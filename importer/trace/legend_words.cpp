@@ -344,7 +344,7 @@ void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
 
 /// Share of a key's columns with its colour, from the first to the last; 0 without a key beside the word.
 double drawnShareBeside(const Box& word, const Ink& ink, const Raster& raster, Color3 paper) {
-  constexpr double least = 0.8;    // of the word's height, in ink
+  constexpr double least = 0.8;    // of the word's height, in dark pixels
   constexpr float strong = 0.35F;  // of the colour
   double share = 0;
   for (const int direction : {-1, 1}) {

@@ -40,7 +40,7 @@ std::vector<ThinLine> thinLines(const std::vector<StraightLine>& lines, double s
 struct Profile {
   std::vector<double> ink;     ///< 0..1 in units of the curve's darkness
   std::vector<char> known;     ///< false where a gridline hides the curve
-  double first = 0, step = 1;  ///< offset of ink[0] along the normal, px
+  double first = 0, step = 1;  ///< offset of the first sample along the normal, px
 
   double offset(std::size_t k) const { return first + step * static_cast<double>(k); }
 };

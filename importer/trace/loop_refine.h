@@ -22,7 +22,7 @@ struct RefinedPair {
   RefinedStroke press, release;
 };
 
-/// `ink`: the area's coverage from which the plane was shrunk.
+/// Refines on the area's coverage from which the plane was shrunk.
 RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& ink,
                        const std::vector<StraightLine>& lines, const Structure& structure);
 

@@ -12,8 +12,8 @@
 namespace detent::importer::trace {
 
 /// For each end of a curve the pixels of four or more markers of similar size, one above the other; empty if
-/// there are fewer. `ink`: 255 where unexplained, `curves`: 255 where one runs; ends in their pixels. Flat
-/// rows may be letters of the curve's name.
+/// there are fewer. The mask is 255 where unexplained, `curves`: 255 where one runs; ends in their pixels.
+/// Flat rows may be letters of the curve's name.
 std::vector<std::vector<Point>> marksUpFrom(const std::vector<Point>& ends, const cv::Mat& ink,
                                             const cv::Mat& curves);
 

@@ -239,7 +239,7 @@ void PieceNetwork::bridgeLooseEnds(double reach, MayMeet mayMeet) {
 void PieceNetwork::bridgeGaps() {
   // Dashes drawn one by one, and lines that stop before a text.
   bridgeLooseEnds(longestNetworkGap, [](std::size_t, std::size_t, double) { return true; });
-  // Broken lines: both parts are much longer than the gap.
+  // Dashed lines: both parts are much longer than the gap.
   const auto isLong = [&](std::size_t piece, double gap_px) {
     return !pieces_[piece].small && !pieces_[piece].axisParallel &&
            lengthOf(pieces_[piece].points) >= timesTheBreak * gap_px;

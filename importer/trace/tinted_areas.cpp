@@ -140,7 +140,7 @@ class TintedAreas {
 
   /// Returns true if lines cover at least half of an area's length, over it or beside it.
   bool hasLines(const cv::Mat& area, const cv::Rect& box, Color3 tint) const {
-    constexpr double leastOfLength = 0.5;  // of the longer side of an area, px of ink per px
+    constexpr double leastOfLength = 0.5;  // of the longer side of an area, px of the line per px
     constexpr int beside_px = 6;
     const cv::Rect around =
         ((box + cv::Size(2 * beside_px, 2 * beside_px)) - cv::Point(beside_px, beside_px)) &
@@ -216,8 +216,8 @@ class TintedAreas {
     return contrast > kInkTimes * its || (contrast > its && onTheWay(pixel, tint).off > otherHue);
   }
 
-  /// Returns the colour near the pixel that differs most from the tint in the pixel's direction: the core of the
-  /// line on whose pale rim the pixel lies. Returns the pixel's own colour if there is none.
+  /// Returns the colour near the pixel that differs most from the tint in the pixel's direction: the core of
+  /// the line on whose pale rim the pixel lies. Returns the pixel's own colour if there is none.
   static Color3 coreOfLine(const Raster& picture, int x, int y, Color3 tint) {
     constexpr int reach_px = 2;
     constexpr float sameInk = 0.9F;  // cosine between differences to the tint

@@ -147,8 +147,8 @@ Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
   return coverage;
 }
 
-/// The ink of everything that is not coloured: from the paper to the darkest (on dark paper: lightest)
-/// colour.
+/// The palette entry of everything that is not coloured: from the paper to the darkest (on dark paper:
+/// lightest) colour.
 Ink darkness(const PlotInks& plot) {
   Ink dark;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
@@ -500,7 +500,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
     if (given.any() || progress.isCancelled()) return loop;
     if (believed >= kCredibleLoop)
       return withNeutralLoop(std::move(loop).value(), curves.front(), plot, axes, view, options, progress);
-    // Coloured leaders and dots can look like a colour of curves; then the curves have the neutral colour.
+    // Coloured leaders and dots can resemble a colour of curves; then the curves have the neutral colour.
     Result<std::vector<CurveTrace>> neutral = loopIn(darkness(plot), true);
     return neutral.ok() && neutral->front().confidence > believed ? neutral : loop;
   }

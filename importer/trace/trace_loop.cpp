@@ -21,7 +21,7 @@ Failure noCurveFailure() {
   return {FailureCode::noForceGraph,
           "plot",
           "",
-          Message("no curve runs through the plot frame in this ink"),
+          Message("no curve of this colour runs through the plot frame"),
           {{RemedyKind::pickPress, {}}, {RemedyKind::giveFrame, "if another rectangle holds the graph"}}};
 }
 

@@ -16,7 +16,7 @@
 namespace detent::importer {
 namespace {
 
-/// Lines that look alike: one colour, one dash pattern.
+/// Lines of one style: one colour, one dash pattern.
 struct LineStyle {
   Rgb color;
   bool dashed = false;

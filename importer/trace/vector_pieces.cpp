@@ -134,8 +134,8 @@ std::optional<Polyline> upperSide(Polyline ring, const Box& plot) {
     return onFoot(a) && onFoot(b) && std::abs(b.x - a.x) >= nearlyAll * box.width();
   });
   if (foot == ring.end()) return {};
-  // The outline without its base edge, from one end of the base to the other. The ring's last point repeats its
-  // first.
+  // The outline without its base edge, from one end of the base to the other. The ring's last point repeats
+  // its first.
   Polyline upper(foot + 1, ring.end());
   upper.insert(upper.end(), ring.begin() + 1, foot + 1);
   if (upper.size() > 2 && upper.front().x > upper.back().x) std::reverse(upper.begin(), upper.end());

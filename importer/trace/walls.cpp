@@ -95,7 +95,7 @@ Thickness lineBelow(const PlumbLane& lane, double foot, double own_px, const Box
 
 /// Returns true if there are more pixels above a curve's end than the plot's own line has. Much more is a
 /// bottom-out whatever the curve's thickness; a little more is one if the curve is thicker than the line and
-/// all rows agree, because two adjacent thin lines look like a thicker one.
+/// all rows agree, because two adjacent thin lines resemble a thicker one.
 bool standsOut(const Thickness& above, const Thickness& line, double curve_px) {
   const double more_px = above.usual - line.usual;
   if (more_px >= std::max(kMuch_px, kMuchOfThickness * curve_px)) return true;
@@ -188,7 +188,7 @@ std::size_t pointsOfHook(const Curve& curve, double x) {
   return static_cast<std::size_t>(points.end() - crest) - 1;
 }
 
-/// Strokes of one colour are as thick as the thinnest; overlapping lines look thicker.
+/// Strokes of one colour are as thick as the thinnest; overlapping lines appear thicker.
 void measureThickness(std::vector<Curve>& curves, const PlotScene& scene) {
   std::vector<double> seen_px;
   for (const Curve& curve : curves) seen_px.push_back(scene.inkOf(curve.color).thicknessAlong(curve.points));

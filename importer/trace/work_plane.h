@@ -21,7 +21,7 @@ struct WorkPlaneOptions {
   int maxWidth_px = 520;  ///< of the frame on the plane; [64, 4096]
 };
 
-/// `ink`: one colour's coverage of the area.
+/// From one colour's coverage of the area.
 WorkPlane makeWorkPlane(const Plane& ink, const PlotArea& area, const WorkPlaneOptions& options = {});
 
 }  // namespace detent::importer::trace

@@ -29,7 +29,7 @@ struct ButtonFile {
 /// `subject` names the text in Failures (a file name). Failures: unreadableInput with line and column for
 /// malformed JSON, with the path of the value ("states[0].press[3].force_N") otherwise.
 Result<ButtonFile> buttonFileFromJson(std::string_view text, const std::string& subject);
-/// Only the button.
+/// Reads the button of a file's JSON, without its other parts.
 Result<Button> buttonFromJson(std::string_view text, const std::string& subject);
 
 /// Deterministic text, one knot per line, ending in a newline. Invalid UTF-8 in names becomes U+FFFD.
@@ -37,7 +37,7 @@ std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cuto
                      const Annotations& annotations = {});
 
 Result<ButtonFile> readWholeButtonFile(const std::string& path);
-/// Only the button.
+/// Reads the button of a file, without its other parts.
 Result<Button> readButtonFile(const std::string& path);
 /// Atomic: see writeTextFileAtomically.
 Result<Done> writeButtonFile(const std::string& path, const Button& button);

@@ -110,7 +110,7 @@ Result<ButtonFile> readFile(const std::string& path) {
 Result<GraphFileKind> kindOfFile(const std::string& path) {
   if (lowered(std::filesystem::path(path).filename().string()) == "datapackage.json")
     return GraphFileKind::dataPackage;
-  // Readers look for this exact name, and the tables of two packages in one folder would collide.
+  // Readers expect this exact name, and the tables of two packages in one folder would collide.
   if (endsWith(path, ".datapackage.json"))
     return usage(path, "is no name of a data package: its description is called datapackage.json",
                  "Give each package a folder of its own: FOLDER/datapackage.json");

@@ -14,7 +14,8 @@ Message placeOfByte(std::string_view text, std::size_t byte) {
 }
 
 std::string plainReason(const std::string& what) {
-  // "[json.exception.out_of_range.406] number overflow", "[json.exception.parse_error.101] parse error at line 1: syntax error"
+  // "[json.exception.out_of_range.406] number overflow", "[json.exception.parse_error.101] parse error at
+  // line 1: syntax error"
   const auto named = what.starts_with('[') ? what.find("] ") : std::string::npos;
   const auto colon = what.find(": ");
   std::string reason = colon != std::string::npos   ? what.substr(colon + 2)

@@ -34,12 +34,12 @@ enum class ShapeRule {
 /// as do the two knots of a vertical piece. Any thread.
 class BendableState {
  public:
-  /// Where a curve may bulge.
+  /// Stretches at which a curve may bulge.
   enum class Bulges {
     atKnots,  ///< at its own knots
     finer     ///< also in the middle of a stretch without knots
   };
-  /// How operating and reset point move.
+  /// Movement of the operating and the reset point.
   enum class Contacts {
     free,   ///< by themselves
     riding  ///< with their place on the curve
@@ -56,7 +56,7 @@ class BendableState {
     LinearRule linear;
     ShapeRule kind;
   };
-  /// All linear rules: all but releaseBelow (see gaps()) and wall.
+  /// All linear rules, without releaseBelow (see gaps()) and the rule of the bottom-out.
   const std::vector<Rule>& rules() const { return rules_; }
   /// Distance of the release below the press, N, where it was below at first; >= 0 keeps the rule.
   Eigen::VectorXd gaps(const Eigen::VectorXd& z, const ButtonState& bent) const;

@@ -284,7 +284,7 @@ Message lossOf(ShapeRule rule) {
     case ShapeRule::tactile:
       return Message("a tactile point would be too weak to be one");
     case ShapeRule::wall:
-      return Message("the wall at the end would begin elsewhere");
+      return Message("the bottom-out would begin elsewhere");
   }
   return {};
 }

@@ -14,8 +14,8 @@ struct ForceRecord {
   std::vector<double> time_s, displacement_mm, force_N;
 };
 
-/// Reads `time_s,displacement_mm,force_N` (header required, columns in any order, more columns allowed; LF or CRLF; blank lines and
-/// lines starting with # are skipped). Failure unreadableInput names the line.
+/// Reads `time_s,displacement_mm,force_N` (header required, columns in any order, more columns allowed; LF or
+/// CRLF; blank lines and lines starting with # are skipped). Failure unreadableInput names the line.
 Result<ForceRecord> readForceRecord(const std::string& file);
 /// The same from text; `name` for messages.
 Result<ForceRecord> parseForceRecord(const std::string& text, const std::string& name);

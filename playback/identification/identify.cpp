@@ -24,7 +24,7 @@ constexpr double slidingShare = 0.02;  // of the fastest: from here on friction 
 constexpr double mmPerM = 1000;
 constexpr double leastNoiseShare = 0.05;  // of the residual's squares is never taken for rounding
 
-/// Which columns the fit has, in this order: c, k at the knots, b at the knots, f, m.
+/// Columns of the fit, in this order: c, k at the knots, b at the knots, f, m.
 struct Columns {
   std::size_t knots = 1;
   bool damping = true, mass = true, friction = false;
@@ -32,7 +32,8 @@ struct Columns {
   std::size_t count() const { return frictionAt() + (friction ? 1 : 0) + (mass ? 1 : 0); }
 };
 
-/// Adds to `out` what the slope at a knot takes of the knots' values, `factor` times: that of the parabola through three of them.
+/// Adds to `out` what the slope at a knot takes of the knots' values, `factor` times: that of the parabola
+/// through three of them.
 void addSlope(std::size_t knots, std::size_t at, double factor, double* out) {
   if (knots == 2) {
     out[0] -= factor, out[1] += factor;
@@ -45,8 +46,9 @@ void addSlope(std::size_t knots, std::size_t at, double factor, double* out) {
   }
 }
 
-/// Adds the shares of the knots in the value at a place, `factor` times: cubics that reproduce every parabola. Straight lines between knots
-/// would put a smooth button's bend into the errors, whose size then no longer covers it.
+/// Adds the shares of the knots in the value at a place, `factor` times: cubics that reproduce every
+/// parabola. Straight lines between knots would put a smooth button's bend into the errors, whose size then
+/// no longer covers it.
 void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, double* out) {
   const std::size_t n = knots_mm.size();
   if (n == 1) {
@@ -63,8 +65,8 @@ void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, 
   addSlope(n, i + 1, -factor * u * u * rest, out);
 }
 
-/// What the shares of one interval between two knots add up to from its left knot to `u` of its width, as shares of the values (and
-/// slopes) at both: the integrals of Hermite's four cubics.
+/// Sums of the shares of one interval between two knots, from its left knot to `u` of its width, as shares of
+/// the values (and slopes) at both knots: the integrals of Hermite's four cubics.
 struct CellIntegral {
   double left, right, leftSlope, rightSlope;
   explicit CellIntegral(double u)
@@ -166,7 +168,7 @@ Equations equationsOf(const Samples& s, const RecordWindows& windows, const Colu
   return e;
 }
 
-/// What a fit without errors gives at every sample: how much its force changes with the place, and its damping there.
+/// Values of a fit without errors at every sample: change of force with displacement, and damping.
 struct Local {
   Eigen::VectorXd slope_N_per_mm, damping_Ns_per_mm;
   double mass_kg = 0;
@@ -197,7 +199,7 @@ Local localOf(const Samples& s, const Columns& columns, const Eigen::VectorXd& p
   return local;
 }
 
-/// Where the handle stays, the mean of its equations is known no better than its rounding: it counts that much less.
+/// Weights of rests: the mean of a rest's equations is known no better than its rounding, so it counts less.
 class StayWeights {
  public:
   StayWeights(const Equations& equations, const Stays& stays)
@@ -217,7 +219,8 @@ class StayWeights {
                               static_cast<double>(rows_[level].size()) * error_N * error_N + 1e-300);
     }
   }
-  /// Takes away from every column what is too much of its mean in each stay. Symmetric: the same serves the way back.
+  /// Takes away from every column what is too much of its mean in each stay. Symmetric: the same serves the
+  /// way back.
   void apply(Eigen::Ref<Eigen::MatrixXd> columns) const {
     for (std::size_t level = 0; level < rows_.size(); ++level) {
       if (factor_[level] == 1) continue;
@@ -246,7 +249,8 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
   const Eigen::VectorXd lengths = design.colwise().norm().cwiseMax(1e-300).transpose();
   design.array().rowwise() /= lengths.transpose().array();
   Solution solution;
-  // Linear, so one decomposition solves it. A combination of parameters of which the record says nothing has no error to state.
+  // Linear, so one decomposition solves it. A combination of parameters of which the record says nothing has
+  // no error to state.
   constexpr double saysNothing = 1e-7;  // of the greatest singular value
   auto svd = design.bdcSvd(Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(saysNothing);
@@ -259,7 +263,8 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
   return solution;
 }
 
-/// What one unit of error in each sample's force, and in its place, does to the normal equations: the windows' way back.
+/// Effect of one unit of error in each sample's force and displacement on the normal equations (the
+/// transposed windows).
 struct Influence {
   Eigen::MatrixXd ofForce, ofPlace;  ///< samples x parameters
   double forceSquares = 0;           ///< of what each sample's force does to each equation
@@ -290,7 +295,8 @@ Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equa
   return influence;
 }
 
-/// Sum over independent errors of (what each does)(the same)ᵀ, an error of a stay being one for all its samples.
+/// Sum over independent errors of (what each does)(the same)ᵀ, an error of a stay being one for all its
+/// samples.
 Eigen::MatrixXd spreadOfRounding(const Eigen::MatrixXd& ofPlace, const Stays& stays) {
   Eigen::MatrixXd ofStays = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(stays.levels), ofPlace.cols());
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(ofPlace.cols(), ofPlace.cols());
@@ -311,8 +317,9 @@ struct Fit {
   bool usable = false;
 };
 
-/// Least squares over the windows, where a stay counts as much as its rounding lets it; the errors are those of force and rounding,
-/// carried through windows, weights and solution (docs/develop/decisions/1108-errors-of-identification.md).
+/// Least squares over the windows, where a stay counts as much as its rounding lets it; the errors are those
+/// of force and rounding, carried through windows, weights and solution
+/// (docs/develop/decisions/1108-errors-of-identification.md).
 Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& stays, const Columns& columns) {
   constexpr int passes = 3;  // the first knows no weights yet, the last changes them no more
   const Equations equations = equationsOf(samples, windows, columns);
@@ -334,7 +341,8 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
     const Eigen::MatrixXd ofForce = influence.ofForce.transpose() * influence.ofForce;
     const double freedom = influence.forceSquares - (solution->inverse * ofForce).trace();
     const double squares = (equations.design * solution->parameters - equations.force_N).squaredNorm();
-    // What rounding leaves in the equations is no noise of the force; where the record has none, little is left of the squares.
+    // Rounding leaves residuals that are not noise of the force; without noise, little is left of the
+    // squares.
     const double ofRounding = rounding_mm * rounding_mm * influence.placeSquares;
     fit.residual_N =
         std::sqrt(std::max(squares - ofRounding, leastNoiseShare * squares) / std::max(freedom, 1e-300));
@@ -354,7 +362,7 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
 
 bool standsOutOf(const Estimate& e) { return e.value > standsOut * e.sigma; }
 
-/// With a mass, where there is one: `columns` then says so.
+/// Fit with a mass, if there is one: `columns` then says so.
 Fit fittedWithMass(const Samples& samples, const RecordWindows& windows, const Stays& stays,
                    Columns& columns) {
   Fit fit = fitted(samples, windows, stays, columns);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a recorded press to the parameters of a spring-damper button, F = c + k(x) x + b(x) v + f sgn(v) + m a, with standard errors.
-// What Shrestha leaves to future work; after Colton and Hollerbach (ICRA 2007) with k and b over displacement.
+// From a recorded press to the parameters of a spring-damper button, F = c + k(x) x + b(x) v + f sgn(v) + m
+// a, with standard errors. What Shrestha leaves to future work; after Colton and Hollerbach (ICRA 2007) with
+// k and b over displacement.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +21,10 @@ struct IdentifySettings {
   double largestSpread = 0.20;  ///< b is named only if its standard error is below this share of it
 };
 
-/// Why b is not named.
+/// The reason why b is not reported.
 enum class DampingDoubt : std::uint8_t {
   none,
-  constantSpeed,  ///< speed hardly varies: damping and friction cannot be told apart
+  constantSpeed,  ///< speed hardly varies: damping and friction cannot be separated
   notCertain      ///< its standard error is too large
 };
 
@@ -47,7 +48,8 @@ struct Identification {
   std::vector<double> velocity_mm_per_s;  ///< of every sample of the record, for plots
 };
 
-/// Failure: wrongUsage for settings out of range; unreadableInput where the record is too short or does not move. Any thread.
+/// Failure: wrongUsage for settings out of range; unreadableInput where the record is too short or does not
+/// move. Any thread.
 Result<Identification> identify(const ForceRecord& record, const IdentifySettings& settings = {});
 
 /// The button that was identified: c + k(x) x as press curve, b(x) as damping where it is named.

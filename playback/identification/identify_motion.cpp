@@ -15,25 +15,26 @@ namespace {
 
 constexpr double motionMmPerM = 1000;
 constexpr double longestSubstep_s = 100e-6;
-// The record is cut into stretches with a beginning of their own: long enough to tell a force from a speed, short enough that an
-// error of friction does not add up over many turns.
-// At first they are briefer: from far off, long ones lead to a place that is no solution.
+// The record is cut into stretches with a beginning of their own: long enough to tell a force from a speed,
+// short enough that an error of friction does not add up over many turns. At first they are briefer: from far
+// off, long ones lead to a place that is no solution.
 constexpr double stretch_s = 0.05, briefStretch_s = 0.02, goodOfStretch = 0.7, movedSteps = 6,
                  moved_mm = 0.02;
 // At slow links' rates they are longer: by samples, not by time, a beginning is known.
 constexpr double stretchPeriods = 16, briefStretchPeriods = 8;
 constexpr std::size_t leastStretches = 12;
-// Nothing was heard for so many periods: the host or the link paused. A device lets go meanwhile, so what it gave is not known.
+// Nothing was heard for so many periods: the host or the link paused. A device lets go meanwhile, so what it
+// gave is not known.
 constexpr double pausePeriods = 5;
 constexpr int mostRounds = 60;
 constexpr double converged = 1e-5;
 constexpr double lightest_kg = 0.003, heaviest_kg = 3, roughDamping_Ns_per_mm = 5e-4, roughLag_ms2 = 0.04;
 constexpr double oddTimes = 4, mostOdd = 0.25;
-// What is left may be so much more than rounding before something else must act.
+// Residuals may exceed rounding by this factor before something else must act on the handle.
 constexpr double unexplainedTimes = 2.5, unexplained_mm = 0.004;
 
-// A short lag looks like a delay of the same length but for a part that grows with its square: so lateness in all and that square, in
-// milliseconds, are what is solved for.
+// A short lag resembles a delay of the same length, except for a part that grows with its square. Therefore
+// the fit solves for the sum of delay and lag and for that square, in milliseconds.
 enum Parameter : std::uint8_t { logMass, friction, damping, late_ms, lag_ms2, offset };
 constexpr std::size_t parameters = 6;
 using Globals = Eigen::Matrix<double, parameters, 1>;
@@ -44,11 +45,12 @@ using MotionColumns = Eigen::Matrix<double, Eigen::Dynamic, parameters>;
 
 // Steps of the differences, and what no parameter falls below.
 constexpr std::array<double, parameters> difference{1e-3, 1e-3, 1e-5, 0.02, 0.01, 1e-3};
-// What is not noise: friction that sticks more than it slides, turns between two substeps. Measured on handles that are known.
+// Errors that are not noise: friction that sticks more than it slides, turns between two substeps. Measured
+// on simulated handles with known values.
 constexpr std::array<double, parameters> systematic{0.004, 0.0006, 8e-6, 0.012, 0.04, 1e-3};
 constexpr std::array<double, parameters> least{-9.2, 0, 0, 0, 0, -100};
 
-// How lateness divides into delay and lag is known no better than this share of it, however small the noise.
+// The division of the lateness into delay and lag has at least this relative error, however small the noise.
 constexpr double msPerS = 1000, mostLag = 0.95, splitOfLate = 0.12;
 
 double lagOf_s(const Globals& theta) {
@@ -183,7 +185,7 @@ class MotionFit {
     return theta;
   }
 
-  /// What stands at its bound and would leave its range stays there.
+  /// A parameter at its bound that would leave its range stays there.
   static void holdAtBounds(const Globals& theta, Square& normal, Globals& gradient) {
     for (std::size_t i = 0; i < parameters; ++i) {
       const auto p = static_cast<Eigen::Index>(i);
@@ -221,7 +223,7 @@ class MotionFit {
   static Globals bounded(Globals theta) {
     for (std::size_t i = 0; i < parameters; ++i)
       theta[static_cast<Eigen::Index>(i)] = std::max(theta[static_cast<Eigen::Index>(i)], least[i]);
-    // Where the lag is all of the lateness, nothing tells which way to go back.
+    // If the lag is all of the lateness, the direction of the correction is unknown.
     theta[lag_ms2] = std::min(theta[lag_ms2], mostLag * mostLag * theta[late_ms] * theta[late_ms]);
     return theta;
   }
@@ -242,7 +244,8 @@ class MotionFit {
     }
   }
 
-  /// Where the motor gives again what it is asked for: a pause's length after something was heard again.
+  /// First sample at which the motor gives the commanded force again: one pause's length after the first
+  /// answer.
   std::size_t afterPause(std::size_t k) const {
     while (k < record_.time_s.size() && !record_.good[k]) ++k;
     const double until_s = k < record_.time_s.size() ? record_.time_s[k] + pause_s_ : 0;
@@ -287,7 +290,7 @@ class MotionFit {
     return sums.ldlt().solve(right);
   }
 
-  /// What the model leaves of a stretch's good samples; `motor_` follows already.
+  /// Residuals of the model over a stretch's good samples; `motor_` is already up to date.
   Eigen::VectorXd leftOver(const Globals& theta, const Stretch& stretch, const Start& start) const {
     Eigen::VectorXd left(static_cast<Eigen::Index>(stretch.last - stretch.first + 1));
     Eigen::Index count = 0;
@@ -316,7 +319,8 @@ class MotionFit {
     return std::isfinite(cost) ? cost : std::numeric_limits<double>::max();
   }
 
-  /// Each stretch's own beginning is eliminated: what is left of the other columns is what its beginning cannot do.
+  /// Each stretch's own beginning is eliminated: what is left of the other columns is what its beginning
+  /// cannot do.
   Equations equationsAt(const Globals& theta) {
     Equations e;
     motor_.follow(delayOf_s(theta), lagOf_s(theta));
@@ -356,7 +360,8 @@ class MotionFit {
     return part;
   }
 
-  /// Each stretch takes its new beginning where that is the better one: where friction turns, a straight line leads astray. Gives the cost.
+  /// Each stretch takes its new beginning where that is the better one: where friction turns, a straight line
+  /// leads astray. Gives the cost.
   double moveStarts(const Equations& e, const Globals& theta, const Globals& by) {
     motor_.follow(delayOf_s(theta), lagOf_s(theta));
     double cost = 0;
@@ -431,7 +436,8 @@ class MotionFit {
     const double used = static_cast<double>(2 * found.stretches + parameters);
     found.residual_mm = std::sqrt(cost / std::max(1.0, n - used));
     found.expected_mm = record_.step_mm / std::sqrt(12.0);
-    // Errors within a stretch go together: they are counted by stretches. No less than independent rounding would give.
+    // Errors within a stretch go together: they are counted by stretches. No less than independent rounding
+    // would give.
     const Square inverse = (e.normal + 1e-15 * Square::Identity()).inverse();
     const double m = static_cast<double>(found.stretches);
     const Square byStretches =
@@ -451,7 +457,7 @@ class MotionFit {
     found.offset_N = estimate(offset);
     const double lateSigma_s = estimate(late_ms).sigma / msPerS;
     found.late_s = {theta[late_ms] / msPerS, lateSigma_s};
-    // What its square may be more or less tells what the lag may be.
+    // The error of the squared lag gives the error of the lag.
     const Estimate square_ms2 = estimate(lag_ms2);
     const double lag_ms = std::sqrt(square_ms2.value),
                  more_ms = std::sqrt(square_ms2.value + square_ms2.sigma) - lag_ms,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From the movement of a free handle under known forces to what moves: mass, Coulomb friction, damping, and how late and how slowly the
-// motor follows, with standard errors. Model and what was tried: docs/develop/decisions/1110-identifying-devices.md.
+// From the movement of a free handle under known forces to what moves: mass, Coulomb friction, damping, and
+// how late and how slowly the motor follows, with standard errors. Model and what was tried:
+// docs/develop/decisions/1110-identifying-devices.md.
 
 #include <cstddef>
 #include <vector>
@@ -11,11 +12,11 @@
 
 namespace detent::playback {
 
-/// What a loop saw: all of one length. A positive force is against growing displacement.
+/// Record of a loop; all columns have one length. A positive force acts against growing displacement.
 struct MotionRecord {
   std::vector<double> time_s;  ///< increasing
   std::vector<double> position_mm;
-  std::vector<double> force_N;  ///< asked for at this time, and kept until the next
+  std::vector<double> force_N;  ///< commanded at this time, and kept until the next
   std::vector<bool> good;       ///< the position was read here; else it stands for nothing
   double step_mm = 0.01;        ///< > 0; of the encoder
 };
@@ -30,12 +31,13 @@ struct MotionIdentification {
   double residual_mm = 0;                  ///< rms of what the model leaves
   double expected_mm = 0;                  ///< rms of what the encoder's steps alone would leave
   std::size_t stretches = 0, samples = 0;  ///< of movement that entered
-  /// The handle moves as mass, friction and damping do. False: something else acts on it (a hand, a spring, a stop), or its force
-  /// is not what it is asked for.
+  /// Returns true if the handle moves as mass, friction and damping predict. False: something else acts on it
+  /// (a hand, a spring, a stop), or its force is not the commanded one.
   bool explained() const;
 };
 
-/// Failure unreadableInput: too short, or it hardly moves. Any thread; takes a second for ten seconds at 1 kHz.
+/// Failure unreadableInput: too short, or it hardly moves. Any thread; takes a second for ten seconds at 1
+/// kHz.
 Result<MotionIdentification> identifyMotion(const MotionRecord& record);
 
 }  // namespace detent::playback

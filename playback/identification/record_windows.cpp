@@ -53,7 +53,8 @@ RecordWindows::RecordWindows(const ForceRecord& record, double lowestQuanta)
   }
 }
 
-// Sums over samples stand for integrals; what they miss at uneven times is taken out, so that constants and straight lines are exact.
+// Sums over samples stand for integrals; what they miss at uneven times is taken out, so that constants and
+// straight lines are exact.
 void RecordWindows::shares(std::size_t at, std::vector<SampleShare>& out) const {
   const std::vector<double>& t = record_.time_s;
   const std::size_t half = half_[at], begin = first(at);

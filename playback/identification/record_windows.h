@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Windows over a record in which averages, rates of change and curvatures are taken by one and the same bump. For any quantity q
-// of the record, the rate is exactly how the average changes when the window is moved: what one side of F = c + k x + d(way)/dt + m a
-// loses by smoothing, the other loses too. (Shinbrot's modulating functions, 1957.)
+// Windows over a record in which averages, rates of change and curvatures are taken by one and the same bump.
+// For any quantity q of the record, the rate is exactly how the average changes when the window is moved:
+// what one side of F = c + k x + d(way)/dt + m a loses by smoothing, the other loses too. (Shinbrot's
+// modulating functions, 1957.)
 
 #include <cstddef>
 #include <vector>
@@ -11,7 +12,8 @@
 
 namespace detent::playback {
 
-/// How much one sample of a window counts: average = sum of mean q, rate = sum of perS q, curvature = sum of perS2 q.
+/// Weights of one sample of a window: average = sum of mean q, rate = sum of perS q, curvature = sum of perS2
+/// q.
 struct SampleShare {
   double mean = 0, perS = 0, perS2 = 0;
 };
@@ -19,8 +21,8 @@ struct SampleShare {
 /// Refers to the record it was made of. One thread.
 class RecordWindows {
  public:
-  /// A window is as short as spans `lowestQuanta` steps of the recording, so that slow movements are not drowned in its steps
-  /// and fast ones not smeared. The record has at least 17 samples.
+  /// A window is as short as spans `lowestQuanta` steps of the recording, so that slow movements are not
+  /// drowned in its steps and fast ones not smeared. The record has at least 17 samples.
   RecordWindows(const ForceRecord& record, double lowestQuanta);
 
   /// Smallest change of displacement in the record (mm).
@@ -29,7 +31,8 @@ class RecordWindows {
   bool inside(std::size_t at) const { return half_[at] > 0; }
   /// First sample of the window around an inside sample.
   std::size_t first(std::size_t at) const { return at - half_[at]; }
-  /// The shares of the window's samples, from `first` on. A constant has rate and curvature 0, a straight line a rate of 1.
+  /// The shares of the window's samples, from `first` on. A constant has rate and curvature 0, a straight
+  /// line a rate of 1.
   void shares(std::size_t at, std::vector<SampleShare>& out) const;
 
  private:
@@ -38,13 +41,14 @@ class RecordWindows {
   std::vector<std::size_t> half_;
 };
 
-/// Where the handle stays: runs of one reading that it enters and leaves on the same side, or that begin or end the record.
+/// Stretches in which the handle rests: runs of one reading that it enters and leaves on the same side, or
+/// that begin or end the record.
 struct Stays {
   static constexpr std::size_t moving = static_cast<std::size_t>(-1);
   std::vector<std::size_t> level;  ///< of each sample: equal where it stays at equal readings; or `moving`
   std::size_t levels = 0;
 };
-/// In a stay rounding is one unknown number; what passes through a step has another error at every sample.
+/// During a rest, rounding is one unknown number; during movement every sample has another rounding error.
 Stays staysOf(const std::vector<double>& displacement_mm);
 
 }  // namespace detent::playback

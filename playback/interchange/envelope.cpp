@@ -18,7 +18,7 @@ std::int64_t framesIn(double time_s, const PressPlan& plan) {
   return std::max<std::int64_t>(1, std::llround(time_s * plan.sampleRate_Hz));
 }
 
-/// How strong a burst is at a sample.
+/// Amplitude of a burst at a sample.
 double levelAt(const PlannedBurst& planned, std::int64_t frame, double sampleRate_Hz) {
   const double share =
       static_cast<double>(frame - planned.frame) / (planned.burst.duration_s * sampleRate_Hz);
@@ -50,7 +50,7 @@ double amplitudeWithin(const PressPlan& plan, std::int64_t from, std::int64_t to
   return std::fmin(1, std::numbers::sqrt2 * std::sqrt(sum / static_cast<double>(to - from)));
 }
 
-/// Where steps begin that must: the stretch's start, and jumps and bottom-outs that keep their distance.
+/// Forced starts of steps: the stretch's start, and jumps and bottom-outs that keep their distance.
 std::vector<std::int64_t> hardStarts(const PressPlan& plan, const Stretch& stretch, std::int64_t apart) {
   std::vector<std::int64_t> starts{stretch.from};
   for (const PlannedBurst& planned : plan.bursts)
@@ -108,7 +108,7 @@ std::vector<EnvelopeStep> stepsOf(const PressPlan& plan, const Stretch& stretch,
   starts.push_back(stretch.to);
   std::vector<EnvelopeStep> steps;
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
-    // The last step before an onset takes what is left over, so that none is shorter than asked.
+    // The last step before an onset takes the remainder, so that no step is shorter than requested.
     const std::int64_t count = std::max<std::int64_t>(1, (starts[i + 1] - starts[i]) / step);
     for (std::int64_t k = 0; k < count && starts[i] < starts[i + 1]; ++k) {
       const std::int64_t from = starts[i] + k * step;

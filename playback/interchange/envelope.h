@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A stretch of a press as one oscillator: how strong and how high at each time. For formats that have one voice.
+// A stretch of a press as one oscillator: how strong and how high at each time. For formats that have one
+// voice.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,9 +21,11 @@ Stretch pressOf(const PressPlan& plan);
 Stretch releaseOf(const PressPlan& plan);
 /// The sample of the first burst that begins within, or `stretch.to`.
 std::int64_t firstOnset(const PressPlan& plan, const Stretch& stretch);
-/// The same; what is no jump or bottom-out and leaves one less than `room_s` behind it is passed over for its moment.
+/// The same; what is no jump or bottom-out and leaves one less than `room_s` behind it is passed over for its
+/// moment.
 std::int64_t firstOnsetWithRoom(const PressPlan& plan, const Stretch& stretch, double room_s);
-/// The first on a grid of `grid_s` on which the first jump or bottom-out lies, where there is one: at most a grid's width earlier.
+/// The first on a grid of `grid_s` on which the first jump or bottom-out lies, where there is one: at most a
+/// grid's width earlier.
 std::int64_t firstOnsetOnGrid(const PressPlan& plan, const Stretch& stretch, double grid_s);
 
 /// Level and frequency between two moments.
@@ -34,12 +37,14 @@ struct EnvelopeStep {
   bool onset = false;  ///< a jump or a bottom-out begins with it
 };
 
-/// Steps of at least `step_s`, except that each jump and bottom-out begins a new one (`onsets`: at least so far apart, the later
-/// ones begin none). They follow each other without a gap and cover the stretch. At most 1e6 steps.
+/// Steps of at least `step_s`, except that each jump and bottom-out begins a new one (`onsets`: at least so
+/// far apart, the later ones begin none). They follow each other without a gap and cover the stretch. At most
+/// 1e6 steps.
 std::vector<EnvelopeStep> stepsOf(const PressPlan& plan, const Stretch& stretch, double step_s,
                                   double onsetsApart_s);
 
-/// The steps as a wave with straight slopes between their middles and a step at each onset; time 0 is sample `zero`.
+/// The steps as a wave with straight slopes between their middles and a step at each onset; time 0 is sample
+/// `zero`.
 PlayedWave smoothed(const std::vector<EnvelopeStep>& steps, double sampleRate_Hz, std::int64_t zero);
 
 /// Levels by the millisecond, for players that take a level and how long.
@@ -53,18 +58,19 @@ struct TimedLevels {
   std::vector<Level> levels;         ///< the last one is 0; empty where nothing is felt
   std::vector<std::int64_t> onsets;  ///< of jumps and bottom-outs, as played
 };
-/// Of a stretch, in levels of `step_ms` and never shorter than `least_ms`: each jump and bottom-out at least so far behind the one
-/// before begins a level, half a millisecond off at most.
+/// Levels of a stretch, in steps of `step_ms` and never shorter than `least_ms`: each jump and bottom-out at
+/// least that far behind the one before begins a level, at most half a millisecond off.
 TimedLevels timedLevels(const PressPlan& plan, const Stretch& stretch, int step_ms, int least_ms, int full);
-/// As a motor at its own resonance plays them.
+/// The levels as a motor at its own resonance plays them.
 PlayedWave waveOf(const TimedLevels& levels, double sampleRate_Hz);
 
-/// Distance in ms of every jump and bottom-out of the stretch from the nearest of `onsets` (samples), at most.
+/// Distance in ms of every jump and bottom-out of the stretch from the nearest of `onsets` (samples), at
+/// most.
 double worstTimingError_ms(const PressPlan& plan, const Stretch& stretch,
                            const std::vector<std::int64_t>& onsets);
 std::vector<std::int64_t> onsetsOf(const std::vector<EnvelopeStep>& steps);
 
-/// How far a motor at its own resonance moves the press's frequencies, at most.
+/// Largest shift of the press's frequencies by a motor that plays at its own resonance.
 double furthestFromResonance_Hz(const PressPlan& plan);
 
 /// Grain positions that were played within.

@@ -34,8 +34,9 @@ struct LowBins {
   std::vector<std::complex<double>> above, below;
 };
 
-/// Of two signals, one as the real, one as the imaginary part, padded with silence to `length` samples. Every L-th sample is transformed
-/// by itself, since of the whole only the lowest bins are wanted: exact, and a third of the time.
+/// Spectra of two signals, one as the real, one as the imaginary part, padded with silence to `length`
+/// samples. Every L-th sample is transformed by itself, because only the lowest bins are wanted: exact, and a
+/// third of the time.
 template <class First>
 LowBins lowBins(const std::vector<First>& first, const std::vector<double>& second, const Fourier& fourier,
                 std::size_t length, std::size_t highest) {
@@ -59,7 +60,8 @@ LowBins lowBins(const std::vector<First>& first, const std::vector<double>& seco
   return bins;
 }
 
-/// Energies within each band of two signals, by one transform: of real numbers, the spectrum's halves are conjugates.
+/// Energies within each band of two signals, by one transform: of real numbers, the spectrum's halves are
+/// conjugates.
 template <class First>
 std::pair<BandEnergies, BandEnergies> energies(const std::vector<First>& first,
                                                const std::vector<double>& second, std::size_t length,

@@ -58,28 +58,30 @@ struct Exported {
   ExportLoss loss;
 };
 
-/// Failure: as planPress; wrongUsage for settings outside their ranges, and for a press so faint that nothing of it sounds in the format. Any thread; allocates.
+/// Failure: as planPress; wrongUsage for settings outside their ranges, and for a press so faint that nothing
+/// of it sounds in the format. Any thread; allocates.
 Result<Exported> exportPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
                              const ExportSettings& settings);
 
 struct ExportSource;
 struct Reduction;
 
-/// What the press becomes in the format of the settings, before it is text (reduction.h); a failure where nothing of it would sound in it.
+/// The press in the format of the settings, before it becomes text (reduction.h). Failure: nothing of it
+/// would sound in this format.
 Result<Reduction> reductionOf(const ExportSource& source, const ExportSettings& settings);
 
-/// Where a file of an export goes.
+/// Path of a file of an export.
 std::string pathOf(const std::string& output, const ExportedFile& file);
 
 /// Writes all files of an export, or none where one of them cannot be written; their paths.
 Result<std::vector<std::string>> writeExported(const Exported& exported, const std::string& output);
 
-/// A press by its name: "standard", or "human:120ms" (or "human:0.12s"): a human-like press whose way down takes so long, 10 ms to 10 s.
-/// Failure wrongUsage: a name that is neither.
+/// A press by its name: "standard", or "human:120ms" (or "human:0.12s"): a human-like press whose way down
+/// takes so long, 10 ms to 10 s. Failure wrongUsage: a name that is neither.
 Result<PressTrace> namedPress(const std::string& name, const HapticProgram& program);
-/// Whether `name` is such a name, well formed or not; anything else is a file.
+/// Returns true if `name` has the form of a press name, valid or not; anything else is a file.
 bool namesPress(const std::string& name);
-/// How files name the press of such a name, or of a press trace's file.
+/// Description of a press name or of a press trace's file, for exported files.
 std::string pressInWords(const std::string& press);
 
 }  // namespace detent::playback

@@ -37,7 +37,7 @@ class Cone {
     return true;
   }
 
-  /// On the flattest of them.
+  /// Point on the flattest of the possible lines.
   GainPoint at(std::int64_t frame) const {
     const double slope = std::clamp(0.0, low_, high_);
     return {frame, std::clamp(from_.gain + slope * static_cast<double>(frame - from_.frame), 0.0, 1.0)};

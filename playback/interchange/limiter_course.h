@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How far the limiter turned a press down, so that a file can say it.
+// Largest gain reduction of a press by the limiter, for the exported file.
 
 #include <cstdint>
 #include <vector>
@@ -13,8 +13,9 @@ struct GainPoint {
   double gain = 1;
 };
 
-/// As few points, one after another, as give `limited` of `whole` within `tolerance` (> 0, share of full scale) at every sample. Both of
-/// one length; where a sample of `whole` is the larger one it was turned down. Empty for no samples. Any thread; allocates.
+/// The gain of the limiter as few points that turn `whole` into `limited` within `tolerance` (> 0, share of
+/// full scale) at every sample. The inputs have one length; a sample of `whole` that is larger was turned
+/// down. Empty for no samples. Any thread; allocates.
 std::vector<GainPoint> limiterCourse(const std::vector<float>& whole, const std::vector<float>& limited,
                                      double tolerance);
 

@@ -31,7 +31,7 @@ double valueAt(WaveShape shape, double cycles) {
   return std::sin(2 * std::numbers::pi * cycles);
 }
 
-/// From one point to the next, the end left out; gives the phase reached, in cycles.
+/// Adds the samples from one point to the next, without the end; returns the phase reached, in cycles.
 double addSegment(std::vector<double>& samples, const WavePoint& from, const WavePoint& to, WaveShape shape,
                   double phase, double sampleRate_Hz) {
   const double lasts_s = to.time_s - from.time_s;

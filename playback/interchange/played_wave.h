@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a player makes of an exported file: sines whose amplitude and frequency run straight between points. Every format is
-// reduced to this, and its losses are those of this.
+// The signal that a player makes of an exported file: sines whose amplitude and frequency are linear between
+// points. Every format is reduced to this, and its loss record is that of this signal.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace detent::playback {
 
-/// One point of a sine's course.
+/// One point of a sine's envelope.
 struct WavePoint {
   double time_s = 0;
   double amplitude = 0;  ///< share of full scale; negative: the opposite phase
@@ -26,8 +26,8 @@ enum class WaveShape : std::uint8_t {
   constant       ///< 1: the amplitudes are the samples
 };
 
-/// amplitude(t) * shape(phase + integral of the frequency since the first point) from the first point to the last, silent
-/// outside. Two points at one time are a step.
+/// amplitude(t) * shape(phase + integral of the frequency since the first point) from the first point to the
+/// last, silent outside. Two points at one time are a step.
 struct PlayedWave {
   std::vector<WavePoint> points;  ///< by time, never falling
   double phase_cycles = 0;

@@ -43,7 +43,8 @@ std::vector<PlannedBurst> sounding(const std::vector<EngineEvent>& events, const
   return bursts;
 }
 
-/// Of the strongest reading that the engine takes: neither one that is no number nor one out of range.
+/// Frame of the strongest reading that the engine takes; invalid numbers and values out of range do not
+/// count.
 std::int64_t turnFrame(const PressTrace& trace, const HapticProgram& program,
                        const RenderSettings& settings) {
   ConditionerCounts counts;
@@ -54,7 +55,7 @@ std::int64_t turnFrame(const PressTrace& trace, const HapticProgram& program,
   return strongest == inputs.end() ? 0 : std::llround(strongest->time_frames);
 }
 
-/// As loud as it would be without the limiter: rendered far below its ceiling.
+/// Samples without the limiter's effect: rendered far below its ceiling.
 Result<std::vector<float>> unlimited(const HapticProgram& program, const PressTrace& trace,
                                      const RenderSettings& settings) {
   constexpr double below = 1.0 / 64;  // a power of two: nothing is rounded

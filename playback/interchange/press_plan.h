@@ -45,8 +45,8 @@ struct PressPlan {
 /// Longest press that is exported: AHAP holds no longer event, and nothing pressed by hand lasts longer.
 inline constexpr double longestExport_s = 30;
 
-/// Plays the press. Failure: as renderPress; wrongUsage for a press longer than `longestExport_s`, or one under which nothing
-/// is felt. Any thread; allocates.
+/// Plays the press. Failure: as renderPress; wrongUsage for a press longer than `longestExport_s`, or one
+/// under which nothing is felt. Any thread; allocates.
 Result<PressPlan> planPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
                             const std::string& pressName, const RenderSettings& settings);
 

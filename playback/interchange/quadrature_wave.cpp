@@ -77,7 +77,8 @@ struct Grid {
 QuadraturePiece fitted(const Signal& signal, const Grid& grid) {
   const std::size_t points = grid.points();
   BandSystem system(2 * points);
-  // Where points lie closer than half waves, many pairs of amplitudes give the same samples: the smallest are taken.
+  // Where points lie closer than half waves, many pairs of amplitudes give the same samples: the smallest are
+  // taken.
   for (std::size_t i = 0; i < 2 * points; ++i) system.add(i, i, 1e-9);
   for (std::size_t i = 0; i + 1 < points || i == 0; ++i) {
     const std::int64_t low = grid.frame(i), high = grid.frame(std::min(i + 1, points - 1));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Apple's AHAP. Missing values are its defaults, values out of range are clamped, unknown keys are left alone, as Core Haptics does.
+// Apple's AHAP. Missing values are its defaults, values out of range are clamped, unknown keys are left
+// alone, as Core Haptics does.
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ constexpr double anyNumber = 1e9;
 constexpr double longestEvent_s = 30;   // of a continuous one
 constexpr double curveStep_s = 0.0005;  // between points where the amplitude is not linear
 
-/// Value of a dynamic parameter over time. Each curve or parameter applies from its first point until another one begins: linear between
-/// its points, constant after the last one.
+/// Value of a dynamic parameter over time. Each curve or parameter applies from its first point until another
+/// one begins: linear between its points, constant after the last one.
 class Control {
  public:
   using Segment = std::vector<std::pair<double, double>>;  // time in seconds, value

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lofelt's and Meta's .haptic, version 1: played as its own conversion to AHAP has it (NiceVibrations): intensity is the root of an
-// amplitude, sharpness the root of a frequency; at an emphasis the envelope is ducked and a transient stands on it.
+// Lofelt's and Meta's .haptic, version 1: played as its own conversion to AHAP has it (NiceVibrations):
+// intensity is the root of an amplitude, sharpness the root of a frequency; at an emphasis the envelope is
+// ducked and a transient stands on it.
 
 #include <cmath>
 
@@ -33,7 +34,7 @@ double straight(const std::vector<Breakpoint>& points, std::size_t next, double 
                              : b.value;
 }
 
-/// Both courses over one list of times. A step of one, two points at one time, stays a step.
+/// Both envelopes over one list of times. A step (two points at one time) stays a step.
 std::vector<WavePoint> merged(const std::vector<Breakpoint>& amplitudes,
                               const std::vector<Breakpoint>& frequencies) {
   std::vector<WavePoint> points;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HJIF, the JSON of ISO/IEC 23090-31: as its reference software evaluates bands, with the phase of several frequencies in seconds at
-// any timescale (the reference software has it right at 1000 ticks a second only).
+// HJIF, the JSON of ISO/IEC 23090-31: as its reference software evaluates bands, with the phase of several
+// frequencies in seconds at any timescale (the reference software has it right at 1000 ticks a second only).
 
 #include <algorithm>
 #include <cmath>

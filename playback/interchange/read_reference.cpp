@@ -38,7 +38,7 @@ void turnDown(std::vector<double>& samples, ReferenceSignal& signal) {
   double peak = 0;
   for (const double sample : samples) peak = std::fmax(peak, std::fabs(sample));
   const double gain = peak > 1 ? 1 / peak : 1;
-  // What rounding adds to full scale is not worth a word.
+  // Rounding beyond full scale is not reported.
   if (peak > 1 + 1e-6)
     signal.notes.emplace_back(Message("it passes full scale by a factor of %1 and is turned down", peak));
   signal.samples.reserve(samples.size());
@@ -92,7 +92,8 @@ std::uint64_t littleEndian(const Head& head, std::size_t at, std::size_t bytes) 
   return value;
 }
 
-/// Size that a file's own header gives it; 0 where it gives none. 0 and the largest number stand in streams that did not know.
+/// Size that a file's own header gives it; 0 where it gives none. 0 and the largest number stand in streams
+/// that did not know.
 std::uint64_t statedSize(const Head& head) {
   const std::string_view kind = wordOf(head, 0);
   constexpr std::uint64_t unknown = 0xFFFFFFFF, chunkHead = 8;

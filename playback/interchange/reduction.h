@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a press becomes in one format, before it is text: so that the file can carry its own loss record.
+// The form of a press in one format, before it becomes text: the file can thus carry its own loss record.
 
 #include <functional>
 #include <string>
@@ -15,13 +15,14 @@
 namespace detent::playback {
 
 struct Reduction {
-  /// What a player makes of it, on the plan's time line and at its rate; press and release apart where each is begun by itself.
+  /// Signal that a player makes of it, on the plan's time axis and at its rate; press and release apart if
+  /// they are started separately.
   std::vector<std::vector<double>> played;
   ExportLoss loss;  ///< all but the energies, which follow from `played`
   std::function<std::vector<ExportedFile>(const ExportLoss&)> write;
 };
 
-/// What stands at the head of every file.
+/// Contents of every file's header.
 struct ExportSource {
   const Button& button;
   const HapticProgram& program;
@@ -38,7 +39,7 @@ Reduction hjifOf(const ExportSource& source);
 Reduction bos1921Of(const ExportSource& source);
 Reduction da728xOf(const ExportSource& source);
 Reduction drv2605Of(const ExportSource& source);
-/// At any rate the samples of the plan, band-limited (docs/develop/decisions/0913).
+/// The samples of the plan at any rate, band-limited (docs/develop/decisions/0913).
 Reduction pcmOf(const ExportSource& source, unsigned bits, double sampleRate_Hz);
 Reduction touchpadOf(const ExportSource& source);
 

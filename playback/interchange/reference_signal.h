@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A signal that another program made, to be felt beside a button: never a button, since no such file says what force or place
-// belongs to what is felt (docs/reference/export-formats.md: how each is played).
+// A signal that another program made, to be felt beside a button: never a button, since no such file says
+// what force or place belongs to what is felt (docs/reference/export-formats.md: how each is played).
 
 #include <cstdint>
 #include <filesystem>
@@ -27,7 +27,7 @@ inline constexpr auto referenceFormats = named<ReferenceFormat>({{"ahap", Refere
                                                                  {"hjif", ReferenceFormat::hjif},
                                                                  {"sound", ReferenceFormat::sound}});
 
-/// Of every reference: what is read of any format is played at this rate.
+/// Sample rate of every reference: every format is played at this rate.
 inline constexpr double referenceRate_Hz = 48000;
 /// Longest reference, in seconds.
 inline constexpr double longestReference_s = 120;
@@ -42,8 +42,9 @@ struct ReferenceSignal {
   double duration_s() const { return static_cast<double>(samples.size()) / referenceRate_Hz; }
 };
 
-/// By its content, not its ending. Failure unreadableInput names the file, the place in it and what is wrong: cut off, another version,
-/// numbers that mean nothing, longer than `longestReference_s`. Any thread; allocates; some 100 ms for what is allowed at most.
+/// Reads a file by its content, not its ending. Failure unreadableInput names the file, the place in it and
+/// the fault: cut off, another version, invalid numbers, longer than `longestReference_s`. Any thread;
+/// allocates; at most some 100 ms.
 Result<ReferenceSignal> readReference(const std::filesystem::path& file);
 
 /// The same of a text that is JSON of one of the formats; `name` is what a Failure calls it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What each format's reader makes of its JSON: waves, before they are samples.
+// Reads the JSON of each format into waves, before they become samples.
 
 #include <cstddef>
 #include <string>
@@ -24,8 +24,8 @@ struct ReferenceWaves {
   void note(Message message);
 };
 
-/// One value of a file with its place in it ("Pattern[3].Event.Time"). Refuses by throwing a Failure, which `referenceFromText`
-/// catches: no other function of this folder lets one out.
+/// One value of a file with its place in it ("Pattern[3].Event.Time"). Refuses by throwing a Failure, which
+/// `referenceFromText` catches: no other function of this folder lets one out.
 class JsonPlace {
  public:
   JsonPlace(const nlohmann::json& value, std::string place, const std::string& file)

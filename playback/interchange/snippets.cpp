@@ -17,7 +17,7 @@ constexpr std::size_t freeBytes = snippetMemoryBytes - 4;  // two counts, two en
 constexpr double cheapest = 1e-3, dearest = 1e7;  // squared levels that a byte is worth, at least and at most
 constexpr int halvings = 14;                      // of the range between, on a logarithmic scale
 
-/// The points of a course that cost least up to each cell: squared error, and `perByte` for every byte.
+/// The cheapest points of an envelope up to each cell: squared error, and `perByte` for every byte.
 class CheapestPoints {
  public:
   CheapestPoints(const LevelCourse& course, double perByte)
@@ -48,7 +48,7 @@ class CheapestPoints {
   }
 
   std::size_t cells() const { return cells_; }
-  /// Of points and frames up to a cell, a frame taken as two bytes, and one byte to end at level 0.
+  /// Largest size of points and frames up to a cell: two bytes per frame, and one byte to end at level 0.
   std::size_t mostBytesAt(std::size_t cell) const {
     const Reached& end = cheapestAt(cell);
     return end.points + 3 * snippetsAt(cell) + 1;
@@ -162,7 +162,7 @@ bool fits(const Rows& rows) {
   return bytes <= freeBytes && snippets <= mostSnippets;
 }
 
-/// As far as each one's share of the memory reaches.
+/// Rows cut to each one's share of the memory.
 Rows cutToShares(const std::array<CheapestPoints, 2>& courses) {
   Rows rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {

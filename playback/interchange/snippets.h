@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Courses of levels as snippets of the DA728x's waveform memory: 100 bytes for all. docs/develop/decisions/0913-exporting-presses.md
+// Envelopes of levels as snippets of the DA728x's waveform memory: 100 bytes for all.
+// docs/develop/decisions/0913-exporting-presses.md
 
 #include <array>
 #include <cstddef>
@@ -26,21 +27,22 @@ struct Snippet {
   std::vector<SnippetPoint> points;  ///< the first is no ramp
 };
 
-/// What is to be held: a level per cell, 0..15, and the cells that begin a point of their own, rising.
+/// Envelope to be stored: a level per cell, 0..15, and the cells that begin a point of their own, rising.
 struct LevelCourse {
   std::vector<double> levels;
   std::vector<std::size_t> onsets;
 };
 
-/// What of a course is held. It ends at level 0.
+/// The stored part of an envelope. It ends at level 0.
 struct SnippetRow {
   std::vector<Snippet> snippets;  ///< at least one
-  std::size_t held = 0;           ///< cells of the course; behind them it is silent
+  std::size_t held = 0;           ///< cells of the envelope; after them it is silent
   bool cut = false;               ///< the memory was full before the end
 };
 
-/// One row per course, by one price a byte for both: the lowest found at which they fit the memory together, which comes near the least squared error.
-/// Every onset that is held begins a point. Where not even the dearest fits, each course gets the share that the others leave, half at least, and is cut.
+/// One row per envelope, by one price per byte for both: the lowest price at which they fit the memory
+/// together, which comes near the least squared error. Every stored onset begins a point. If not even the
+/// highest price fits, each envelope gets the share that the others leave, at least half, and is cut.
 std::array<SnippetRow, 2> snippetsOf(const std::array<LevelCourse, 2>& courses);
 
 /// The memory: row 0 is sequence 0. Of rows that snippetsOf gave.

@@ -98,13 +98,14 @@ class SliceWriter {
     return 1e9;
   }
   const EnvelopeStep& stepAt(double time_s) const {
-    // What begins sooner than a pause can be written begins now.
+    // An event sooner than the shortest pause begins now.
     const double frame = (time_s + shortestPause_s) * rate_Hz_;
     for (const EnvelopeStep& step : steps_)
       if (frame < static_cast<double>(step.to)) return step;
     return steps_.back();
   }
-  /// What begins with a step is what it plays, be the slope stronger: the slope's longer cycle might not end before the next onset.
+  /// An onset within a step sets its frequency, even if the slope is stronger: the slope's longer cycle might
+  /// not end before the next onset.
   double frequency_Hz(const EnvelopeStep& step) const {
     if (step.onset)
       for (const PlannedBurst& planned : plan_.bursts)
@@ -115,7 +116,7 @@ class SliceWriter {
     const double amplitude = step.onset ? firstAmplitude(step) : step.amplitude;
     return std::clamp(static_cast<int>(std::lround(amplitude * highestAmplitude)), 0, highestAmplitude);
   }
-  /// Of the envelope where a jump begins.
+  /// Amplitude of the envelope where a jump begins.
   double firstAmplitude(const EnvelopeStep& step) const {
     const double from_s = static_cast<double>(step.from) / rate_Hz_;
     double amplitude = step.amplitude;
@@ -173,7 +174,7 @@ struct DaPart {
   LevelCourse course;
   SnippetRow row;
   std::vector<std::int64_t> onsets;
-  std::int64_t end = 0;  ///< sample up to which the course is held
+  std::int64_t end = 0;  ///< sample up to which the envelope is stored
 };
 
 /// Levels in the middles of the cells, and the cells of jumps and bottom-outs.
@@ -398,7 +399,8 @@ Reduction da728xOf(const ExportSource& source) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const DaPart& part = parts[i];
     reduction.played.push_back(playedBy({waveOf(part, plan.sampleRate_Hz)}, plan));
-    // Of what is held; what is cut off is told by itself. A burst half a cell before the end would begin there.
+    // Only the stored part counts; the cut part is reported separately. A burst half a cell before the end
+    // would begin there.
     Stretch held = halves[i];
     if (part.row.cut)
       held.to =

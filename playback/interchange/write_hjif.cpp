@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ISO/IEC 23090-31, interchange form (JSON), profile Main. Jumps and bottom-outs are vectorial waves of their own, exact in time
-// (timescale 48000), frequency and envelope; filtered grains, and whatever else the engine adds, are two waves a quarter turn apart.
-// No Curve and no Transient band: players disagree about them.
+// ISO/IEC 23090-31, interchange form (JSON), profile Main. Jumps and bottom-outs are vectorial waves of their
+// own, exact in time (timescale 48000), frequency and envelope; filtered grains, and whatever else the engine
+// adds, are two waves a quarter turn apart. No Curve and no Transient band: players disagree about them.
 
 #include <cmath>
 #include <numbers>
@@ -42,7 +42,8 @@ PlayedWave waveOf(const Effect& effect, double sampleRate_Hz) {
   return wave;
 }
 
-/// A silent keyframe stands behind the last: players reckon a sample's place with rounding, and would leave it out. The first is silent.
+/// A silent keyframe stands behind the last: players reckon a sample's place with rounding, and would leave
+/// it out. The first is silent.
 Effect effectOf(const PlannedBurst& planned, double gain, double sampleRate_Hz) {
   const double length = planned.burst.duration_s * sampleRate_Hz;
   const auto last = static_cast<std::int64_t>(std::ceil(length - 1e-9)) - 1;
@@ -84,8 +85,8 @@ void place(std::vector<std::vector<Effect>>& bands, Effect effect) {
   bands.push_back({std::move(effect)});
 }
 
-/// Amplitudes are within -1 and 1, and players hold the sum within full scale after each band, before the channel's gain: what passes
-/// that is written smaller under a larger gain. At least 1.
+/// Amplitudes are within -1 and 1, and players hold the sum within full scale after each band, before the
+/// channel's gain: what passes that is written smaller under a larger gain. At least 1.
 double gainFor(const std::vector<std::vector<Effect>>& bands, const PressPlan& plan) {
   std::vector<double> sum(plan.samples.size(), 0);
   double peak = 1;
@@ -105,7 +106,8 @@ Json jsonOf(const Effect& effect, double gain) {
   Json keyframes = Json::array();
   for (const auto& [frame, amplitude] : effect.amplitudes)
     keyframes.push_back({{"relative_position", frame}, {"amplitude_modulation", amplitude / gain}});
-  // On the first one alone: from several the reference software reckons a phase in milliseconds, whatever the timescale.
+  // On the first one alone: from several the reference software reckons a phase in milliseconds, whatever the
+  // timescale.
   keyframes.front()["frequency_modulation"] = static_cast<int>(effect.frequency_Hz);
   return {{"effect_type", "Basis"},
           {"position", effect.from},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force-triggered package: at which force what is to be played, for devices that sense force themselves. As JSON and as a C header.
+// The force-triggered package: at which force what is to be played, for devices that sense force themselves.
+// As JSON and as a C header.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is played where on a stroke.
+/// An event on a stroke and its wave.
 struct Trigger {
   const char* kind = "";  ///< "jump" or "bottom_out"
   bool release = false;
@@ -36,7 +37,7 @@ struct Trigger {
   Burst burst;
 };
 
-/// Where a stroke has grains, and how strong: `level` is on the amplitude of each.
+/// A piece of a stroke with grains, and their strength: `level` multiplies the amplitude of each.
 struct SlopePiece {
   double from_mm = 0, to_mm = 0;  ///< of its first and last grain
   double level = 1;
@@ -62,7 +63,8 @@ double forceBetween(const TablePoint& a, const TablePoint& b, double displacemen
   return a.force_N + (b.force_N - a.force_N) * share;
 }
 
-/// The force at which a press first comes to a place: the strongest on the way, not that of the place. Where a wall stands there, its foot.
+/// The force at which a press first reaches a displacement: the largest on the way, not that of the
+/// displacement. At a vertical rise, its lower end.
 double pressedAt_N(const StateProgram& state, double displacement_mm) {
   const StrokeTable& table = state.press;
   if (table.pointCount == 0) return 0;
@@ -77,7 +79,8 @@ double pressedAt_N(const StateProgram& state, double displacement_mm) {
   return strongest_N;
 }
 
-/// The same for a release, which comes from below: the least on the way; of a wall, its top.
+/// The same for a release, which comes from the end: the smallest on the way; at a vertical rise, its upper
+/// end.
 double releasedAt_N(const StateProgram& state, double displacement_mm) {
   const StrokeTable& table = state.release;
   if (table.pointCount == 0) return 0;
@@ -91,7 +94,8 @@ double releasedAt_N(const StateProgram& state, double displacement_mm) {
   return least_N;
 }
 
-/// Back is reached on the other stroke: what a press plays is armed by a release, and never above its own force.
+/// Back is reached on the other stroke: what a press plays is armed by a release, and never above its own
+/// force.
 std::vector<Trigger> triggersOf(const StateProgram& state, bool release) {
   std::vector<Trigger> triggers;
   const StrokeTable& table = release ? state.release : state.press;
@@ -144,7 +148,8 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
     package.reset_N = releasedAt_N(program, program.reset_mm);
   }
   package.settled_N = releasedAt_N(program, program.rest_mm);
-  // What a device switches at is what is felt: the first jump; without one the operating point, then the bottom-out.
+  // The device switches at the felt event: the first jump; without one the operating point, then the
+  // bottom-out.
   for (const Trigger& trigger : package.triggers) {
     auto& at_N = trigger.release ? package.release_N : package.press_N;
     auto& at_mm = trigger.release ? package.release_mm : package.press_mm;
@@ -240,7 +245,7 @@ Json coefficients(const BiquadCoefficients& c) {
   return {{"b0", c.b0}, {"b1", c.b1}, {"b2", c.b2}, {"a1", c.a1}, {"a2", c.a2}};
 }
 
-/// What the bursts go through, so that a reader can make the engine's samples of them.
+/// Filters behind the bursts, so that a reader can reproduce the engine's samples.
 Json chainOf(const HapticProgram& program, double sampleRate_Hz) {
   Json equalizer = Json::array();
   for (std::uint32_t i = 0; i < program.equalizerBandCount; ++i) {
@@ -492,7 +497,7 @@ typedef struct {
 
 )";
 
-/// How loud grains are beside each other and under jumps, and what waits for what.
+/// Relative levels of grains and jumps, and which event waits for which.
 std::string cOrder(const HapticProgram& program) {
   const auto constant = [](const char* name, double value) {
     return std::string("static const float detent_") + name + " = " + cFloat(value) + ";\n";
@@ -541,7 +546,8 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
          ";\n" + cOrder(source.program) + "\n#endif\n";
 }
 
-/// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in place of the last.
+/// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in
+/// place of the last.
 std::vector<double> unfiltered(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   std::vector<double> samples(plan.samples.size(), 0);

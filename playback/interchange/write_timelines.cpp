@@ -37,8 +37,8 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-// ---- AHAP. Jumps up to 40 ms are transients; everything else is a row of short continuous events, each of one intensity: a
-// parameter curve would scale every event under it, transients too.
+// ---- AHAP. Jumps up to 40 ms are transients; everything else is a row of short continuous events, each of
+// one intensity: a parameter curve would scale every event under it, transients too.
 
 constexpr double longestTransient_s = 0.040;
 constexpr double slopeStep_s = 0.010, ahapStep_s = 0.005;
@@ -187,7 +187,7 @@ double openxrValue(double frequency_Hz) {
 
 std::int64_t nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-/// What lies between two points of its level and frequency says nothing: silence costs no points.
+/// Points on the line between their neighbours in level and frequency are dropped: silence costs no points.
 std::vector<WavePoint> withoutMiddles(const std::vector<WavePoint>& points) {
   const auto same = [](const WavePoint& a, const WavePoint& b) {
     return a.amplitude == b.amplitude && a.frequency_Hz == b.frequency_Hz;
@@ -286,8 +286,8 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
   return reduction;
 }
 
-// ---- Android: an envelope of at most 16 points at least 20 ms apart where it keeps every jump's moment, and amplitudes by the
-// millisecond where it does not, or where a device has none
+// ---- Android: an envelope of at most 16 points at least 20 ms apart where it keeps every jump's moment, and
+// amplitudes by the millisecond where it does not, or where a device has none
 
 constexpr std::size_t androidPoints = 16;
 constexpr int androidStep_ms = 20,
@@ -314,7 +314,8 @@ struct AndroidPart {
   }
 };
 
-/// The coarsest steps that fit: 20 ms, or as long as 15 of them need. None where so many jumps begin that they do not.
+/// The coarsest steps that fit: 20 ms, or as long as 15 of them need. None where so many jumps begin that
+/// they do not.
 std::vector<EnvelopeStep> androidSteps(const PressPlan& plan, const Stretch& stretch) {
   for (double step_s = androidStep_ms / 1000.0;; step_s *= 1.25) {
     std::vector<EnvelopeStep> steps = stepsOf(plan, stretch, step_s, androidStep_ms / 1000.0);
@@ -511,7 +512,7 @@ Reduction openxrOf(const ExportSource& source) {
     take();
     if (voice.points.size() <= openxrPoints) break;
   }
-  // What is longer is held up to where the points are used up, at most three of them for a step; never with its jumps moved.
+  // A longer press is kept up to where the points are used up, at most three per step; its jumps never move.
   while (voice.points.size() > openxrPoints) {
     steps.resize(steps.size() - (voice.points.size() - openxrPoints + 2) / 3);
     take();

@@ -14,8 +14,8 @@ struct MagneticKeySettings {
   double scan_s = 0.001;  ///< > 0
 };
 
-/// One key, told its displacement once a scan. With rapid trigger it closes below the actuation point only, and opens at the reset point
-/// at the latest.
+/// One key, which gets its displacement once per scan. With rapid trigger it closes below the actuation point
+/// only, and opens at the reset point at the latest.
 class MagneticKey {
  public:
   explicit MagneticKey(const MagneticKeySettings& settings) : settings_(settings) {}

@@ -19,7 +19,8 @@ constexpr double restReading = 2048,
                  swingReading = 1900;  // of 4096: half the scale, and what is used of the other half
 constexpr int assumedPieces = 64;
 
-/// Field of a cylinder magnet on its axis, `distance_mm` before its face, as a share of what its material could give.
+/// Field of a cylinder magnet on its axis, `distance_mm` before its face, as a share of what its material
+/// could give.
 double fieldAt(double distance_mm) {
   const auto end = [](double z_mm) { return z_mm / std::hypot(z_mm, magnetRadius_mm); };
   return 0.5 * (end(distance_mm + magnetLength_mm) - end(distance_mm));

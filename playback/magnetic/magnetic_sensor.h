@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a Hall, TMR or inductive sensor under a switch reads over its travel. Reading order of the folder: magnetic_sensor.h,
-// magnetic_key.h, simulate_key.h, write_key_tables.h. Method and limits: docs/guide/magnetic-switches.md.
+// Readings of a Hall, TMR or inductive sensor under a switch over its travel. Reading order of the folder:
+// magnetic_sensor.h, magnetic_key.h, simulate_key.h, write_key_tables.h. Method and limits:
+// docs/guide/magnetic-switches.md.
 
 #include <string>
 #include <vector>
@@ -18,14 +19,14 @@ struct SensorPair {
 /// A reading for each place and back, straight between the pairs and on beyond them. Immutable; any thread.
 class MagneticSensor {
  public:
-  /// Failure unreadableInput about `subject`: fewer than two pairs, a value that is not finite, places that do not rise, readings that
-  /// do not run one way, or noise that is not in 0..1e6.
+  /// Failure unreadableInput about `subject`: fewer than two pairs, a value that is not finite, places that
+  /// do not rise, readings that do not run one way, or noise that is not in 0..1e6.
   static Result<MagneticSensor> fromPairs(std::vector<SensorPair> pairs, double noise,
                                           const std::string& subject);
   /// Pairs from a CSV with the header `displacement_mm,reading`.
   static Result<MagneticSensor> fromCsv(const std::string& file, double noise);
-  /// A magnet of 3 mm diameter and 2 mm length that comes to 1.2 mm above a 12 bit sensor at the end of `travel_mm` (> 0), on its axis:
-  /// of the usual size, measured on no switch.
+  /// A magnet of 3 mm diameter and 2 mm length that comes to 1.2 mm above a 12 bit sensor at the end of
+  /// `travel_mm` (> 0), on its axis: of the usual size, measured on no switch.
   static MagneticSensor assumed(double travel_mm, double noise);
 
   double reading(double displacement_mm) const;

@@ -57,7 +57,7 @@ double trembles_mm(const StrokeCurve& press, double depth_mm) {
   return tremorShare * std::abs(press.force_N(depth_mm)) / std::max(std::abs(rise), flattest_N_per_mm);
 }
 
-/// How often a key lets go in a minute at one depth.
+/// Releases of a held key per minute at one depth.
 double letsGo(const StrokeCurve& press, double depth_mm, Readings& readings,
               const MagneticKeySettings& settings) {
   const double amplitude_mm = trembles_mm(press, depth_mm);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Presses of 64 simulated fingers on a button's own curve, as a magnetic key takes them: which are lost, which count twice, and whether a
-// key that is held lets go. A forecast (docs/reference/press-forecast.md), with what the sensor adds.
+// Presses of 64 simulated fingers on a button's own curve, as a magnetic key takes them: which are lost,
+// which count twice, and whether a key that is held lets go. A forecast (docs/reference/press-forecast.md),
+// with what the sensor adds.
 
 #include <functional>
 #include <optional>
@@ -17,7 +18,7 @@ namespace detent::playback {
 /// Amplitudes of each finger that are pressed: its normal noise cut into equal shares.
 inline constexpr int pressesOfFinger = 16;
 
-/// What came of fingerCount * pressesOfFinger presses, and of holding for a minute.
+/// Result of fingerCount * pressesOfFinger presses, and of holding for a minute.
 struct MagneticKeyForecast {
   MagneticKeySettings settings;
   double lost_per_1000 = 0;             ///< no key event, though the finger meant one
@@ -29,8 +30,8 @@ struct MagneticKeyForecast {
 /// Depths of the planned presses, once for any settings.
 class PressedDepths {
  public:
-  /// Empty where `cancelled` said so. Failure wrongUsage: the forecast of presses has none, with its reason. `actuate_mm` is what the
-  /// fingers believe to be the operating point.
+  /// Empty where `cancelled` said so. Failure wrongUsage: the forecast of presses has none, with its reason.
+  /// `actuate_mm` is what the fingers believe to be the operating point.
   static std::optional<Result<PressedDepths>> of(const Button& button, double actuate_mm,
                                                  const std::function<bool()>& cancelled = {});
   const std::vector<std::vector<double>>& presses_mm() const {

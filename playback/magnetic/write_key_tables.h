@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What firmware of a magnetic keyboard takes in: a table from reading to displacement and the settings of the key.
+// Tables for the firmware of a magnetic keyboard: reading to displacement, and the settings of the key.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What was measured of a force device, as a text file like the profile of a vibrating one (docs/reference/device-profile.md).
+// Measured values of a force device, as a text file like the profile of a vibrating device
+// (docs/reference/device-profile.md).
 
 #include <string>
 
@@ -23,8 +24,9 @@ struct ForceDeviceMeasurement {
   double step_mm = 0;  ///< of the encoder
 };
 
-/// A profile that has the device's own mass, friction, damping, delay and lag. At a slower `rate_Hz` than that of the measurement the delay
-/// grows by the difference of their periods where a host runs the law (`hosted`).
+/// A profile that has the device's own mass, friction, damping, delay and lag. At a slower `rate_Hz` than
+/// that of the measurement the delay grows by the difference of their periods where a host runs the law
+/// (`hosted`).
 ForceDeviceProfile measuredProfile(ForceDeviceProfile profile, const ForceDeviceMeasurement& measured,
                                    double rate_Hz, bool hosted);
 

@@ -10,7 +10,8 @@ namespace detent::playback {
 
 namespace {
 
-/// Without the standard operator's care for infinities, which costs most of a transform's time.
+/// Complex product without the standard operator's care for infinities, which costs most of a transform's
+/// time.
 std::complex<double> product(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }

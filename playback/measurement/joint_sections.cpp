@@ -20,7 +20,7 @@ constexpr int perSection = 3;  // logarithms of frequency and Q, height in dB
 constexpr int ofLevel = 3;     // a parabola over the octaves
 constexpr double keptRms_dB = 3, keptPlace = 0.1;
 
-/// Gain of a peaking section (realtime/biquad.h), dB; `cosine` and `sine` of the angle at which it is asked.
+/// Gain of a peaking section (realtime/biquad.h), dB, at the angle of `cosine` and `sine`.
 template <class T>
 T sectionGain_dB(double cosine, double sine, double sampleRate_Hz, const T& logFrequency, const T& logQ,
                  const T& height_dB) {
@@ -31,7 +31,7 @@ T sectionGain_dB(double cosine, double sine, double sampleRate_Hz, const T& logF
   return (10 / std::numbers::ln10) * log((beside * beside + up * up) / (beside * beside + down * down));
 }
 
-/// What a set of sections leaves over of a response; the form that Ceres' solver of small problems asks for.
+/// Residuals of a response after a set of sections, in the form that Ceres' solver for small problems needs.
 class Leftover {
  public:
   using Scalar = double;
@@ -76,7 +76,8 @@ class Leftover {
     return true;
   }
 
-  /// Places far off the rest (hum, a lost block) count less: 1 within three times the usual residual, falling beyond (Huber).
+  /// Places far off the rest (hum, a lost block) count less: 1 within three times the usual residual, falling
+  /// beyond (Huber).
   void holdDown(const Eigen::VectorXd& left) {
     std::vector<double> sizes(left.data(), left.data() + left.size());
     for (double& size : sizes) size = std::fabs(size);
@@ -110,7 +111,7 @@ Eigen::VectorXd startOf(const std::vector<Resonance>& start, const std::vector<d
   return at;
 }
 
-/// How many neighbouring residuals say the same: twice their correlation, summed until it is gone.
+/// Number of neighbouring residuals that share one error: twice their correlation, summed until it vanishes.
 double alikeInARow(const Eigen::VectorXd& left) {
   const double all = left.squaredNorm();
   const Eigen::Index n = left.size();
@@ -136,8 +137,9 @@ Eigen::VectorXd varianceAround(const Eigen::VectorXd& left) {
   return variance;
 }
 
-/// The covariance of the unknowns; empty where the response does not tell one of them. Noise of a recording is the less in dB the
-/// higher the response: so each place has the variance around it, in proportion to that (White 1980), and neighbours are taken as one where they agree.
+/// The covariance of the unknowns; empty where the response does not tell one of them. Noise of a recording
+/// is the less in dB the higher the response: so each place has the variance around it, in proportion to that
+/// (White 1980), and neighbours are taken as one where they agree.
 std::optional<Eigen::MatrixXd> covarianceOf(const Leftover& leftover, const Eigen::VectorXd& at,
                                             const std::vector<double>& gain_dB) {
   Eigen::VectorXd left(leftover.NumResiduals());

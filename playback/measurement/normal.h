@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The normal distribution, and Student's, which takes its place where the spread is estimated from few values. Any thread.
+// The normal distribution, and Student's, which takes its place where the spread is estimated from few
+// values. Any thread.
 
 #include <cstddef>
 
@@ -12,7 +13,8 @@ double normalCdf(double z);
 /// The z with normalCdf(z) == p; p in (0, 1), else -infinity or +infinity at the ends.
 double normalQuantile(double p);
 
-/// P(T <= t) of Student's t with so many degrees of freedom, >= 1 (Abramowitz & Stegun 26.7.3 and 26.7.4: finite sums).
+/// P(T <= t) of Student's t with so many degrees of freedom, >= 1 (Abramowitz & Stegun 26.7.3 and 26.7.4:
+/// finite sums).
 double studentCdf(double t, std::size_t degrees);
 
 /// The t with studentCdf(t, degrees) == p; p in (0, 1), else -infinity or +infinity at the ends.

@@ -18,7 +18,7 @@ namespace {
 /// Reads the lines one by one into a profile.
 class Reader {
  public:
-  /// What is wrong with the line; empty if nothing.
+  /// The fault of the line; empty if none.
   Message line(std::string_view key, std::string_view value) {
     const bool repeats = key == "resonance" || key == "equalizer";
     if (!repeats && !seen_.insert(std::string(key)).second) return Message("is given twice");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Device profiles as text files (docs/reference/device-profile.md): one "key = value" per line, so that a person can
-// read, correct and compare them.
+// Device profiles as text files (docs/reference/device-profile.md): one "key = value" per line, so that a
+// person can read, correct and compare them.
 
 #include <filesystem>
 #include <string>

@@ -12,7 +12,7 @@ namespace detent::playback {
 
 namespace {
 
-/// What is wrong with the first line; empty if nothing.
+/// The fault of the first line; empty if none.
 Message wrongWithFirst(std::string_view line, const ProfileKind& kind) {
   std::vector<double> version;
   if (!line.starts_with(kind.magic) || !numbersOf(line.substr(kind.magic.size()), version) ||

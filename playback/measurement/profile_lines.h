@@ -19,7 +19,8 @@ struct ProfileKind {
   Message what;            ///< "a device profile"
 };
 
-/// Comments (#) and blank lines are passed over. `line` gives what is wrong with a line, empty if nothing. Failure unreadableInput names the line.
+/// Comments (#) and blank lines are passed over. `line` gives what is wrong with a line, empty if nothing.
+/// Failure unreadableInput names the line.
 Result<Done> readProfileLines(
     const std::string& text, const std::string& name, const ProfileKind& kind,
     const std::function<Message(std::string_view key, std::string_view value)>& line);

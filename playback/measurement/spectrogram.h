@@ -9,8 +9,8 @@
 namespace detent::playback {
 
 struct SpectrogramSettings {
-  /// Length of the Hann window. Two tones closer than 4 / window_s melt into one; events closer than about
-  /// half of it do. 32 ms tells 150, 200 and 390 Hz apart. (0.001, 1]
+  /// Length of the Hann window. Two tones closer than 4 / window_s merge; so do events closer than about half
+  /// of it. 32 ms separates 150, 200 and 390 Hz. (0.001, 1]
   double window_s = 0.032;
   double hop_s = 0.00125;    ///< wanted distance of two columns; (0, window_s]
   double highest_Hz = 1000;  ///< K&L, Apparatus: responses up to 1000 Hz; (0, 0.45 of the sample rate]
@@ -26,7 +26,7 @@ struct Spectrogram {
   float at(std::size_t column, std::size_t row) const { return level_dB[column * rows + row]; }
 };
 
-/// What stands for silence.
+/// Level of silence.
 inline constexpr float lowestLevel_dB = -120;
 
 /// Samples above `highest_Hz` are filtered out (80 dB) before the rate is reduced. The first and last window

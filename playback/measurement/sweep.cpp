@@ -22,7 +22,8 @@ constexpr double stepsPerOctave = 24;
 constexpr double regularisation = 1e-6;  // of the sweep's strongest bin
 constexpr double faintest_dB = 20;       // the response's peak over the rest of the deconvolution
 
-// Lost sound (dropoutsIn). A block of 256 samples is 5 ms; half the expected level is more than distortion makes.
+// Lost sound (dropoutsIn). A block of 256 samples is 5 ms; half the expected level is more than distortion
+// makes.
 constexpr double look_s = 0.005, around_s = 0.05;
 constexpr double lostShare = 0.5, overOrdinary = 6;
 
@@ -67,8 +68,9 @@ double widthOf(const FrequencyResponse& r, std::size_t peak, double depth_dB) {
   return (crossing(1) - crossing(-1)) / r.frequency_Hz[peak];
 }
 
-/// Q of the peaking section (biquad.h) that has this peak's height and, `depth_dB` below its top, its width. At half the height it is
-/// the inverse of the width; nearer to the top a section of 14 dB is less than half as wide as a plain resonance of its Q.
+/// Q of the peaking section (biquad.h) that has this peak's height and, `depth_dB` below its top, its width.
+/// At half the height it is the inverse of the width; nearer to the top a section of 14 dB is less than half
+/// as wide as a plain resonance of its Q.
 double qualityOf(double width, double height_dB, double depth_dB) {
   const double height = std::pow(10, height_dB / 20),
                share = std::pow(10, -depth_dB / 10);  // amplitude; power
@@ -76,7 +78,8 @@ double qualityOf(double width, double height_dB, double depth_dB) {
   return width > 0 ? std::clamp(q, 0.3, 100.0) : 100;
 }
 
-/// What of the impulse response is kept: its foreshadow within a band of 1 kHz is whole, too, and so are the first rings.
+/// Window over the impulse response: within a band of 1 kHz its part before time 0 is whole, and so are the
+/// first oscillations.
 double windowAt(std::size_t i, std::size_t length, std::size_t before) {
   const auto faded = [](double share) {
     return 0.5 * (1 - std::cos(std::numbers::pi * std::clamp(share, 0.0, 1.0)));
@@ -136,7 +139,8 @@ std::vector<double> sumsOfSquares(std::size_t n, Value value) {
   return sums;
 }
 
-/// Times at which the recording departs from `expected` by half its level and far more than it ordinarily does.
+/// Times at which the recording departs from `expected` by half its level and far more than it ordinarily
+/// does.
 std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectrum& expected,
                                double sampleRate_Hz) {
   const std::size_t n = recorded.size();
@@ -148,7 +152,7 @@ std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectru
   std::vector<double> rests;
   for (std::size_t i = 0; i + width <= n; i += width) rests.push_back(rootMeanSquare(rest, i, i + width));
   if (rests.empty()) return {};
-  // What noise and distortion leave: a quarter of the recording at least is whole.
+  // Residue of noise and distortion: at least a quarter of the recording is intact.
   std::vector<double> sorted = rests;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 4), sorted.end());
   const double ordinary = sorted[sorted.size() / 4];

@@ -41,12 +41,12 @@ struct FrequencyResponse {
 Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const std::vector<float>& recorded,
                                        const SweepSettings& settings);
 
-/// Two sweeps of one device gave the same: as many resonances, each within 3 % and 2 dB, and gains that differ
-/// by less than 1 dB in the median. A dropout, or a machine too busy to play, makes them differ.
+/// Two sweeps of one device gave the same: as many resonances, each within 3 % and 2 dB, and gains that
+/// differ by less than 1 dB in the median. A dropout, or a machine too busy to play, makes them differ.
 bool agree(const FrequencyResponse& a, const FrequencyResponse& b);
 
-/// Level in dB above threshold (felt_level.h) of a sine of full scale at 250 Hz beside the resonances, where the recorder's full scale
-/// is `inputFullScale_m_per_s2` (> 0) of acceleration.
+/// Level in dB above threshold (felt_level.h) of a sine of full scale at 250 Hz beside the resonances, where
+/// the recorder's full scale is `inputFullScale_m_per_s2` (> 0) of acceleration.
 double fullScaleLevel_dB(const FrequencyResponse& response, const SweepSettings& settings,
                          double inputFullScale_m_per_s2);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Presses and their sound as files, and sound files of others. Apart from render_press.h because what renders a press in a browser has no files.
+// Presses and their sound as files, and sound files of others. Apart from render_press.h because what renders
+// a press in a browser has no files.
 
 #include <filesystem>
 #include <vector>
@@ -9,10 +10,11 @@
 
 namespace detent::playback {
 
-/// A press trace as parsePressTrace reads it, from a file of at most 1 GiB. Failure names the file and the line.
+/// A press trace as parsePressTrace reads it, from a file of at most 1 GiB. Failure names the file and the
+/// line.
 Result<PressTrace> readPressTrace(const std::filesystem::path& file);
 
-/// What a file of this trace will be, at most (FLAC is smaller).
+/// Largest size of the file of this trace (FLAC is smaller).
 struct ExpectedSize {
   double duration_s = 0;
   double bytes = 0;
@@ -39,8 +41,9 @@ struct SoundSamples {
   std::vector<float> samples;  ///< full scale is 1; at least one, all finite
 };
 
-/// WAV, AIFF, AU, CAF, W64, FLAC, Ogg and what else libsndfile reads, at 8000 to 192000 Hz, of at most `longest_s`. Failure unreadableInput: not there, no
-/// sound, cut off, longer, or with a sample that is no number.
+/// WAV, AIFF, AU, CAF, W64, FLAC, Ogg and what else libsndfile reads, at 8000 to 192000 Hz, of at most
+/// `longest_s`. Failure unreadableInput: not there, no sound, cut off, longer, or with a sample that is no
+/// number.
 Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s);
 
 }  // namespace detent::playback

@@ -27,8 +27,9 @@ struct PressTrace {
   std::vector<PressReading> readings;
 };
 
-/// From `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and lines
-/// starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line; `name` for messages.
+/// Reads `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and
+/// lines starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line; `name`
+/// for messages.
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
 
 /// The readings that survive conditioning, with times in samples from `origin_s`. What the live path plays of
@@ -37,7 +38,7 @@ Result<PressTrace> parsePressTrace(const std::string& text, const std::string& n
 std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const HapticProgram& program,
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts);
 
-/// How samples stand in a file.
+/// Format of samples in a file.
 enum class SampleFormat : std::uint8_t {
   standard,  ///< WAV: 32 bit float, FLAC: 24 bit
   bits16,
@@ -50,19 +51,20 @@ struct RenderSettings {
   double sampleRate_Hz = 48000;                  ///< 8000..192000
   std::size_t block = 4096;  ///< samples per engine call, 1..8192; does not change the result
   std::function<bool()>
-      cancelled;        ///< asked once per block; true: Failure::cancelled, nothing is left behind
+      cancelled;        ///< called once per block; true: Failure::cancelled, no file is left behind
   double tail_s = 0.5;  ///< at most this much after the last reading; ends early when all is silent
 };
 
-/// What can be said of a rendering before anything is computed or written. Failure wrongUsage: settings outside their ranges, a trace
-/// without readings, one whose times begin more than a week after 0.
+/// Checks a rendering before anything is computed or written. Failure wrongUsage: settings outside their
+/// ranges, a trace without readings, one whose times begin more than a week after 0.
 Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& settings);
 
 struct RenderSummary {
   double duration_s = 0;
   double computing_s = 0;
   float peak = 0;
-  /// Strongest 10 ms, dB above threshold (felt_meter.h); of what goes into a file: nobody else asks, and it costs a tenth.
+  /// Strongest 10 ms, dB above threshold (felt_meter.h); of what goes into a file: nobody else asks, and it
+  /// costs a tenth.
   double felt_dB = -std::numeric_limits<double>::infinity();
   EngineCounts counts;
   ConditionerCounts sensor;
@@ -71,7 +73,7 @@ struct RenderSummary {
   double timesRealTime() const { return computing_s > 0 ? duration_s / computing_s : 0; }
 };
 
-/// Where rendered blocks go; false stops the render.
+/// Receives rendered blocks; false stops the render.
 using SampleSink = std::function<bool(const float* samples, std::size_t count)>;
 
 /// Renders the whole trace through `sink`. Time 0 of the sound is time 0 of the trace, or its first reading

@@ -6,10 +6,11 @@
 
 namespace detent::playback {
 
-/// Of the lower rate: what lies below stays within 1e-3.
+/// Share of the lower rate: frequencies below it stay within 1e-3.
 inline constexpr double keptBand = 0.45;
 
-/// Band-limited (a windowed sinc of 32 zero crossings), without a delay. The same samples for the same rate. Rates > 0, at most a factor of 24 apart.
+/// Band-limited (a windowed sinc of 32 zero crossings), without a delay. The same samples for the same rate.
+/// Rates > 0, at most a factor of 24 apart.
 std::vector<float> resampled(const std::vector<float>& samples, double from_Hz, double to_Hz);
 
 }  // namespace detent::playback

@@ -52,7 +52,8 @@ int formatOf(Container container, SampleFormat format, double bytes) {
   return container == Container::flac && format != SampleFormat::float32 ? SF_FORMAT_FLAC | samples : 0;
 }
 
-/// One channel, complete or not there. `produce` is given where its samples go; it goes on where that answers true.
+/// One channel, complete or not there. `produce` is given where its samples go; it goes on where that answers
+/// true.
 template <class Summary>
 Result<Summary> written(const std::filesystem::path& file, double sampleRate_Hz, SampleFormat format,
                         double bytes, const std::function<Result<Summary>(const SampleSink&)>& produce) {
@@ -142,7 +143,7 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
 
 namespace {
 
-/// What the library says of a file that it does not open; of its own names and full stops nothing.
+/// The library's reason for not opening a file, without its own names and full stops.
 Message whyNotRead() {
   std::string why = sf_strerror(nullptr);
   if (why.find("nternal error") != std::string::npos)
@@ -153,7 +154,8 @@ Message whyNotRead() {
 
 constexpr double cancelledShare = 0.5;  // of the energy that the strongest channel alone would give the mean
 
-/// 0, or the number of the strongest channel where the channels' mean is weaker than that one alone would make it.
+/// 0, or the number of the strongest channel where the channels' mean is weaker than that one alone would
+/// make it.
 int onlyChannelOf(const std::vector<float>& interleaved, std::size_t channels) {
   std::vector<double> energies(channels, 0);
   double ofMean = 0;

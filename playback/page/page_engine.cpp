@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The product's engine as a WebAssembly module: what share_page.h puts into a page. Compiled for wasm32-wasi only
-// (playback/page/CMakeLists.txt); page.js and worklet.js call what is exported here. One instance renders whole presses
-// in the page's thread, another runs in the audio worklet; each has one thread.
+// The product's engine as a WebAssembly module: what share_page.h puts into a page. Compiled for wasm32-wasi
+// only (playback/page/CMakeLists.txt); page.js and worklet.js call what is exported here. One instance
+// renders whole presses in the page's thread, another runs in the audio worklet; each has one thread.
 //
-// Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_steer and detent_use touch
-// only what is there. detent_allocations counts, so that a browser can tell.
+// Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_steer and
+// detent_use touch only what is there. detent_allocations counts, so that a browser can tell.
 
 #include <cmath>
 #include <cstdint>
@@ -44,7 +44,7 @@ struct PageButton {
   std::vector<SpeedProgram> speeds;  ///< from detent_start on
 };
 
-/// Who holds the finger.
+/// Source that moves the finger.
 enum class Hand : std::uint8_t { none, timed, steered };
 
 class Page {
@@ -210,7 +210,8 @@ using detent::playback::page;
 DETENT_EXPORT(detent_numbers) double* detent_numbers(std::uint32_t count) { return page().numbers(count); }
 /// Index of the button in detent_numbers' room, or -1 where it is none.
 DETENT_EXPORT(detent_add) std::int32_t detent_add() { return page().add(); }
-/// Samples of a standard press (`detent-play render --standard-press`), or -1; detent_rendered is where they lie.
+/// Samples of a standard press (`detent-play render --standard-press`), or -1; detent_rendered is where they
+/// lie.
 DETENT_EXPORT(detent_render) std::int32_t detent_render(std::uint32_t index, double sampleRate_Hz) {
   return page().renderStandard(index, sampleRate_Hz);
 }
@@ -227,9 +228,10 @@ DETENT_EXPORT(detent_steer) void detent_steer(double force_N) { page().steer(for
 DETENT_EXPORT(detent_process) const float* detent_process(std::uint32_t frames) {
   return page().process(frames);
 }
-/// How often memory was asked for since the module began.
+/// Number of allocations since the module began.
 DETENT_EXPORT(detent_allocations) std::uint32_t detent_allocations() { return detent::playback::allocations; }
-/// Nine doubles: displacement mm, force N, releasing, state, contact, counts of press jumps, release jumps, bottom-outs, peak.
+/// Nine doubles: displacement mm, force N, releasing, state, contact, counts of press jumps, release jumps,
+/// bottom-outs, peak.
 DETENT_EXPORT(detent_shown) const double* detent_shown() {
   return reinterpret_cast<const double*>(page().shown());
 }

@@ -50,7 +50,7 @@ std::string bytesOf(const std::vector<double>& numbers) {
   return bytes;
 }
 
-/// What is drawn: evenly spaced points and every knot, walls as the two points they are.
+/// Points of the drawn curve: evenly spaced points and every knot; vertical rises as their two points.
 Json drawn(const StrokeCurve& curve) {
   std::vector<std::pair<double, double>> points;
   for (const Knot& k : curve.knots()) points.emplace_back(k.displacement_mm, k.force_N);
@@ -79,7 +79,8 @@ const char* wordOf(FigureUnit unit) {
   return "";
 }
 
-/// All of them, without a value where the button has none: a page's rows stand in one order whatever is in it.
+/// All of them, without a value where the button has none: a page's rows stand in one order whatever is in
+/// it.
 Json figuresOf(const ButtonState& state) {
   const KeyFigures values = keyFiguresOf(state);
   Json figures = Json::array();
@@ -111,7 +112,8 @@ Result<Json> described(const Button& button, std::size_t index) {
   return described;
 }
 
-/// JSON that cannot end the element it stands in, whatever a button is called; bytes that are no UTF-8 become U+FFFD.
+/// JSON that cannot end the element it stands in, whatever a button is called; bytes that are no UTF-8 become
+/// U+FFFD.
 std::string insideScript(const Json& json) {
   std::string text;
   for (const char c : jsonText(json)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Functions of plain additions, products, quotients and square roots, which IEEE 754 rounds alike everywhere: a forecast is
-// the same to the last bit whatever the compiler and its mathematics library. Any thread.
+// Functions of plain additions, products, quotients and square roots, which IEEE 754 rounds alike everywhere:
+// a forecast is the same to the last bit whatever the compiler and its mathematics library. Any thread.
 
 #include <cstdint>
 #include <vector>

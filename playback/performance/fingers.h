@@ -22,10 +22,11 @@ struct Finger {
 /// Spread of one finger's resting weight, in the logarithm.
 inline constexpr double restingSpreadWithin = 0.30;
 
-/// How many fingers a forecast asks.
+/// Number of fingers of a forecast.
 inline constexpr int fingerCount = 64;
 
-/// The population: each range cut into as many equal parts as there are fingers, every part used once. Always the same.
+/// The population: each range cut into as many equal parts as there are fingers, every part used once. Always
+/// the same.
 std::vector<Finger> allFingers();
 
 }  // namespace detent::playback

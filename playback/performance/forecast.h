@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Front of the room: a button in, what 64 simulated fingers make of it out, and how two buttons differ.
-// Reading order: elementary.h, fingers.h, key_tables.h, press_plant.h, press_response.h, press_policy.h, forecast.h, timed_press.h, limits.h.
-// Model, parameters and where the forecast was wrong: docs/reference/press-forecast.md.
+// Reading order: elementary.h, fingers.h, key_tables.h, press_plant.h, press_response.h, press_policy.h,
+// forecast.h, timed_press.h, limits.h. Model, parameters and where the forecast was wrong:
+// docs/reference/press-forecast.md.
 
 #include <array>
 #include <functional>
@@ -15,7 +16,7 @@
 
 namespace detent::playback {
 
-/// What is forecast, in the order of the table.
+/// The forecast figures, in the order of the table.
 enum class PressFigure {
   peakForce,
   impulse,
@@ -33,7 +34,7 @@ enum class PressFigure {
 };
 inline constexpr std::size_t pressFigureCount = static_cast<std::size_t>(PressFigure::rapidDoubles) + 1;
 
-/// How a figure is called. Strings live for ever.
+/// Name of a figure. Strings have static lifetime.
 struct PressFigureName {
   const char* key;   ///< "peak_force_N": for programs; ends in the unit
   const char* term;  ///< "peak force, N"
@@ -50,7 +51,7 @@ Band bandOf(std::vector<double> values);  ///< not empty (checked)
 /// A window of a timed press in the forecast: 100 ms, cued half a second ahead.
 inline constexpr double timedWindow_s = 0.1, timedInterval_s = 0.5;
 
-/// Why something is not forecast.
+/// The reason why a figure is not forecast.
 enum class NoForecast {
   none,
   noOperatingPoint,
@@ -92,7 +93,7 @@ inline constexpr double claimedFrom = 0.15;
 
 enum class Claim { notForecast, noDifference, higher, lower, notDecided };
 
-/// How the second button stands to the first, finger by finger.
+/// Ratio of the second button to the first, finger by finger.
 struct PressDifference {
   Claim claim = Claim::notForecast;
   Band ratio;  ///< second : first

@@ -10,7 +10,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double steepest_N_per_m =
-    200000;  // a vertical wall of a graph; steeper ones would outrun the step of 50 µs
+    200000;  // a vertical rise of a graph; steeper ones would outrun the step of 50 µs
 constexpr double ownDamping_Ns_per_m = 0.2;  // of every cap
 constexpr double tableMetre_mm = 1000;
 

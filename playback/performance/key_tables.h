@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button state as the simulated finger meets it: forces in tables of even steps, in metres, newtons and joules.
+// A button state as the simulated finger meets it: forces in tables of even steps, in metres, newtons and
+// joules.
 
 #include <algorithm>
 #include <cmath>
@@ -13,25 +14,25 @@
 
 namespace detent::playback {
 
-/// Where the contact acts.
+/// Displacements at which the contact closes and opens.
 struct ContactPoints {
   double close_m = 0;  ///< going down
   double open_m = 0;   ///< going up, < close_m
 };
 
-/// Force of the button between its strokes: the mean of both has a potential, the rest is play (decision 1100) and can only
-/// take energy. Immutable after its making; any thread. What a step of the plant asks for stands here, so that it becomes part of it
-/// (docs/develop/decisions/1210-two-presses-at-once.md).
+/// Force of the button between its strokes: the mean of both has a potential, the rest is play (decision
+/// 1100) and can only take energy. Immutable after its making; any thread. What a step of the plant asks for
+/// stands here, so that it becomes part of it (docs/develop/decisions/1210-two-presses-at-once.md).
 class KeyTables {
  public:
   /// A depth, with where it lies in the tables. `Real`: double, or several presses' (lanes.h).
   template <class Real>
   struct Place {
     Real depth_m{}, cell{}, share{};
-    typename LanesOf<Real>::Index at{};  ///< cell, as what a table is asked by
+    typename LanesOf<Real>::Index at{};  ///< cell, as the index into a table
   };
 
-  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the wall of docs/reference/press-forecast.md
+  static constexpr double stop_N_per_m = 20000;  // 20 N/mm, the end stop of docs/reference/press-forecast.md
 
   explicit KeyTables(const ButtonState& state);
 

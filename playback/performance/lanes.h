@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One formula for one press and for two at once. Each of two is worked on as one is, operation by operation: the result is the same to the last bit,
-// and takes little more time than one (docs/develop/decisions/1210-two-presses-at-once.md).
+// One formula for one press and for two at once. Each of two is worked on as one is, operation by operation:
+// the result is the same to the last bit, and takes little more time than one
+// (docs/develop/decisions/1210-two-presses-at-once.md).
 
 #include <cmath>
 #include <cstddef>
@@ -10,7 +11,7 @@ namespace detent::playback {
 
 /// Two numbers side by side, of two presses.
 using Two = double __attribute__((vector_size(16)));
-/// What a comparison of them says: all bits set where it holds.
+/// Result of a comparison: all bits set where it holds.
 using TwoTrue = decltype(Two{} < Two{});
 
 inline double select(bool which, double yes, double no) { return which ? yes : no; }
@@ -33,7 +34,7 @@ Real clamped(const Real& x, double low, double high) {
   return select(x < low, Real{} + low, select(x > high, Real{} + high, x));
 }
 
-/// How a table is read for them.
+/// Reads a table for each lane.
 template <class Real>
 struct LanesOf;
 template <>

@@ -36,7 +36,7 @@ class Muscle {
         rising_(1 - exponential(-plantStep_s / finger.muscleRise_s)),
         falling_(1 - exponential(-plantStep_s / finger.muscleFall_s)) {}
 
-  /// Mean force over the step that begins at `time_s`; steps are asked for in order.
+  /// Mean force over the step that begins at `time_s`; steps must be requested in order.
   double next_N(double time_s) {
     double wanted_N = 0;
     if (time_s < end_s_) {
@@ -53,7 +53,7 @@ class Muscle {
     return 0.5 * (before_N + force_N_);
   }
 
-  /// Whether it only pulls away from now on.
+  /// Returns true if it only pulls away from now on.
   bool pullsAway(double time_s) const {
     return time_s >= end_s_ && time_s >= extensorStart_s_ && force_N_ <= 0;
   }
@@ -83,13 +83,14 @@ struct ForcesOf {
 };
 using StepForces = ForcesOf<double>;
 
-/// What the finger's pulp holds, J.
+/// Energy stored in the finger's pulp, J.
 template <class Real>
 Real pulpEnergy_J(const Finger& finger, const Real& pulp_m) {
   return select(pulp_m > 0, 0.5 * finger.pulp_N_per_m * pulp_m * pulp_m, Real{});
 }
 
-/// The bodies of a press in touch, over one step. `Real`: of one press, or of two by the same finger on the same key.
+/// The bodies of a press in touch, over one step. `Real`: of one press, or of two by the same finger on the
+/// same key.
 template <class Real>
 class StepOf {
  public:
@@ -103,7 +104,7 @@ class StepOf {
         now_(now),
         from_(key.startAt(now.cap_m)) {}
 
-  /// Where it leads. `forces`: of the step before; become those of this one.
+  /// State at the end of the step. `forces`: of the previous step; become those of this one.
   Moving end(Forces& forces, const Real& muscle_N) const {
     Moving guess = movedBy(forces, muscle_N);
     auto settled = guess.cap_m != guess.cap_m;  // none yet
@@ -170,7 +171,8 @@ class StepOf {
     return clamped(now_.play + 2 * (depth_m - now_.cap_m) / play_m, -1, 1);
   }
 
-  /// The end of the step under these forces; positions by the mean speed, so that force times way is energy, exactly.
+  /// The end of the step under these forces; positions by the mean speed, so that force times way is energy,
+  /// exactly.
   Moving movedBy(const Forces& f, const Real& muscle_N) const {
     Moving to = now_;
     to.finger_m_per_s += fingerStep_s_per_kg_ * (muscle_N - f.pulp_N() - f.posture_N - f.joint_N);
@@ -184,15 +186,15 @@ class StepOf {
     return to;
   }
 
-  /// How the pulp's force over the step answers to the speed of closing at its end, around the guess.
+  /// Derivative of the pulp's force over the step by the closing speed at its end, around the guess.
   Real pulpAnswer_Ns_per_m(const Moving& guess, const Forces& f) const {
     const Real answer = select(both(now_.pulp_m() > 0, guess.pulp_m() > 0),
                                Real{} + 0.25 * plantStep_s * finger_.pulp_N_per_m, Real{});
     return answer + select(f.pulpDamper_N > 0, Real{} + 0.5 * finger_.pulpDamping_Ns_per_m, Real{});
   }
 
-  /// What `wanted` would be had the pulp been taken at the end it leads to instead of at the guess: Newton's step for the
-  /// stiffest of the forces, which couples both bodies. Where rounds end is the same, they get there in fewer.
+  /// `wanted` with the pulp taken at the end of the step instead of at the guess: Newton's step for the
+  /// stiffest force, which couples both bodies. The rounds end at the same result, in fewer steps.
   Moving withPulpFollowing(Moving wanted, const Moving& guess, const Forces& f) const {
     const Real answer = pulpAnswer_Ns_per_m(guess, f);
     const Real finger = answer * fingerStep_s_per_kg_, cap = answer * capStep_s_per_kg;
@@ -262,10 +264,10 @@ class Press {
     start_J_ = storedIn(now_);
   }
 
-  /// Where the cap stood after each step, if it is kept.
+  /// Keeps the depth of the cap after each step.
   void keepDepths(std::vector<double>& depths_m) { depths_m_ = &depths_m; }
 
-  /// No farther than the first activation, or to where none comes any more.
+  /// Ends the simulation at the first activation, or where none can come any more.
   void onlyToContact() { toContact_ = true; }
 
   PressOutcome run() {
@@ -310,15 +312,16 @@ class Press {
       advanceInAir(muscle_N);
   }
 
-  /// Whether no contact comes any more: nothing that acts on the finger pushes it down again, the cap is above it while they touch, and where they
-  /// part the press has ended. The cap does not fly farther in one step than `flight_m`: that were 2 m/s.
+  /// Returns true if no contact comes any more: nothing that acts on the finger pushes it down again, the cap
+  /// is above it while they touch, and the press has ended where they part. The cap moves at most `flight_m`
+  /// in one step, which is 2 m/s.
   bool retreats(double time_s) const {
     constexpr double flight_m = 1e-4;
     return touched_ && muscle_.pullsAway(time_s) && now_.finger_m_per_s < 0 &&
            now_.finger_m < contacts_.close_m() - flight_m;
   }
 
-  /// Where the stop carries the force of the start.
+  /// Depth at which the stop carries the force of the start.
   double restOfCap_m() const {
     double low_m = -0.001 - key_.mean_N(0) / KeyTables::stop_N_per_m, high_m = 0;
     for (int i = 0; i < 60; ++i) {

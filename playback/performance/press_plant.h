@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One press of one finger on one button, in steps of 50 µs (docs/reference/press-forecast.md, "Plant"). Lengths in m, downwards.
+// One press of one finger on one button, in steps of 50 µs (docs/reference/press-forecast.md, "Plant").
+// Lengths in m, downwards.
 
 #include <array>
 #include <optional>
@@ -18,14 +19,14 @@ inline constexpr double extensorOfAmplitude = 0.6;
 inline constexpr double capMass_kg = 0.002;
 inline constexpr double rapidTravel_m = 0.0002;  ///< by which a rapid trigger opens and closes
 
-/// What the finger is told.
+/// Command to the finger.
 struct PressCommand {
   double amplitude_N = 1;  ///< of the flexor, > 0
   double duration_s = 0.08;
   double lift_s = 0;  ///< from the flexor's end to the extensor's start; may be negative
 };
 
-/// What came of it. Times from the start of the command.
+/// Result of a press. Times count from the start of the command.
 struct PressOutcome {
   std::optional<double> touch_s, activation_s, opening_s, rapidOpening_s;
   int closings = 0, rapidClosings = 0;
@@ -37,7 +38,7 @@ struct PressOutcome {
   bool ended = false;
 };
 
-/// Where the energy of a press went, J. Everything that is not stored or taken was given by the muscle.
+/// Balance of the energy of a press, J. The muscle gave everything that is not stored or taken.
 struct PressEnergy {
   double muscle_J = 0;     ///< work of flexor and extensor on the finger
   double taken_J = 0;      ///< by dampers and play
@@ -46,7 +47,7 @@ struct PressEnergy {
   double playTaken_J = 0;  ///< the part the play took
 };
 
-/// Presses once. Deterministic; any thread. `energy`: where it went, if asked.
+/// Presses once. Deterministic; any thread. `energy`: balance of energies, if not null.
 bool closesContact(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                    const PressCommand& command);  ///< the same press, only as far as its contact
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,

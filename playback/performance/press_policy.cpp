@@ -21,7 +21,7 @@ constexpr double costOfMiss = 40;
 constexpr double costOfDouble = 20;
 
 constexpr double tremor_N = 0.02;          // standard deviation of an amplitude whatever its size
-constexpr double depthSpreadUnfelt = 0.1;  // of the operating point, where no jump tells where it is
+constexpr double depthSpreadUnfelt = 0.1;  // of the operating point, if no jump marks it
 constexpr double unfeltNotice_s = 0.25;    // command to the sight of what came
 constexpr double mostFaults = 0.05;        // misses, and doubles, at the highest rate
 constexpr int noiseScores = 256;
@@ -93,7 +93,7 @@ PressStatistics statisticsOf(const PressResponse& response, const Finger& finger
   return s;
 }
 
-/// What the finger reckons with: without a felt jump the operating point could lie elsewhere.
+/// Misses that the finger expects: without a felt jump the operating point could lie elsewhere.
 double missesExpected(const PressResponse& response, const Finger& finger, const PressTask& task,
                       double amplitude_N, double missed) {
   if (task.jumpIsFelt) return missed;

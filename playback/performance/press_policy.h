@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How one finger presses one button: the command that costs it least, and what comes of it over its own noise
+// Command with which one finger presses one button at the least cost, and its result over the finger's noise
 // (docs/reference/press-forecast.md, "Fingers" and "Policy").
 
 #include <optional>

@@ -10,8 +10,8 @@ namespace {
 constexpr double firstGuess_N = 1;
 constexpr int halvings = 10;  // of a bracket of a factor 2: to 0.1 %
 
-// Where presses are simulated, as shares of the least amplitude that activates: close together where the time of
-// activation changes fast.
+// Where presses are simulated, as shares of the least amplitude that activates: close together where the time
+// of activation changes fast.
 constexpr std::array shares = {0.5, 0.8, 0.95, 1.0, 1.01, 1.03, 1.07, 1.15,
                                1.3, 1.5, 1.8,  2.2, 2.8,  3.6,  4.8,  6.5};
 static_assert(shares.size() % 2 == 0);  // they go in pairs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a finger's presses of one duration and lift come to, over their amplitude: a few simulated presses, straight in between.
+// A finger's presses of one duration and lift over their amplitude: a few simulated presses, linear in
+// between.
 
 #include <cstddef>
 #include <optional>
@@ -10,7 +11,8 @@
 
 namespace detent::playback {
 
-/// One press, by its amplitude. Times in s from the command; of presses that do not activate those of the contact are 0.
+/// One press, by its amplitude. Times in s from the command; of presses that do not activate those of the
+/// contact are 0.
 struct ResponsePoint {
   double amplitude_N = 0;
   double peak_N = 0, impulse_Ns = 0, deepest_m = 0;
@@ -29,8 +31,8 @@ class PressResponse {
   double least_N() const { return least_N_; }
   /// The least amplitude that gets so deep; the largest simulated one where none does.
   double leastReaching_N(double depth_m) const;
-  /// Between simulated presses; never between one that activates and one that does not. Beyond them the nearest. `place`: 0 at first; of
-  /// amplitudes that rise from call to call it keeps where the last one lay.
+  /// Between simulated presses; never between one that activates and one that does not. Beyond them the
+  /// nearest. `place`: 0 at first; of amplitudes that rise from call to call it keeps where the last one lay.
   ResponsePoint at(double amplitude_N, std::size_t& place) const;
 
  private:

@@ -14,7 +14,8 @@ double leastDamping(const std::vector<DampingPoint>& points);
 /// Makes it nowhere less than `least_Ns_per_mm`; gives the largest addition.
 double raiseDamping(std::vector<DampingPoint>& points, double least_Ns_per_mm, double travel_mm);
 
-/// What a device can damp: sampled and delayed damping must stay a small part of what its mass does in that time.
+/// Largest damping of a device: sampled and delayed damping must stay a small part of the effect of its mass
+/// in that time.
 double largestDamping_Ns_per_mm(const ForceDeviceProfile& device, double rate_Hz);
 
 }  // namespace detent::playback

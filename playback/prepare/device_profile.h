@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What is known about one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`,
-// kept in a text file (study/profile_file.h, docs/reference/device-profile.md), used when a button is prepared for it.
+// Properties of one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`, kept in
+// a text file (study/profile_file.h, docs/reference/device-profile.md), used when a button is prepared for
+// it.
 
 #include <cmath>
 #include <optional>
@@ -20,7 +21,7 @@ struct Resonance {
   double gain_dB = 0;  ///< above the response beside it
 };
 
-/// What turns the signal into movement, and what it can bear.
+/// The actuator that turns the signal into movement, and its limits.
 struct Transducer {
   double power_W = 0;  ///< it bears for ever; 0: unknown, no limit
   double impedance_ohm = 8;
@@ -49,7 +50,8 @@ struct DeviceProfile {
   Transducer transducer;
   SensorCalibration sensor;
   std::optional<MeasuredLatency> latency;
-  /// Of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a fingertip; empty: nobody measured it.
+  /// Felt level of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a
+  /// fingertip; empty: not measured.
   std::optional<double> fullScale_dB;
 };
 

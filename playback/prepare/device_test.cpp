@@ -8,7 +8,8 @@ namespace detent::playback {
 namespace {
 
 constexpr double halfOfRange = 0.25;  // the rest is for what a heavy handle overshoots
-// Waves of the chirp are drawn by so many periods at least; where encoder steps are coarse, it shakes farther.
+// Waves of the chirp are drawn by so many periods at least; where encoder steps are coarse, it shakes
+// farther.
 constexpr double periodsPerWave = 7, quickest_Hz = 150, slowestTest_Hz = 8, shake_mm = 0.6, shakeSteps = 30;
 
 }  // namespace

@@ -10,7 +10,7 @@ inline constexpr double relayTest_s = 3.5, chirpTest_s = 6;
 
 /// Between 0 and `range_mm`, with at most the program's force.
 ForceExcitation relayTest(const ForceProgram& program, double range_mm);
-/// For a handle of about this mass and friction, as the relay told.
+/// For a handle of about this mass and friction, as measured by the relay.
 ForceExcitation chirpTest(const ForceProgram& program, double range_mm, double mass_kg, double friction_N);
 
 }  // namespace detent::playback

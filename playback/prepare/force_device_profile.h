@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What is known about one force-feedback device: mechanics, encoder, timing and limits. Presets of the simulated devices; a
-// real one starts from the preset nearest to it (docs/guide/force-feedback.md).
+// Properties of one force-feedback device: mechanics, encoder, timing and limits. Presets of the simulated
+// devices; a real one starts from the preset nearest to it (docs/guide/force-feedback.md).
 
 #include <array>
 #include <cstdint>
@@ -23,10 +23,11 @@ struct ForceDeviceProfile {
   double rate_Hz = 1000;             ///< 50..20000; steps of the law
   double delay_s = 0.001;  ///< >= 0; from a reading to the force it causes, beyond the hold of one period
   double lag_s = 0;        ///< >= 0; time constant with which the force follows after that
-  double largestSlope_N_per_mm = 2;  ///< > 0; stiffest wall it is asked for
+  double largestSlope_N_per_mm = 2;  ///< > 0; steepest slope it may render
   ForceLimits limits;
   ForceGuide guide;  ///< present on three-axis devices
-  /// Mass, friction, damping, delay and lag were measured on this device (detent-play identify-device); else they are a preset's.
+  /// Mass, friction, damping, delay and lag were measured on this device (detent-play identify-device); else
+  /// they are a preset's.
   bool measured = false;
   bool provesDirection =
       false;  ///< wired by its user: motor and encoder are checked against each other before any force
@@ -35,7 +36,7 @@ struct ForceDeviceProfile {
   /// >= 0; by how much a force may act later than `delay_s` says, without the law knowing it.
   double jitter_s = 0;
 
-  /// How late a force acts, beyond the hold of one period.
+  /// Lateness of a force, beyond the hold of one period.
   double late_s() const { return delay_s + lag_s; }
 };
 

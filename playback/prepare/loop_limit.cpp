@@ -62,7 +62,7 @@ class Swing {
   }
 
  private:
-  /// How far it swings in it.
+  /// Amplitude of the swing in one period.
   double onePeriod() {
     const double estimate_mm_per_s = velocity_.update(position_mm_);
     const double sent_N = slope_N_per_mm_ * (position_mm_ + lead_s_ * estimate_mm_per_s) +

@@ -8,10 +8,11 @@
 
 namespace detent::playback {
 
-/// Slope in N/mm up to which the device's handle, with no finger on it and no friction, swings less and less on a spring with
-/// `damping_Ns_per_mm`: the loop of handle, velocity estimate, law with its lead, delay, hold and lag is run without encoder steps, and
-/// the slope halved in. Damping may be below 0: a force that falls with speed. What is told is 5 % below that; at most the device's largest slope; 0 where it swings on any. `rate_Hz` > 0.
-/// Any thread; allocates; some 2 ms.
+/// Slope in N/mm up to which the device's handle, with no finger on it and no friction, swings less and less
+/// on a spring with `damping_Ns_per_mm`. The loop of handle, velocity estimate, law with its lead, delay,
+/// hold and lag is simulated without encoder steps, and the slope is halved in. Damping may be below 0: a
+/// force that falls with speed. The result is 5 % below the limit found; at most the device's largest slope;
+/// 0 if it swings on any. `rate_Hz` > 0. Any thread; allocates; some 2 ms.
 double loopLimit_N_per_mm(const ForceDeviceProfile& device, double rate_Hz, double damping_Ns_per_mm);
 
 /// The same over a range of damping, at a few places and straight between them.
@@ -20,7 +21,7 @@ class LoopLimits {
   /// `low` <= `high`.
   LoopLimits(const ForceDeviceProfile& device, double rate_Hz, double low_Ns_per_mm, double high_Ns_per_mm);
   double at_N_per_mm(double damping_Ns_per_mm) const;
-  /// Over the whole range.
+  /// Least slope limit over the whole range.
   double least_N_per_mm() const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace detent::playback {
 
-/// What is felt. K&L, Conclusion: "A shortcoming of the current study is the lack of comparison with a base
-/// case, e.g., the case of click-only feedback."
+/// Parts of the feedback. K&L, Conclusion: "A shortcoming of the current study is the lack of comparison with
+/// a base case, e.g., the case of click-only feedback."
 enum class FeedbackMode {
   full,       ///< slopes, jumps, bottom-out
   clickOnly,  ///< jumps and bottom-out
@@ -28,21 +28,21 @@ inline const char* nameOf(FeedbackMode mode) { return feedbackModes.word(mode); 
 inline constexpr auto eventPlacements =
     named<EventPlacement>({{"fast", EventPlacement::atOnce}, {"time-stamped", EventPlacement::timeStamped}});
 
-/// What the profile's equalizer may flatten.
+/// Frequencies that the profile's equalizer may flatten.
 enum class EqualizerUse {
   off,
   sparingJumps,  ///< every band but those that change the jumps' own frequencies
   full
 };
 
-/// Where the frequency of the jumps comes from.
+/// Source of the frequency of the jumps.
 enum class JumpFrequencySource {
   paper,   ///< pressJumpFrequency_Hz and releaseJumpFrequency_Hz
   profile  ///< the profile's resonance nearest to pressJumpFrequency_Hz; release in the same ratio as the two
            ///< settings
 };
 
-/// How slope, jumps and bottom-out stand to each other.
+/// Relative levels of slope, jumps and bottom-out.
 enum class Feel {
   paper,  ///< as K&L have it
   clear   ///< the jumps come through, and a denser slope is felt as stronger (docs/develop/decisions/0915)
@@ -52,9 +52,10 @@ inline constexpr auto feels = named<Feel>({{"paper", Feel::paper}, {"clear", Fee
 
 /// The rules of Feel::clear, each worth what docs/develop/decisions/0915 says.
 struct ClearFeel {
-  bool jumpsByRoot =
-      true;  ///< amplitude by the root of the paper's: twice the area is 3 dB more, and few jumps end at full scale
-  /// Slope and bottom-out stay so far below the weakest jump of their stroke, by felt_level.h; they are never raised. > 0.
+  /// amplitude by the root of the paper's: twice the area is 3 dB more, and few jumps end at full scale
+  bool jumpsByRoot = true;
+  /// Slope and bottom-out stay so far below the weakest jump of their stroke, by felt_level.h; they are never
+  /// raised. > 0.
   double jumpAbove_dB = 8;
   double slopeUnderJump = 0.1;  ///< level of the slope while a jump sounds; [0, 1]
   double longestBottomOutWait_s =
@@ -124,7 +125,7 @@ struct PlaybackSettings {
   EqualizerUse equalizer = EqualizerUse::sparingJumps;
 };
 
-/// What is played where nobody asks for the paper's own.
+/// Settings that are played unless the paper's own are requested.
 inline PlaybackSettings usualSettings() {
   PlaybackSettings settings;
   settings.feel = Feel::clear;

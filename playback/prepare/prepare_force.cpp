@@ -20,17 +20,21 @@ namespace {
 
 constexpr double shortestTravel_mm = 0.1, longestTravel_mm = 100;
 constexpr double slowest_Hz = 50, fastest_Hz = 20000;
-// Below its rest a state holds the handle where a button's cap would stop, over a way and with a force that cannot surprise.
+// Below its rest a state holds the handle where a button's cap would stop, over a way and with a force that
+// cannot surprise.
 constexpr double restraint_N = 0.5, restraint_mm = 3, restraintEnd_mm = 1;
 // A state that has come back to within this of its rest is there.
 constexpr double settle_mm = 0.05;
 constexpr double widestPlayOfTravel = 0.25;
 constexpr double noticedCrossing_N = 0.001;
-// Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a press.
+// Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a
+// press.
 constexpr double mostFedShare = 0.02;
-// A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is about as drawn.
+// A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is
+// about as drawn.
 constexpr double risenShare = 0.96;
-// The push before the first force: more than the friction of a preset, too little to hurt; of a measured device more than its friction.
+// The push before the first force: more than the friction of a preset, too little to hurt; of a measured
+// device more than its friction.
 constexpr double largestPush_N = 0.1, pushedFrictions = 1.5, followedSteps = 4;
 // An encoder is watched under more force than this, and than so many times the friction.
 constexpr double leastWatched_N = 0.25, watchedFrictions = 5;
@@ -69,13 +73,13 @@ double restrained_N(double start_N, double below_mm, double slope_N_per_mm) {
   return let_mm <= 0 ? held_N : held_N * std::max(0.0, 1 - let_mm / restraintEnd_mm);
 }
 
-/// A curve within the device's force; above its end stands a wall.
+/// A curve within the device's force; after its end follows the end stop.
 double forceOn(const StrokeCurve& curve, double at_mm, double slope_N_per_mm, double largest_N) {
   const double above_mm = std::max(0.0, at_mm - curve.end_mm());
   return std::clamp(curve.force_N(at_mm), -largest_N, largest_N) + slope_N_per_mm * above_mm;
 }
 
-/// The force with which a curve begins; of a wall at its start, the foot.
+/// The force with which a curve begins; of a vertical rise at its start, the lower end.
 double startForce_N(const StrokeCurve& curve, double largest_N) {
   return std::clamp(curve.knots().front().force_N, -largest_N, largest_N);
 }
@@ -88,7 +92,7 @@ ForceCurveRow& curveRow(ForceStateTable& t, std::size_t speed, std::size_t row) 
   return t.faster[speed - 1][row];
 }
 
-/// Where graphs at several speeds would make energy, and how much.
+/// Energy that graphs at several speeds would make, with its place.
 struct FedBySpeeds {
   double fed_mJ = 0, at_mm = 0, value = 0, limit = 0;
   std::size_t pressed = 0, released = 0;  ///< of the worst place
@@ -144,7 +148,7 @@ class ForcePreparation {
     p.proof.way_mm = std::max(p.proof.way_mm, followedSteps * device_.step_mm);
   }
 
-  /// Of several speeds the worst place tells for all.
+  /// With several speeds the worst displacement is reported for all.
   void remark(ForceRemarkKind kind, std::size_t state, double at_mm, double value, double limit) {
     std::vector<ForceRemark>& remarks = prepared_.summary.remarks;
     if (prepared_.program.states[state].speedCount > 1) {
@@ -193,14 +197,14 @@ class ForcePreparation {
     prepared_.summary.rowSpacing_mm = std::max(prepared_.summary.rowSpacing_mm, to.spacing_mm);
   }
 
-  /// What a finger can get back at a place, at whatever speed.
+  /// Force that a finger can get back at a displacement, at any speed.
   static float strongestRelease_N(ForceStateTable& t, std::size_t speeds, std::size_t row) {
     float most_N = t.rows[row].release_N;
     for (std::size_t k = 1; k < speeds; ++k) most_N = std::max(most_N, curveRow(t, k, row).release_N);
     return most_N;
   }
 
-  /// Where graphs are held against each other: on a wall a hair of displacement is any force.
+  /// Range in which graphs are compared: on a vertical rise a tiny displacement is any force.
   static std::pair<double, double> comparedOn(const Graphs& members) {
     double from_mm = 0, to_mm = longestTravel_mm;
     for (const ForceGraph* graph : members)
@@ -212,9 +216,9 @@ class ForcePreparation {
     return {from_mm, to_mm};
   }
 
-  // Whatever is pressed at one speed and released at another takes energy: no release lies above a press of any speed; and a force
-  // that falls with speed drives the handle no harder than its damper takes, one that rises damps no more than its mass bears.
-  // docs/develop/decisions/1111-graphs-at-several-speeds.md
+  // Whatever is pressed at one speed and released at another takes energy: no release lies above a press of
+  // any speed; and a force that falls with speed drives the handle no harder than its damper takes, one that
+  // rises damps no more than its mass bears. docs/develop/decisions/1111-graphs-at-several-speeds.md
   void limitSpeeds(const Graphs& members, const ButtonState& from, ForceStateTable& to, std::size_t s) {
     const SpeedDamping allowed = renderedSpeedDamping(from, device_, 1 / prepared_.program.period_s);
     const auto [from_mm, to_mm] = comparedOn(members);
@@ -270,7 +274,8 @@ class ForcePreparation {
     if (damped.value > 0) remark(ForceRemarkKind::speedLimited, s, damped.at_mm, damped.value, damped.limit);
   }
 
-  /// A press alone is released with the least of its forces: with any other a press at one speed would pay for a release at another.
+  /// A press alone is released with the least of its forces: with any other a press at one speed would pay
+  /// for a release at another.
   static void shareLeast(ForceStateTable& to, std::size_t speeds, std::size_t row) {
     float least_N = to.rows[row].press_N;
     for (std::size_t k = 1; k < speeds; ++k) least_N = std::min(least_N, curveRow(to, k, row).press_N);
@@ -351,7 +356,8 @@ class ForcePreparation {
     };
   }
 
-  // Nothing is known about a press that begins deeper than the release ends: there it has the release's force.
+  // Nothing is known about a press that begins deeper than the release ends: there it has the release's
+  // force.
   Force beforePress(const StrokeCurve& press, const StrokeCurve& release) const {
     if (release.start_mm() >= press.start_mm()) return restOf(press);
     return
@@ -360,7 +366,8 @@ class ForcePreparation {
         };
   }
 
-  // A self-locking state comes to rest where its release ends; a momentary button has to come back to where the press began.
+  // A self-locking state comes to rest where its release ends; a momentary button has to come back to where
+  // the press began.
   Force beforeRelease(const StrokeCurve& press, const StrokeCurve& release) const {
     if (button_.selfLocking() || press.start_mm() >= release.start_mm()) return restOf(release);
     const double largest_N = device_.limits.force_N, start_N = startForce_N(release, largest_N);
@@ -374,8 +381,8 @@ class ForcePreparation {
     return t.first_mm + static_cast<double>(row) * t.spacing_mm;
   }
 
-  /// A stroke on the table's places, nowhere steeper than the device can render: steeper rises come later, steeper falls last
-  /// longer, so a peak keeps its force.
+  /// A stroke on the table's places, nowhere steeper than the device can render: steeper rises come later,
+  /// steeper falls last longer, so a peak keeps its force.
   void fill(const StrokeCurve& curve, const Force& beforeStart, ForceStateTable& to,
             float ForceCurveRow::*force, std::size_t speed) const {
     const double change_N = slope_ * to.spacing_mm;
@@ -393,7 +400,7 @@ class ForcePreparation {
   void remarkSteepness(const StrokeCurve& curve, std::size_t s) {
     double rise = 0, rise_mm = 0, fall = 0, fall_mm = 0;
     const double narrowest_mm =
-        curve.travel_mm() / maxForceRows;  // of what a table can hold; a wall is no steeper in it
+        curve.travel_mm() / maxForceRows;  // of a table's capacity; a vertical rise is no steeper in it
     for (std::size_t i = 1; i <= maxForceRows; ++i) {
       const double to_mm = curve.start_mm() + static_cast<double>(i) * narrowest_mm;
       const double slope = (curve.force_N(to_mm) - curve.forceBefore_N(to_mm - narrowest_mm)) / narrowest_mm;
@@ -425,7 +432,8 @@ class ForcePreparation {
     if (strongest > largest) remark(ForceRemarkKind::dampingLimited, s, strongest_mm, strongest, largest);
   }
 
-  /// How far behind the last row the wall pushes back as strongly as the curve's end pulls; 0 where it does not pull.
+  /// Distance behind the last row at which the end stop pushes back as strongly as the curve's end pulls; 0
+  /// if it does not pull.
   static double pulledIntoWall_mm(const ForceStateTable& t, float end_N) {
     return std::max(0.0, -static_cast<double>(end_N)) / t.wallSlope_N_per_mm;
   }
@@ -464,7 +472,8 @@ class ForcePreparation {
     to.operating_mm = std::min(std::max(risen_mm, leave_mm), std::max(last_mm, leave_mm));
   }
 
-  /// From an operating point on, where a press first has its drawn force: a softened wall has it later than drawn.
+  /// Displacement, from an operating point on, at which a press first has its drawn force: a softened rise
+  /// has it later than drawn.
   double risenTo_mm(const ForceStateTable& t, double operating_mm, double drawn_N) const {
     const double force_N = risenShare * std::min(drawn_N, device_.limits.force_N);
     const auto rowAt = static_cast<std::size_t>(std::max(0.0, (operating_mm - t.first_mm) / t.spacing_mm));
@@ -488,7 +497,8 @@ class ForcePreparation {
       prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoWall_mm(t, last.*force);
   }
 
-  // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the slope limit.
+  // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the
+  // slope limit.
   void setPlayRadius() {
     double radius_mm = 2 * device_.step_mm;
     for (std::size_t s = 0; s < prepared_.program.stateCount; ++s) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a button and a force device to what the force loop plays. Only what the button has is prepared: no release curve where
-// it is the press curve, no damping where there is none, no second state for a momentary button.
+// From a button and a force device to what the force loop plays. Only what the button has is prepared: no
+// release curve where it is the press curve, no damping where there is none, no second state for a momentary
+// button.
 
 #include <cstddef>
 #include <optional>
@@ -24,15 +25,17 @@ struct ForceSettings {
   bool passivityController = false;  ///< damps when the observer's balance falls below 0
 };
 
-/// What a device cannot render as the button has it.
+/// Properties of the button that a device cannot render.
 enum class ForceRemarkKind : std::uint8_t {
   wallSoftened,    ///< value: steepest rise, limit: rendered (N/mm)
   fallSoftened,    ///< value: steepest fall, limit: rendered (N/mm)
   forceClipped,    ///< value: strongest force, limit: of the device (N)
   strokesCross,    ///< value: how far the release lies above the press (N); rendered as equal there
   dampingLimited,  ///< value: strongest damping, limit: rendered (N·s/mm)
-  speedsCross,  ///< value: how far a release lies above the press of another speed (N); rendered as equal there
-  speedLimited,  ///< value: strongest change of force with speed, above 0 where it damps; limit: rendered (N·s/mm)
+  /// value: how far a release lies above the press of another speed (N); rendered as equal there
+  speedsCross,
+  /// value: strongest change of force with speed, above 0 where it damps; limit: rendered (N·s/mm)
+  speedLimited,
   wideReturn,  ///< value: play radius, limit: a quarter of the travel (mm); the radius is cut to it
 };
 struct ForceRemark {
@@ -55,8 +58,9 @@ struct PreparedForce {
   ForceSummary summary;
 };
 
-/// Failure wrongUsage names the value of device or settings that is out of its range, a travel outside 0.1..100 mm, or
-/// one that ends beyond the device's reach, or graphs at several speeds that would make energy. Any thread; allocates.
+/// Failure wrongUsage names the value of device or settings that is out of its range, a travel outside
+/// 0.1..100 mm, or one that ends beyond the device's reach, or graphs at several speeds that would make
+/// energy. Any thread; allocates.
 Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfile& device,
                                    const ForceSettings& settings = {});
 

@@ -21,8 +21,8 @@ constexpr double largestCoefficient = 1e9;  // N; a divider's linear quantity go
 constexpr double largestNoise_N = 50, longestLatency_s = 10;
 constexpr double faintestCeiling = 1e-6;  // -120 dB: below it a profile's transducer bears nothing at all
 
-// Following the finger (docs/develop/decisions/0906). What reaches the tracker is steadied already (force_steadier.h);
-// these keep the strokes apart where a sensor's steps or a tremor remain.
+// Following the finger (docs/develop/decisions/0906). What reaches the tracker is steadied already
+// (force_steadier.h); these keep the strokes apart where a sensor's steps or a tremor remain.
 constexpr double unknownSensorsHysteresis_N = 0.02;  // above one count of 10 bit over 12 N (0.0117 N)
 constexpr double smallestHysteresis_N = 0.005;
 constexpr double noiseInHysteresis = 4;
@@ -51,7 +51,7 @@ Result<Done> checkBounds(const Subject& subject, std::initializer_list<Bound> bo
   return Done{};
 }
 
-/// Everything of one stroke that a table is built from.
+/// Data of one stroke from which a table is built.
 struct StrokePlan {
   const StrokeCurve& curve;
   Stroke stroke;
@@ -89,8 +89,8 @@ class HapticPreparation {
     prepared_.summary.warnings.push_back({code, std::move(message)});
   }
 
-  /// Where the tables of a state begin. A self-locking button's release may end elsewhere than its press
-  /// began.
+  /// Lowest displacement of the tables of a state. A self-locking button's release may end elsewhere than its
+  /// press began.
   double lowOf(const ButtonState& state) const {
     const double start_mm = state.graph.press().start_mm();
     return button_.selfLocking() ? std::min(start_mm, state.graph.curve(Stroke::release).start_mm())
@@ -241,7 +241,8 @@ class HapticPreparation {
     }
   }
 
-  /// Slope and bottom-out stay below the weakest jump of their stroke. A stroke without one keeps what it has.
+  /// Slope and bottom-out stay below the weakest jump of their stroke. A stroke without one keeps what it
+  /// has.
   void letJumpsThrough(StateProgram& state) {
     const HapticProgram& p = prepared_.program;
     const auto below = [&](const StrokeTable& stroke, double level_dB) {
@@ -359,7 +360,8 @@ class HapticPreparation {
            {"more than the %1 slopes a program holds; the last ones are silent", maxSlopes});
   }
 
-  /// Steepness at a place of a slope, over a fifth of a millimetre to both sides but not beyond the slope, nor up the wall it ends at.
+  /// Steepness at a displacement of a slope, over a fifth of a millimetre to both sides but neither beyond
+  /// the slope nor into the bottom-out.
   static double steepness_N_per_mm(const StrokeCurve& curve, double at_mm, double from_mm, double to_mm) {
     constexpr double reach_mm = 0.2;
     const double low_mm = std::max(at_mm - reach_mm, from_mm), high_mm = std::min(at_mm + reach_mm, to_mm);
@@ -374,10 +376,11 @@ class HapticPreparation {
     return std::min(20 * s.levelBySteepness * std::log10(share), 20 * std::log10(loudestGrain()));
   }
 
-  /// At which a grain reaches full scale.
+  /// Level at which a grain reaches full scale.
   double loudestGrain() const { return settings_.grainAmplitude > 0 ? 1 / settings_.grainAmplitude : 1; }
 
-  /// Cut where the steepness changes by what is hardly felt, or by more where a program would not hold the pieces.
+  /// Cut where the steepness changes by what is hardly felt, or by more where a program would not hold the
+  /// pieces.
   std::vector<GrainRange> splitBySteepness(const StrokeCurve& curve,
                                            const std::vector<GrainRange>& slopes) const {
     constexpr double finest_dB = 0.5, coarsest_dB = 64;
@@ -393,7 +396,7 @@ class HapticPreparation {
     return pieces;
   }
 
-  /// How strong a slope is to be felt, looked at every `stride` grains.
+  /// Felt level of a slope, evaluated every `stride` grains.
   struct SlopeLevels {
     GrainRange range;
     std::int64_t stride = 1;
@@ -563,7 +566,7 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
   return bounds;
 }
 
-/// What no sensor and no link is; the numbers would else go on into forces and hysteresis.
+/// Rejects values that no sensor and no link has; they would go on into forces and hysteresis.
 Result<Done> checkMeasured(const DeviceProfile& profile) {
   if (Result<Done> ok =
           checkBounds("device profile", {{"full_scale_dB", fullScale_dB(profile), -60, 140, true}});

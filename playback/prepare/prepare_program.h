@@ -15,9 +15,9 @@
 
 namespace detent::playback {
 
-/// What of a button or a device a program cannot give as asked.
+/// Requests that a program cannot fulfil for this button or device.
 enum class PrepareWarningCode : std::uint8_t {
-  hysteresisReduced,  ///< strongest force, hysteresis asked for
+  hysteresisReduced,  ///< strongest force, requested hysteresis
   noResonance,        ///< press and release frequency that are used instead, Hz
   slopesLeftOut,      ///< how many a program holds
   jumpsLeftOut,       ///< how many there are, how many are kept, messages of where those left out are
@@ -34,7 +34,7 @@ struct PrepareWarning {
 /// "jumps-left-out": as scripts see it.
 const char* nameOf(PrepareWarningCode code);
 
-/// What was prepared, for a one-line report and for doubts.
+/// Summary of the preparation, for a one-line report and for doubts.
 struct PrepareSummary {
   std::size_t grains = 0;  ///< grain positions of the first state's press stroke
   std::size_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0;  ///< over all states

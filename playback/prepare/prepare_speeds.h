@@ -9,13 +9,14 @@
 
 namespace detent::playback {
 
-/// By rising speed: the stated ones, each exactly the button of that speed (model/speed_family.h), and between two of them as many at even
-/// steps that no force changes by more than `finestSpeedStep` of the button's strongest from one to the next, at most `mostSpeedSteps` - 1. Empty for
-/// a button with one graph per state. Failures: as prepareProgram. Any thread; allocates.
+/// Programs by rising speed: the stated speeds, each exactly the button of that speed (model/speed_family.h),
+/// and between two of them as many at even steps that no force changes by more than `finestSpeedStep` of the
+/// button's strongest from one to the next, at most `mostSpeedSteps` - 1. Empty for a button with one graph
+/// per state. Failures: as prepareProgram. Any thread; allocates.
 Result<std::vector<SpeedProgram>> prepareSpeeds(const Button& button, const DeviceProfile& profile,
                                                 const PlaybackSettings& settings);
 
-inline constexpr double finestSpeedStep = 0.02;  // a third of what a finger tells apart
+inline constexpr double finestSpeedStep = 0.02;  // a third of the smallest difference that a finger feels
 inline constexpr int mostSpeedSteps = 8;         // from one stated speed to the next
 
 /// What plays under a finger: `front`, prepared from the same three, and its speeds.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a button's force changes with speed: what rises against the movement damps as b(x) does, what falls drives the handle.
+// Change of a button's force with speed: a force that rises against the movement damps as b(x) does, one that
+// falls drives the handle.
 
 #include "model/button.h"
 #include "playback/prepare/force_device_profile.h"
@@ -12,11 +13,12 @@ struct SpeedDamping {
   double least = 0, most = 0;
 };
 
-/// Of both strokes at a place, over all pairs of neighbouring speeds; 0 without a family, and always 0 <= most, least <= 0: below
-/// the lowest speed nothing changes.
+/// Damping of both strokes at a displacement, over all pairs of neighbouring speeds; 0 without a family, and
+/// always 0 <= most, least <= 0: below the lowest speed nothing changes.
 SpeedDamping speedDampingAt(const ButtonState& state, double at_mm);
 
-/// What a device renders of it beside the button's own b(x): as much damping as its mass bears, and half of what its damper takes.
+/// The part that a device renders beside the button's own b(x): as much damping as its mass allows, and half
+/// of what its damper takes.
 SpeedDamping renderedSpeedDamping(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz);
 
 }  // namespace detent::playback

@@ -18,7 +18,7 @@ double valueAt(const std::vector<double>& coefficients, double x) {
   return value;
 }
 
-/// Of k(x) x.
+/// Slope of k(x) x.
 double slopeAt(const std::vector<double>& stiffness, double x) {
   double slope = 0;
   for (std::size_t i = stiffness.size(); i > 0; --i)

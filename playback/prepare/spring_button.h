@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The paper's button from its equation: F = k(x) x + b(x) v with polynomials k and b (Shrestha, "Basic Model").
+// The paper's button from its equation: F = k(x) x + b(x) v with polynomials k and b (Shrestha, "Basic
+// Model").
 
 #include <string>
 #include <vector>
@@ -17,8 +18,8 @@ struct SpringPolynomials {
   double travel_mm = 4;                    ///< > 0
 };
 
-/// Both strokes have the spring's force. Failure wrongUsage: too many or no coefficients, a damping below 0 somewhere, a force that
-/// is no curve.
+/// Button whose strokes both have the spring's force. Failure wrongUsage: too many or no coefficients, a
+/// damping below 0 somewhere, a force that is no curve.
 Result<Button> springButton(const std::string& name, const SpringPolynomials& spring);
 
 }  // namespace detent::playback

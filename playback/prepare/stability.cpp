@@ -23,14 +23,14 @@ constexpr double limitedTo =
 
 double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.late_s(); }
 
-/// What a change of force with speed damps at a place, as far as it is rendered.
+/// Damping of a change of force with speed at a displacement, as far as it is rendered.
 SpeedDamping renderedAt(const ButtonState& state, const SpeedDamping& rendered, double at_mm) {
   if (state.otherSpeeds.empty()) return {};
   const SpeedDamping drawn = speedDampingAt(state, at_mm);
   return {std::max(drawn.least, rendered.least), std::min(drawn.most, rendered.most)};
 }
 
-/// Of the smallest and the largest damping along the travel, that by speed included.
+/// Limits for the smallest and the largest damping along the travel, including that by speed.
 LoopLimits limitsOf(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz) {
   double most_Ns_per_mm = 0;
   for (const DampingPoint& d : state.damping) most_Ns_per_mm = std::max(most_Ns_per_mm, d.damping_Ns_per_mm);
@@ -62,7 +62,7 @@ MarginPoint allowedFor(const ForceDeviceProfile& device, double byLoop_N_per_mm)
   return p;
 }
 
-/// Slope of a curve over one place, walls included; 0 outside it.
+/// Slope of a curve around one displacement, including vertical rises; 0 outside it.
 double slopeOver(const StrokeCurve& curve, double from_mm, double to_mm) {
   const double low_mm = std::max(from_mm, curve.start_mm()), high_mm = std::min(to_mm, curve.end_mm());
   if (low_mm > high_mm) return 0;
@@ -111,7 +111,8 @@ class MarginOfState {
     return std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
   }
 
-  /// The least of what the loop bears at rest and at speeds between stated ones, where force follows speed late.
+  /// The least of what the loop bears at rest and at speeds between stated ones, where force follows speed
+  /// late.
   double loopLimitAt(double at_mm) const {
     const double damping = state_.damping.empty() ? 0 : dampingAt(state_.damping, at_mm);
     const double still = limits_.at_N_per_mm(damping);
@@ -134,7 +135,8 @@ class MarginOfState {
   SpeedDamping rendered_;
 };
 
-/// The least damping under which the loop bears the slope, of a few up to `most`; that which bears most where none does.
+/// The least damping under which the loop bears the slope, of a few up to `most`; that which bears most where
+/// none does.
 double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, double rate_Hz,
                   double most_Ns_per_mm) {
   constexpr int tries = 8;
@@ -149,7 +151,8 @@ double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, doubl
   return best_Ns_per_mm;
 }
 
-/// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps what fits.
+/// A stroke with limited slopes, or the stroke itself if nothing had to change. A vertical rise at the end of
+/// the travel keeps what fits.
 Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
   const double spacing_mm = curve.travel_mm() / static_cast<double>(travelSamples);
   const auto [low_N, high_N] = curve.forceRange_N();
@@ -159,7 +162,7 @@ Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, Sta
   for (std::size_t i = 0; i <= travelSamples; ++i) {
     const double at_mm =
         i == travelSamples ? curve.end_mm() : curve.start_mm() + static_cast<double>(i) * spacing_mm;
-    // The first point of a wall at the start is its foot.
+    // The first point of a vertical rise at the start is its lower end.
     const double wanted_N = i == 0 ? curve.forceBefore_N(at_mm) : curve.force_N(at_mm);
     double force_N = wanted_N;
     if (i > 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether a device can render a button, told before it is felt: the margin along the travel, and the nearest button that it can
-// render as drawn. Formulas and what simulation says about them: docs/develop/decisions/1101-stability-margin.md.
+// Predicts if a device can render a button: the margin along the travel, and the nearest button that it can
+// render as drawn. Formulas and results of simulation: docs/develop/decisions/1101-stability-margin.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,11 +13,12 @@
 
 namespace detent::playback {
 
-/// Why a slope is too steep. Of several the one that allows least.
+/// The reason why a slope is too steep; of several the strictest one.
 enum class StabilityBound : std::uint8_t {
   damping,  ///< the handle alone would swing more and more: the loop limit (loop_limit.h)
-  quantisation,  ///< K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
-  device  ///< the steepest slope the device is asked for
+  /// K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
+  quantisation,
+  device  ///< the steepest slope the device may render
 };
 
 struct MarginPoint {
@@ -33,15 +34,15 @@ struct UnstableStretch {
   std::size_t state = 0;
   double from_mm = 0, to_mm = 0;
   MarginPoint worst;
-  bool falling = false;  ///< a jump, else a wall
+  bool falling = false;  ///< a jump, else a rise
 };
 
 struct StabilityMargin {
   std::vector<std::vector<MarginPoint>> states;  ///< per state, evenly over the travel
   std::vector<UnstableStretch> unstable;
   MarginPoint least;
-  /// Colgate and Schenkel's bound for any finger whatever, b / (T / 2 + delay) less the button's own damping: stricter than what a
-  /// hand needs, and below 0 where the button damps more than the device does.
+  /// Colgate and Schenkel's bound for any finger whatever, b / (T / 2 + delay) less the button's own damping:
+  /// stricter than what a hand needs, and below 0 where the button damps more than the device does.
   double anyFinger_N_per_mm = 0;
   bool stable() const { return unstable.empty(); }
 };
@@ -49,7 +50,7 @@ struct StabilityMargin {
 /// `rate_Hz` > 0. Any thread; allocates.
 StabilityMargin stabilityOf(const Button& button, const ForceDeviceProfile& device, double rate_Hz);
 
-/// What had to change.
+/// Changes that were necessary.
 struct StabilityChange {
   std::size_t state = 0;
   double largestForceChange_N = 0, changedFrom_mm = 0,
@@ -61,8 +62,9 @@ struct StableButton {
   std::vector<StabilityChange> changes;  ///< empty: the button was stable as it is
 };
 
-/// The nearest button whose margin is nowhere below 0: first damping is added, as much as the device's mass bears, then slopes
-/// are limited; a peak keeps its force. Failure: wrongUsage where no button is stable on the device (no friction, no damping).
+/// The nearest button whose margin is nowhere below 0: first damping is added, as much as the device's mass
+/// bears, then slopes are limited; a peak keeps its force. Failure: wrongUsage where no button is stable on
+/// the device (no friction, no damping).
 Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfile& device, double rate_Hz);
 
 }  // namespace detent::playback

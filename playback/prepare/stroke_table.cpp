@@ -17,7 +17,7 @@ constexpr std::size_t strokeSamples = 4096;
 // A table closer than this share of the force range is good enough; more vertices would only cost cache.
 constexpr double enoughOfRange = 1e-5;
 
-/// The curve at all places looked at; walls appear as two samples of one displacement.
+/// The curve at all evaluated displacements; vertical rises appear as two samples of one displacement.
 std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
                                       const std::vector<double>& kept_mm) {
   std::vector<double> places;
@@ -74,7 +74,8 @@ Gap measure(const std::vector<TablePoint>& s, std::size_t from, std::size_t to) 
   return gap;
 }
 
-/// Samples that must be vertices: the ends, what the caller keeps, and both sides of the largest walls.
+/// Samples that must be vertices: the ends, the caller's kept displacements, and both sides of the largest
+/// vertical rises.
 std::vector<std::size_t> fixedVertices(const std::vector<TablePoint>& s, const std::vector<double>& kept_mm) {
   std::vector<std::size_t> fixed{0, s.size() - 1};
   for (double x : kept_mm) {

@@ -14,9 +14,9 @@ struct TableFit {
   double error_N = 0;              ///< largest vertical distance from the curve at the places looked at
 };
 
-/// Vertices at every displacement in `kept_mm` (section ends, in any order), walls kept as two vertices, the
-/// rest where the curve bends most. Outside the curve its end's force continues. Forces below `lowest_N` are
-/// lifted to it. kept_mm.size() <= maxTablePoints / 4.
+/// Vertices at every displacement in `kept_mm` (section ends, in any order), vertical rises kept as two
+/// vertices, the rest where the curve bends most. Outside the curve its end's force continues. Forces below
+/// `lowest_N` are lifted to it. kept_mm.size() <= maxTablePoints / 4.
 TableFit fitTable(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
                   const std::vector<double>& kept_mm);
 

@@ -34,13 +34,14 @@ struct CalibrateArguments {
 };
 
 constexpr double weighing_s = 1.0;
-constexpr double largestSd_counts = 3, largestSdOfMean = 0.02;  // above, a weighing is told to be noisy
+constexpr double largestSd_counts = 3,
+                 largestSdOfMean = 0.02;  // above these, a weighing is reported as noisy
 
 void addCalibrateOptions(CLI::App& app, CalibrateArguments& a) {
   addSensorOptions(app, a.sensor);
   app.add_option("--weights", a.weightsFile,
-                 "Known weights as CSV: mass_g,raw or force_N,raw; else they are asked for");
-  addChoice(app, "--circuit", a.calibration.circuit, sensorCircuits, "How the sensor is wired", "divider");
+                 "Known weights as CSV: mass_g,raw or force_N,raw; default: the program asks for them");
+  addChoice(app, "--circuit", a.calibration.circuit, sensorCircuits, "Circuit of the sensor", "divider");
   app.add_option("--full-scale", a.calibration.fullScale_counts, "Largest reading of the converter")
       ->capture_default_str()
       ->check(numberWithin(1, 1e9));
@@ -65,7 +66,7 @@ std::optional<double> massIn_g(std::string text) {
   return {};
 }
 
-/// What a person is told of one weighing.
+/// Reports one weighing to the user.
 void reportCalibration(const KnownWeight& weight, const RawReading& raw) {
   std::fprintf(stderr, "%.4f N: %.2f, SD %.2f over %zu readings\n", weight.force_N, raw.mean, raw.sd, raw.n);
   if (!raw.steady)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a subcommand of detent-play is: a file of its own that adds its options to the command line and, if it
-// was chosen, gives what to run. run.cpp lists them all.
+// A subcommand of detent-play: a file of its own that adds its options to the command line and, if it was
+// chosen, returns the function to run. run.cpp lists them all.
 
 #include <functional>
 
@@ -14,7 +14,7 @@ class Option;
 
 namespace detent::playback {
 
-/// Asked often by everything that takes long: the person wants the program to end.
+/// Called often by everything that takes long; true if the user wants the program to end.
 using Cancelled = std::function<bool()>;
 
 /// A parsed subcommand, ready to run. Human text to stderr, results to stdout; gives the exit code.

@@ -14,8 +14,8 @@ struct Endpoint {
   std::uint16_t port = 0;
 };
 
-/// "9000" (at `standardHost`; empty: a host must be given) or "192.168.1.5:9000". Failure wrongUsage, about `option`: no port
-/// from `lowestPort` to 65535.
+/// "9000" (at `standardHost`; empty: a host must be given) or "192.168.1.5:9000". Failure wrongUsage, about
+/// `option`: no port from `lowestPort` to 65535.
 Result<Endpoint> parseEndpoint(const std::string& text, const std::string& option,
                                const std::string& standardHost, unsigned lowestPort);
 

@@ -30,11 +30,11 @@ struct ExportArguments {
 
 void addExportOptions(CLI::App& app, ExportArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json")->required();
-  addChoice(app, "--format", a.settings.format, exportFormats, "What for (docs/reference/export-formats.md)",
-            "")
+  addChoice(app, "--format", a.settings.format, exportFormats,
+            "Target format (docs/reference/export-formats.md)", "")
       ->required();
   app.add_option("--press", a.press,
-                 "standard, human:120ms (a human-like press whose way down takes 10 ms to 10 s), or a press "
+                 "standard, human:120ms (a human-like press with a downstroke of 10 ms to 10 s), or a press "
                  "trace CSV")
       ->capture_default_str();
   app.add_option("-o,--output", a.outputFile,
@@ -114,8 +114,8 @@ int runExport(const ExportArguments& a, const Cancelled& cancelled) {
 }  // namespace
 
 void addExportCommand(CLI::App& program, Action& chosen) {
-  CLI::App* app = program.add_subcommand(
-      "export", "A press in the formats of phones, headsets, driver chips and touchpads");
+  CLI::App* app =
+      program.add_subcommand("export", "Export a press for phones, headsets, driver chips and touchpads");
   const auto arguments = std::make_shared<ExportArguments>();
   addExportOptions(*app, *arguments);
   app->callback([&chosen, arguments] {

@@ -70,22 +70,20 @@ void addForceOptions(CLI::App& app, ForceArguments& a) {
       ->needs("--stiffness");
   app.add_option("--device", a.device, forceDeviceWords)->capture_default_str();
   app.add_option("--finger", a.finger,
-                 "Of a simulated device: hold (rests in the middle), hold=X (at X mm), press (again and "
-                 "again), or a press "
-                 "trace CSV (time_s,displacement_mm or time_s,force_N)")
+                 "Finger of a simulated device: hold (rests in the middle), hold=X (at X mm), press "
+                 "(repeatedly), or a press trace CSV (time_s,displacement_mm or time_s,force_N)")
       ->capture_default_str();
   app.add_option("--rate", a.rate_Hz, "Steps per second in Hz, 50..20000; 0: the device's own")
       ->capture_default_str();
   addChoice(app, "--law", a.force.law, laws,
             "Both curves of the graph, or one curve with damping (the paper's spring and damper)", "graph");
-  addChoice(app, "--velocity", a.force.velocity, velocities, "How velocity is estimated", "kalman");
-  app.add_option("--seconds", a.seconds, "End after so many seconds; 0: on Ctrl-C")
+  addChoice(app, "--velocity", a.force.velocity, velocities, "Velocity estimator", "kalman");
+  app.add_option("--seconds", a.seconds, "End after this many seconds; 0: on Ctrl-C")
       ->capture_default_str()
       ->check(numberWithin(0.0, 1e6));
   app.add_flag("--controller", a.force.passivityController,
-               "Damp where the button gives more energy than it took (else this is only measured)");
-  app.add_flag("--fast", a.fast,
-               "A simulated device runs as fast as the machine can; the result is the same");
+               "Damp where the button gives more energy than it took (default: only measure this)");
+  app.add_flag("--fast", a.fast, "Run a simulated device without waiting; the result is the same");
   app.add_option("--log", a.logFile,
                  "One row per step: time_s,position_mm,velocity_mm_per_s,force_N,energy_mJ,state");
   app.add_option("--plot", a.plotFile,
@@ -93,9 +91,9 @@ void addForceOptions(CLI::App& app, ForceArguments& a) {
   app.add_option("--figures", a.figuresFile,
                  "SVG of the figures 4, 5 and 6 of Shrestha's paper, from this run");
   app.add_option("--device-profile", a.profileFile,
-                 "*.device of `identify-device`: margin, lead and energy rest on what was measured")
+                 "*.device of `identify-device`: measured values for margin, lead and energy")
       ->group(realDeviceGroup);
-  addRealDeviceOptions(app, a.real, "Largest force in N; without it the preset's");
+  addRealDeviceOptions(app, a.real, "Largest force in N; default: the preset's");
   app.add_flag("--upload", a.upload, "The microcontroller runs the law from a table, at its own rate")
       ->group(realDeviceGroup);
   const std::string safety =
@@ -300,7 +298,7 @@ void printForceFigures(const ForceStatus& s, const RunFigures& runForce, const F
                  static_cast<unsigned long long>(s.computerLate));
 }
 
-// What keeps the force away at the end is told, however short the run was.
+// The reason for a missing force at the end is reported, however short the run was.
 void printHalt(const ForceStatus& s) {
   if (!s.fault.empty()) std::fprintf(stderr, "no force: the device is in error: %s\n", s.fault.c_str());
   if (!s.clearedFault.empty())
@@ -453,7 +451,8 @@ int runForce(const ForceArguments& a, const Cancelled& cancelled) {
 
 void addForceCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
-      "force", "A button as force on a force-feedback device, or under a simulated finger. mm, N, s, mJ");
+      "force",
+      "Render a button as force on a force-feedback device or under a simulated finger. Units: mm, N, s, mJ");
   const auto arguments = std::make_shared<ForceArguments>();
   addForceOptions(*app, *arguments);
   app->callback([&chosen, arguments] {

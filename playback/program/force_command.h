@@ -5,7 +5,8 @@
 
 namespace detent::playback {
 
-/// `detent-play force`: a button as force on a device, with log and statistics (docs/guide/force-feedback.md).
+/// `detent-play force`: a button as force on a device, with log and statistics
+/// (docs/guide/force-feedback.md).
 void addForceCommand(CLI::App& program, Action& chosen);
 
 }  // namespace detent::playback

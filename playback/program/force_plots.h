@@ -12,8 +12,8 @@ namespace detent::playback {
 /// Force over displacement with the button's curves, force and position over time.
 std::string runSvg(const Button& button, const std::vector<ForceStep>& steps, double period_s);
 
-/// Shrestha's Figures 4 (damping over displacement), 5 (stiffness) and 6 (force, from the run), with the equations used. What the
-/// button does not have is left out.
+/// Shrestha's Figures 4 (damping over displacement), 5 (stiffness) and 6 (force, from the run), with the
+/// equations used. What the button does not have is left out.
 std::string paperFiguresSvg(const Button& button, const std::vector<ForceStep>& steps);
 
 }  // namespace detent::playback

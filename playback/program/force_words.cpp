@@ -23,7 +23,7 @@ std::string sentenceOf(const ForceRemark& r, const Button& button) {
   switch (r.kind) {
     case ForceRemarkKind::wallSoftened:
       return where +
-             worded("a wall at %.2f mm: %.3g N/mm is steeper than the device renders; %.3g N/mm is felt",
+             worded("a rise at %.2f mm: %.3g N/mm is steeper than the device renders; %.3g N/mm is felt",
                     r.at_mm, r.value, r.limit);
     case ForceRemarkKind::fallSoftened:
       return where +
@@ -91,7 +91,7 @@ std::string sentenceOf(const UnstableStretch& u, const Button& button) {
       button.selfLocking() ? "state " + stateName(button, static_cast<std::uint32_t>(u.state)) + ": " : "";
   return where +
          worded("the %s from %.2f to %.2f mm has %.3g N/mm, the device allows %.3g N/mm: more than %s",
-                u.falling ? "falling jump" : "wall", u.from_mm, u.to_mm, u.worst.slope_N_per_mm,
+                u.falling ? "falling jump" : "rise", u.from_mm, u.to_mm, u.worst.slope_N_per_mm,
                 u.worst.allowed_N_per_mm, bears);
 }
 

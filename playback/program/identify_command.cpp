@@ -30,10 +30,10 @@ struct IdentifyArguments {
 void addIdentifyOptions(CLI::App& app, IdentifyArguments& a) {
   app.add_option("RECORD", a.record, "CSV: time_s,displacement_mm,force_N")->required();
   app.add_option("-o,--output", a.outputFile,
-                 "*.button.json to write: c + k(x) x, and b(x) where it is named");
+                 "*.button.json to write: c + k(x) x, and b(x) if it was identified");
   app.add_option("--plot", a.plotFile,
                  "Haptic profile as SVG: force over position and velocity, velocity over position");
-  app.add_option("--knots", a.settings.knots, "Places of k and b over the travel; 1: constants")
+  app.add_option("--knots", a.settings.knots, "Knots of k and b over the travel; 1: constants")
       ->capture_default_str()
       ->check(numberWithin(1, 32));
   app.add_flag("--json", a.json, "One JSON object on stdout");
@@ -79,7 +79,8 @@ Json valueOf(const std::vector<Estimate>& estimates, double Estimate::*part) {
   return list;
 }
 
-/// By how much a force that is recorded 1 ms later than its place changes b: the spring's change in that time passes for damping.
+/// Change of b by a force that is recorded 1 ms later than its displacement: the spring's change in that time
+/// resembles damping.
 double lagEffect_Ns_per_mm(const Identification& f) {
   constexpr double lag_s = 0.001;
   double stiffest_N_per_mm = 0;
@@ -180,8 +181,8 @@ int runIdentify(const IdentifyArguments& a) {
 }  // namespace
 
 void addIdentifyCommand(CLI::App& program, Action& chosen) {
-  CLI::App* app =
-      program.add_subcommand("identify", "Stiffness, damping and mass from a recorded press. mm, N, s");
+  CLI::App* app = program.add_subcommand(
+      "identify", "Identify stiffness, damping and mass from a recorded press. Units: mm, N, s");
   const auto arguments = std::make_shared<IdentifyArguments>();
   addIdentifyOptions(*app, *arguments);
   app->callback(

@@ -32,9 +32,8 @@ void addIdentifyDeviceOptions(CLI::App& app, IdentifyDeviceArguments& a) {
       ->check(numberWithin(4.0, 80.0));
   app.add_option("--rate", a.rate_Hz, "Steps per second in Hz, 50..20000; 0: the device's own")
       ->capture_default_str();
-  app.add_flag("--fast", a.fast,
-               "A simulated device runs as fast as the machine can; the result is the same");
-  addRealDeviceOptions(app, a.real, "Largest force in N; without it 1 N");
+  app.add_flag("--fast", a.fast, "Run a simulated device without waiting; the result is the same");
+  addRealDeviceOptions(app, a.real, "Largest force in N; default: 1 N");
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
@@ -133,7 +132,8 @@ int runIdentifyDevice(const IdentifyDeviceArguments& a, const Cancelled& cancell
 
 void addIdentifyDeviceCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
-      "identify-device", "Mass, friction, damping, delay and motor lag of a force device. kg, N, N s/mm, s");
+      "identify-device",
+      "Measure mass, friction, damping, delay and motor lag of a force device. Units: kg, N, N s/mm, s");
   const auto arguments = std::make_shared<IdentifyDeviceArguments>();
   addIdentifyDeviceOptions(*app, *arguments);
   app->callback([&chosen, arguments] {

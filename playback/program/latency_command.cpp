@@ -35,7 +35,8 @@ constexpr int histogramBins = 12;
 void addLatencyOptions(CLI::App& app, LatencyArguments& a) {
   addDeviceOptions(app, a.player);
   addSensorOptions(app, a.sensor);
-  app.add_option("--input", a.inputDevice, "Where the vibration comes back; default: the device's own input");
+  app.add_option("--input", a.inputDevice,
+                 "Input that records the vibration; default: the device's own input");
   app.add_option("--trials", a.trials, "Round trips")->capture_default_str()->check(numberWithin(1, 100000));
   addPlacementOption(app, a.placement);
   app.add_option("--sensor-hz", a.sensorRate_Hz, "Rate of the simulated sensor in Hz")

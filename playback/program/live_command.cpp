@@ -14,7 +14,8 @@ namespace {
 
 constexpr const char* thisMachine = "127.0.0.1";
 
-/// An option that is a port, or an address and a port; anything else is wrong usage. `standardHost` as in parseEndpoint.
+/// An option that is a port, or an address and a port; anything else is wrong usage. `standardHost` as in
+/// parseEndpoint.
 void addEndpoint(CLI::App& app, const std::string& name, std::optional<Endpoint>& target,
                  const std::string& standardHost, unsigned lowestPort, const std::string& help) {
   const auto take = [&target, name, standardHost, lowestPort](const std::string& text) {
@@ -32,12 +33,11 @@ void addLiveOptions(CLI::App& app, LiveArguments& a) {
   addDeviceOptions(app, a.player);
   addSensorOptions(app, a.sensor);
   addEndpoint(app, "--udp", a.udp, thisMachine, 0,
-              "Where to listen for FUDI signal messages (docs/reference/osc.md); without an address only "
-              "this machine is "
-              "heard; port 0: a free one");
-  addEndpoint(app, "--osc", a.osc, thisMachine, 0, "Where to listen for OSC messages, likewise");
+              "Listen for FUDI signal messages (docs/reference/osc.md); without an address from this machine "
+              "only; port 0: any free port");
+  addEndpoint(app, "--osc", a.osc, thisMachine, 0, "Listen for OSC messages, likewise");
   addEndpoint(app, "--signals-to", a.signalTarget, "", 1,
-              "A synthesizer (samples/puredata) that gets a message per event");
+              "Send a message per event to a synthesizer (samples/puredata)");
   app.add_option("--press", a.pressFile,
                  "Play this recorded press (time_s,force_N or time_s,displacement_mm)");
   app.add_option("--finger-N", a.fingerPeak_N,
@@ -45,7 +45,7 @@ void addLiveOptions(CLI::App& app, LiveArguments& a) {
       ->capture_default_str()
       ->check(numberWithin(0, 1000));
   app.add_option("--gain", a.gain, "Output gain")->capture_default_str()->check(numberWithin(0, 10));
-  app.add_option("--seconds", a.seconds, "End after so many seconds; 0: on q or Ctrl-C")
+  app.add_option("--seconds", a.seconds, "End after this many seconds; 0: on q or Ctrl-C")
       ->capture_default_str()
       ->check(numberWithin(0, 1e9));
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");

@@ -5,7 +5,8 @@
 
 namespace detent::playback {
 
-/// One line of the terminal behind standard error that is written over and over; nothing where there is no terminal.
+/// One line of the terminal behind standard error that is written over and over; nothing where there is no
+/// terminal.
 class LiveLine {
  public:
   void show(const std::string& text);

@@ -285,7 +285,7 @@ class LiveView {
   std::unique_ptr<LivePlayer> player_;
   LiveWarnings warnings_{profile_.sensor.weights > 0};
   std::string greeting_;
-  std::set<std::string> warned_;  // codes of all that was told
+  std::set<std::string> warned_;  // codes of all reported warnings
   const char* last_ = "";
   bool ended_ = false, tracing_ = false, lost_ = false;
   double traceEnd_s_ = 0;

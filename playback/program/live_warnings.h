@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person at the live view should know before anything else: codes with values, and one clear sentence for each.
+// Warnings that a person at the live view should see first: codes with values, and one clear sentence for
+// each.
 
 #include <array>
 #include <cstdint>
@@ -35,26 +36,26 @@ inline constexpr std::size_t liveWarningCodes = 12;
 /// Something that has just begun, or has been counted again.
 struct LiveWarning {
   LiveWarningCode code;
-  std::uint64_t count = 0;  ///< how many since it was told last; 0: it is there or it is not
+  std::uint64_t count = 0;  ///< number since the last report; 0: present or not
 };
 
 /// "sensor-unplugged": as scripts see it.
 const char* nameOf(LiveWarningCode code);
-/// In capitals, for a status line.
+/// Title in capitals, for a status line.
 const char* titleOf(LiveWarningCode code);
 Message messageOf(const LiveWarning& warning);
 
-/// What the command line asks for that this button or device cannot give.
+/// Requests of the command line that this button or device cannot fulfil.
 std::vector<Message> doubtsAbout(const LiveArguments& arguments, const Button& button,
                                  const DeviceProfile& profile, const PreparedProgram& program);
 
-/// Watches a player's status from one look to the next. One owner.
+/// Compares a player's status with the previous one. One owner.
 class LiveWarnings {
  public:
   /// `calibrated`: the profile says what the sensor's counts are in newtons.
   explicit LiveWarnings(bool calibrated) : calibrated_(calibrated) {}
 
-  /// Looks at the status; gives what is new, most urgent first.
+  /// Reads the status; returns new warnings, most urgent first.
   std::vector<LiveWarning> look(const PlayerStatus& status, double now_s);
   /// The most urgent thing that is wrong right now.
   std::optional<LiveWarningCode> mostUrgent() const { return mostUrgent_; }

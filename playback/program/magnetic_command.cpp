@@ -59,7 +59,7 @@ Result<MagneticSensor> sensorOf(const MagneticArguments& a, const Button& button
   return MagneticSensor::assumed(button.states().front().graph.travel_mm(), a.noise);
 }
 
-/// The settings asked for first, then without rapid trigger and with it in steps.
+/// The requested settings first, then without rapid trigger and with it in steps.
 std::vector<MagneticKeySettings> variantsOf(const MagneticKeySettings& chosen) {
   std::vector<MagneticKeySettings> variants = {chosen};
   for (const std::optional<double> rapid_mm : {std::optional<double>{}, {0.1}, {0.2}, {0.3}, {0.5}, {1.0}}) {
@@ -148,21 +148,20 @@ void addMagneticOptions(CLI::App& app, MagneticArguments& a) {
   app.add_option(
       "-o,--output", a.outputFile,
       "OUT.csv: readings along the travel; OUT.h: C table from reading to travel, with the settings");
-  app.add_option(
-      "--readings", a.readingsFile,
-      "CSV of your sensor, displacement_mm,reading (default: a magnet of the usual size, assumed)");
+  app.add_option("--readings", a.readingsFile,
+                 "CSV of your sensor, displacement_mm,reading (default: an assumed magnet of usual size)");
   app.add_option("--noise", a.noise, "Standard deviation of a reading at rest, counts")
       ->check(numberWithin(0, 1e6))
       ->capture_default_str();
   app.add_option("--operate-at", a.operateAt_mm,
-                 "Where the key acts, mm (default: the button's operating point)")
+                 "Actuation point, mm (default: the button's operating point)")
       ->check(numberWithin(0, 1e5));
   app.add_option("--reset-at", a.resetAt_mm,
-                 "Where it lets go, mm (default: as far above as the button's reset point)")
+                 "Release point, mm (default: at the distance of the button's reset point)")
       ->check(numberWithin(0, 1e5));
   app.add_option(
          "--rapid-trigger", a.rapid_mm,
-         "Lets go so far above the deepest place and acts so far below the highest, mm (default: off)")
+         "Release this far above the deepest point and actuate this far below the highest, mm (default: off)")
       ->check(numberWithin(0.001, 100));
   app.add_option("--scan-ms", a.scan_ms, "Time between two readings, ms")
       ->check(numberWithin(0.05, 100))
@@ -174,7 +173,7 @@ void addMagneticOptions(CLI::App& app, MagneticArguments& a) {
 
 void addMagneticCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
-      "magnetic", "Tables and settings for a magnetic keyboard's firmware, tried on simulated presses");
+      "magnetic", "Write settings for a magnetic keyboard's firmware and try them on simulated presses");
   const auto a = std::make_shared<MagneticArguments>();
   addMagneticOptions(*app, *a);
   app->callback(

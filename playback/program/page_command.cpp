@@ -41,7 +41,8 @@ int runPage(const PageArguments& a, const Cancelled& cancelled) {
 }  // namespace
 
 void addPageCommand(CLI::App& program, Action& chosen) {
-  CLI::App* app = program.add_subcommand("page", "Buttons as one web page that anyone can open and press");
+  CLI::App* app =
+      program.add_subcommand("page", "Write buttons as one web page that anyone can open and press");
   const auto arguments = std::make_shared<PageArguments>();
   app->add_option("BUTTON", arguments->buttons, "One to nine *.button.json")->required();
   app->add_option("-o,--output", arguments->outputFile, "The page, *.html")->required();

@@ -146,14 +146,13 @@ int runPerformance(const PerformanceArguments& a, const Cancelled& cancelled) {
 std::string buttonJson(const PressForecast& forecast) { return jsonText(forecastJson(forecast)); }
 
 void addPerformanceCommand(CLI::App& program, Action& chosen) {
-  CLI::App* app = program.add_subcommand(
-      "performance",
-      "Research: how fast, how surely, how hard will people press? 4 of 11 published effects are met "
-      "(docs/reference/press-forecast.md)");
+  CLI::App* app = program.add_subcommand("performance",
+                                         "Research: forecast how people press; 4 of 11 published effects are "
+                                         "met (docs/reference/press-forecast.md)");
   const auto a = std::make_shared<PerformanceArguments>();
   app->add_option("BUTTON", a->buttons, "*.button.json; several are compared")->required()->expected(1, 100);
   app->add_option("--operate-at", a->operateAt_mm,
-                  "What if the contact closed here, mm; the reset point keeps its distance")
+                  "Assume that the contact closes here, mm; the reset point keeps its distance")
       ->check(numberWithin(0, 1e5));
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->footer(std::string("Only differences between buttons mean something: absolute numbers depend on the "

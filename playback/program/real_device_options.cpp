@@ -20,18 +20,20 @@ void addForceDeviceOptions(CLI::App& app, RealDeviceOptions& o, const char* larg
       ->group(realDeviceGroup);
   app.add_option("--max-N", o.largest_N, largestForce)->group(realDeviceGroup);
   app.add_option("--firmware", o.firmwareFile,
-                 "Of a Falcon that was just switched on: the file its maker ships; Detent may not")
+                 "Firmware file of a Falcon that was just switched on, from its driver")
       ->group(realDeviceGroup);
-  app.add_option("--axis", o.axis, "Of an ODrive, 0 or 1")->capture_default_str()->group(realDeviceGroup);
+  app.add_option("--axis", o.axis, "Axis of an ODrive, 0 or 1")
+      ->capture_default_str()
+      ->group(realDeviceGroup);
   app.add_option("--mm-per-turn", o.mmPerTurn,
-                 "Of an ODrive's capstan; negative where the motor is mounted the other way")
+                 "Handle travel per turn of an ODrive; negative if pressing turns backwards")
       ->capture_default_str()
       ->group(realDeviceGroup);
 }
 
 void addRealDeviceOptions(CLI::App& app, RealDeviceOptions& o, const char* largestForce) {
   addForceDeviceOptions(app, o, largestForce);
-  app.add_option("--baud", o.baud, "Of a serial port; 0: 230400, an ODrive's 115200")
+  app.add_option("--baud", o.baud, "Baud rate of a serial port; 0: 230400, an ODrive's 115200")
       ->capture_default_str()
       ->group(realDeviceGroup);
 }

@@ -50,13 +50,13 @@ int runReference(const ReferenceArguments& a, const Cancelled& cancelled) {
 }  // namespace
 
 void addReferenceCommand(CLI::App& program, Action& chosen) {
-  CLI::App* app =
-      program.add_subcommand("reference", "A signal of another program (AHAP, .haptic, HJIF, WAV) as sound");
+  CLI::App* app = program.add_subcommand(
+      "reference", "Describe a signal of another program (AHAP, .haptic, HJIF, WAV), or convert it to sound");
   const auto arguments = std::make_shared<ReferenceArguments>();
-  app->add_option("FILE", arguments->file, "AHAP, .haptic, HJIF, or a sound file, by its content")
+  app->add_option("FILE", arguments->file, "AHAP, .haptic, HJIF, or a sound file, recognised by content")
       ->required();
   app->add_option("-o,--output", arguments->outputFile,
-                  "WAV or FLAC of what it plays, 48000 samples a second");
+                  "WAV or FLAC file to write, 48000 samples per second");
   app->add_flag("--json", arguments->json, "One JSON object on stdout");
   app->callback([&chosen, arguments] {
     chosen = [arguments](const Cancelled& cancelled) { return runReference(*arguments, cancelled); };

@@ -46,7 +46,7 @@ void addRenderOptions(CLI::App& app, RenderArguments& a) {
   app.add_option("-o,--output", a.outputFile, "*.wav or *.flac")->required();
   addChoice(app, "--bits", a.format, formats, "Samples: 16 or 24 bit, or 32 bit float (WAV only)",
             "float; 24 in a FLAC");
-  app.add_option("--events", a.eventsFile, "Also write what was felt, as CSV");
+  app.add_option("--events", a.eventsFile, "Also write the events as CSV");
   app.add_option("--rate", a.sampleRate_Hz, "Samples per second, 8000..192000")->capture_default_str();
   addFeelOptions(app, a.feel);
   app.add_flag("--json", a.json, "One JSON object on stdout");
@@ -174,7 +174,7 @@ int runRender(const RenderArguments& a, const Cancelled& cancelled) {
 
 void addRenderCommand(CLI::App& program, Action& chosen) {
   CLI::App* app =
-      program.add_subcommand("render", "A press to a sound file, sample for sample what live play gives");
+      program.add_subcommand("render", "Render a press to a sound file, sample for sample as live playback");
   const auto arguments = std::make_shared<RenderArguments>();
   addRenderOptions(*app, *arguments);
   app->callback([&chosen, arguments] {

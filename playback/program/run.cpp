@@ -28,7 +28,7 @@ namespace detent::playback {
 
 int run(int argc, char** argv, const Cancelled& cancelled) {
   CLI::App program{
-      "Feel a button: a force sensor in, vibration out. Displacement in mm, force in N, time in s."};
+      "Plays a button: force sensor in, vibration out. Displacement in mm, force in N, time in s."};
   program.name("detent-play");
   program.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   program.set_version_flag("--version", std::string("detent-play ") + version(),

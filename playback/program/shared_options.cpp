@@ -20,7 +20,7 @@ constexpr auto carriers =
     named<GrainCarrier>({{"running", GrainCarrier::running}, {"retriggered", GrainCarrier::retriggered}});
 constexpr auto equalizers = named<EqualizerUse>(
     {{"off", EqualizerUse::off}, {"spare-jumps", EqualizerUse::sparingJumps}, {"full", EqualizerUse::full}});
-/// What a serial port can be set to; another number would silently leave it as it was.
+/// Rates of a serial port; another number would silently leave it unchanged.
 const std::vector<unsigned> baudRates{1200,    2400,    4800,    9600,    19200,   38400,   57600,
                                       115200,  230400,  460800,  500000,  576000,  921600,  1000000,
                                       1152000, 1500000, 2000000, 2500000, 3000000, 3500000, 4000000};
@@ -31,15 +31,16 @@ constexpr auto jumpSources = named<JumpFrequencySource>(
 
 CLI::Option* addPlacementOption(CLI::App& app, EventPlacement& placement) {
   return addChoice(app, "--placement", placement, eventPlacements,
-                   "Events at once, or at their own time plus a constant delay", "time-stamped");
+                   "fast: events at once; time-stamped: at their own time plus a constant delay",
+                   "time-stamped");
 }
 
 void addFeelOptions(CLI::App& app, FeelOptions& options) {
   PlaybackSettings& s = options.settings;
   const std::string group = "How it feels (defaults: Kim & Lee 2013)";
-  addChoice(app, "--mode", s.mode, feedbackModes, "What is felt", "full")->group(group);
+  addChoice(app, "--mode", s.mode, feedbackModes, "Parts of the feedback", "full")->group(group);
   addChoice(app, "--feel", s.feel, feels,
-            "The jumps come through and a dense or steep slope is stronger (clear), or all as in the paper",
+            "clear: jumps stand out, dense and steep slopes are stronger; paper: as in the paper",
             feels.word(s.feel))
       ->group(group);
   addPlacementOption(app, s.placement)->group(group);
@@ -56,14 +57,16 @@ void addFeelOptions(CLI::App& app, FeelOptions& options) {
       ->capture_default_str()
       ->group(group);
   addChoice(app, "--grain-carrier", s.grainCarrier, carriers,
-            "Under a new grain the sine runs on, or begins anew (for comparison)", "running")
+            "A new grain continues the sine (running) or restarts it (retriggered, for comparison)",
+            "running")
       ->group(group);
   app.add_option("--high-pass-hz", s.highPass_Hz, "High-pass of the grains in Hz, 0..100; 0: none")
       ->capture_default_str()
       ->group(group);
-  addChoice(app, "--low-pass", s.lowPassPlacement, lowPasses, "What the 150 Hz low-pass acts on", "slope")
+  addChoice(app, "--low-pass", s.lowPassPlacement, lowPasses, "Signals that pass the 150 Hz low-pass",
+            "slope")
       ->group(group);
-  app.add_option("--low-pass-order", s.lowPassOrder, "Its order, 1 or 2")
+  app.add_option("--low-pass-order", s.lowPassOrder, "Order of the low-pass, 1 or 2")
       ->capture_default_str()
       ->group(group);
   app.add_option("--jump-s-per-mm", s.jumpDurationPerTravel_s_per_mm, "Length of a jump's burst in s per mm")
@@ -82,18 +85,19 @@ void addFeelOptions(CLI::App& app, FeelOptions& options) {
             "Jump frequencies as given, or the profile's nearest resonance", "paper")
       ->group(group);
   addChoice(app, "--equalizer", s.equalizer, equalizers,
-            "What the profile's equalizer flattens; a jump stands at a resonance because it is strong there",
+            "Bands of the profile's equalizer; spare-jumps leaves out those at the frequencies of jumps, "
+            "which use the resonance",
             "spare-jumps")
       ->group(group);
   app.add_option("--bottom-amplitude", s.bottomOutAmplitude, "Share of full scale, 0..1")
       ->capture_default_str()
       ->group(group);
   app.add_option("--hysteresis-N", s.hysteresis_N,
-                 "Force must turn back this far before the stroke turns, in N; 0: from the sensor's noise")
+                 "Force reversal that turns the stroke, in N; 0: from the sensor's noise")
       ->capture_default_str()
       ->group(group);
   app.add_option("--rearm-N", s.rearm_N,
-                 "Force back before a jump is felt again, in N; 0: 2.5 times the hysteresis")
+                 "Force reversal before a jump plays again, in N; 0: 2.5 times the hysteresis")
       ->capture_default_str()
       ->group(group);
   app.add_option("--sensor-period-s", s.sensorPeriod_s,
@@ -123,7 +127,7 @@ void addSensorOptions(CLI::App& app, SensorOptions& options) {
                  "Serial force sensor, for example /dev/ttyACM0 (docs/reference/serial-protocol.md)");
   CLI::Validator isRate = CLI::IsMember(baudRates);
   isRate.description("");
-  app.add_option("--baud", options.baud, "Its baud rate, 1200 to 4000000")
+  app.add_option("--baud", options.baud, "Baud rate of the sensor, 1200 to 4000000")
       ->capture_default_str()
       ->check(isRate);
 }

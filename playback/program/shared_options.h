@@ -36,7 +36,7 @@ Result<DeviceProfile> profileOf(const std::string& file);
 /// The profile a measurement is written into: an existing one is added to, a broken one is not overwritten.
 Result<DeviceProfile> profileToExtend(const std::string& file);
 
-/// To stderr, of a button with graphs at several speeds: that of which a press plays.
+/// Prints to stderr which of several graphs a press plays, by its speed.
 void tellSpeed(const Button& button, std::optional<double> speed_mm_per_s);
 
 }  // namespace detent::playback

@@ -50,10 +50,9 @@ void addSweepOptions(CLI::App& app, SweepArguments& a) {
   app.add_option("--level", a.sweep.level, "Share of full scale")
       ->capture_default_str()
       ->check(numberWithin(0.001, 1));
-  app.add_option(
-         "--input-full-scale", a.inputFullScale_m_per_s2,
-         "Acceleration in m/s2 that the input's full scale stands for: the profile then tells levels in dB "
-         "above a fingertip's threshold")
+  app.add_option("--input-full-scale", a.inputFullScale_m_per_s2,
+                 "Acceleration at the input's full scale, m/s2; the profile then has levels in dB above a "
+                 "fingertip's threshold")
       ->check(numberWithin(0.001, 1e6));
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
@@ -82,7 +81,7 @@ double ownRateOf(const std::string& device) {
   return usual_Hz;
 }
 
-/// What was lost of a run, for the person; empty: nothing.
+/// Losses of a run, for the user; empty if none.
 std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& response) {
   if (recorded.dropouts > 0)
     return "the sound system lost " + std::to_string(recorded.dropouts) +
@@ -95,7 +94,8 @@ std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& resp
                      : std::string());
 }
 
-/// One sweep proves nothing on a busy machine: a dropout looks like a resonance. Two without any, that agree, do.
+/// One sweep proves nothing on a busy machine: a dropout resembles a resonance. Two sweeps without dropouts
+/// that agree are accepted.
 Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const PlayerSettings& player,
                                                const SweepSettings& settings, const Cancelled& cancelled) {
   const std::vector<float> played = sweepSignal(settings);

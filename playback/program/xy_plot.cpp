@@ -35,7 +35,7 @@ struct Range {
   }
   Ticks ticks() const {
     if (!(low <= high)) return niceTicks(0, 1, aboutTicks);
-    // What differs by rounding alone is one value.
+    // Values that differ by rounding alone are one value.
     const double rounding = 1e-9 * std::max(std::abs(low), std::abs(high));
     return high - low > rounding ? niceTicks(low, high, aboutTicks)
                                  : niceTicks(std::min(0.0, 2 * low), std::max(1e-9, 2 * high), aboutTicks);

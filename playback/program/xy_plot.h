@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines over two axes as an SVG: what a run or a recording looks like.
+// Lines over two axes as an SVG: plots of runs and recordings.
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct PlotLine {
   bool dashed = false;
 };
 
-/// How the horizontal axis runs: in equal steps, or in decades (values > 0).
+/// Scale of the horizontal axis: equal steps, or decades (values > 0).
 enum class XScale { even, decades };
 
 /// A place on the horizontal axis that has a name.
@@ -36,7 +36,8 @@ struct XyPlot {
   std::vector<PlotMark> marks = {};
 };
 
-/// A whole SVG document with the plots one below the other. Lines are thinned to what a screen shows. Deterministic.
+/// A whole SVG document with the plots one below the other. Lines are thinned to what a screen shows.
+/// Deterministic.
 std::string svgOf(const std::vector<XyPlot>& plots);
 
 }  // namespace detent::playback

@@ -24,7 +24,8 @@ BiquadCoefficients highPass(double sampleRate_Hz, double cutoff_Hz);
 /// rate gives the identity: the device's resonance lies outside what this rate can play.
 BiquadCoefficients peaking(double sampleRate_Hz, double frequency_Hz, double q, double gain_dB);
 
-/// Band-pass of gain 1 at its centre, from the same cookbook. A centre at or above 0.45 of the sample rate gives the identity.
+/// Band-pass of gain 1 at its centre, from the same cookbook. A centre at or above 0.45 of the sample rate
+/// gives the identity.
 BiquadCoefficients bandPass(double sampleRate_Hz, double centre_Hz, double q);
 
 /// |H| at a frequency; for plots and tests, not for the callback.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Proves, by pushes of some millinewtons, that a positive force moves the handle out: that motor and encoder are not reversed
-// and that the encoder counts. No allocation, lock or clock.
+// Proves, by pushes of some millinewtons, that a positive force moves the handle out: that motor and encoder
+// are not reversed and that the encoder counts. No allocation, lock or clock.
 
 #include <cstdint>
 
@@ -9,7 +9,8 @@
 
 namespace detent::playback {
 
-/// Pushes in, out and in again. Each push must turn the handle round, which a hand that moves by itself does not do in step.
+/// Pushes in, out and in again. Each push must turn the handle round, which a hand that moves by itself does
+/// not do in step.
 class DirectionProof {
  public:
   enum class Verdict : std::uint8_t {

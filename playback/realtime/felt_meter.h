@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How strongly what is played is felt at a fingertip, in dB above its threshold: the samples behind what the device makes of them and behind
-// the weight of the Pacinian channel (docs/reference/predicted-confusion.md).
+// Felt strength of the output at a fingertip, in dB above its threshold: the samples after the device's
+// response and the weight of the Pacinian channel (docs/reference/predicted-confusion.md).
 
 #include <array>
 #include <cstddef>
@@ -18,7 +18,7 @@ inline constexpr std::size_t pacinianSections = 2;
 /// One owner, any thread; no allocation.
 class FeltMeter {
  public:
-  /// What is felt is of this program's device from now on; nothing else of the program is kept.
+  /// From now on measures for this program's device; keeps nothing else of the program.
   void use(const HapticProgram& program, double sampleRate_Hz);
   void add(const float* samples, std::size_t count);
   /// The strongest 10 ms since the last call, dB above threshold; -infinity: nothing.

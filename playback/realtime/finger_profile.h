@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a key, a mouse button or a pad without a force sensor presses: the force of a human-like finger over time.
+// Press by a key, a mouse button or a pad without a force sensor: the force of a human-like finger over time.
 
 namespace detent::playback {
 
-/// 0 to 1 over `share` 0 to 1 with no jerk at the ends: the profile of reaching movements (Flash & Hogan, J. Neurosci.
-/// 1985). Outside it stays at the nearer end.
+/// 0 to 1 over `share` 0 to 1 with no jerk at the ends: the profile of reaching movements (Flash & Hogan, J.
+/// Neurosci. 1985). Outside it stays at the nearer end.
 double minimumJerk(double share);
 
-/// How a key press becomes force. Press and release follow the minimum-jerk profile of reaching movements
+/// Turns a key press into force. Press and release follow the minimum-jerk profile of reaching movements
 /// (Flash & Hogan, J. Neurosci. 1985); while held, the force carries the 8-12 Hz physiological tremor,
 /// without chance: a given sequence of key times gives one sequence of readings.
 struct FingerProfile {

@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// What a reading may look like. Forces in N for a force sensor, mm for a displacement trace.
+/// Limits of valid readings. Forces in N for a force sensor, mm for a displacement trace.
 struct ConditionerSettings {
   double lowest = -2;   ///< below: out of range (an offset drift of an unloaded sensor still passes)
   double highest = 30;  ///< above: out of range; the mockup's sensor ends at 12 N
@@ -25,10 +25,11 @@ struct ConditionerSettings {
   double mostNoise = 0;   ///< a larger SD, or swing, is movement; 0: readings are passed on as they are
 };
 
-/// Limits for forces on this program's button: the defaults, widened for heavy buttons, and its sensor's noise.
+/// Limits for forces on this program's button: the defaults, widened for heavy buttons, and its sensor's
+/// noise.
 ConditionerSettings limitsFor(const HapticProgram& program);
 
-/// What was rejected so far.
+/// Rejected readings so far.
 struct ConditionerCounts {
   std::uint64_t accepted = 0;
   std::uint64_t notFinite = 0;
@@ -47,8 +48,9 @@ enum class ConditionerVerdict : std::uint8_t {
   resume   ///< pass it on as a new start: the readings before it are too old to connect to
 };
 
-/// Judges readings one by one, and takes the noise and the swing of a resting hand out of what it lets through (force_steadier.h,
-/// rest_band.h). Pure function of its inputs; one owner, any thread; no allocation.
+/// Judges readings one by one, and takes the noise and the swing of a resting hand out of what it lets
+/// through (force_steadier.h, rest_band.h). Pure function of its inputs; one owner, any thread; no
+/// allocation.
 class ForceConditioner {
  public:
   explicit ForceConditioner(const ConditionerSettings& settings = {}) { setSettings(settings); }
@@ -56,18 +58,18 @@ class ForceConditioner {
   /// Keeps counts and history.
   void setSettings(const ConditionerSettings& settings);
 
-  /// Looks at a reading of a recording that is about to be judged from its start, for its noise only.
+  /// Evaluates a reading of a recording that is about to be judged from its start, for its noise only.
   void learn(double value);
 
   /// `time_s` on any steady clock, the same for all readings.
   ConditionerVerdict judge(double time_s, double value);
-  /// What the last accepted reading comes to.
+  /// Steady value after the last accepted reading.
   double value() const { return steadyValue_; }
   /// SD of the readings, as far as it is known; 0: none worth mentioning.
   double noise() const { return steadier_.noise(); }
 
   const ConditionerCounts& counts() const { return counts_; }
-  /// No accepted reading within the limit before `now_s` (or none at all).
+  /// Returns true if no reading was accepted within the limit before `now_s` (or none at all).
   bool silent(double now_s) const;
   bool stuck() const { return stuck_; }
 

@@ -55,14 +55,14 @@ double ForceEngine::exchanging_N(double force_N) {
   return sent_N;
 }
 
-// An encoder that flickers between two steps says no more than that the position lies at their common edge: exactly what
-// this gives. Three steps wide would hide movement.
+// An encoder that flickers between two steps says no more than that the position lies at their common edge:
+// exactly what this gives. Three steps wide would hide movement.
 double ForceEngine::steadied_mm(double position_mm) const {
   const double half_mm = 0.5 * program_->step_mm * (1 + 1e-9);
   return std::max(position_mm - half_mm, std::min(position_mm + half_mm, steady_mm_));
 }
 
-// What a device's delay lets act between the last reading and this one.
+// Force that acts between the last reading and this one, given the device's delay.
 double ForceEngine::actingForce_N() const {
   const double periods =
       std::min(program_->law.holdLead_s / program_->period_s - 0.5, static_cast<double>(sent_N_.size() - 2));
@@ -74,8 +74,9 @@ double ForceEngine::actingForce_N() const {
          (std::max(0.0, periods) - static_cast<double>(whole)) * (before(whole + 1) - before(whole));
 }
 
-// E(n) = E(n-1) + F (x(n) - x(n-1)) with the force that acted on the way here (Hannaford and Ryu's passivity observer). The
-// steadied position tells the way: at each of its changes the handle stood on the edge between two encoder steps.
+// E(n) = E(n-1) + F (x(n) - x(n-1)) with the force that acted on the way here (Hannaford and Ryu's passivity
+// observer). The steadied position gives the distance: at each of its changes the handle stood on the edge
+// between two encoder steps.
 void ForceEngine::observe(double position_mm) {
   last_.energy_mJ += actingForce_N() * (position_mm - steady_mm_);
   steady_mm_ = position_mm;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One step of the force loop: a reading in, a force out. Same rules as the audio callback: no allocation, lock, clock, file or
-// exception. Reading order: velocity_estimator.h, play_operator.h, force_law.h, force_guard.h, this file.
+// One step of the force loop: a reading in, a force out. Same rules as the audio callback: no allocation,
+// lock, clock, file or exception. Reading order: velocity_estimator.h, play_operator.h, force_law.h,
+// force_guard.h, this file.
 
 #include <array>
 #include <cstdint>
@@ -16,9 +17,9 @@
 
 namespace detent::playback {
 
-/// What a device measured in one period.
+/// A device's measurement in one period.
 struct ForceReading {
-  /// Whether 0 is still where it was.
+  /// State of the position's zero.
   enum class Zero : std::uint8_t {
     kept,
     lost,  ///< the device was away or reset
@@ -32,7 +33,7 @@ struct ForceReading {
   bool stopped = false;  ///< somebody pressed the device's own emergency switch
 };
 
-/// What it is asked for.
+/// Command to the device.
 struct ForceCommand {
   double force_N = 0;                  ///< against pressing
   std::array<double, 2> sideways_N{};  ///< along growing `sideways_mm`
@@ -62,19 +63,20 @@ class ForceEngine {
   /// The program must outlive the engine.
   explicit ForceEngine(const ForceProgram& program);
 
-  /// Exchanges the button: the old force becomes the new one's over `startRamp_s`. The old program may go afterwards.
+  /// Exchanges the button: the old force becomes the new one's over `startRamp_s`. The old program may go
+  /// afterwards.
   void setProgram(const ForceProgram& program);
 
   /// One period. Bad readings and too much force never leave here (force_guard.h).
   ForceCommand step(const ForceReading& reading);
-  /// What the last step did.
+  /// Result of the last step.
   const ForceStep& last() const { return last_; }
 
   /// Lets the force fall to nothing within `stopRamp_s` of steps; `silent` once it has.
   void stop() { guard_.stop(); }
   bool silent() const { return guard_.silent(); }
 
-  /// As in force_guard.h.
+  /// Removes the force, as in force_guard.h.
   void emergencyStop() { guard_.emergencyStop(); }
   void rearm();
   void setHeld(bool held) { guard_.setHeld(held); }

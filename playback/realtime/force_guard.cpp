@@ -12,9 +12,9 @@ namespace {
 // After too fast a movement the device must have slowed to this share of the limit before force comes back.
 constexpr double calmShare = 0.5;
 
-// Frozen: so far within so short a time, then not one step for so long, under a force that could surprise. The turn of a finger on
-// the steepest wall keeps within 38 um for 5 ms and has gone 0.3 mm in the 4 ms before; with 0.4 mm, 8 of 10,000 presses at 1 m/s
-// passed for broken.
+// Frozen: such a distance within such a time, then not one step for this long, under a force that could
+// surprise. The turn of a finger on the steepest bottom-out keeps within 38 um for 5 ms and has gone 0.3 mm
+// in the 4 ms before; with 0.4 mm, 8 of 10,000 presses at 1 m/s passed for broken.
 constexpr double swiftWay_mm = 1, swiftSteps = 5, swift_s = 0.004, deadStill_s = 0.010, dangerous_N = 1;
 
 // No stroke is longer than this unseen: a device that comes back farther away is somewhere else.
@@ -29,12 +29,14 @@ constexpr double dropOutWindow_s = 1, longAgo_s = -1e9;
 constexpr double thrown_s = 0.5;  // after a drop-out a handle may still fly under the finger that pressed it
 constexpr double longestStall = 4;  // periods, where that is more
 
-// Dead count: after so long without a step the force is lowered slowly. A handle that only sticks moves at once, because its friction
-// carries less than the force; the force then comes back before much is felt. One that does not move at all has no encoder.
+// Dead count: after so long without a step the force is lowered slowly. A handle that only sticks moves at
+// once, because its friction carries less than the force; the force then comes back before much is felt. One
+// that does not move at all has no encoder.
 constexpr double uncountedFor_s = 0.2, probe_s = 0.11, probed_s = 0.02;
 
-// Runaway: a motor that works as it should takes energy out of a handle that moves against it. So much work, of which so much came back
-// as speed instead, or so far beyond the travel at the whole force without slowing down, or for so long.
+// Runaway: a motor that works as it should takes energy out of a handle that moves against it. So much work,
+// of which so much came back as speed instead, or so far beyond the travel at the whole force without slowing
+// down, or for so long.
 constexpr double wholeShare = 0.95, runawayWork_mJ = 0.7, leastResisting_N = 0.2;
 constexpr double leastGain_mJ =
     1;  // where the limit lies below the button's force, a finger may press through it
@@ -60,7 +62,7 @@ void ForceGuard::setLimits(const ForceLimits& limits, double period_s, double st
   step_mm_ = step_mm;
 }
 
-// A hand that stops, or a wall, slows the handle down first; only a broken encoder goes on at one value.
+// A hand that stops, or an end stop, slows the handle down first; only a broken encoder stays at one value.
 bool ForceGuard::frozenAt(double position_mm) const {
   return position_mm == last_mm_ && way_mm_ >= std::max(swiftWay_mm, swiftSteps * step_mm_) &&
          (unchanged_ + 1) * period_s_ >= deadStill_s && std::abs(output_N_) >= (bad_ == 0 ? dangerous_N : 0);
@@ -70,8 +72,9 @@ std::uint32_t ForceGuard::held() const {
   return std::min(limits_.heldReadings, static_cast<std::uint32_t>(limits_.longestHold_s / period_s_ + 1e-6));
 }
 
-// A movement goes on with its pace, may gain speed as fast as the limit says, may stop at once, and turns no faster than it gains. Bad readings
-// that say nothing give it time to gain more; those that jump give it none, and what goes on from a jump belongs to the jump.
+// A movement goes on with its pace, may gain speed as fast as the limit says, may stop at once, and turns no
+// faster than it gains. Bad readings that say nothing give it time to gain more; those that jump give it
+// none, and what goes on from a jump belongs to the jump.
 bool ForceGuard::reachable(double position_mm) const {
   const double way_mm = position_mm - last_mm_;
   if (settling()) return std::abs(way_mm) <= limits_.speed_mm_per_s * period_s_ * std::max(1.0, since_);
@@ -256,7 +259,8 @@ void ForceGuard::moveGain() {
   if (gain_ < 1e-9) gain_ = 0;
 }
 
-/// The force as far as the count is believed. A live encoder under a hand that holds still changes as soon as the force does.
+/// The force as far as the count is believed. A live encoder under a hand that holds still changes as soon as
+/// the force does.
 double ForceGuard::watchedCount(double force_N) {
   const bool watched = std::abs(force_N) > limits_.deadCountAbove_N && last_mm_ > limits_.deadCountFrom_mm;
   if (moved_mm_ != 0 || (!watched && believed_ == 1)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What stands between a force law and a person: judges every reading and limits every force. On by default, counted.
+// Protects a person from a force law: judges every reading and limits every force. On by default, counted.
 
 #include <array>
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// What a device gave in one period.
+/// Verdict on a device's reading of one period.
 enum class ReadingVerdict : std::uint8_t {
   good,
   missing,  ///< late: no answer, or the same answer again
@@ -48,9 +48,10 @@ struct ForceGuardCounts {
 /// More drop-outs than this within a second are a halt.
 inline constexpr std::size_t mostDropOuts = 3;
 
-/// Bad readings are bridged for `heldReadings` steps with the last force, then it falls to nothing within `stopRamp_s`; after
-/// as many good ones it rises again over `startRamp_s`, as at the start. A place that jumped is never believed again by itself:
-/// `rearm` (a person) or `home` (the device found its zero) has to come first. One thread; no allocation, lock, clock or exception.
+/// Bad readings are bridged for `heldReadings` steps with the last force, then it falls to nothing within
+/// `stopRamp_s`; after as many good ones it rises again over `startRamp_s`, as at the start. A place that
+/// jumped is never believed again by itself: `rearm` (a person) or `home` (the device found its zero) has to
+/// come first. One thread; no allocation, lock, clock or exception.
 class ForceGuard {
  public:
   ForceGuard(const ForceLimits& limits, double period_s, double step_mm);
@@ -58,11 +59,13 @@ class ForceGuard {
   /// Other limits from now on; what was let through and counted stays.
   void setLimits(const ForceLimits& limits, double period_s, double step_mm);
 
-  /// `fresh`: the device answered in this period. `periods` >= 0: since the call before, 1 where the loop is on time.
+  /// `fresh`: the device answered in this period. `periods` >= 0: since the call before, 1 where the loop is
+  /// on time.
   ReadingVerdict judge(double position_mm, bool fresh, double periods = 1);
 
-  /// The force to send: clamped, then faded, no faster than the slew limit; never more than `gain()` times the force limit.
-  /// Anything not finite becomes 0. Without a velocity an over-speed goes on as it was, and no force begins to rise.
+  /// The force to send: clamped, then faded, no faster than the slew limit; never more than `gain()` times
+  /// the force limit. Anything not finite becomes 0. Without a velocity an over-speed goes on as it was, and
+  /// no force begins to rise.
   double limit(double force_N, std::optional<double> velocity_mm_per_s);
   /// 0..1: how much of the force is let through.
   double gain() const { return gain_; }
@@ -81,7 +84,8 @@ class ForceGuard {
   void riseAnew();
   /// The device has found its zero anew: ends that, not an emergency stop.
   void home();
-  /// A person's word: the stop is over and the place is what the next reading says. The force rises from nothing.
+  /// A person's word: the stop is over and the place is what the next reading says. The force rises from
+  /// nothing.
   void rearm();
   /// Hold-to-run: false takes the force away as an emergency stop does, true lets it rise again.
   void setHeld(bool held) { held_ = held; }
@@ -116,7 +120,7 @@ class ForceGuard {
   std::uint32_t bad_ = 0, good_ = 0;
   double pace_mm_ = 0;                 ///< gone per period at the last good reading
   double since_ = 0;                   ///< periods since the last good reading, this one included
-  double unseen_ = 0;                  ///< of them, those that told nothing
+  double unseen_ = 0;                  ///< of them, those without information
   double jumps_ = 0;                   ///< absurd readings lately
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the place was taken on trust

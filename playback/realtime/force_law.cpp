@@ -8,8 +8,8 @@ namespace detent::playback {
 
 namespace {
 
-// A finger that makes less than one step in this time counts as slow: half a step of lag is then not led away, so that a
-// tremor across one step's edge moves no force.
+// A finger that makes less than one step in this time counts as slow: half a step of lag is then not led
+// away, so that a tremor across one step's edge moves no force.
 constexpr double slowStep_s = 0.02;
 constexpr double faded_N = 1e-4;
 constexpr double sameForce = 1.1;  // a rise of less is hardly felt, and waits for no lead
@@ -76,7 +76,8 @@ double ForceLaw::stored_mJ(double position_mm) const {
   if (place >= last) {
     const double above_mm = (place - last) * t.spacing_mm;
     const ForceRow& end = t.rows[t.rowCount - 1];
-    // Where the end pulls, the wall's foot holds least; the table's rounding is no energy.
+    // Where the end pulls, the start of the end stop holds the least energy; the table's rounding is no
+    // energy.
     return std::max(0.0, end.*held + above_mm * (end.*force + 0.5 * t.wallSlope_N_per_mm * above_mm)) +
            playStored_mJ(position_mm);
   }
@@ -84,8 +85,8 @@ double ForceLaw::stored_mJ(double position_mm) const {
   return between(t.rows[i].*held, t.rows[i + 1].*held, std::max(place, 0.0) - i) + playStored_mJ(position_mm);
 }
 
-// On the way from the press to the release curve the force lies above the latter: 2r times the integral over the share u of
-// (press - release) u, by Simpson's rule.
+// On the way from the press to the release curve the force lies above the latter: 2r times the integral over
+// the share u of (press - release) u, by Simpson's rule.
 double ForceLaw::playStored_mJ(double position_mm) const {
   if (pending() || !table().hysteresis) return 0;
   const double radius_mm = program_->law.playRadius_mm;
@@ -106,8 +107,9 @@ double ForceLaw::curveForce_N(const Place& place, double pressShare, double velo
              : press_N;
 }
 
-// A sampled force acts late. Of the force here and the force where the finger will be when it acts, the one that takes more
-// energy: a spring rendered this way gives back no more than was put in, whatever damping the device lacks.
+// A sampled force acts late. Of the force here and the force where the finger will be when it acts, the one
+// that takes more energy: a spring rendered this way gives back no more than was put in, whatever damping the
+// device lacks.
 double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const {
   const Place here = placeAt(position_mm);
   double force_N = curveForce_N(here, pressShare, velocity_mm_per_s);
@@ -138,8 +140,8 @@ double ForceLaw::step(double position_mm, double velocity_mm_per_s) {
   return caught_ ? force_N : force_N + caughtBy_N(velocity_mm_per_s);
 }
 
-// A handle that falls into its latch would bounce there, and a bounce is no press: it is damped, and until it has been calm for a
-// moment nothing actuates. The turns of a bounce are shorter than this moment.
+// A handle that falls into its latch would bounce there, and a bounce is no press: it is damped, and until it
+// has been calm for a moment nothing actuates. The turns of a bounce are shorter than this moment.
 double ForceLaw::caughtBy_N(double velocity_mm_per_s) {
   calm_s_ = std::abs(velocity_mm_per_s) < calm_mm_per_s ? calm_s_ + program_->period_s : 0;
   caught_ = calm_s_ >= calmFor_s;
@@ -158,13 +160,14 @@ void ForceLaw::fade(double position_mm, double velocity_mm_per_s) {
   if (std::abs(fading_N_) < faded_N) fading_N_ = 0;
 }
 
-// Before the operating point a press can only be taken back, on its own curve. After it the release curve counts, and where
-// that comes to rest the other state begins.
+// Before the operating point a press can only be taken back, on its own curve. After it the release curve
+// counts, and where that comes to rest the other state begins.
 void ForceLaw::followState(double position_mm, double lead_mm, double velocity_mm_per_s) {
   if (!actuated_) {
     if (!caught_ || position_mm + lead_mm < table().operating_mm) return;
     const double at_mm = std::max(position_mm, table().operating_mm);
-    // A force that rises has to be there when the handle is: late, the actuation would take less than it then holds.
+    // A force that rises has to be there when the handle is: late, the actuation would take less than it then
+    // holds.
     const Place acts = placeAt(at_mm);
     if (position_mm < at_mm &&
         acts.force_N(&ForceRow::press_N) <= sameForce * acts.force_N(&ForceRow::pending_N))

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The force of a button at a position and a velocity: F = F(x, v) + b(x) v, with press and release joined by a play operator
-// and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in the place of k(x) x. Where there are
-// graphs at several speeds, the press curve follows the speed of pressing and the release curve that of releasing: at rest and where
-// the handle turns both are those of the lowest speed, so that no force jumps with a velocity's sign.
+// The force of a button at a position and a velocity: F = F(x, v) + b(x) v, with press and release joined by
+// a play operator and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in
+// the place of k(x) x. Where there are graphs at several speeds, the press curve follows the speed of
+// pressing and the release curve that of releasing: at rest and where the handle turns both are those of the
+// lowest speed, so that no force jumps with a velocity's sign.
 
 #include <cstdint>
 
@@ -17,9 +18,9 @@ class ForceLaw {
  public:
   explicit ForceLaw(const ForceProgram& program);
 
-  /// At rest in the first state at a position; between release (0) and press curve (1) at a share.
+  /// Starts at rest in the first state at a position; between release (0) and press curve (1) at a share.
   void restart(double position_mm, double pressShare = 0);
-  /// Where the last step stood between release (0) and press curve (1).
+  /// Share of the last step between release (0) and press curve (1).
   double pressShare() const { return pressShare_; }
 
   /// Force in N, before any limit. `position_mm` is free of flicker (force_engine.h), finite.
@@ -30,17 +31,19 @@ class ForceLaw {
   bool actuated() const { return actuated_; }
   /// Energy held at a position, with the memory the law has now (mJ, >= 0).
   double stored_mJ(double position_mm) const;
-  /// By how much actuations and changes of state have raised what is held since `restart` (mJ): what they may give.
+  /// Increase of the stored energy by actuations and changes of state since `restart` (mJ): the energy that
+  /// they may give.
   double stateEnergy_mJ() const { return stateEnergy_mJ_; }
 
  private:
-  /// Between two rows, or in the wall behind the last. What a button does not have is not read from them.
+  /// Between two rows, or in the end stop behind the last. Properties that a button does not have are not
+  /// read from them.
   struct Place {
     const ForceStateTable* table;
     std::uint32_t below, above;
     double share, wall_N;
 
-    /// At the lowest speed.
+    /// Force at the lowest speed.
     double force_N(float ForceCurveRow::*stroke) const { return between(stroke) + wall_N; }
     double force_N(float ForceCurveRow::*stroke, double speed_mm_per_s) const;
     double damping_Ns_per_mm() const { return between(&ForceRow::damping_Ns_per_mm); }

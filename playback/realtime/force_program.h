@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a force loop needs to make one button felt on one device, prepared beforehand: fixed size, plainly copyable,
-// nothing to allocate or free while it plays. Built by prepare/prepare_force.h, played by force_engine.h.
+// A prepared button on one device for the force loop: fixed size, plainly copyable, nothing to allocate or
+// free while it plays. Built by prepare/prepare_force.h, played by force_engine.h.
 //
-// Signs: displacement grows with pressing; a positive force is what the button pushes back with, as in a force graph.
+// Signs: displacement grows with pressing; a positive force is what the button pushes back with, as in a
+// force graph.
 
 #include <array>
 #include <cstddef>
@@ -26,26 +27,27 @@ struct ForceCurveRow {
       0;  ///< self-locking: both ways before the actuation, held at the rest the state began with
 };
 
-/// Everything a state feels at one displacement, at its lowest speed or its only one.
+/// Forces and damping of a state at one displacement, at its lowest speed or its only one.
 struct ForceRow : ForceCurveRow {
   float damping_Ns_per_mm = 0;
   float stored_mJ = 0;         ///< what a finger that lets go here gets back, slowly, along the release
   float pendingStored_mJ = 0;  ///< and before the actuation (self-locking)
 };
 
-/// One state of the button, on evenly spaced displacements. No slope in it is steeper than the device can render.
+/// One state of the button, on evenly spaced displacements. No slope in it is steeper than the device can
+/// render.
 struct ForceStateTable {
   double first_mm = 0;    ///< displacement of row 0; before it the force is row 0's
   double spacing_mm = 1;  ///< > 0
   std::uint32_t rowCount = 0;
-  double wallSlope_N_per_mm = 0;  ///< beyond the last row: a wall that only pushes
+  double wallSlope_N_per_mm = 0;  ///< beyond the last row: an end stop that only pushes
   bool hysteresis = false;        ///< press and release differ; else one curve is computed
   bool damped = false;            ///< else no damping is computed
   double rest_mm = 0;             ///< where a release ends after an actuation (self-locking)
   double operating_mm = 0;        ///< a press that arrives here has actuated (self-locking)
   std::array<ForceRow, maxForceRows> rows{};
-  /// 0: one graph for every speed. Else the speeds of the graphs, rising, and the rows of all but the lowest; linear in speed between them,
-  /// held outside. No release of any of them lies above a press of any.
+  /// 0: one graph for every speed. Else the speeds of the graphs, rising, and the rows of all but the lowest;
+  /// linear in speed between them, held outside. No release of any of them lies above a press of any.
   std::uint32_t speedCount = 0;
   std::array<double, maxForceSpeeds> speeds_mm_per_s{};
   std::array<std::array<ForceCurveRow, maxForceRows>, maxForceSpeeds - 1> faster{};
@@ -64,13 +66,14 @@ struct ForceLawSettings {
   double crossFade_s = 0.01;  ///< a difference of force between two states fades with this time constant
 };
 
-/// What the device can do and may be asked for. Every limit is on by default.
+/// Capabilities of the device and limits of its commands. Every limit is on by default.
 struct ForceLimits {
   double force_N = 5;  ///< > 0; largest force, both signs
   double slew_N_per_s =
-      5000;  ///< > 0; fastest change of force; below slope times speed a wall would give more than it took
+      5000;  ///< > 0; fastest change of force; below slope times speed a bottom-out gives energy
   double speed_mm_per_s = 2000;  ///< > 0; above it the force fades: no button moves like that
-  /// > 0; a handle gains speed no faster: 40 times a free fall, beyond fingers and motors of these forces. It may stop at once.
+  /// > 0; a handle gains speed no faster: 40 times a free fall, beyond fingers and motors of these forces. It
+  /// may stop at once.
   double acceleration_mm_per_s2 = 4e5;
   double lowest_mm = -50;  ///< readings outside lowest..highest are absurd
   double highest_mm = 150;
@@ -81,7 +84,8 @@ struct ForceLimits {
   double longestHold_s = 0.0039;   ///< > 0; and for no longer than this
   double stall_s =
       0.012;  ///< > 0; a loop that paused for longer begins with no force: the device gave it up meanwhile
-  /// >= 0; an encoder that counts not one step under more force than this is probed, then given up; infinite: never.
+  /// >= 0; an encoder that counts not one step under more force than this is probed, then given up; infinite:
+  /// never.
   double deadCountAbove_N = std::numeric_limits<double>::infinity();
   double deadCountFrom_mm = 0.1;  ///< only farther in than this: a handle may rest at its stop for ever
   double travelEnd_mm = std::numeric_limits<double>::infinity();  ///< where the button's travel ends
@@ -103,8 +107,9 @@ struct ForceGuide {
   double force_N = 0;  ///< largest
 };
 
-/// Forces by which a free handle tells what it is, in place of a button's law: the relay throws it to and fro between two places at
-/// several speeds and lets it coast between, the chirp shakes it around the middle at rising frequencies.
+/// Forces by which a free handle reveals its dynamics, in place of a button's law: the relay throws it to and
+/// fro between two displacements at several speeds and lets it coast between, the chirp shakes it around the
+/// middle at rising frequencies.
 struct ForceExcitation {
   enum class Kind : std::uint8_t { none, relay, chirp };
   Kind kind = Kind::none;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A sensor's noise is not a finger's movement. Measures the noise of the readings themselves and gives a force
-// that rises while the finger presses harder, falls while it lets go, and stays where it is while the finger
-// holds still: in between no reading, however often it is repeated, moves it.
+// A sensor's noise is not a finger's movement. Measures the noise of the readings themselves and gives a
+// force that rises while the finger presses harder, falls while it lets go, and stays where it is while the
+// finger holds still: in between no reading, however often it is repeated, moves it.
 
 #include <array>
 #include <cstddef>
@@ -36,7 +36,7 @@ class NoiseEstimate {
 
 /// Follows a finger through noise. Without noise it passes every reading on, bit for bit. With noise of
 /// standard deviation s it keeps, over the last n = 1, 2, 4 .. 64 readings, means that are s / sqrt(n) sure:
-///  - pressing, the force is the highest "mean less 2.5 s / sqrt(n)" since the finger turned: fast strokes are
+/// - pressing, the force is the highest "mean less 2.5 s / sqrt(n)" since the finger turned: fast strokes are
 ///    followed by the short means, slow ones by the long ones;
 ///  - it turns when one of the means has fallen 8 s / sqrt(n) below its own highest;
 ///  - it rests, where it is, when two halves of the last 64 readings agree, and moves again when one of the
@@ -55,8 +55,7 @@ class ForceSteadier {
   double next(double time_s, double reading);
   /// The next reading is a new start: what was before is too old. The noise stays known.
   void startAnew();
-  /// Looks at a reading that belongs to a recording about to be played, so that its noise is known from the
-  /// start.
+  /// Evaluates a reading of a recording about to be played, so that its noise is known from the start.
   void learn(double reading) { noise_.add(reading); }
 
   /// SD that counts now; 0: readings pass.

@@ -53,7 +53,8 @@ class GrainVoice {
   }
 
  private:
-  /// Of the next sample, in cycles within [0, 1). Counted from whole samples: nothing adds up.
+  /// Phase of the next sample, in cycles within [0, 1). Counted from whole samples, so that errors do not add
+  /// up.
   double phase() const {
     const double cycles = firstPhase_ + static_cast<double>(carrierAge_) * cyclesPerSample_;
     return cycles - static_cast<double>(static_cast<std::int64_t>(cycles));

@@ -385,7 +385,8 @@ double HapticEngine::loudestWithin(double samples) const {
   return sum * (gain_ > gainTarget_ ? gain_ : gainTarget_);
 }
 
-// What sounds is settled until the next event: the limiter is told of a peak before it comes, without a delay of the sound.
+// The sounding voices are settled until the next event: the limiter gets a peak before it comes, without a
+// delay of the sound.
 void HapticEngine::lookAhead() {
   const double horizon = std::floor(lookAhead_s * sampleRate_Hz_);
   const bool everLoud = loudestWithin(highestSampleRate_Hz) > limiter_.ceiling();

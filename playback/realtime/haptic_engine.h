@@ -4,9 +4,9 @@
 // inputs, sample index) and of nothing else: no clock, no allocation, no lock, no file, no throw, no unseeded
 // chance. The live path and the offline render call this same class.
 //
-// Reading order: haptic_program.h (what is played), stroke_tracker.h, speed_tracker.h (readings -> crossings), grain_voice.h,
-// voice.h, biquad.h, sound_chain.h, limiter.h (crossings -> samples), this file (when), live_session.h (the
-// bridge to other threads).
+// Reading order: haptic_program.h (what is played), stroke_tracker.h, speed_tracker.h (readings ->
+// crossings), grain_voice.h, voice.h, biquad.h, sound_chain.h, limiter.h (crossings -> samples), this file
+// (when), live_session.h (the bridge to other threads).
 
 #include <array>
 #include <cstddef>
@@ -35,7 +35,7 @@ struct EngineInput {
   double value = 0;
 };
 
-/// What an EngineEvent reports.
+/// Subject of an EngineEvent.
 enum class EventKind : std::uint8_t {
   grain,
   pressJump,
@@ -46,7 +46,7 @@ enum class EventKind : std::uint8_t {
   trigger
 };
 
-/// What a display is told of something met on the way.
+/// Event for a display, of something met on the way.
 EventKind kindOf(CrossingKind kind);
 
 /// One thing that was felt, for displays and logs.
@@ -86,8 +86,8 @@ class HapticEngine {
   HapticEngine& operator=(const HapticEngine&) = delete;
 
   double sampleRate_Hz() const { return sampleRate_Hz_; }
-  /// Goes on at another rate, within the same limits: program, position, gain and counts stay, what sounded or waited is gone.
-  /// While no callback runs.
+  /// Goes on at another rate, within the same limits: program, position, gain and counts stay, what sounded
+  /// or waited is gone. While no callback runs.
   void setSampleRate(double sampleRate_Hz);
   std::int64_t frame() const { return now_; }
 
@@ -95,7 +95,7 @@ class HapticEngine {
   /// What sounds, ends as its own program meant it; a pressed finger is taken over without a sound. Callback
   /// thread or before the stream starts.
   void use(const HapticProgram* program) { use(program, nullptr); }
-  /// Of a button that feels different at different speeds (live_program.h); `speeds` must outlive its use too.
+  /// Sets a button with graphs at several speeds (live_program.h); `speeds` must outlive its use too.
   void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds);
   const HapticProgram* program() const { return program_; }
 
@@ -112,7 +112,7 @@ class HapticEngine {
   /// Readings that are not due yet never come.
   void forgetInputs();
 
-  /// Plays a burst that another program asked for (signal messages). Order of calls is free.
+  /// Plays a burst that another program requested (signal messages). Order of calls is free.
   void trigger(double time_frames, const Burst& burst);
   /// Plays one grain of the current program.
   void triggerGrain(double time_frames);
@@ -126,13 +126,13 @@ class HapticEngine {
 
   const EngineCounts& counts() const { return counts_; }
   const StrokePosition& position() const { return tracker_.position(); }
-  /// Of the press under way or the last one, of a button with several; 0: none is known.
+  /// Speed of the present or last press, of a button with several; 0: unknown.
   double speed_mm_per_s() const { return tracker_.speed_mm_per_s(); }
   /// Largest |sample| since the last call.
   float takePeak();
   /// The limiter is turning the sound down.
   bool limiting() const { return !limiter_.idle(); }
-  /// Nothing sounds and nothing is waiting.
+  /// Returns true if nothing sounds and nothing is waiting.
   bool idle() const;
 
  private:
@@ -197,7 +197,7 @@ class HapticEngine {
   std::size_t current_ = 0;
   double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
   Limiter limiter_;
-  std::int64_t lookFrame_ = never;  // when the limiter is told again what comes
+  std::int64_t lookFrame_ = never;  // time of the next report to the limiter
   std::array<SoundChain, chainCount> ahead_;
   float peak_ = 0;
   EngineCounts counts_;

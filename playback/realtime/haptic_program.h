@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the audio callback needs to make one button felt, prepared beforehand: fixed size, plainly copyable,
-// independent of the sample rate, nothing to allocate or free while it plays. Built by playback/prepare,
-// played by haptic_engine.h.
+// A prepared button for the audio callback: fixed size, plainly copyable, independent of the sample rate,
+// nothing to allocate or free while it plays. Built by playback/prepare, played by haptic_engine.h.
 
 #include <array>
 #include <cstddef>
@@ -34,7 +33,8 @@ struct Burst {
   bool quietensSlope = false;  ///< while it sounds, grains are as quiet as HapticProgram::slopeUnderJump
 };
 
-/// One vertex of a stroke's force table; linear in between, two vertices at one displacement make a wall.
+/// One vertex of a stroke's force table; linear in between, two vertices at one displacement make a vertical
+/// rise.
 struct TablePoint {
   double displacement_mm = 0;
   double force_N = 0;
@@ -83,10 +83,10 @@ struct StateProgram {
   double reset_mm = 0;  ///< contact opens when a release arrives here
 };
 
-/// Where the 150 Hz low-pass stands (docs/develop/decisions/0900).
+/// Position of the 150 Hz low-pass (docs/develop/decisions/0900).
 enum class LowPassPlacement : std::uint8_t { slopeOnly, wholeChain, none };
 
-/// What a grain does to the sine of the one still sounding (grain_voice.h, docs/develop/decisions/0900).
+/// Effect of a grain on the sine of the one still sounding (grain_voice.h, docs/develop/decisions/0900).
 enum class GrainCarrier : std::uint8_t {
   running,     ///< it runs on, only the envelope begins anew
   retriggered  ///< it begins anew too: for comparison; fast strokes lose their vibration
@@ -105,7 +105,7 @@ struct EqualizerBand {
   double gain_dB = 0;
 };
 
-/// When an event sounds that happened between two sensor samples (docs/develop/decisions/0901).
+/// Time at which an event sounds that happened between two sensor samples (docs/develop/decisions/0901).
 enum class EventPlacement : std::uint8_t {
   atOnce,      ///< as soon as the sample that shows it arrives: least mean delay, jitter of sensor and buffer
   timeStamped  ///< at its interpolated time plus a constant delay: a little later, but evenly
@@ -121,7 +121,7 @@ struct HapticProgram {
   Burst grain;
   Burst bottomOut;
 
-  /// Where a press comes through (docs/develop/decisions/0915); 0, 1 and 0: as the paper has it.
+  /// Settings of the clear feel (docs/develop/decisions/0915); 0, 1 and 0: as in the paper.
   double loudestDensity_per_s =
       0;                      ///< > 0: a grain is as loud as so many in a second make it (grain_density.h)
   double slopeUnderJump = 1;  ///< level of the slope while a jump sounds
@@ -133,7 +133,8 @@ struct HapticProgram {
   double highPass_Hz = 20;  ///< of the slope's grains; 0: none. Nothing constant reaches a transducer
   std::uint32_t equalizerBandCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> equalizer{};
-  /// What the device makes of a signal, for felt_meter.h alone: its resonances, strongest first, and the level beside them.
+  /// Response of the device, for felt_meter.h alone: its resonances, strongest first, and the level beside
+  /// them.
   std::uint32_t resonanceCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> resonances{};
   double fullScale_dB = 0;  ///< of a sine of full scale at 250 Hz, above threshold

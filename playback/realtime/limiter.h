@@ -6,9 +6,9 @@
 
 namespace detent::playback {
 
-/// Limiter without latency. What is told beforehand (`expect`) is turned down before it comes, in a straight line, so that an attack
-/// keeps its form; what was not told, at once. The gain recovers in a straight line and is exactly 1 again after `release`. Below
-/// the ceiling the signal passes bit for bit. Not finite samples become silence.
+/// Limiter without latency. A peak that `expect` announces is turned down before it comes, linearly, so that
+/// an attack keeps its form; any other peak at once. The gain recovers linearly and is exactly 1 again after
+/// `release`. Below the ceiling the signal passes bit for bit. Samples that are not finite become silence.
 class Limiter {
  public:
   /// ceiling in (0, 1]; release in samples, >= 1.

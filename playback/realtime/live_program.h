@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What plays under a finger: a button's program, and of one that feels different at different speeds a program for each of a row of speeds.
-// Built by playback/prepare/prepare_speeds.h, followed by speed_tracker.h.
+// Programs under a finger: a button's program, and for a button that depends on speed a program for each of a
+// row of speeds. Built by playback/prepare/prepare_speeds.h, followed by speed_tracker.h.
 
 #include <cmath>
 #include <utility>
@@ -18,7 +18,7 @@ struct SpeedProgram {
 };
 
 struct LiveProgram {
-  HapticProgram program;             ///< of the graph in front: by it speeds are told
+  HapticProgram program;             ///< of the graph in front, by which speeds are measured
   std::vector<SpeedProgram> speeds;  ///< by rising speed; empty: `program` plays at any speed
 
   LiveProgram(const HapticProgram& only) : program(only) {}  // NOLINT(google-explicit-constructor)
@@ -26,7 +26,7 @@ struct LiveProgram {
       : program(front), speeds(std::move(others)) {}
 };
 
-/// The one nearest to a speed; `speeds` not empty.
+/// The program nearest to a speed; `speeds` not empty.
 inline const SpeedProgram& nearest(const std::vector<SpeedProgram>& speeds, double speed_mm_per_s) {
   const SpeedProgram* best = &speeds.front();
   for (const SpeedProgram& s : speeds)

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t commandCapacity = 4096;
 constexpr std::size_t reportCapacity = 8192;
 constexpr double statusInterval_s = 0.02;
-// A reading that waited this long for a callback tells where the finger is, not what it just did.
+// A reading that waited this long for a callback gives the position of the finger, not its last movement.
 constexpr double stale_s = 0.2;
 
 /// A message that says where the finger is.

@@ -14,7 +14,7 @@
 
 namespace detent::playback {
 
-/// Who sends. Each lane has exactly one producer thread at a time.
+/// Sender of a message. Each lane has exactly one producer thread at a time.
 enum class Lane : std::uint8_t { control, sensor, network, trace };
 inline constexpr std::size_t laneCount = 4;
 
@@ -50,7 +50,7 @@ struct SessionCommand {
   const SoundTake* take = nullptr;  ///< for take; must live until it comes back as takeEnded
 };
 
-/// How the stream is doing; sent about 50 times a second.
+/// Status of the stream; sent about 50 times a second.
 struct SessionStatus {
   std::int64_t frame = 0;
   StrokePosition position;
@@ -90,16 +90,17 @@ class LiveSession {
   /// Any thread.
   double sampleRate_Hz() const;
 
-  /// These two belong to whoever opens and closes the stream, while no callback runs.
-  /// The next stream runs at this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
+  /// These two belong to whoever opens and closes the stream, while no callback runs. The next stream runs at
+  /// this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
   void setSampleRate(double sampleRate_Hz);
-  /// Takes the programs and gains that were sent meanwhile, so that nothing piles up; what was to be felt is dropped.
+  /// Takes the programs and gains that were sent meanwhile, so that nothing piles up; what was to be felt is
+  /// dropped.
   void takeWhileAway();
 
   /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).
   bool send(Lane lane, const SessionCommand& command);
 
-  /// The one consumer thread. False: nothing there.
+  /// Takes the next report, on the one consumer thread. False: none.
   bool receive(SessionReport& report);
 
   /// Callback thread: handles what arrived, renders `count` samples. `entry_s`: the callback's entry on the

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Rate-independent memory of a direction: the play (backlash) operator. Choosing press or release by the sign of the
-// velocity chatters on a resting finger; this does not (docs/develop/decisions/1100-force-between-curves.md).
+// Rate-independent memory of a direction: the play (backlash) operator. Choosing press or release by the sign
+// of the velocity chatters on a resting finger; this does not
+// (docs/develop/decisions/1100-force-between-curves.md).
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace detent::playback {
 /// A centre that is dragged along by a position once that is `radius` away from it.
 class PlayOperator {
  public:
-  /// With a press share of 0..1, as `pressShare` gives it.
+  /// Restarts with a press share of 0..1, as `pressShare` returns it.
   void restart(double position_mm, double radius_mm, double share) {
     centre_mm_ = position_mm + radius_mm * (1 - 2 * share);
   }
@@ -18,7 +19,7 @@ class PlayOperator {
     centre_mm_ = std::max(position_mm - radius_mm, std::min(position_mm + radius_mm, centre_mm_));
     return centre_mm_;
   }
-  /// As after a long way inwards.
+  /// Sets the state after a long way inwards.
   void setPressing(double position_mm, double radius_mm) { centre_mm_ = position_mm - radius_mm; }
   /// 0 after a long way out, 1 after a long way in, linear between.
   double pressShare(double position_mm, double radius_mm) const {

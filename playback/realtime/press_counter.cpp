@@ -16,7 +16,7 @@ struct Travelled {
   bool up = false, through = false;
 };
 
-/// Where the position lies in the stroke; a button that does not move is pressed by its force.
+/// Position within the stroke; a button that does not move is pressed by its force.
 Travelled travelled(const StateProgram& state, const StrokePosition& position) {
   const double end_mm = state.hasBottomOut ? state.bottomOut_mm
                                            : state.start_mm + throughShare * (state.end_mm - state.start_mm);

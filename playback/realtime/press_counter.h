@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How often a button was really pressed: to the end of its travel and back. What a study may count as felt.
+// Counts complete presses: to the end of the travel and back. A study counts these as felt.
 
 #include <cstdint>
 
@@ -9,7 +9,7 @@
 
 namespace detent::playback {
 
-/// What a finger did over a stretch of time.
+/// Presses of a finger over a stretch of time.
 struct PressCount {
   std::uint64_t begun = 0;  ///< left the top
   std::uint64_t whole =
@@ -18,14 +18,14 @@ struct PressCount {
   double travel_mm = 0;  ///< deepest place, from where the press stroke begins
 };
 
-/// Counts presses from the positions a tracker gives. A finger that is down when a program comes under it has to come up first: that press
-/// belongs to the program before. One thread; no allocation.
+/// Counts presses from the positions a tracker gives. A finger that is down when a program comes under it has
+/// to come up first: that press belongs to the program before. One thread; no allocation.
 class PressCounter {
  public:
   /// `program` must outlive its use here; nullptr: nothing is counted.
   void use(const HapticProgram* program);
   void take(const StrokePosition& position);
-  /// What happened since the last call.
+  /// Presses since the last call.
   PressCount taken();
 
  private:

@@ -12,7 +12,8 @@ constexpr double fade_s = 1;
 constexpr double rumble_Hz = 60;
 constexpr double twoPi = 2 * std::numbers::pi;
 
-// Three low-passes of white noise and a little of it unfiltered fall by about 3 dB an octave from 60 Hz to 10 kHz.
+// Three low-passes of white noise and a little of it unfiltered fall by about 3 dB an octave from 60 Hz to 10
+// kHz.
 constexpr std::array<double, 3> corners_Hz{16, 265, 3950};
 constexpr std::array<double, 3> shares{42, 8.0, 2.45};
 constexpr double unfiltered = 0.18;
@@ -44,7 +45,7 @@ void RainNoise::setSampleRate(double sampleRate_Hz) {
   fadeStep_ = 1 / (fade_s * rate_Hz_);
 }
 
-/// Of the rain before it is scaled.
+/// Level (rms) of the rain before it is scaled.
 double RainNoise::rmsOf(double seconds) {
   const auto count = static_cast<std::size_t>(seconds * rate_Hz_);
   double squares = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Rain for the ears, so that the vibration is felt and not heard (K&L, Experiment 1: the noisy group wore headphones "playing an
-// ambient raining sound").
+// Rain for the ears, so that the vibration is felt and not heard (K&L, Experiment 1: the noisy group wore
+// headphones "playing an ambient raining sound").
 
 #include <array>
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace detent::playback {
 
-/// Falling rain: a pink rush with drops in it, no rumble below 60 Hz. The same for every run. Callback thread but for the
-/// constructor and `setSampleRate`; no allocation.
+/// Falling rain: a pink rush with drops in it, no rumble below 60 Hz. The same for every run. Callback thread
+/// but for the constructor and `setSampleRate`; no allocation.
 class RainNoise {
  public:
   /// `level`: rms, share of full scale, 0 (none) to 0.3, where single samples begin to be cut.

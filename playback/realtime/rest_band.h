@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A hand's tremor and the hum of the mains are no movement: a force that swings to and fro, little and fast, around one place rests. Follows
-// force_steadier.h, which takes the sensor's own noise out.
+// A hand's tremor and the hum of the mains are no movement: a force that swings to and fro, little and fast,
+// around one place rests. Follows force_steadier.h, which takes the sensor's own noise out.
 
 #include <array>
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace detent::playback {
 
-/// What was read within about a quarter of a second, in bins of 16 ms; the oldest goes as a new one begins. O(1), no allocation.
+/// Readings within about a quarter of a second, in bins of 16 ms; the oldest bin goes as a new one begins.
+/// O(1), no allocation.
 class SwingWindow {
  public:
   static constexpr std::size_t binCount = 16;
@@ -23,7 +24,7 @@ class SwingWindow {
     double turns() const { return way_N / range_N(); }  ///< half swings; 1: one way only
   };
 
-  /// True where `time_s` begins a new bin and all before it are full: `swing` tells of those.
+  /// Returns true if `time_s` begins a new bin and all before it are full: `swing` then describes those.
   bool add(double time_s, double reading_N, Swing& swing);
   void startAnew() { filled_ = 0; }
 
@@ -41,8 +42,9 @@ class SwingWindow {
   double binEnds_s_ = 0, last_N_ = 0;
 };
 
-/// Holds the force while it only swings. What does not swing passes bit for bit: of a movement, however slow, nothing is held, since it
-/// does not come back within a quarter of a second. The numbers are claims of docs/develop/decisions/0906. Any thread, one owner; no allocation.
+/// Holds the force while it only swings. What does not swing passes bit for bit: of a movement, however slow,
+/// nothing is held, since it does not come back within a quarter of a second. The numbers are claims of
+/// docs/develop/decisions/0906. Any thread, one owner; no allocation.
 class RestBand {
  public:
   /// `most_N`: a swing over more is movement; 0: everything passes.

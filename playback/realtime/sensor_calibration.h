@@ -9,11 +9,11 @@
 
 namespace detent::playback {
 
-/// What the raw reading is turned into before the polynomial.
+/// Conversion of the raw reading before the polynomial.
 enum class SensorCircuit {
   newtons,  ///< the sensor already sends newtons; the coefficients correct it
   linear,   ///< counts proportional to force (load cell, FSR with current-to-voltage amplifier)
-  divider   ///< FSR to the supply, fixed resistor to ground: conductance ~ counts / (fullScale - counts) ~
+  divider   ///< FSR to the supply, fixed resistor to 0 V: conductance ~ counts / (fullScale - counts) ~
             ///< force (Interlink FSR integration guide: resistance ~ 1 / force)
 };
 

@@ -7,12 +7,13 @@
 
 namespace detent::playback {
 
-/// Cycles from one sample to the next: whole ones between samples cannot be told from none; 0, silence, for no number.
+/// Cycles from one sample to the next: whole cycles between samples are equal to none; 0, silence, if not a
+/// number.
 inline double cyclesPerSample(double frequency_Hz, double sampleRate_Hz) {
   return std::isfinite(frequency_Hz) ? std::fmod(frequency_Hz, sampleRate_Hz) / sampleRate_Hz : 0;
 }
 
-/// How long a burst sounds, at most as many samples as are counted one by one.
+/// Length of a burst, at most as many samples as are counted one by one.
 inline double samplesIn(double duration_s, double sampleRate_Hz) {
   return std::fmin(duration_s * sampleRate_Hz, 0x1p53);
 }

@@ -15,7 +15,7 @@
 
 namespace detent::playback {
 
-/// From the whole level of the slope to none under a jump, and back: no click.
+/// Time to lower the slope to nothing under a jump, and back, without a click.
 inline constexpr double slopeTurn_s = 0.004;
 
 /// Callback thread; no allocation. A large fixed-size object.
@@ -33,11 +33,12 @@ class SoundChain {
   /// Plays a burst beside the others. True if the oldest one had to give way.
   bool startBurst(const Burst& burst);
 
-  /// Nothing sounds and no filter rings.
+  /// Returns true if nothing sounds and no filter rings.
   bool silent() const;
   bool grainSounds() const { return grain_.active(); }
   double grainLoudness() const { return grain_.active() ? grain_.loudest() : 0; }
-  /// What the sum of its voices hardly passes in the next `samples`: their envelopes, as much as gain and equalizer raise them.
+  /// Approximate bound of the sum of its voices in the next `samples`: their envelopes, raised by gain and
+  /// equalizer.
   double loudestWithin(double samples) const;
 
   /// Adds `count` samples to `mix`; `bus` is working space of that length.

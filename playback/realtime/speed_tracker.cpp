@@ -7,7 +7,8 @@ namespace detent::playback {
 
 namespace {
 
-// Of the travel. From the first to the second mark a press is timed by its first touch, later as `render` does: it begins slowly.
+// Of the travel. From the first to the second mark a press is timed by its first touch, later as `render`
+// does: it begins slowly.
 constexpr double touchShare = 0.02, fromShare = 0.1, toShare = 0.9;
 constexpr double timedFrom = 0.03;        // of the way from 10 to 90 %: so much shows a speed
 constexpr double settledAt = 0.5;         // of the travel, where there is no jump before
@@ -126,7 +127,7 @@ void SpeedTracker::look(const Crossings& crossings, double value, bool isForce, 
   if (known && !settled_) wanted_ = &nearest(*speeds_, pace_.speed_mm_per_s()).program;
 }
 
-// How fast it came there is not known: it goes on as it was.
+// The speed of this change is unknown: the previous one is kept.
 void SpeedTracker::placeAtForce(double force_N) {
   tracker_.placeAtForce(force_N);
   pace_.interrupt();

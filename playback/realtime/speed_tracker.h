@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A stroke tracker on a button that may feel different at different speeds: how fast a press is, is told while it goes on, and the tables
-// of that speed are put under the finger (docs/develop/decisions/1111).
+// A stroke tracker on a button that depends on speed: estimates the speed of a press during the press and
+// uses the tables of that speed (docs/develop/decisions/1111).
 
 #include <array>
 #include <cstdint>
@@ -12,18 +12,20 @@
 
 namespace detent::playback {
 
-/// By which readings a press is timed, and how far the finger goes from `from` to `to`.
+/// Readings by which a press is timed, and the finger's way from `from` to `to`.
 struct PressMarks {
   double touch = 0, from = 0, to = 0;  ///< N or mm, rising
   double way_mm = 0;
 };
-/// Of places: from 10 to 90 % of the travel.
+/// Marks by displacement: from 10 to 90 % of the travel.
 PressMarks placeMarks(const StateProgram& state);
-/// Of forces: from 10 % of the strongest force of the press to the strongest of its first half, where a press is known at the latest. A
-/// finger goes as far as its force rises: the whole travel for the strongest force. Where the button jumps, the finger does not.
+/// Marks by force: from 10 % of the strongest force of the press to the strongest of its first half, where
+/// the speed is known at the latest. A finger moves as far as its force rises: the whole travel for the
+/// strongest force. At a jump of the button, the finger does not jump.
 PressMarks forceMarks(const StateProgram& state);
 
-/// How fast a press is, foretold from the way so far, by the marks of the graph in front. Callback thread; no allocation.
+/// Speed of a press, predicted from the way so far, by the marks of the graph in front. Callback thread; no
+/// allocation.
 class PressPace {
  public:
   void use(const HapticProgram& front);
@@ -47,16 +49,19 @@ class PressPace {
   bool heard_ = false, begun_ = false, timed_ = false;
 };
 
-/// As StrokeTracker, of a button with or without graphs at several speeds. One speed belongs to one press: until its first jump, at most
-/// until half the travel, the press goes over to the program of the speed it shows; from then on, and on its way back, it keeps it. A press
-/// begins on the program of the lowest speed. It goes over only with a reading that presses on: under a finger that rests nothing moves. What
-/// lies behind the finger is not met again, and no jump is lost. Without speeds it is the StrokeTracker. Callback thread; no allocation.
+/// A StrokeTracker for a button with or without graphs at several speeds. One speed belongs to one press:
+/// until its first jump, at most until half the travel, the press changes to the program of its measured
+/// speed; from then on, and on its way back, it keeps that program. A press begins on the program of the
+/// lowest speed. It changes only with a reading that presses on, so nothing moves under a resting finger.
+/// Events behind the finger are not met again, and no jump is lost. Without speeds it is the StrokeTracker.
+/// Callback thread; no allocation.
 class SpeedTracker {
  public:
-  /// Both must outlive their use here; `speeds` as in LiveProgram, nullptr: none. A press under way keeps its speed.
+  /// Sets the programs; both must outlive their use here. `speeds` as in LiveProgram, nullptr: none. A
+  /// present press keeps its speed.
   void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds = nullptr);
 
-  /// As StrokeTracker's, with the time of the reading.
+  /// StrokeTracker's update, with the time of the reading.
   const Crossings& updateForce(double force_N, double time_s);
   const Crossings& updateDisplacement(double displacement_mm, double time_s);
   void placeAtForce(double force_N);
@@ -64,9 +69,9 @@ class SpeedTracker {
 
   const StrokePosition& position() const { return tracker_.position(); }
   std::uint64_t suppressed() const { return tracker_.suppressed(); }
-  /// To which the crossings of the last reading belong.
+  /// Program to which the crossings of the last reading belong.
   const HapticProgram* program() const { return playing_; }
-  /// Of the press under way or the last one; 0: none is known.
+  /// Speed of the present or last press; 0: unknown.
   double speed_mm_per_s() const { return pace_.speed_mm_per_s(); }
 
  private:

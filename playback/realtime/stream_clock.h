@@ -24,7 +24,7 @@ class StreamClock {
     running_ = true;
   }
 
-  /// The sample that was being asked for at `time_s`; before the first callback 0.
+  /// The sample that was requested at `time_s`; before the first callback 0.
   double frameAt(double time_s) const {
     return running_ ? static_cast<double>(baseFrame_) + (time_s - base_s_) * sampleRate_Hz_ : 0;
   }

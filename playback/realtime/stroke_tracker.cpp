@@ -9,7 +9,7 @@ namespace detent::playback {
 
 namespace {
 
-// At most this many grains of one reading are told apart; beyond it neighbours are merged and their number is
+// At most this many grains of one reading are kept apart; beyond it neighbours are merged and their number is
 // kept. 900 grains between two readings of 425 Hz are 382,500 per second: two per sample at 192 kHz.
 constexpr std::int64_t maxGrainsPerReading = 900;
 
@@ -143,8 +143,8 @@ void StrokeTracker::turn(bool releasing, double extreme_N) {
   extreme_N_ = extreme_N;
 }
 
-// Both strokes are walked by one rule in the direction of travel: with s = +1 (press) or -1 (release), s*x
-// grows and the walk goes on while s*curve <= s*force. The time of a crossing is when the force reached the
+// Both strokes follow one rule in the direction of travel: with s = +1 (press) or -1 (release), s*x grows and
+// the traversal goes on while s*curve <= s*force. The time of a crossing is when the force reached the
 // highest s*curve so far.
 void StrokeTracker::advanceByForce(double from_N, double to_N) {
   const StrokeTable& t = table();

@@ -25,11 +25,10 @@ enum class CrossingKind : std::uint8_t {
 /// One thing met on the way between two readings.
 struct Crossing {
   CrossingKind kind = CrossingKind::grain;
-  std::uint16_t jump = 0;  ///< index into the stroke's jumps
-  std::uint8_t state = 0;  ///< state of the button it belongs to
-  std::uint32_t count =
-      1;                ///< grains merged into this one (only where more were crossed than can be told apart)
-  double fraction = 1;  ///< when, as a share of the time between the two readings, 0..1, never decreasing
+  std::uint16_t jump = 0;   ///< index into the stroke's jumps
+  std::uint8_t state = 0;   ///< state of the button it belongs to
+  std::uint32_t count = 1;  ///< grains merged into this one (only if more were crossed than are kept apart)
+  double fraction = 1;      ///< when, as a share of the time between the two readings, 0..1, never decreasing
   double displacement_mm = 0;
   double level = 1;  ///< of a grain: its slope's
 };
@@ -41,7 +40,7 @@ struct Crossings {
   std::size_t count = 0;
 };
 
-/// Where the finger is.
+/// Position of the finger.
 struct StrokePosition {
   double displacement_mm = 0;
   double force_N = 0;  ///< last reading; of displacement inputs the table's force
@@ -63,8 +62,9 @@ class StrokeTracker {
   /// Keeps a reference; `program` must outlive its use here. Silent: starts at rest, all armed.
   void use(const HapticProgram* program);
 
-  /// The same button at another speed, under a finger that presses: what lies behind it has been met, and where it stands within a jump it
-  /// stands before it. Silent by itself; the next reading leads on from here.
+  /// The same button at another speed, under a finger that presses: what lies behind it has been met, and
+  /// where it stands within a jump it stands before it. Silent by itself; the next reading leads on from
+  /// here.
   void exchange(const HapticProgram* program);
 
   /// Follows one force reading; the answer is valid until the next call.

@@ -23,7 +23,8 @@ class TakePlayer {
   void play(const SoundTake* take);
   /// >= 0, in a ramp of 10 ms. A take is never raised beyond full scale.
   void setGain(double gain) { gainTarget_ = gain; }
-  /// Adds `count` samples to `out`; the sum is held within [-1, 1]. Gives the largest |sum|, 0 where nothing plays.
+  /// Adds `count` samples to `out`; the sum is held within [-1, 1]. Gives the largest |sum|, 0 where nothing
+  /// plays.
   float addTo(float* out, std::size_t count);
   /// Drops what plays.
   void stop();

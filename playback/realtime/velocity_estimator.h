@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Velocity from an encoder that knows steps only. Three methods; what each costs in noise and delay is measured in
-// docs/measurements/bench-force.md.
+// Velocity from an encoder that knows steps only. Three methods; what each costs in noise and delay is
+// measured in docs/measurements/bench-force.md.
 
 #include <array>
 #include <cstddef>

@@ -39,7 +39,8 @@ HapticProgram beginningLocked(HapticProgram program) {
   return program;
 }
 
-/// A press has a time: where the button says nothing of a contact, it closes at half the travel. Nothing that is felt changes.
+/// A press has a time: where the button says nothing of a contact, it closes at half the travel. Nothing that
+/// is felt changes.
 void giveContact(HapticProgram& program) {
   for (std::size_t i = 0; i < program.stateCount; ++i) {
     StateProgram& state = program.states[i];
@@ -88,7 +89,7 @@ std::string wordsOf(const SensorCalibration& c) {
   return text + "; residual " + exact(c.residual_N) + " N; " + std::to_string(c.weights) + " weights";
 }
 
-/// What a force device cannot do, or not with this study. Every button is one it can render.
+/// Failure if a force device is impossible with this study. Every button is one it can render.
 Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings) {
   const auto wrong = [](Message problem, const Message& remedy) {
     return Failure{FailureCode::wrongUsage, "force device", "", std::move(problem), remedy};
@@ -207,7 +208,7 @@ class Player final : public StudyPlayer {
             static_cast<float>(toneLevel * (1 - t_s / tone_s) * std::sin(twoPi * tone_Hz * t_s));
       }
     }
-    (void)player_->playSamples(samples, rate_Hz);  // a device that is lost is told of by troubleSinceAsked
+    (void)player_->playSamples(samples, rate_Hz);  // a lost device is reported by troubleSinceAsked
   }
 
   Felt takeFelt() override {
@@ -239,7 +240,7 @@ class Player final : public StudyPlayer {
     if (force_) force_->rearm();
   }
 
-  /// Whether readings come, and blocks, where they are to; waits for the first of them.
+  /// Returns true if readings and blocks come as expected; waits for the first of them.
   bool runs() {
     const auto running = [this] {
       const PlayerStatus status = player_->status();
@@ -255,7 +256,7 @@ class Player final : public StudyPlayer {
  private:
   bool sensor() const { return !settings_.sensorPort.empty(); }
 
-  /// Where the force device is, the player's finger is, at the very times.
+  /// Moves the player's finger to the force device's positions, at their times.
   void follow() {
     if (!force_) return;
     steps_.clear();

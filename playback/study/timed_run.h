@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One timed trial from its first sight to the journal, whatever shows it and whatever presses: a terminal, a window; keys, a pad, a sensor.
+// One timed trial from its first sight to the journal, whatever shows it and whatever presses: a terminal, a
+// window; keys, a pad, a sensor.
 
 #include <optional>
 
@@ -10,7 +11,7 @@
 
 namespace detent::playback {
 
-/// How far a timed trial has come.
+/// Progress of a timed trial.
 enum class TimedState : std::uint8_t {
   running,
   kept,  ///< the answer is on the disk
@@ -28,8 +29,8 @@ struct TimedOutcome {
 /// Owns the trial that comes next until it has ended. One thread.
 class TimedRun {
  public:
-  /// Shows it now: the button is under the finger, and a cue's beats are on their way. `began_s`: this stretch of work, on the player's clock. All
-  /// must outlive it.
+  /// Shows it now: the button is under the finger, and a cue's beats are on their way. `began_s`: this
+  /// stretch of work, on the player's clock. All must outlive it.
   TimedRun(const Study& study, ParticipantSession& session, StudyPlayer& player, double began_s);
   TimedRun(const TimedRun&) = delete;
   TimedRun& operator=(const TimedRun&) = delete;
@@ -37,9 +38,11 @@ class TimedRun {
   const Trial& trial() const { return trial_; }
   const TimingDesk& desk() const { return desk_; }
 
-  /// A key or a pad went down: presses, unless a sensor does, or it was before the trial. See TimingDesk::pressed.
+  /// A key or a pad went down: presses, unless a sensor does, or it was before the trial. See
+  /// TimingDesk::pressed.
   void pressed(double at_s, double within_s);
-  /// Takes what the finger has done. To be asked every 10 ms or so until it is no longer running. Failure: of the journal.
+  /// Takes the finger's movements. To be called every 10 ms or so until it is no longer running. Failure: of
+  /// the journal.
   Result<TimedOutcome> look();
 
  private:

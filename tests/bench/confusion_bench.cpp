@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forecast against K&L's noisy group (Table 2), beside three measures of others; confusion_fit.py judges it. Figures: docs/reference/predicted-confusion.md
+// The forecast against K&L's noisy group (Table 2), beside three measures of others; confusion_fit.py judges
+// it. Figures: docs/reference/predicted-confusion.md
 
 #include <algorithm>
 #include <chrono>
@@ -81,7 +82,7 @@ void printSimple(const std::vector<PredictedPair>& pairs) {
   line("number of grains alone", grains);
 }
 
-/// How far d' from what a button was moves at once when its strongest force grows by 1 mN at a time.
+/// Change of d' between two buttons when the strongest force of one grows by 1 mN at a time.
 void printSteps() {
   std::printf("largest step of d' by 1 mN, 60 in a row:");
   for (const char name : names) {

@@ -3,9 +3,11 @@
 """Writes the tables of one room into docs/measurements/coverage.md.
 
 coverage.py ROOM PROGRAM...: what PROGRAM prints takes the place of all between `<!-- ROOM -->` and `<!-- /ROOM -->`.
+Rows of the knots of one button and of the coefficients of one curve become one row with the smallest and the largest share.
     tests/bench/coverage.py playback build/release/tests/bench/detent_playback_coverage
 """
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -23,12 +25,32 @@ def with_section(page: str, room: str, tables: str) -> str:
     return before + begin + tables.strip("\n") + "\n\n" + end + after
 
 
+def folded(tables: str) -> str:
+    """The tables with one row for all knots of a button, and one for all coefficients of a curve."""
+    lines, groups = [], {}
+    for line in tables.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        name = re.sub(r"knot \d+ of (\d+)", r"knots 1 to \1", re.sub(r": c\d$", "", cells[0]))
+        if len(cells) != 4 or name == cells[0]:
+            lines.append(line)
+            continue
+        if name not in groups:
+            groups[name] = (len(lines), cells[1], [])
+            lines.append("")
+        groups[name][2].append([float(cell.split()[0]) for cell in cells[2:]])
+    for name, (place, count, shares) in groups.items():
+        ranges = [f"{min(column):.1f} to {max(column):.1f}" for column in zip(*shares)]
+        lines[place] = f"| {name} | {count} | {' | '.join(ranges)} |"
+    return "\n".join(lines)
+
+
 def main(arguments: list[str]) -> int:
     if len(arguments) < 2:
         print(__doc__, file=sys.stderr)
         return 2
     room, *program = arguments
     tables = subprocess.run(program, check=True, capture_output=True, text=True).stdout
+    tables = folded(tables)
     try:
         PAGE.write_text(with_section(PAGE.read_text(encoding="utf-8"), room, tables), encoding="utf-8")
     except ValueError as problem:

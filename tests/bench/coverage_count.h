@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How often the truth lay within a stated error, with the counting's own interval.
+// Share of truths within a stated error, with the interval of the count.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,8 @@
 
 namespace detent::test {
 
-/// Counts estimates against their truth. A standard error promises 68.3 % within one and 95.0 % within 1.96 of it.
+/// Counts estimates against their truth. A standard error promises 68.3 % within one and 95.0 % within 1.96
+/// of it.
 class CoverageCount {
  public:
   void add(double value, double sigma, double truth) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drag to repaint: from a mouse event to the finished picture, with a 12-megapixel page under 1,000 knots.
-// Prints a table as Markdown (docs/measurements/bench-editor.md). Run with QT_QPA_PLATFORM=offscreen for drawing alone, in
-// a real window for the whole way.
+// Prints a table as Markdown (docs/measurements/bench-editor.md). Run with QT_QPA_PLATFORM=offscreen for
+// drawing alone, in a real window for the whole way.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -80,7 +80,7 @@ struct Figures {
   double p50_ms = 0, p99_ms = 0, max_ms = 0;
 };
 
-// Wall time is what a person waits; processor time is what is left of it on a busy machine.
+// Elapsed time is the waiting time of a person; processor time is meaningful on a busy machine too.
 struct Times {
   std::vector<double> wall_ms, processor_ms;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// export_limits [COUNT [FIRST_SEED [FORMAT...]]]: draws buttons and presses, exports each in one format, and counts what passes a limit of it.
-// With formats named, only the draws that fall on them are exported: after a change of one writer the others need no second count.
-// Figures: docs/reference/export-formats.md.
+// export_limits [COUNT [FIRST_SEED [FORMAT...]]]: draws buttons and presses, exports each in one format, and
+// counts what passes a limit of it. With formats named, only the draws that fall on them are exported: after
+// a change of one writer the others need no second count. Figures: docs/reference/export-formats.md.
 
 #include <algorithm>
 #include <cstdio>

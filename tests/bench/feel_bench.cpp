@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// feel_bench [--out FILE] [--note TEXT]: how soon an edit is seen in the feel panel, and how often the finger
-// is told. Figures: docs/measurements/bench-feel.md
+// feel_bench [--out FILE] [--note TEXT]: delay from an edit to its display in the feel panel, and rate of the
+// finger's updates. Figures: docs/measurements/bench-feel.md
 
 #include <algorithm>
 #include <chrono>

@@ -128,7 +128,8 @@ void addItem(std::vector<Item>& items, Item item) {
   items.push_back(std::move(item));
 }
 
-/// Keys of two to nine pieces: linear, tactile, clicky with corners, two levels, with and without walls.
+/// Keys of two to nine pieces: linear, tactile, clicky with corners, two levels, with and without
+/// bottom-outs.
 std::vector<Item> syntheticItems() {
   std::vector<Item> items;
   std::mt19937 random(11);

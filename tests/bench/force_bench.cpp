@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_force_bench [step|rest|velocity|energy|identify|day ...] [sim|falcon|rig ...]: the tables of docs/measurements/bench-force.md, of all
-// devices or those named.
+// detent_force_bench [step|rest|velocity|energy|identify|day ...] [sim|falcon|rig ...]: the tables of
+// docs/measurements/bench-force.md, of all devices or those named.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -36,7 +36,8 @@ std::vector<ForceDeviceProfile> presets() {
   return named.empty() ? every : named;
 }
 
-/// The paper's law: force from the raw reading, velocity by the difference of two, press or release by its sign.
+/// The paper's law: force from the raw reading, velocity by the difference of two, press or release by its
+/// sign.
 class PaperLaw {
  public:
   PaperLaw(const Button& button, double period_s)
@@ -54,8 +55,8 @@ class PaperLaw {
   bool pressing_ = true;
 };
 
-// Another program that runs in between makes any step look long. The steps are the same in every pass: the least of a step's
-// times is its own.
+// Another program that runs in between lengthens any step. The steps are the same in every pass: the least
+// time of a step is its own.
 void stepTimes() {
   constexpr std::size_t steps = 10000000;
   constexpr int passes = 5;
@@ -192,14 +193,15 @@ void velocities() {
   }
 }
 
-/// What random presses of one pair of device and sample brought.
+/// Results of random presses of one pair of device and sample.
 struct EnergyFigures {
   double finger_mJ = 0, motor_mJ = 0, most_mJ = 0, worstShare = 0, fastest_mm_per_s = 0;
   std::uint64_t frozen = 0, absurd = 0, faded = 0;
 };
 
-// Runs of four presses, so that the states of a self-locking button alternate. A finger that waits within the start's ramp gets
-// energy from that, not from the button. Each pair has its own random numbers: it gives the same alone as among all.
+// Runs of four presses, so that the states of a self-locking button alternate. A finger that waits within the
+// start's ramp gets energy from that, not from the button. Each pair has its own random numbers: it gives the
+// same alone as among all.
 EnergyFigures energyOf(const ForceDeviceProfile& device, const std::string& sample, int presses) {
   const std::string pair = device.name + sample;
   std::seed_seq seeds(pair.begin(), pair.end());
@@ -232,8 +234,9 @@ EnergyFigures energyOf(const ForceDeviceProfile& device, const std::string& samp
   return e;
 }
 
-// The finger's net work is what a person would feel. The observer's balance is the motor's, sampled; `share` is of the most that
-// the same run of four presses had put in. Nothing is wrong with the device: every frozen or absurd reading is a false alarm.
+// The finger's net work is what a person would feel. The observer's balance is the motor's, sampled; `share`
+// is of the most that the same run of four presses had put in. Nothing is wrong with the device: every frozen
+// or absurd reading is a false alarm.
 void energies() {
   constexpr int presses = 10000;
   std::printf(

@@ -124,6 +124,17 @@ def table_row(name, quality, s):
             f"| {tactile} | {s['s_median']:.2f} / {s['s_max']:.2f} | {s['MB_max']:.0f} |")
 
 
+PAGE_HEAD = ("| class | n | ok | wrong > 2 % | trace median / p90 % | fit median / p90 % | tactile point |\n"
+             "|---|---|---|---|---|---|---|")
+
+
+def page_row(name, s):
+    """The row of a class on the page, which shows level standard alone."""
+    tactile = "" if s["peak"] is None else f"{s['peak']:.0%} of {s['peaks']}"
+    return (f"| {name} | {s['n']} | {s['ok']:.1%} | {s['wrong']} | {100 * s['trace_median']:.3f} / {100 * s['trace_p90']:.3f} "
+            f"| {100 * s['fit_median']:.3f} / {100 * s['fit_p90']:.3f} | {tactile} |")
+
+
 def write_picture(folder, points):
     """Error against time, one line per class, with gnuplot; left out where gnuplot is not installed."""
     data, plots = [], []
@@ -158,7 +169,7 @@ def main():
     if not (corpus / "score.py").exists():
         print(f"SKIPPED: no corpus at {corpus}; set DETENT_CORPUS")
         return
-    lines, items, points = [HEAD], [], {}
+    page_lines, items, points = [PAGE_HEAD], [], {}
     print(HEAD, flush=True)
     for name, members in classes(corpus).items():
         if a.classes and not any(name.startswith(c.strip()) for c in a.classes.split(",")):
@@ -168,8 +179,9 @@ def main():
                 jobs = [pool.submit(run_item, a.program, corpus, i, m, quality) for i, m in members[: a.limit]]
                 rows = [{**j.result(), "class": name} for j in jobs]
             s = summary(rows)
-            lines.append(table_row(name, quality, s))
-            print(lines[-1], flush=True)
+            print(table_row(name, quality, s), flush=True)
+            if quality == "standard":
+                page_lines.append(page_row(name, s))
             items += rows
             points.setdefault(name, []).append((s["s_median"], 100 * s["fit_median"]))
     if a.items:
@@ -178,7 +190,7 @@ def main():
         page = Path(a.write, "bench-importer.md")
         before, marks, after = page.read_text().partition("<!-- importer_trade.py -->\n")
         after = after.split("<!-- end -->", 1)[1]
-        page.write_text(before + marks + "\n".join(lines) + "\n<!-- end -->" + after)
+        page.write_text(before + marks + "\n".join(page_lines) + "\n<!-- end -->" + after)
         write_picture(Path(a.write), points)
 
 

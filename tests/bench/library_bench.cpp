@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// library_bench DATABASE [--out docs/measurements/bench-library.md]: is a switch found by another laboratory's record of it? The database holds clones of
-// force-curves-tidy and of the Open-Switch curve meter, indexed by detent-import. Pairs are switches of one name in both; weights are
-// fitted without the pair that is judged. Figures: docs/measurements/bench-library.md, between the marks.
+// library_bench DATABASE [--out docs/measurements/bench-library.md]: is a switch found by another
+// laboratory's record of it? The database holds clones of force-curves-tidy and of the Open-Switch curve
+// meter, indexed by detent-import. Pairs are switches of one name in both; weights are fitted without the
+// pair that is judged. Figures: docs/measurements/bench-library.md, between the marks.
 
 #include <algorithm>
 #include <array>
@@ -111,12 +112,13 @@ double medianOf(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// What one set of weights makes of one pair; medians over the pair's records.
+/// Result of one set of weights for one pair; medians over the pair's records.
 struct Outcome {
   double rank = 0, distance_gf = 0, logChance = 0;
 };
 
-/// The chance that the right one is drawn, where nearness decides with the noise of laboratories; one in fifty pairs is no pair at all.
+/// The chance that the right one is drawn, where nearness decides with the noise of laboratories; one in
+/// fifty pairs is no pair at all.
 double logChanceOf(const std::vector<double>& distances_gf, double right_gf) {
   constexpr double noise_gf = 1.5, notTheSame = 0.02;
   const auto likeness = [&](double d_gf) {
@@ -185,8 +187,8 @@ struct Method {
   std::function<std::vector<FeelDifference>(std::vector<FeelDifference>, double way)> of;
 };
 
-/// By how much one laboratory's forces lie above the other's on the same switch: median over the pairs but one, to half a gf, so that no
-/// pair has a say in what it is judged by.
+/// By how much one laboratory's forces lie above the other's on the same switch: median over the pairs but
+/// one, to half a gf, so that no pair has a say in what it is judged by.
 double levelBetween_gf(const std::vector<Pair>& there) {
   std::set<double> halves;
   for (std::size_t left = 0; left < there.size(); ++left) {
@@ -254,7 +256,7 @@ std::string rowOf(const char* name, const Outcomes& outcomes) {
 
 bool isOpenSwitch(const LibrarySwitch& each) { return each.source.ends_with(".ods"); }
 
-/// How long 5,000 comparisons take.
+/// Time of 5,000 comparisons.
 double search_ms(const std::vector<LibrarySwitch>& all) {
   constexpr int asked = 5000;
   const auto begin = std::chrono::steady_clock::now();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_loop_bench [ROUNDS]: how punctual a loop of 1 kHz is by the ways there are to wait, in turns of two seconds each, so that
-// what else the machine does meets all alike. Figures: docs/measurements/bench-force.md, docs/develop/decisions/1106-force-loop-timing.md.
+// detent_loop_bench [ROUNDS]: how punctual a loop of 1 kHz is by the ways there are to wait, in turns of two
+// seconds each, so that what else the machine does meets all alike. Figures:
+// docs/measurements/bench-force.md, docs/develop/decisions/1106-force-loop-timing.md.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

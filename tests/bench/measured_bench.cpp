@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// measured_bench DATABASE: what the window of measured switches takes of a processor for all rows of a library. Lines "what<TAB>ms", medians
-// of nine. QT_QPA_PLATFORM=offscreen; tests/bench/library.py prints the table.
+// measured_bench DATABASE: what the window of measured switches takes of a processor for all rows of a
+// library. Lines "what<TAB>ms", medians of nine. QT_QPA_PLATFORM=offscreen; tests/bench/library.py prints the
+// table.
 
 #include <algorithm>
 #include <cstdio>

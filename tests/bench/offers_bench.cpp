@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_offers_bench: what *make distinguishable* offers, against every whole per cent of each lever. Figures: docs/reference/predicted-confusion.md
+// detent_offers_bench: what *make distinguishable* offers, against every whole per cent of each lever.
+// Figures: docs/reference/predicted-confusion.md
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ bool apart(const Button& a, const FeltButton& b) {
   return felt && predictConfusion(*felt, b, settings.confusion).toldApart();
 }
 
-/// The first whole per cent on the way from 100 that tells the two apart.
+/// The first whole per cent on the way from 100 that makes the two distinguishable.
 std::optional<int> byGrid(const Button& button, const FeltButton& other, Lever lever, int step) {
   const int last = step > 0 ? static_cast<int>(100 * settings.largestFactor)
                             : static_cast<int>(std::lround(100 / settings.largestFactor));

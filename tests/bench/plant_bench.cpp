@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_plant_bench [OUT.svg]: what the force engine asks of a motor when something goes wrong, on the independent world of
-// tests/playback/plant. Draws force over time for a start deep in a wall, a jump, silence and a stop, and prints the table of
-// docs/measurements/bench-force.md; and how still a Falcon holds under a finger, by its friction. Deterministic; nothing is timed.
+// detent_plant_bench [OUT.svg]: forces that the force engine requests of a motor when something goes wrong,
+// on the independent world of tests/playback/plant. Draws force over time for a start deep in a bottom-out, a
+// jump, silence and a stop, and prints the table of docs/measurements/bench-force.md; and how still a Falcon
+// holds under a finger, by its friction. Deterministic; nothing is timed.
 
 #include <algorithm>
 #include <cmath>

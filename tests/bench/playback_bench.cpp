@@ -225,7 +225,7 @@ void benchSensor(int period, EventPlacement placement, int trials) {
   std::thread([&] { pressSensor(period, placement, trials); }).join();
 }
 
-/// How evenly grains follow the finger: time of each grain against the true crossing, a minimum-jerk press of
+/// Evenness of grains under the finger: time of each grain against the true crossing, a minimum-jerk press of
 /// 4 mm read at 425 Hz. No sound server: the engine alone.
 void benchEvenness(double press_s, EventPlacement placement) {
   const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));

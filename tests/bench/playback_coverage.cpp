@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_playback_coverage: how often the truth lies within the errors that playback and studies print. `coverage.py playback`
-// writes its tables into docs/measurements/coverage.md.
+// detent_playback_coverage: how often the truth lies within the errors that playback and studies print.
+// `coverage.py playback` writes its tables into docs/measurements/coverage.md.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -84,7 +84,8 @@ void identification() {
   }
 }
 
-/// Weights on a sensor whose curve is a polynomial of a divider's reading; each reading errs as the settings say.
+/// Weights on a sensor whose curve is a polynomial of a divider's reading; each reading errs as the settings
+/// say.
 std::vector<KnownWeight> weighed(const SensorCalibration& truth, std::size_t readings, std::mt19937& random) {
   std::normal_distribution<> unit(0, 1);
   const CalibrationSettings settings;
@@ -283,7 +284,8 @@ void sweeps() {
   }
 }
 
-// `latency` prints mean and SD of what was measured, as the paper does: a spread, no error of the mean. SD / sqrt(N) must be one.
+// `latency` prints mean and SD of what was measured, as the paper does: a spread, no error of the mean. SD /
+// sqrt(N) must be one.
 void latencies() {
   printHead("`latency`: mean against SD / sqrt(N)", "delays");
   std::mt19937 random(9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the library takes to read a file, without Python: read_bench FILE COUNT prints the median of the processor time in ms. For
-// tests/bench/python_module.py.
+// What the library takes to read a file, without Python: read_bench FILE COUNT prints the median of the
+// processor time in ms. For tests/bench/python_module.py.
 
 #include <algorithm>
 #include <cstdio>

@@ -223,22 +223,21 @@ By the functions that ran. Each claim has a second scene in which they do run.
 
 """
 BETWEEN = """
-Inside the engines a function says little: there every number that belongs to nothing a button has (jumps, bottom-out, second state, contacts, bands, damping,
-release of a button without one) is made a signalling NaN, and whole presses run without the processor's invalid flag (`tests/playback/poisoned.h`, tests *nothing is
-evaluated that a button does not have* and *no number is read of what a button does not have*). A player without a sensor has no thread but its caller's
+Inside the engines, signalling NaNs stand in every number that the button does not have (`tests/playback/poisoned.h`,
+[0008](../develop/decisions/0008-nothing-unneeded-runs.md)). A player without a sensor has no thread but its caller's
 (`silent_player_test`).
 
 ## Instructions inside the engines
 
-A standard press at 48 kHz; two seconds on the simulated 1 µm device at 1 kHz. The function that renders or steps and all it calls, nothing else of the program.
-Stretches in which nothing sounds cost next to nothing, so a button with more to feel costs more.
+A standard press at 48 kHz; two seconds on the simulated 1 µm device at 1 kHz. Counted: the function that
+renders or steps, and all it calls.
 
 """
 LOADED = """
 ## What is loaded
 
-Shared libraries (also those loaded later), largest resident memory, instructions of the whole process, least processor time of five runs. *Nothing to read* is the start up to the
-first useful work: the file that is asked for is looked for and missed. Bars: a picture 60 libraries, a start 40 ms.
+Shared libraries (also those loaded later), largest resident memory, instructions of the whole process, least processor time of five runs. *Nothing to read*: the
+requested file does not exist. Bars: a picture 60 libraries, a start 40 ms.
 
 """
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_study_bench: how often the tests that a study's report prints cry wolf, and how often they find what is there. Its table stands in
-// docs/measurements/coverage.md.
+// detent_study_bench: how often the tests that a study's report prints cry wolf, and how often they find what
+// is there. Its table stands in docs/measurements/coverage.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -109,7 +109,7 @@ ThresholdEstimate asked(const Observer& o, std::size_t trials, StudyRandom& rand
   return quest.estimate();
 }
 
-/// How often the threshold lies within, and how far the estimate is off in the middle case.
+/// Share of thresholds within the interval, and error of the estimate in the middle case.
 void thresholdRow(const char* observers, std::size_t trials, std::size_t count, StudyRandom& random,
                   const std::function<Observer(StudyRandom&)>& drawn) {
   Count within{0, count};

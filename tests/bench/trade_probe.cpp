@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tests/bench/trade asks of the product that no program's option reaches: one measurement, printed as numbers in a line.
+// Measurements for tests/bench/trade that no program's option reaches: one measurement per call, printed as
+// numbers in a line.
 //
-//   trade_probe spectrogram WINDOW_S         separation of 150 and 200 Hz (dB), drawn length beyond a burst's own (ms)
+//   trade_probe spectrogram WINDOW_S         separation of 150 and 200 Hz (dB), excess length of a burst (ms)
 //   trade_probe host BUTTON RATE_HZ          force error (mN rms), bytes on the line a second, bytes before
 //   trade_probe upload BUTTON ROWS           the same, of the sample firmware with a table of so many rows
 

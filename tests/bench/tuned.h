@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Forced into every file of the copy that tests/bench/ablate.py builds: there each threshold of a step reads
-// DETENT_TUNED="trace/loop_path.cpp:kSteepFall=2.6,..." once and is what the source says where that does not name it.
+// DETENT_TUNED="trace/loop_path.cpp:kSteepFall=2.6,..." once and is what the source says where that does not
+// name it.
 
 #include <cstdlib>
 #include <map>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `detent-play calibrate` at a terminal, with sensors that are not as kind as those of docs/guide/first-button.md.
+// `detent-play calibrate` at a terminal, with sensors that are not as kind as those of
+// docs/guide/first-button.md.
 
 #include <atomic>
 #include <cmath>
@@ -50,7 +51,8 @@ class Sensor {
   std::thread thread_;
 };
 
-/// What `calibrate` says of one weighing of 50 g on such a sensor. `before` is what it sent while nobody listened.
+/// Output of `calibrate` for one weighing of 50 g on such a sensor. `before`: readings that were sent before
+/// the program listened.
 std::string weighed(const Sensor::Counts& counts, const std::string& before = "") {
   const ProgramFolder folder("calibrate_terminal_test");
   PtySensor pty;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/guide/first-button.md as a person would follow it: its own command lines, at a terminal, with the sketch of samples/firmware on a
-// simulated sensor behind a pty and a simulated transducer on a sound server.
+// docs/guide/first-button.md as a person would follow it: its own command lines, at a terminal, with the
+// sketch of samples/firmware on a simulated sensor behind a pty and a simulated transducer on a sound server.
 
 #include <algorithm>
 #include <atomic>
@@ -36,7 +36,8 @@ namespace {
 /// On the sensor; set by whoever presses.
 std::atomic<double> force_N{0};
 
-/// One line of docs/reference/serial-protocol.md: a sensor whose conductance rises with the force, 10 kOhm to ground, one count of noise.
+/// One line of docs/reference/serial-protocol.md: a sensor whose conductance rises with the force, 10 kOhm to
+/// 0 V, one count of noise.
 std::string readingAt(std::uint32_t time_us) {
   static std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 0.5);
@@ -139,7 +140,8 @@ class SimulatedTransducer {
   JackListener listener_;  // last: it calls move
 };
 
-/// The page's command lines: what is indented and begins with detent-play, with `port` in the place of the board's.
+/// The page's command lines: what is indented and begins with detent-play, with `port` in the place of the
+/// board's.
 std::vector<std::vector<std::string>> commandsOfThePage(const std::string& port) {
   std::ifstream page(DETENT_SOURCE_DIR "/docs/guide/first-button.md");
   std::vector<std::vector<std::string>> commands;
@@ -207,7 +209,8 @@ void play(const std::vector<std::string>& command, const ProgramFolder& folder,
   CHECK(program.exitCode(5) == 0);
   INFO(program.screen());
   CHECK(program.screen().find("1 press jumps, 1 release jumps, 1 bottom-outs") != std::string::npos);
-  // One thing is said, which the page foretells: the sweep's equalizer spares the jumps. A board that halts is warned of, too.
+  // One thing is said, which the page foretells: the sweep's equalizer spares the jumps. A board that halts
+  // is warned of, too.
   const std::size_t said = program.screen().find("warning:");
   CHECK(said != std::string::npos);
   INFO("the simulated board halted for up to " << board.longestHalt_s() << " s");
@@ -219,7 +222,8 @@ void play(const std::vector<std::string>& command, const ProgramFolder& folder,
 }  // namespace
 
 TEST_CASE("first button: every step of the page does what it says one should see") {
-  // A sweep stands at no deadline: blocks of 85 ms play on where a machine shared with others halts for as long.
+  // A sweep stands at no deadline: blocks of 85 ms play on where a machine shared with others halts for as
+  // long.
   JackServer server(4096);
   if (!server.ready()) {
     std::cout << "SKIPPED the first button's page: " << server.whyNot() << "\n";

@@ -136,7 +136,8 @@ TEST_CASE("Inputs that cannot be read are refused with one helpful sentence and 
 
 TEST_CASE("Hostile inputs are refused with a sentence, in bounded time and memory") {
   refused("claims.bmp", claimingBmp(), 3, "100000 x 100000");
-  // A fast machine reaches the limit of references, a slow one the limit of time: both say that it is not drawn.
+  // A fast machine reaches the limit of references, a slow one the limit of time: both say that it is not
+  // drawn.
   refused("bomb.svg", svgBomb(), 3, "draw");
   refused("forms.pdf", formBomb(), 3, "more objects");
   refused("pages.pdf", pdfPages(10000, "0 0 m 9 9 l S"), 3, "10000 pages");

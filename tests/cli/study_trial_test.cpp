@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A participant at a real terminal with a sound server: keys, answers, masking noise, and how soon a key is felt.
+// A participant at a real terminal with a sound server: keys, answers, masking noise, and how soon a key is
+// felt.
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,7 @@ TEST_CASE("study: a key is felt as soon as the player's own finger is") {
   }
   std::printf("key to vibration, median of %d: %.2f ms in a trial, %.2f ms by the player itself\n", keys,
               1e3 * byKey_s, 1e3 * byPlayer_s);
-  CHECK(byKey_s < byPlayer_s + 0.02);  // another buffer, or a look at the keys every 50 ms, would show
+  CHECK(byKey_s < byPlayer_s + 0.02);  // another buffer, or a poll of the keys every 50 ms, would show
 }
 
 TEST_CASE("study: a masked trial at a terminal: rain on the second output, answers on the disk") {

@@ -2,8 +2,8 @@
 // Ten thousand seeded random actions with mouse, keys, menus, dialogs and undo. After each the button is
 // valid; at the end undoing all gives the first button exactly, redoing all the last.
 //
-// A tenth as many corrections of an import are made, undone and given out at random, mostly while their answers are still awaited: at
-// the end undoing all gives the first result exactly.
+// A tenth as many corrections of an import are made, undone and given out at random, mostly while their
+// answers are still awaited: at the end undoing all gives the first result exactly.
 //
 // DETENT_MONKEY_ACTIONS and DETENT_MONKEY_SEED change how many and which (defaults: 10000, 5).
 #include <algorithm>
@@ -174,7 +174,7 @@ class Monkey {
     std::shuffle(several.begin(), several.end(), random_);
     rig_.canvas().setSelection(several);
   }
-  // What was copied or cut before, often; sometimes what another program left in the clipboard.
+  // Pastes an earlier copy, often; sometimes the clipboard of another program.
   void paste() {
     static const QString texts[] = {"", "words", textOf({{{1, 0.4, 0, 0}, {1.2, 0.5, 0, 0}}, {}}),
                                     textOf({{{-7, 0.4, 0, 0}}, {{90, 0.5, 0, 0}}}),
@@ -418,7 +418,8 @@ void MonkeyTest::randomCorrectionsOfAnImportAreUndone() {
     state.acceptAll();  // what is ticked among it, with the monkey's next steps in between
   }
   QVERIFY(afterUndoingAll() == first);
-  // Whatever came of the imports on the way (on a slow machine nothing): one that nobody disturbs gives its button.
+  // Whatever came of the imports on the way (on a slow machine nothing): one that nobody disturbs gives its
+  // button.
   const int before = imported;
   for (const char* name : ImportMonkey::switches) state.setCurveTicked(name, false);
   state.setConfirmed(true);

@@ -10,8 +10,9 @@ namespace detent::windowtests {
 using MakeWindowTest = std::unique_ptr<QObject> (*)();
 using PrepareWindowTest = bool (*)();
 
-/// Registers a test class under its name. `prepare` runs once the application exists and before the class is made; where it
-/// returns false, the class is skipped. Without widgets, the application is a QCoreApplication.
+/// Registers a test class under its name. `prepare` runs once the application exists and before the class is
+/// made; where it returns false, the class is skipped. Without widgets, the application is a
+/// QCoreApplication.
 struct WindowTestEntry {
   WindowTestEntry(
       const char* name, MakeWindowTest make, PrepareWindowTest prepare = [] { return true; },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every edit, by any number, on any curve: a curve that keeps the rules, or a failure that says what stood in the way.
+// Every edit, by any number, on any curve: a curve that keeps the rules, or a failure that says what stood in
+// the way.
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What may come in at the edges: numbers of every size, curves from 1 µm to 100 m and from 1 nN to 10 MN, with walls, flats and
-// knots one ulp apart.
+// Inputs at the limits: numbers of every size, curves from 1 µm to 100 m and from 1 nN to 10 MN, with
+// vertical rises, flats and knots one ulp apart.
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +21,8 @@
 
 namespace detent::tests {
 
-/// least <= result <= most, all alike from the first case on (rapidcheck by itself begins with the small ones).
+/// least <= result <= most, all alike from the first case on (rapidcheck by itself begins with the small
+/// ones).
 template <class Integer>
 Integer anyOf(Integer least, Integer most) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Integer>(least, most + 1));
@@ -71,13 +72,13 @@ inline double anyFinite() {
   return std::isfinite(value) ? value : 0;
 }
 
-/// How large a button is; within what a ForceGraph admits.
+/// Size of a button; within the limits of a ForceGraph.
 struct Size {
   double travel_mm = 4, force_N = 1;
 };
 inline Size anySize() { return {magnitude(1e-3, 1e5), magnitude(1e-9, 1e6)}; }
 
-/// What a failing case prints beside its random numbers.
+/// Output of a failing case beside its random numbers.
 inline void logKnots(const StrokeCurve& curve) {
   std::string text = "knots (mm, N, N/mm, N/mm):";
   char line[120];
@@ -89,8 +90,8 @@ inline void logKnots(const StrokeCurve& curve) {
   RC_LOG(text);
 }
 
-/// 2 to 12 knots over a travel from 0 mm on; forces mostly up to the size's, never above ten times it. One knot in eight makes a
-/// wall, one in eight a flat, one in ten stands 1 to 4 ulp behind the one before.
+/// 2 to 12 knots over a travel from 0 mm on; forces mostly up to the size's, never above ten times it. One
+/// knot in eight makes a vertical rise, one in eight a flat, one in ten is 1 to 4 ulp behind the one before.
 inline StrokeCurve extremeCurve(Size size) {
   const int knotCount = count(2, 12);
   std::vector<double> places{0};

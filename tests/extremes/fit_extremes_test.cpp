@@ -223,8 +223,8 @@ TEST_CASE("any points and any options are fitted or refused by name") {
       points[static_cast<std::size_t>(at += count(10, 50))].force_N += wild;
     const auto fitted = fitStroke(points, Stroke::press, fitOptionsFor(FitEffort::standard, {0.002, 0.002}));
     if (!fitted) return assertNamed(fitted.failure());
-    // Beyond 20 sigmas (and the noise of their neighbours) they stand alone: nowhere, not even where they are, does the curve follow
-    // them. Smaller ones pull it a little, and only beside themselves.
+    // Beyond 20 sigmas (and the noise of their neighbours) they stand alone: nowhere, not even where they
+    // are, does the curve follow them. Smaller ones pull it a little, and only beside themselves.
     const int places = std::abs(wild) > 0.05 ? 0 : 12;
     int far = 0;
     for (int i = 0; i <= 200; ++i)
@@ -234,7 +234,8 @@ TEST_CASE("any points and any options are fitted or refused by name") {
 }
 
 TEST_CASE("three wild samples of a line give no tactile point") {
-  // As large as the stroke's own force they look like a spike: the curve followed one of them in 2 logs of 100.
+  // As large as the stroke's own force they resemble a spike: the curve followed one of them in 2 logs of
+  // 100.
   std::vector<CurvePoint> points;
   for (int i = 0; i <= 200; ++i)
     points.push_back({0.02 * i, 0.2 + 0.0037 * i + 0.002 * std::sin(17.0 * i * i)});

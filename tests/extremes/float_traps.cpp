@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DETENT_TRAP_FLOATS=1: an invalid operation or an overflow ends the test on the spot (SIGFPE), instead of leaving a NaN or an
-// infinity to be found later, or not. For tests whose input is finite and within its range: tag [finite].
+// DETENT_TRAP_FLOATS=1: an invalid operation or an overflow ends the test on the spot (SIGFPE), instead of
+// leaving a NaN or an infinity to be found later, or not. For tests whose input is finite and within its
+// range: tag [finite].
 
 #include <cfenv>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force loop on any readings and any button: never more force than the limits, never energy below what is held, and a record
-// of a press back to its spring and damper.
+// The force loop on any readings and any button: never more force than the limits, never energy below what is
+// held, and a record of a press back to its spring and damper.
 
 #include <cmath>
 #include <memory>
@@ -260,7 +260,7 @@ TEST_CASE("a record beyond any button is refused with the sample that is") {
 }
 
 TEST_CASE("a button that pulls in at the bottom holds its energy against the wall, too") {
-  // It ends at -3,500 N; the device pulls as steeply as it can, and comes to rest inside the wall.
+  // It ends at -3,500 N; the device pulls as steeply as it can, and comes to rest inside the end stop.
   const Result<StrokeCurve> press = StrokeCurve::throughPoints({{0, 0}, {1.5, -3000}, {4, -3500}});
   const auto prepared = prepareForce(
       test::buttonOf("pulls", {{"", *ForceGraph::fromCurves(*press, {}), {}, {}, {}}}), simulatedDevice());
@@ -272,7 +272,8 @@ TEST_CASE("a button that pulls in at the bottom holds its energy against the wal
   CHECK(rest_mm == Approx(4 - end_N / table.wallSlope_N_per_mm));
   ForceLaw law(prepared->program);
   CHECK(law.stored_mJ(rest_mm) == Approx(0).margin(1e-5));
-  // What is held differs by the force times the way, before the wall and in it, on both sides of the rest.
+  // The stored energy differs by the force times the way, before the end stop and in it, on both sides of the
+  // rest.
   for (const double x : {3.9, 4.1, rest_mm - 0.05, rest_mm + 0.05, rest_mm + 1}) {
     CHECK(law.stored_mJ(x) > 0);
     CHECK((law.stored_mJ(x + 0.005) - law.stored_mJ(x - 0.005)) / 0.01 ==

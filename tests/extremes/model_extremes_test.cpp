@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The model from 1 µm to 100 m and 1 nN to 10 MN: finite in, finite out; one button in any unit; the bounds its headers state.
+// The model from 1 µm to 100 m and 1 nN to 10 MN: finite in, finite out; one button in any unit; the bounds
+// its headers state.
 
 #include <cmath>
 
@@ -139,7 +140,7 @@ TEST_CASE("what is derived from a curve is finite and in order", "[finite]") {
       const double x = curve.displacementIn(s, force);
       RC_ASSERT(x >= s.from_mm && x <= s.to_mm);
       if (s.direction == 0 || s.from_mm == s.to_mm) continue;
-      // The force within one step of x to either side encloses the asked one.
+      // The force within one step of x to either side encloses the requested one.
       const double before = curve.force_N(std::max(s.from_mm, std::nextafter(x, -1.0)));
       const double after = curve.forceBefore_N(std::min(s.to_mm, std::nextafter(x, 2 * x + 1)));
       const double slack = 1e-9 * spanOf(curve);

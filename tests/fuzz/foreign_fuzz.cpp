@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes, as if they were a signal of another program (AHAP, .haptic, HJIF, WAV) or the readings of a magnetic switch. What is taken
-// sounds within full scale; what is not has a reason and a remedy.
+// Any bytes, as if they were a signal of another program (AHAP, .haptic, HJIF, WAV) or the readings of a
+// magnetic switch. What is taken sounds within full scale; what is not has a reason and a remedy.
 
 #include <cmath>
 #include <cstddef>

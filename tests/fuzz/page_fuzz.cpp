@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes, as if they were a file: open, read the first page, look at a part of it. Nothing may crash, hang
-// or leak.
+// Any bytes, as if they were a file: open, read the first page, view a part of it. Nothing may crash, hang or
+// leak.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole import on plots that are drawn as the input says: bytes that are a compressed file hardly ever become
-// another plot, these always do. Frame, grid, curves in any number, inks, dashes, letters, blocks, noise; dark or
-// light, sharp or soft. Nothing may crash, hang, leak, or give a button with a number that is not finite.
+// The whole import on plots that are drawn from the input: bytes of a compressed file hardly ever become
+// another plot, these always do. Frame, grid, curves in any number, colours, dashes, letters, blocks, noise;
+// dark or light, sharp or soft. Nothing may crash, hang, leak, or give a button with a number that is not
+// finite.
 
 #include <array>
 #include <cstddef>

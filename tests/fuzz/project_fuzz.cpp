@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes, as if they were measurements kept as strokes: a digitizer's project (JSON, TAR), a spreadsheet, JSON of a force tester.
-// What is taken has finite strokes; what is not has a reason and a remedy.
+// Any bytes, as if they were measurements kept as strokes: a digitizer's project (JSON, TAR), a spreadsheet,
+// JSON of a force tester. What is taken has finite strokes; what is not has a reason and a remedy.
 
 #include <cmath>
 #include <cstddef>

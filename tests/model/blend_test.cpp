@@ -34,7 +34,7 @@ Button late() {
 double largestBlendDifference(const StrokeCurve& a, const StrokeCurve& b) {
   double worst = 0;
   const double end_mm = std::min(a.end_mm(), b.end_mm());
-  for (int i = 0; i < 1000; ++i) {  // up to the wall, where a rounding of the travel is all of its force
+  for (int i = 0; i < 1000; ++i) {  // up to the rise, where a rounding of the travel is all of its force
     const double x = a.start_mm() + (end_mm - a.start_mm()) * (i + 0.5) / 1001;
     worst = std::max(worst, std::abs(a.force_N(x) - b.force_N(x)));
   }

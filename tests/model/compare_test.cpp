@@ -39,8 +39,8 @@ TEST_CASE("two parallel lines are as far apart as they are") {
   CHECK(d.press->maxOfSpan == Approx(0.1));
   CHECK(d.press->max_N == Approx(0.2));
   CHECK(d.press->meanOfSpan == Approx(0.5 * (0.1 + 0.005) / 2 + 0.5 * (0.09 + 0.005) / 1.9).epsilon(0.01));
-  // From the first: its horizontal is 0.2 N away, the lowest tenth of its wall 0.1 N on average. From the
-  // second: the last tenth of its horizontal is nearer to the wall, which is a matter of displacement.
+  // From the first: its horizontal is 0.2 N away, the lowest tenth of its rise 0.1 N on average. From the
+  // second: the last tenth of its horizontal is nearer to the rise, which is a matter of displacement.
   CHECK(d.press->mean_N == Approx(0.5 * (0.2 + 0.1 * 0.1) / 2 + 0.5 * (0.2 * 0.9) / 1.9).epsilon(0.01));
 }
 

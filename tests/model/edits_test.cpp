@@ -88,7 +88,7 @@ TEST_CASE("slopes, corners and smooth knots") {
   CHECK(curve.slope_N_per_mm(1) == 0);  // an extremum
   curve = require(makeSmooth(curve, 1));
   CHECK(curve.slope_N_per_mm(0.5) > 0);
-  CHECK(isCorner(curve, 4));  // a wall begins there
+  CHECK(isCorner(curve, 4));  // a vertical rise begins there
   requireEditRefusal(setSlope(curve, 0, notANumber), "not a finite number");
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
     while (inserted->knots()[index].displacement_mm != x) ++index;
     RC_ASSERT(removeKnot(*inserted, index).value() == curve);
   });
-  requireEditRefusal(insertKnot(tactileCurve(), 1), "stands already at 1 mm");
+  requireEditRefusal(insertKnot(tactileCurve(), 1), "is already at 1 mm");
   requireEditRefusal(insertKnot(tactileCurve(), 0), "outside");
   requireEditRefusal(insertKnot(tactileCurve(), notANumber), "outside");
   requireEditRefusal(removeKnot(curveThrough({{0, 0}, {1, 1}}), 0), "needs 2 knots");
@@ -197,7 +197,8 @@ TEST_CASE("a tactile point on top of a wall is drawn away from it, whatever the 
 }
 
 TEST_CASE("a wall's foot ends the flanks beside it") {
-  // A wall up to almost the height of the tactile point before it: stretched from top to top, its foot would fly 13 N away.
+  // A rise up to almost the height of the tactile point before it: stretched from top to top, its lower end
+  // would fly 13 N away.
   const auto curve = StrokeCurve::fromKnots(
       {{0, 0, 4, 4}, {1, 0.41, 0, 0}, {2, 0.3, -0.2, 0}, {2, 0.40999, 0, -0.3}, {3, 0, -0.4, -0.4}});
   REQUIRE(curve.ok());
@@ -223,8 +224,8 @@ TEST_CASE("any tactile point of any curve can be moved a little") {
         const CurvePoint to{points[i].displacement_mm, points[i].force_N + outwards};
         const auto moved = moveTactilePoint(curve, stroke, i, to);
         if (!moved) continue;  // a neighbouring turn of the same height, refused by name
-        // A turn stands there, or a level top of which half was held goes on from there. What is a tactile point, and where
-        // the wall begins, is told by the whole curve.
+        // A turn is there, or a level top of which half was held goes on from there. The whole curve decides
+        // what is a tactile point, and where the bottom-out begins.
         RC_ASSERT(std::abs(moved->force_N(to.displacement_mm) - to.force_N) < 1e-12 ||
                   std::abs(moved->forceBefore_N(to.displacement_mm) - to.force_N) < 1e-12);
         const auto turns = stroke == Stroke::press ? moved->localMaxima() : moved->localMinima();

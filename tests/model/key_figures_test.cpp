@@ -19,7 +19,7 @@ StrokeCurve straight(const std::vector<CurvePoint>& points) {
   return *strokeFrom(sketch);
 }
 
-// Start 0.1 N; peak 0.6 N at 1 mm; valley 0.3 N at 2 mm; then 0.2 N/mm to 4 mm and a wall to 4.1 mm.
+// Start 0.1 N; peak 0.6 N at 1 mm; valley 0.3 N at 2 mm; then 0.2 N/mm to 4 mm and a bottom-out to 4.1 mm.
 ButtonState drawn() {
   const StrokeCurve press = straight({{0, 0.1}, {1, 0.6}, {2, 0.3}, {4, 0.7}, {4.1, 2.7}});
   const StrokeCurve release = straight({{0, 0}, {1, 0.4}, {1.5, 0.1}, {4, 0.5}, {4.1, 2.5}});
@@ -80,7 +80,7 @@ TEST_CASE("of two levels the peak is the one with the larger drop") {
   checkFigure(figures, KeyFigure::drop, 0.60);
 }
 
-// What scales forces scales forces, rates and works, and leaves travels and shares alone.
+// An edit that scales forces scales forces, rates and works, and leaves travels and shares alone.
 TEST_CASE("key figures go with the unit they are said to have") {
   const Button button = *twoLevelButton();
   const KeyFigures before = keyFiguresOf(button.states()[0]);

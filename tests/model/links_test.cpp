@@ -50,7 +50,7 @@ TEST_CASE("One end of the travel: every stroke of every state goes to where one 
       const ForceGraph& graph = kept->states()[i].graph;
       CHECK(graph.press().end_mm() == Approx(end_mm).margin(1e-9));
       CHECK(graph.release()->end_mm() == Approx(end_mm).margin(1e-9));
-      // The wall keeps its height and the peak its place.
+      // The bottom-out keeps its height and the peak its displacement.
       CHECK(graph.press().knots().back().force_N == before.states()[i].graph.press().knots().back().force_N);
       CHECK(tactilePoints(graph.press(), Stroke::press)[0].force_N == Approx(0.55));
     }

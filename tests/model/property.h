@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Properties with a fixed seed: a test that failed yesterday fails today. RC_PARAMS="seed=N max_success=10000" tries others and
-// more; .ci/nightly does.
+// Properties with a fixed seed: a test that failed yesterday fails today. RC_PARAMS="seed=N
+// max_success=10000" tries others and more; .ci/nightly does.
 
 #include <cstdlib>
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Curves for property tests: any shape, with corners, walls and flats.
+// Curves for property tests: any shape, with corners, vertical rises and flats.
 
 #include <vector>
 
@@ -14,8 +14,8 @@ inline double between(double low, double high) {
   return low + (high - low) * (*rc::gen::inRange(0, 1000001)) / 1000000.0;
 }
 
-/// 2 to 13 knots from 0 mm on, travel up to about 6 mm, forces of 0 to 2 N, one piece in ten a wall, one in
-/// ten flat.
+/// 2 to 13 knots from 0 mm on, travel up to about 6 mm, forces of 0 to 2 N, one piece in ten a vertical rise,
+/// one in ten flat.
 inline StrokeCurve anyCurve() {
   std::vector<Knot> knots;
   const int count = *rc::gen::inRange(2, 14);

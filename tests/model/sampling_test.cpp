@@ -101,7 +101,7 @@ TEST_CASE("points that are no stroke are refused with their number") {
   CHECK_THAT(back.failure().sentence(), Catch::Contains("point 3: at 0.5 mm goes back behind 1 mm"));
   const auto spike = curveThroughDensePoints({{0, 0}, {1, 0}, {1, 2}, {1, 1}, {2, 1}}, 1e-4);
   REQUIRE_FALSE(spike.ok());
-  CHECK_THAT(spike.failure().sentence(), Catch::Contains("point 4: turns back inside a wall"));
+  CHECK_THAT(spike.failure().sentence(), Catch::Contains("point 4: turns back inside a vertical rise"));
   CHECK_FALSE(curveThroughDensePoints({{0, 0}, {1, NAN}}, 1e-4).ok());
   CHECK_FALSE(curveThroughDensePoints({{0, 0}}, 1e-4).ok());
   CHECK_FALSE(curveThroughDensePoints({{0, 0}, {0, 1}}, 1e-4).ok());

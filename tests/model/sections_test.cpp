@@ -103,7 +103,7 @@ TEST_CASE("a wiggle on the flank of a peak is measured by its shallower side") {
 }
 
 TEST_CASE("the bar is a share of the range below the wall, not of the wall") {
-  // 0.06 N of 0.6 N is 10 %, but 0.6 % of the wall's 10 N.
+  // 0.06 N of 0.6 N is 10 %, but 0.6 % of the bottom-out's 10 N.
   const StrokeCurve curve = through({{0, 0}, {1, 0.5}, {1.5, 0.44}, {3, 0.6}, {3.02, 10}});
   CHECK(tactilePoints(curve, Stroke::press).size() == 1);
 }
@@ -119,7 +119,7 @@ TEST_CASE("bottom-out: vertical walls, steep walls, rounded feet, none") {
       bottomOutOf(through({{0, 0.4}, {3.5, 0.6}, {3.6, 0.63}, {3.65, 0.75}, {3.7, 1.3}}));
   CHECK(rounded.wall);
   CHECK(rounded.displacement_mm == Approx(3.6).margin(0.05));
-  // CHERRY's graphs end at the full travel without a wall.
+  // CHERRY's graphs end at the full travel without a bottom-out.
   const BottomOut open = bottomOutOf(through({{0, 0.3}, {1.2, 0.55}, {1.7, 0.41}, {2.1, 0.5}, {4, 0.6}}));
   CHECK_FALSE(open.wall);
   CHECK(open.displacement_mm == 4);
@@ -130,9 +130,9 @@ TEST_CASE("no false walls: stiffening springs, a steep start, a late peak") {
   CHECK_FALSE(bottomOutOf(through({{0, 0}, {1, 0.1}, {2, 0.3}, {3, 0.8}, {4, 1.6}})).wall);
   CHECK_FALSE(bottomOutOf(through({{0, 0}, {0.02, 0.5}, {4, 0.8}})).wall);
   CHECK_FALSE(bottomOutOf(through({{0, 0.2}, {3, 0.4}, {3.5, 0.9}, {4, 0.5}})).wall);
-  // A dead stroke before the spring: the spring is no wall, however steep against nothing.
+  // Free travel before the spring: the spring is no bottom-out, however steep against zero.
   CHECK_FALSE(bottomOutOf(through({{0, 0.1}, {1, 0.1001}, {4, 1}})).wall);
-  // A wall at the *start* of a press is slope.
+  // A rise at the *start* of a press is slope.
   const StrokeCurve start = through({{0, 0}, {0, 0.4}, {4, 0.8}});
   CHECK(kinds(sectionsOf(start, Stroke::press)) == std::vector{slope, bottomOut});
 }

@@ -95,7 +95,7 @@ TEST_CASE("the graphs of one button have the same strokes, travel and points") {
              Catch::Contains("\"locked\": has graphs at other speeds than state \"unlocked\""));
   states[1].speed_mm_per_s = 50, states[1].otherSpeeds = {{20, states[1].graph}};
   CHECK_THAT(Button::fromStates("l", states).failure().sentence(),
-             Catch::Contains("\"locked\": stands at 50 mm/s, state \"unlocked\" at 20 mm/s"));
+             Catch::Contains("\"locked\": is at 50 mm/s, state \"unlocked\" at 20 mm/s"));
   states[1].speed_mm_per_s.reset();
   states[1].otherSpeeds.clear();
   CHECK_FALSE(Button::fromStates("l", states).ok());

@@ -75,7 +75,8 @@ std::vector<FigureTarget> anyTargets(const KeyFigures& figures, std::mt19937& ra
   return targets;
 }
 
-// How far a figure is from its target, in shares of what the bar allows; what is no force and no length, of 0.1 %.
+// Distance of a figure from its target, in shares of the bar; of a figure that is no force and no length, of
+// 0.1 %.
 double missed(const KeyFigures& figures, const FigureTarget& target) {
   const auto& value = figures[target.figure];
   if (!value) return 1e9;
@@ -93,7 +94,8 @@ std::string textOf(const std::vector<FigureTarget>& targets, const KeyFigures& n
   return text;
 }
 
-// The limit of a figure that cannot be had even alone: between now and what was asked, met itself, and nothing farther on.
+// The limit of a figure that cannot be had even alone: between the present value and the request, met itself,
+// and nothing farther on.
 void checkLimit(const Sample& sample, const FigureTarget& asked, double limit) {
   const double now = *keyFiguresOf(sample.button.states()[sample.state])[asked.figure];
   CHECK(std::abs(limit - now) + std::abs(asked.value - limit) <= 1.000001 * std::abs(asked.value - now));
@@ -153,7 +155,8 @@ TEST_CASE("random sets of targets are met, or those that contradict are named") 
                                       [&](const FigureTarget& target) { return target.figure == named[0]; });
       checkLimit(sample, *asked, *outcome.conflict->reachable);
     }
-    // What is named does contradict: all of it is asked for, and without any one of it the rest can be met.
+    // The named figures do contradict: all of them are requested, and without any one of them the rest can be
+    // met.
     std::vector<FigureTarget> those;
     for (const FigureTarget& target : targets)
       if (std::count(named.begin(), named.end(), target.figure) > 0) those.push_back(target);
@@ -193,7 +196,7 @@ TEST_CASE("a search that may do no more says so, and of what") {
   CHECK(!bentToTargets(all[3].button, 0, asked).conflict->undecided);
 }
 
-// What is allowed is counted: a machine that is slower, here by a pause at every question, gives the same answer.
+// The bound is counted: a slower machine, here by a pause at every call, gives the same answer.
 TEST_CASE("how far a search goes is the same on every machine") {
   const std::vector<Sample> all = samples();
   const std::vector<FigureTarget> asked = {
@@ -219,13 +222,13 @@ TEST_CASE("how far a search goes is the same on every machine") {
   CHECK(decided.size() == 2);
 }
 
-// The foot of D's wall is found elsewhere before its travel is so short; the figure leaps, and no step leads on.
+// D's bottom-out is found elsewhere before its travel is so short; the figure jumps, and no step leads on.
 TEST_CASE("a foot that would leap is told as the wall that would begin elsewhere") {
   const Sample sample = samples()[3];
   REQUIRE(sample.name == "D");
   const TargetOutcome outcome = bentToTargets(sample.button, 0, {{KeyFigure::bottomOutTravel, 2.9133868}});
   REQUIRE(outcome.conflict);
-  CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("wall at the end would begin elsewhere"));
+  CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("bottom-out would begin elsewhere"));
 }
 
 // 5 mm times what the travel grows by may be a rounding error more than the travel: these values hit that.

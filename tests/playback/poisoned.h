@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Programs whose every number that belongs to nothing the button has is a signalling NaN: an operation on one, even a comparison,
-// raises the processor's invalid flag. What is not read cannot be evaluated.
+// Programs whose every number that belongs to nothing the button has is a signalling NaN: an operation on
+// one, even a comparison, raises the processor's invalid flag. What is not read cannot be evaluated.
 
 #include <cfenv>
 #include <cstddef>
@@ -67,7 +67,8 @@ inline void poisonAbsent(playback::ForceStateTable& table, bool locks) {
     if (i >= table.rowCount) poison({&row.press_N, &row.release_N, &row.stored_mJ});
     if (i >= table.rowCount || !table.damped) poison({&row.damping_Ns_per_mm});
     if (i >= table.rowCount || !locks) poison({&row.pending_N, &row.pendingStored_mJ});
-    // With one curve for both ways the release is what the energy behind the end is counted from, nothing else.
+    // With one curve for both ways the release is what the energy behind the end is counted from, nothing
+    // else.
     if (!table.hysteresis && i + 1 != table.rowCount) poison({&row.release_N});
   }
   if (!locks) poison({&table.rest_mm, &table.operating_mm});

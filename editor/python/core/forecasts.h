@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What detent-play renders and foretells, and what detent-import library finds, as functions. All throw Refusal; JSON as the programs
-// print it. Any thread.
+// Renderings and forecasts of detent-play, and the search of detent-import library, as functions. All throw
+// Refusal; JSON as the programs print it. Any thread.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,8 @@
 
 namespace detent::python {
 
-/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale. `feel` as --feel takes it.
+/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale. `feel` as --feel
+/// takes it.
 std::vector<float> renderedPress(const Button& button, const std::string& traceFile, double rate_Hz,
                                  const std::string& feel, const Cancelled& cancelled);
 
@@ -28,7 +29,7 @@ std::string performanceOf(const std::vector<Button>& buttons, const std::optiona
 std::pair<Button, std::string> buttonBetween(const Button& from, const Button& to,
                                              const std::optional<double>& share, const Cancelled& cancelled);
 
-/// What `detent-import library find --like` prints for the button's first state.
+/// The output of `detent-import library find --like` for the button's first state.
 std::string switchesLike(const Button& button, const std::string& database, std::size_t limit);
 
 }  // namespace detent::python

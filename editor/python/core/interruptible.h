@@ -12,7 +12,7 @@
 
 namespace detent::python {
 
-/// Asked often by everything that takes long.
+/// Called often by everything that takes long.
 using Cancelled = std::function<bool()>;
 
 /// One piece of work between who waits for it and who does it. Any thread.
@@ -31,12 +31,12 @@ class Errand {
   bool over_ = false;
 };
 
-/// Has `work` done by a thread that lives on between calls (the text engine is loaded for each thread once). It must own all it uses: one
-/// that does not end when it is told to is left behind. Exceptions must not leave it.
+/// Runs `work` on a thread that lives on between calls (the text engine is loaded for each thread once). It
+/// must own all it uses: one that does not end on request is left behind. Exceptions must not leave it.
 void begin(std::function<void()> work);
 
-/// Waits without Python's lock, for whose signals it looks; call with the lock held. Throws what a signal's handler raised (KeyboardInterrupt),
-/// 0.2 s after it at the latest.
+/// Waits without Python's lock and checks for its signals; call with the lock held. Throws the exception of a
+/// signal's handler (KeyboardInterrupt), 0.2 s after it at the latest.
 void await(Errand& errand);
 
 /// The value of `work(cancelled)`, done so. `Value` can be moved.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent._core: the library for Python. What it offers is told in detent/__init__.py; types in detent/_core.pyi.
+// detent._core: the library for Python. Its functions are described in detent/__init__.py; types in
+// detent/_core.pyi.
 //
-// Reading order: refusal.h (failures become exceptions), interruptible.h (work that Ctrl-C ends), reading.h, forecasts.h, this file.
-// Paths and other text that may be any bytes come as bytes. Curves are views on memory of their own: nothing is copied on the way.
+// Reading order: refusal.h (failures become exceptions), interruptible.h (work that Ctrl-C ends), reading.h,
+// forecasts.h, this file. Paths and other text that may be any bytes come as bytes. Curves are views on
+// memory of their own: nothing is copied on the way.
 
 #include <memory>
 #include <optional>

@@ -11,7 +11,7 @@
 namespace detent::python {
 namespace {
 
-/// What is wrong with the words, without the line after it that sends to --help.
+/// The fault of the arguments, without the following line that refers to --help.
 std::string whatIsWrong(const std::string& told) { return told.substr(0, told.find("\nRun with ")); }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What detent-import does, as functions: a file in, a button and its report out.
+// The functions of detent-import: a file in, a button and its report out.
 
 #include <atomic>
 #include <condition_variable>
@@ -38,9 +38,9 @@ class ReadMany {
   ReadMany(const ReadMany&) = delete;
   ReadMany& operator=(const ReadMany&) = delete;
 
-  /// What came of the next file; waits as `await` does, and stops where that throws.
+  /// Result of the next file; waits as `await` does, and stops where that throws.
   Answer<ReadButton> next();
-  /// Files not begun are not; those that are read are told to end. Returns at once.
+  /// Does not begin further files; ends those that are being read. Returns at once.
   void stop();
 
  private:

@@ -12,7 +12,7 @@
 
 namespace detent::python {
 
-/// What the caller is told.
+/// Information for the caller.
 struct Refused {
   int code = 1;                       ///< the programs' exit code
   std::string sentence;               ///< as the program says it
@@ -45,7 +45,7 @@ struct Answer {
   }
 };
 
-/// What `work` gives; of an exception that leaves it the Refusal a program would end with.
+/// Result of `work`; an exception becomes the Refusal with which a program would end.
 template <class T, class Work>
 Answer<T> answerOf(const Work& work) {
   try {

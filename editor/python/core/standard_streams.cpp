@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Debian's archives are compiled for programs: they take stdout and stderr for objects of their own file. In a shared library there
-// must be such objects; these are seen by nobody else and are the C library's before anything runs.
+// Debian's archives are compiled for programs: they take stdout and stderr for objects of their own file. In
+// a shared library there must be such objects; these are seen by nobody else and are the C library's before
+// anything runs.
 #include <dlfcn.h>
 
 extern "C" {  // pointers, of whatever type

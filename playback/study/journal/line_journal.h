@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // An append-only text file that loses nothing: each line is on the disk before append() returns, a line that
-// was cut off by a crash is taken away and told, and a second process is refused. POSIX.
+// was cut off by a crash is removed and reported, and a second process is refused. POSIX.
 
 #include <cstdint>
 #include <filesystem>
@@ -17,11 +17,12 @@ struct JournalText {
   std::vector<std::string> lines;
   std::string unfinished;  ///< what follows the last line end: a line being written, or cut off
 
-  /// No whole line, and what stands there begins as none does (JSON objects; zeros where power was lost): a file of another kind.
+  /// Returns true for a file of another kind: it has no whole line, and its text begins as no journal does
+  /// (JSON objects; zeros after a power cut).
   bool isForeign() const;
 };
 JournalText splitJournal(const std::string& text);
-/// What is said of a foreign one.
+/// Failure for a file that is not a journal.
 Failure notAJournal(const std::filesystem::path& file);
 
 /// An open journal; owned by one thread. Movable, not copyable; destroying it lets others in.
@@ -36,7 +37,7 @@ class LineJournal {
   LineJournal(const LineJournal&) = delete;
   LineJournal& operator=(const LineJournal&) = delete;
 
-  /// What stood in the file when it was opened; `unfinished` has been taken out of the file.
+  /// Contents of the file when it was opened; `unfinished` has been removed from the file.
   const JournalText& opened() const { return opened_; }
 
   /// Writes one line (without a line end in it) and waits until the disk has it. Failure unreadableInput: the

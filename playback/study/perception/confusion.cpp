@@ -24,8 +24,8 @@ constexpr int rangeTrials = 90;      // as in Table 2: nine people, ten trials
 
 constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
 
-/// From alignment_s before the first clearly felt frame on, silence where the stroke is younger: what is felt faintly before it stays, so
-/// that a level that passes the bar moves nothing but the place where the two are laid over each other.
+/// Levels from alignment_s before the first clearly felt frame on, with silence if the stroke is younger.
+/// Faint levels before it stay, so that a level that passes the bar changes the alignment only.
 Levels fromOnset(const Levels& levels, const ConfusionSettings& settings) {
   double loudest = 0;
   for (const auto& frame : levels) loudest = std::max({loudest, frame[0], frame[1]});
@@ -39,7 +39,8 @@ Levels fromOnset(const Levels& levels, const ConfusionSettings& settings) {
   return from;
 }
 
-/// A stroke's levels and, channel by channel, what they lie between half a frame to either side of each moment.
+/// A stroke's levels and, channel by channel, what they lie between half a frame to either side of each
+/// moment.
 struct Course {
   Levels at, least, most;
 };
@@ -59,8 +60,8 @@ Course courseOf(Levels levels, std::size_t frames) {
   return course;
 }
 
-/// Squared difference of two moments in just noticeable steps, as far as none of the two courses has the other's level within half a
-/// frame: where a frame begins is nothing that is felt (Birchfield & Tomasi, IEEE TPAMI 20(4), 1998).
+/// Squared difference of two moments in just noticeable steps, as far as neither sequence has the other's
+/// level within half a frame: the start of a frame is not felt (Birchfield & Tomasi, IEEE TPAMI 20(4), 1998).
 double stepsBetween(const Course& a, std::size_t i, const Course& b, std::size_t k,
                     const ConfusionSettings& settings) {
   const auto outside = [](double level, double least, double most) {
@@ -98,7 +99,7 @@ double warpedDistance(const Levels& levelsA, const Levels& levelsB, const Confus
   return before[n - 1];
 }
 
-/// When the P channel's power comes, from the stroke's begin, s; 0 for silence.
+/// Centroid time of the P channel's power from the start of the stroke, s; 0 for silence.
 double centreOf(const FeltStroke& stroke) {
   double weight = 0, moment = 0;
   for (std::size_t i = 0; i < stroke.excitation.level_dB.size(); ++i) {

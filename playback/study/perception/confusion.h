@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Will people tell two buttons apart? From what is felt to d' to errors in an ABX test, before anyone is
-// asked. docs/reference/predicted-confusion.md: sources, what it reaches on K&L's Table 2, and where it fails.
+// Will people tell two buttons apart? From felt levels to d' to errors in an ABX test, as a forecast.
+// docs/reference/predicted-confusion.md: sources, results on K&L's Table 2, and failures.
 
 #include <functional>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// What differs most between two buttons.
+/// The largest difference between two buttons.
 enum class Cue : std::uint8_t {
   strength,  ///< how strong it is, at the same place of the stroke
   timing,    ///< when in the stroke its weight comes
@@ -29,20 +29,22 @@ struct StrokeDifference {
 struct ConfusionSettings {
   /// Just noticeable differences of level: Weber fraction 0.58 at 10 Hz (RA), 0.20 at 125 Hz (P).
   std::array<double, channelCount> noticeable_dB{3.97, 1.58};
-  double integration_s = 0.2;  ///< temporal summation of P: frames within are one look
+  double integration_s = 0.2;  ///< temporal summation of P: frames within are one observation
   double timingWeber = 0.1;    ///< of the time since the stroke began
   double travelWeber = 0.25;   ///< of the number of grains
-  /// Of the finger's own mean force in two presses of one's own: each varies by 0.2, and force is felt to 0.1 of it.
+  /// Weber fraction of the finger's own mean force in two presses: each varies by 0.2, and force is felt to
+  /// 0.1 of it.
   double forceWeber = 0.32;
   double alignment_s = 0.02;  ///< time is warped by at most so much
-  // From d' to errors, fitted to the 15 pairs of K&L's noisy group (Table 2 (b)) by confusion_fit.py, each pair with a sensitivity of
-  // its own: log-normal over pairs.
+  // From d' to errors, fitted to the 15 pairs of K&L's noisy group (Table 2 (b)) by confusion_fit.py, each
+  // pair with a sensitivity of its own: log-normal over pairs.
   double sensitivity = 3.3;        ///< factor on every d'; 1: not tuned
   double sensitivitySpread = 0.6;  ///< standard deviation of the factor's logarithm over pairs
   double lapses = 0.05;  ///< share of trials answered by guessing, however far apart the buttons are; [0, 1)
 };
 
-/// Answer to "do people tell these apart?" (at most one error in ten, as in K&L's test): yes from a probability of 0.9 on, no up to 0.1.
+/// Answer to "do people tell these apart?" (at most one error in ten, as in K&L's test): yes from a
+/// probability of 0.9 on, no up to 0.1.
 enum class Verdict : std::uint8_t { toldApart, notToldApart, undecided };
 
 /// One forecast. "Errors" are those of an ABX test with mixed pairs; all follow from dPrime.

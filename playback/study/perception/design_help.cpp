@@ -30,8 +30,8 @@ class DesignSearch {
                const std::function<bool()>& cancelled)
       : button_(button), other_(other), settings_(settings), cancelled_(cancelled) {}
 
-  /// The first factor on the way from 1 to `farthest` at which the two are told apart: found in strides, then looked for in the two strides
-  /// before it, because a verdict may come, go and come again.
+  /// The first factor on the way from 1 to `farthest` that makes the two distinguishable: found in strides,
+  /// then searched in the two strides before it, because a verdict may come, go and come again.
   std::optional<Suggestion> along(Lever lever, double farthest) const {
     constexpr int strides = 12;
     int below = 100, beforeThat = 100;
@@ -57,7 +57,7 @@ class DesignSearch {
     return Suggestion{lever, factor, *std::move(changed), forecast};
   }
 
-  /// The first that is told apart behind `from`, by hundredths; `found` is told apart at `to`.
+  /// The first distinguishable factor behind `from`, by hundredths; `found` is distinguishable at `to`.
   Suggestion firstBetween(Lever lever, int from, int to, Suggestion found) const {
     const int direction = to > from ? 1 : -1;
     for (int percent = from + direction; percent != to; percent += direction) {

@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// What may be changed, one at a time.
+/// Properties that may be changed, one at a time.
 enum class Lever : std::uint8_t {
   snap,    ///< every jump of the press deeper or shallower (snap ratio)
   travel,  ///< the whole travel
@@ -19,7 +19,7 @@ enum class Lever : std::uint8_t {
 
 struct Suggestion {
   Lever lever = Lever::snap;
-  double factor = 1;  ///< on the snap ratio, the travel or the forces; whole hundredths, as it is told
+  double factor = 1;  ///< on the snap ratio, the travel or the forces; whole hundredths, as it is shown
   Button button;      ///< the changed one
   PredictedPair forecast;
 };
@@ -30,9 +30,9 @@ struct DesignHelpSettings {
   ConfusionSettings confusion;
 };
 
-/// The least change by each lever that makes the forecast PredictedPair::toldApart(), smallest change first; empty where
-/// none does, or where the two are far enough apart already. `cancelled` empties it, too. About a second.
-/// Failure: as feel().
+/// The least change by each lever that makes the forecast PredictedPair::toldApart(), smallest change first;
+/// empty where none does, or where the two are far enough apart already. `cancelled` empties it, too. About a
+/// second. Failure: as feel().
 Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const Button& other,
                                                     const DesignHelpSettings& settings = {},
                                                     const std::function<bool()>& cancelled = {});

@@ -70,7 +70,8 @@ Excitation masked(const Excitation& excitation, const MaskingSettings& settings)
                           settings.slope * settings.backwardShare * std::max(in[i][c] - unmaskable_dB, 0.0));
     }
     for (std::size_t i = 0; i < in.size(); ++i) {
-      // What is clearly above the masked threshold keeps its loudness; what is near it is recruited away.
+      // A level clearly above the masked threshold keeps its loudness; a level near it is reduced
+      // (recruitment).
       const double above = in[i][c] - hidden[i];
       out.level_dB[i][c] = above <= 0 ? 0 : std::min(in[i][c], 2 * above);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a vibration excites in a fingertip: two channels, in steps of 1.25 ms, in dB above their thresholds.
+// Excitation of a fingertip by a vibration: two channels, in steps of 1.25 ms, in dB above their thresholds.
 // docs/reference/predicted-confusion.md has the sources of every number.
 
 #include <array>
@@ -24,7 +24,7 @@ struct Excitation {
   double duration_s() const { return frame_s * static_cast<double>(level_dB.size()); }
 };
 
-/// How far below full scale a sine at the channel's best frequency is just felt.
+/// Level of a just noticeable sine at the channel's best frequency, below full scale.
 struct ThresholdSettings {
   double rapidlyAdapting_dB = -42;
   double pacinian_dB = -45;  ///< MPEG's reference model: -45 dB at 250 Hz

@@ -70,7 +70,7 @@ Result<FeltPress> feelPress(const HapticProgram& program, std::size_t length,
   return felt;
 }
 
-/// What the finger meets on its way. Without a release curve the button comes up as it went down.
+/// Forces along the finger's way. Without a release curve the button comes up as it went down.
 void feelForces(FeltPress& felt, const ForceGraph& graph) {
   const auto meanOf = [](const StrokeCurve& curve, Stroke stroke) {
     return metricsOf(curve, stroke).work_mJ / curve.travel_mm();

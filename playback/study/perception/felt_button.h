@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a button is like under many fingers: the excitation of presses from quick to slow, and what remains of
-// it after masking. Made once for a button, compared with many.
+// A button under many fingers: the excitation of presses from quick to slow, and the rest of it after
+// masking. Made once per button, compared with many.
 
 #include <array>
 #include <functional>
@@ -19,8 +19,9 @@ namespace detent::playback {
 /// Lengths of the presses that are averaged; people press in 60 to 300 ms.
 inline constexpr std::array<double, 4> pressLengths_s{0.06, 0.10, 0.17, 0.30};
 
-/// One hand for all buttons: how hard it presses at least, by the lengths above; a quick press is a hard one. A button that asks for
-/// more gets a quarter more than its strongest force. docs/reference/predicted-confusion.md has the range over hands.
+/// One hand for all buttons: how hard it presses at least, by the lengths above; a quick press is a hard one.
+/// A button that asks for more gets a quarter more than its strongest force.
+/// docs/reference/predicted-confusion.md has the range over hands.
 struct Hand {
   std::array<double, pressLengths_s.size()> least_N{3, 2, 1.5, 1};
 };
@@ -50,7 +51,7 @@ struct FeltButton {
 /// is a picture in the paper; 12 dB and Q = 8 are our assumption.
 DeviceProfile kimLeeApparatus();
 
-/// How a button is felt. Every number has its source in docs/reference/predicted-confusion.md; none is tuned.
+/// Model of perception. Every number has its source in docs/reference/predicted-confusion.md; none is tuned.
 struct PerceptionSettings {
   DeviceProfile device = kimLeeApparatus();
   PlaybackSettings playback = usualSettings();

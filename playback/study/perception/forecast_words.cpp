@@ -21,7 +21,7 @@ Message cueOf(const PredictedPair& pair) {
   return Message("how far it seems to yield");
 }
 
-/// In whole per cent.
+/// Share in whole per cent.
 MessageValue percentOf(double probability) { return {std::round(100 * probability) / 100, Measure::share}; }
 
 }  // namespace

@@ -51,12 +51,13 @@ int runBetween(const BetweenArguments& a, const Cancelled& cancelled) {
 
 void addBetweenCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
-      "between", "The button between two others: by default the one forecast to differ as much from either");
+      "between",
+      "Make the button between two others; by default the one that is forecast to differ equally from both");
   const auto a = std::make_shared<BetweenArguments>();
   app->add_option("FROM", a->from, "*.button.json")->required();
   app->add_option("TO", a->to, "*.button.json")->required();
   app->add_option("-o,--output", a->out, "*.button.json to write")->required();
-  app->add_option("--at", a->share, "share of the way instead, 0 (FROM) to 1 (TO)")
+  app->add_option("--at", a->share, "Share of the way instead, 0 (FROM) to 1 (TO)")
       ->check(numberWithin(0, 1));
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback(

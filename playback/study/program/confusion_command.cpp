@@ -74,7 +74,8 @@ void sayConfusion(const std::string& a, const std::string& b, const PredictedPai
                english(reasonOf(pair)).c_str(), pair.dPrime);
 }
 
-/// Pairs from the most confused to the least, each with the probability that it is more confused than the next.
+/// Pairs from the most confused to the least, each with the probability that it is more confused than the
+/// next.
 void sayOrder(const std::vector<FeltButton>& felt, const std::vector<PairRank>& ranks) {
   if (ranks.size() < 2) return;
   std::vector<std::string> lines(ranks.size());
@@ -152,11 +153,10 @@ std::string pairJson(const std::string& a, const std::string& b, const Predicted
 void addConfusionCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "confusion",
-      "Will people tell these buttons apart? A forecast (docs/reference/predicted-confusion.md)");
+      "Forecast whether people tell these buttons apart (docs/reference/predicted-confusion.md)");
   const auto a = std::make_shared<ConfusionArguments>();
   app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required()->expected(2, 1000);
-  app->add_flag("--suggest", a->suggest,
-                "For pairs not surely told apart: the smallest change after which they are");
+  app->add_flag("--suggest", a->suggest, "Suggest the smallest change that makes a pair distinguishable");
   addFeelOptions(*app, a->feel);
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback(

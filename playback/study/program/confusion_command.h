@@ -11,7 +11,7 @@ namespace detent::playback {
 
 void addConfusionCommand(CLI::App& program, Action& chosen);
 
-/// What is foretold of two buttons of these names, as scripts read it.
+/// Forecast for two buttons of these names, for scripts.
 std::string pairJson(const std::string& a, const std::string& b, const PredictedPair& pair,
                      const PairRank& rank);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a participant at a terminal reads, in their language. %1, %2 ... are filled in (model/message.h).
+// Texts for a participant at a terminal, in their language. %1, %2 ... are filled in (model/message.h).
 
 #include <string>
 
@@ -29,7 +29,7 @@ struct ParticipantWords {
 /// "de"; English for every other language.
 const ParticipantWords& participantWords(const std::string& language);
 
-/// What is said of one of two, %1.
+/// Text for the comparison of one with the other, %1.
 const char* comparisonWords(const ParticipantWords& words, const StudyDesign& design);
 
 }  // namespace detent::playback

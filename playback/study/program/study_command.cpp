@@ -96,11 +96,12 @@ int runNew(NewArguments a) {
 std::string range(double low, double high) { return shortestText(low) + ".." + shortestText(high); }
 
 void addNew(CLI::App& parent, Action& chosen) {
-  CLI::App* app = parent.add_subcommand("new", "Make the folder of a study");
+  CLI::App* app = parent.add_subcommand("new", "Create a study");
   const auto a = std::make_shared<NewArguments>();
-  app->add_option("DIR", a->folder, "Folder to make; it holds the whole study and can be copied")->required();
+  app->add_option("DIR", a->folder, "Folder to create; it holds the whole study and can be copied")
+      ->required();
   app->add_option("BUTTON", a->buttons,
-                  "*.button.json, at least two; one will do for thresholds, scales and timing")
+                  "*.button.json, at least two; one is enough for thresholds, scales and timing")
       ->required();
   addChoice(*app, "--kind", a->design.kind, studyKinds,
             "Which of two is X (abx), or which of all (matching); which of two has more (threshold); how "
@@ -108,15 +109,15 @@ void addNew(CLI::App& parent, Action& chosen) {
             "(rating); when is it pressed (timing)",
             "abx");
   addChoice(*app, "--quantity", a->design.quantity, levelQuantities,
-            "threshold: what there is more of; the differences follow the answers", "peak-force");
-  addChoice(*app, "--scale", a->design.scale, ratingScales,
-            "rating: 1 to 7, any number that is as great as it feels strong, or which of two is preferred",
-            "preference");
+            "threshold: the quantity to increase; the differences adapt to the answers", "peak-force");
   addChoice(
-      *app, "--task", a->design.task, timingTasks,
-      "timing: press with the last of four beats; while a moving target is in its window; as fast as can be "
-      "kept up",
-      "cue");
+      *app, "--scale", a->design.scale, ratingScales,
+      "rating: 1 to 7 (preference), any number for the strength (magnitude), or the better of two (pairwise)",
+      "preference");
+  addChoice(*app, "--task", a->design.task, timingTasks,
+            "timing: press with the last of four beats (cue), while a moving target is in its window "
+            "(window), or as fast as possible (tapping)",
+            "cue");
   app->add_option("--intervals", a->design.intervals_s,
                   "timing, cue and window: s, separated by commas, " + range(leastInterval_s, mostInterval_s))
       ->delimiter(',')
@@ -130,19 +131,18 @@ void addNew(CLI::App& parent, Action& chosen) {
       ->check(numberWithin(shortestRun_s, longestRun_s));
   app->add_option(
          "--trials", a->trials,
-         "Per pair (abx, pairwise) or button (else), and mode; of tapping: runs; " + range(1, mostTrials))
+         "Trials per pair (abx, pairwise) or button (else), and mode; tapping: runs; " + range(1, mostTrials))
       ->default_str("10; threshold, timing 60; rating 4; tapping 3");
-  app->add_option("--modes", a->modes, "Base case: full, click-only, slope-only, separated by commas")
+  app->add_option("--modes", a->modes, "Modes to compare: full, click-only, slope-only, separated by commas")
       ->delimiter(',')
       ->default_str("full");
   addChoice(*app, "--feel", a->design.feel, feels,
-            "What is felt: what render, live, page and export play (clear), or the paper's own (paper)",
-            "clear");
-  app->add_option("--seed", a->seed, "Of the shuffles; default: by chance, recorded");
+            "clear: as render, live, page and export play; paper: as in the paper", "clear");
+  app->add_option("--seed", a->seed, "Seed of the random order; default: random, recorded");
   app->add_option("--practice", a->design.practice,
-                  "Trials before the first that counts, " + range(0, mostPractice))
+                  "Practice trials before the first that counts, " + range(0, mostPractice))
       ->capture_default_str();
-  app->add_option("--pairs-each", a->design.pairsEach, "A random choice of so many pairs each; 0: all")
+  app->add_option("--pairs-each", a->design.pairsEach, "Number of random pairs per participant; 0: all")
       ->capture_default_str();
   app->add_flag("--physical", a->physical, "matching: X is a real switch, handed over by number");
   app->add_option("--profile", a->profileFile, "Device profile (docs/reference/device-profile.md)");
@@ -227,22 +227,21 @@ int runRun(RunArguments a, const Cancelled& cancelled) {
 }
 
 void addRun(CLI::App& parent, Action& chosen) {
-  CLI::App* app = parent.add_subcommand("run", "Begin or resume one participant");
+  CLI::App* app = parent.add_subcommand("run", "Begin or resume a participant's session");
   const auto a = std::make_shared<RunArguments>();
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation,
                   "The program answers: guess, perfect, errors=P (0..1); threshold studies also threshold=T, "
-                  "the increase told in 75 of 100 (0.1 is a tenth); timing studies timing=PLACE,SPREAD or "
-                  "presses=FILE (trial,press_s)");
+                  "the increase noticed in 75 of 100 trials (0.1: a tenth); timing studies "
+                  "timing=PLACE,SPREAD or presses=FILE (trial,press_s)");
   addChoice(*app, "--condition", a->condition, listenings,
-            "What reaches the ears, kept in every row: quiet, or masked by rain from headphones. The "
-            "same for all of a "
-            "participant's trials; default: as so far, quiet at first",
+            "Listening: quiet, or masked by rain from headphones; recorded in every row, the same for all "
+            "trials of a participant. Default: as before, quiet at first",
             "");
   app->add_option(
          "--language", a->language,
-         "Of the consent text: en, de, ...; keys and questions are told in German for de, else in English")
+         "Language of the consent text: en, de, ...; keys and questions are German for de, else English")
       ->default_str("the one agreed in, en at first");
   app->add_option("--noise-level", a->devices.player.masking.level,
                   "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
@@ -250,15 +249,14 @@ void addRun(CLI::App& parent, Action& chosen) {
       ->check(numberWithin(0, 0.3));
   app->add_option("--noise-device", a->devices.player.masking.device,
                   "masked: the headphones' sound device; default: the outputs behind the vibration's");
-  app->add_flag("--rehearse", a->devices.rehearse, "Without a sound device; every row says so");
+  app->add_flag("--rehearse", a->devices.rehearse, "Rehearse without a sound device; recorded in every row");
   app->add_option("--profile", a->devices.sensorProfileFile, "Calibration of the sensor");
   addDeviceOptions(*app, a->devices.player);
   addSensorOptions(*app, a->devices.sensor);
-  app->add_option(
-         "--force-device", a->forceDevice,
-         std::string("The button is felt on a force-feedback device and pressed there: ") + forceDeviceWords)
+  app->add_option("--force-device", a->forceDevice,
+                  std::string("Feel and press the button on a force-feedback device: ") + forceDeviceWords)
       ->group(realDeviceGroup);
-  addForceDeviceOptions(*app, a->force, "Its largest force in N; without it the preset's");
+  addForceDeviceOptions(*app, a->force, "Largest force in N; default: the preset's");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   a->devices.player.masking.level = usualNoiseLevel;
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
@@ -289,14 +287,14 @@ int runMerge(const MergeArguments& a) {
 }
 
 void addMerge(CLI::App& parent, Action& chosen) {
-  CLI::App* app = parent.add_subcommand(
-      "merge", "One study of copies that several laboratories ran; status and report read it as any other");
+  CLI::App* app = parent.add_subcommand("merge", "Merge the copies of a study that several laboratories ran");
   const auto a = std::make_shared<MergeArguments>();
   app->add_option("DIR", a->studies, "Folders of the laboratories' studies, at least two")
       ->required()
       ->expected(2, 100);
-  app->add_option("-o,--output", a->out, "Folder to make; it holds all of them")->required();
-  app->add_option("--sites", a->sites, "A name for each, separated by commas; default: of its folder")
+  app->add_option("-o,--output", a->out, "Folder to create for the merged study")->required();
+  app->add_option("--sites", a->sites,
+                  "Names of the laboratories, separated by commas; default: those of the folders")
       ->delimiter(',');
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runMerge(*a); }; });
@@ -335,7 +333,7 @@ std::string progressWords(const ParticipantRecord& record) {
   return text;
 }
 
-/// How far everyone is, as text.
+/// Progress of all participants, as text.
 Result<std::string> statusWords(const Study& study) {
   Result<std::vector<ParticipantRecord>> records = readParticipants(study);
   if (!records) return records.failure();
@@ -415,7 +413,7 @@ Result<StudyResults> resultsIn(const std::string& folder) {
   return resultsIn(*study);
 }
 
-/// What was to be expected of the study's buttons on its device, mode by mode; nothing for printed counts.
+/// Forecast for the study's buttons on its device, mode by mode; nothing for printed counts.
 Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
   Result<Study> study = openStudy(folder);
@@ -500,16 +498,16 @@ int runPlan(const PlanArguments& a) {
 
 void addPlan(CLI::App& parent, Action& chosen) {
   CLI::App* app = parent.add_subcommand(
-      "plan", "Before the first person comes: power, a page to preregister, everybody's list");
+      "plan", "Plan a study before the first participant: power, preregistration, lists of trials");
   const auto a = std::make_shared<PlanArguments>();
   app->add_option("DIR", a->folder, "Folder of the study")->required();
-  app->add_option("--people", a->people, "Participants planned, 2..999; their ids are P01, P02, ...")
+  app->add_option("--people", a->people, "Planned participants, 2..999, with the ids P01, P02, ...")
       ->capture_default_str()
       ->check(numberWithin(2, 999));
   app->add_option("-o,--output", a->htmlFile,
-                  "One HTML page to preregister: hypotheses, design, power, tests, what was foretold");
+                  "HTML page for a preregistration: hypotheses, design, power, tests, forecast");
   addChoice(*app, "--unfinished", a->unfinished, unfinishedRules,
-            "Whoever has not answered all trials: left-out of the figures that come first, or counted; the "
+            "Participants who have not answered all trials: left-out of the main figures, or counted; the "
             "report shows both. Kept in the study; default: left-out",
             "");
   app->add_option("--lists", a->listsFolder,
@@ -526,7 +524,7 @@ struct PressesArguments {
   bool json = false;
 };
 
-/// Of a study's folder or a CSV file; sets the task to the study's, or to what a file usually holds.
+/// Tables of a study's folder or a CSV file; sets the task to the study's, or to the usual one of a file.
 Result<std::vector<FigureTable>> pressesIn(const std::string& file, std::optional<TimingTask>& task) {
   std::error_code error;
   if (!std::filesystem::is_directory(file, error)) {
@@ -571,16 +569,15 @@ int runPresses(PressesArguments a) {
 }
 
 void addPresses(CLI::App& parent, Action& chosen) {
-  CLI::App* app = parent.add_subcommand(
-      "presses", "Your own timed presses: where people aim and how exactly, with intervals");
+  CLI::App* app = parent.add_subcommand("presses", "Analyse timed presses: aim and spread, with intervals");
   const auto a = std::make_shared<PressesArguments>();
   app->add_option("PRESSES", a->file,
                   "Folder of a timing study, or a CSV file with one row for each trial: "
-                  "participant,interval_s,window_s,press_s; no press_s, no press")
+                  "participant,interval_s,window_s,press_s; an empty press_s: no press")
       ->required();
   addChoice(*app, "--task", a->task, timingTasks,
-            "Of a CSV file: press with a cue; within a window; as fast as can be kept up (tapping). A study "
-            "knows its own",
+            "Task of a CSV file: press with a cue, within a window, or as fast as possible (tapping); a "
+            "study knows its own",
             "window");
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runPresses(*a); }; });
@@ -588,8 +585,8 @@ void addPresses(CLI::App& parent, Action& chosen) {
 
 void addReading(CLI::App& parent, Action& chosen) {
   const auto a = std::make_shared<ReadArguments>();
-  CLI::App* status = parent.add_subcommand("status", "How far each participant is");
-  CLI::App* report = parent.add_subcommand("report", "Tables, intervals and d' of what was answered so far");
+  CLI::App* status = parent.add_subcommand("status", "Show each participant's progress");
+  CLI::App* report = parent.add_subcommand("report", "Report tables, intervals and d' of the answers so far");
   for (CLI::App* app : {status, report}) {
     app->add_option("DIR", a->folder, "Folder of the study")->required();
     app->add_flag("--json", a->json, "One JSON object on stdout");
@@ -599,8 +596,7 @@ void addReading(CLI::App& parent, Action& chosen) {
   report->add_option("--felt-csv", a->feltFile,
                      "One row for each trial and stimulus: presses, force in N, travel in mm");
   report->add_option("--bids", a->bidsFolder, "Folder for BIDS events");
-  status->add_flag("--follow", a->follow,
-                   "Say it again at each answer, for the experimenter; Ctrl-C ends it");
+  status->add_flag("--follow", a->follow, "Print it again after each answer; Ctrl-C ends it");
   status->callback(
       [&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runStatus(*a, cancelled); }; });
   report->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runReport(*a); }; });
@@ -609,7 +605,7 @@ void addReading(CLI::App& parent, Action& chosen) {
 }  // namespace
 
 void addStudyCommand(CLI::App& program, Action& chosen) {
-  CLI::App* app = program.add_subcommand("study", "Can people tell these buttons apart?");
+  CLI::App* app = program.add_subcommand("study", "Run studies with people");
   app->require_subcommand(1);
   addNew(*app, chosen);
   addPlan(*app, chosen);

@@ -28,7 +28,7 @@ enum class Outcome : std::uint8_t { answered, paused, stopped };
 /// Words with their values, on standard error.
 void sayOnTerminal(const std::string& words) { std::fputs(words.c_str(), stderr); }
 
-/// What the participant said.
+/// The participant's answer.
 struct Given {
   std::size_t choice = 0;
   std::optional<double> rating;
@@ -36,7 +36,7 @@ struct Given {
 
 char lowerCase(char key) { return key >= 'A' && key <= 'Z' ? static_cast<char>(key - 'A' + 'a') : key; }
 
-/// What the device settings come to: a player, or a rehearsal where there is no device and never was one.
+/// Opens the device settings: a player, or a rehearsal if there is no device and never was one.
 Result<std::unique_ptr<StudyPlayer>> playerFor(const Study& study, const StudyDevices& devices,
                                                bool wasReal) {
   StudyPlayerSettings settings;
@@ -185,7 +185,7 @@ class Desk {
     return words_.tappingTask;
   }
 
-  /// Nothing comes before somebody looks. False: the program is to end.
+  /// Waits until the participant is there. False: the program is to end.
   bool begun(RawTerminal& terminal) const {
     const std::string said = filled(task(), {std::to_string(std::lround(study_.design.run_s))});
     std::string keys = "\n  " + said + "\n";

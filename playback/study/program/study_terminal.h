@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// What is under the finger.
+/// Devices under the finger.
 struct StudyDevices {
   PlayerSettings player;
   SensorOptions sensor;
@@ -19,15 +19,16 @@ struct StudyDevices {
   std::optional<ForceDeviceChoice> force;
 };
 
-/// Who is asked, in which language and what they listen to.
+/// Participant of a session, their language and the sound in their ears.
 struct AskedParticipant {
   std::string id;
   std::string language;  ///< they read: "en", "de"; empty: the one they agreed in, else English
   Listening listening = Listening::quiet;
 };
 
-/// Asks for consent, then until all is answered, the participant stops, or `cancelled`. Gives what the journal holds then; who does not agree is in no journal.
-/// Failure deviceTrouble: no terminal to ask at, or no device where earlier answers had one.
+/// Asks for consent, then until all is answered, the participant stops, or `cancelled`. Gives what the
+/// journal holds then; who does not agree is in no journal. Failure deviceTrouble: no terminal to ask at, or
+/// no device where earlier answers had one.
 Result<ParticipantRecord> askParticipant(const Study& study, const AskedParticipant& asked,
                                          const StudyDevices& devices, const Cancelled& cancelled);
 

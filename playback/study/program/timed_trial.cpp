@@ -72,7 +72,7 @@ class TimedTrial {
       std::fprintf(stderr, "  %s", drawn_ + 1 < beats_s().size() ? "." : "O");
   }
 
-  /// Until the next thing to draw, at most.
+  /// Longest time until the next picture.
   double wait_s() const {
     const double at_s = now_s();
     double wait_s = timedPoll_s;
@@ -85,7 +85,8 @@ class TimedTrial {
     const double wait = wait_s(), from_s = now_s();
     const std::optional<char> key = at_.terminal.key(wait);
     const double at_s = now_s();
-    // A key that was waited for is as late as this thread is woken; one that was there already came since the look before.
+    // A key that was waited for is as late as this thread is woken; one that was already there came since the
+    // previous poll.
     if (!key) latestWake_s_ = std::max(latestWake_s_, at_s - from_s - wait);
     const double within_s = at_s - from_s > blocked_s ? latestWake_s_ : at_s - looked_s_;
     looked_s_ = at_s;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One timed trial at a terminal: beats or a moving target, presses by the space bar, the sensor or the force device.
+// One timed trial at a terminal: beats or a moving target, presses by the space bar, the sensor or the force
+// device.
 
 #include "playback/device/terminal.h"
 #include "playback/program/command.h"
@@ -9,15 +10,15 @@
 
 namespace detent::playback {
 
-/// How a trial at a terminal ended.
+/// Outcome of a trial at a terminal.
 enum class TrialEnd : std::uint8_t {
   answered,
   again,  ///< it begins anew; said and in the journal
   paused,
-  stopping  ///< the participant asked to stop for good
+  stopping  ///< the participant wants to stop for good
 };
 
-/// What a timed trial is worked on with.
+/// Objects that a timed trial needs.
 struct TimedDesk {
   const Study& study;
   ParticipantSession& session;

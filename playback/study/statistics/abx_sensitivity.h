@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How far apart two stimuli feel (d') from the share of right answers in ABX, unbiased observer. Macmillan &
+// Distance of two stimuli (d') from the share of right answers in ABX, unbiased observer. Macmillan &
 // Creelman, Detection Theory: A User's Guide, ABX under two strategies. Any thread.
 
 namespace detent::playback {
 
-/// How the participant decides.
+/// The participant's strategy of decision.
 enum class AbxStrategy {
   differencing,            ///< pairs are mixed ("roving"), as in Kim & Lee's shuffled list
   independentObservations  ///< one pair that is known ("fixed")

@@ -21,8 +21,8 @@ struct Interval {
 /// errors / trials; 0 without trials.
 double rateOf(const Count& count);
 
-/// P(at most `errors` of `trials` are errors) where each is one with probability `rate`. "At most one error in
-/// ten" by guessing: atMost({1, 10}, 0.5) = 11/1024 = 0.0107.
+/// P(at most `errors` of `trials` are errors) where each is one with probability `rate`. "At most one error
+/// in ten" by guessing: atMost({1, 10}, 0.5) = 11/1024 = 0.0107.
 double atMost(const Count& count, double rate);
 
 /// Wilson's score interval (Wilson, JASA 1927). `confidence` in (0, 1). Without trials: [0, 1].

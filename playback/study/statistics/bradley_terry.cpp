@@ -24,7 +24,7 @@ double shareOfLogOdds(double logOdds) { return 1 / (1 + std::exp(-logOdds)); }
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// How often the first of two won against the second, and all their choices.
+/// Number of wins of the first of two against the second, and all their choices.
 struct Duel {
   double wins = 0, all = 0;
 };
@@ -72,7 +72,7 @@ Matrix inverseOf(const Matrix& information) {
   return Eigen::CompleteOrthogonalDecomposition<Matrix>(information).pseudoInverse();
 }
 
-/// What each person's choices pull at the scores.
+/// Pull of each person's choices on the scores.
 Matrix pullsOf(const std::vector<Preference>& preferences, const Vector& scores, std::size_t persons) {
   Matrix pulls = Matrix::Zero(scores.size(), static_cast<Eigen::Index>(persons));
   for (const Preference& p : preferences) {

@@ -18,8 +18,8 @@ constexpr std::size_t randomPatterns = 100000;
 constexpr std::uint64_t seed = 19350101;
 constexpr double roundOff = 1e-12;  // of the sum of all |differences|: sums in another order are the same sum
 
-/// Calls `visit(sum over the members, size)` for every subset of `values`, or for many random ones. Subsets and sign patterns are
-/// the same thing: flipping the members takes twice their sum away.
+/// Calls `visit(sum over the members, size)` for every subset of `values`, or for many random ones. Subsets
+/// and sign patterns are the same thing: flipping the members takes twice their sum away.
 template <class Visit>
 void forSubsets(const std::vector<double>& values, Visit visit) {
   const std::size_t n = values.size();

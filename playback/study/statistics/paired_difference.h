@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the same people did under two conditions. Each person is their own control: only the sign of a difference is up to chance.
-// Deterministic; any thread.
+// Compares the same people under two conditions. Each person is their own control: only the sign of a
+// difference is up to chance. Deterministic; any thread.
 
 #include <optional>
 #include <vector>
@@ -13,11 +13,11 @@ namespace detent::playback {
 /// Mean of the differences with what may be said of it.
 struct PairedDifference {
   double mean = 0;
-  /// Two-sided, by flipping the signs of whole persons (Fisher 1935): exact up to 20 people, by 100,000 random flips above. 1 for
-  /// nobody.
+  /// Two-sided, by flipping the signs of whole persons (Fisher 1935): exact up to 20 people, by 100,000
+  /// random flips above. 1 for nobody.
   double p = 1;
-  /// Of the mean: what the same test does not refuse, from the means of all subsets (Hartigan, JASA 1969). None where so few people
-  /// can exclude nothing: fewer than six for 95 %.
+  /// Interval of the mean: the values that the same test does not reject, from the means of all subsets
+  /// (Hartigan, JASA 1969). None if so few people can exclude nothing: fewer than six for 95 %.
   std::optional<Interval> interval;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How likely a study finds what is there: shares of simulated studies whose test, the one that is printed later, finds it. Deterministic;
-// any thread.
+// Power of a study: the share of simulated studies in which the test that is printed later finds the
+// difference. Deterministic; any thread.
 
 #include <cstddef>
 #include <functional>
@@ -12,7 +12,8 @@
 
 namespace detent::playback {
 
-/// pairedDifference()'s p for differences that are whole numbers, exact for any number of people: 1 for nobody.
+/// pairedDifference()'s p for differences that are whole numbers, exact for any number of people: 1 for
+/// nobody.
 double signFlipP(const std::vector<int>& differences);
 
 /// One person's difference between two conditions, in steps of any size.
@@ -22,7 +23,8 @@ using DrawDifference = std::function<int(StudyRandom&)>;
 double signFlipPower(std::size_t people, const DrawDifference& draw, double level = 0.05,
                      std::size_t studies = 3000);
 
-/// How people err in two conditions of `trials` each: the median person errs at `rate` in one and at `rate` + `difference` in the other.
+/// Error rates of people in two conditions of `trials` each: the median person errs at `rate` in one and at
+/// `rate` + `difference` in the other.
 struct ErrorRates {
   std::size_t trials = 10;
   double rate = 0.1;           ///< (0, 1)

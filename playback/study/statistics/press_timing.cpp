@@ -17,7 +17,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr int mostRounds = 300;
 constexpr double settled = 1e-9;
 constexpr double firstLapses = 0.05;
-/// A lapse may lie anywhere in so much of the scale of an observation: an interval to either side; of tapping e to either side.
+/// A lapse may lie anywhere in so much of the scale of an observation: an interval to either side; of tapping
+/// e to either side.
 constexpr double lapseRange = 2;
 
 /// An observation y = place * carrier + drift * when + noise; y in intervals, of tapping the logarithm.

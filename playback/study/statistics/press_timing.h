@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How exactly people time their presses: two figures for each person and for a laboratory. Deterministic; any thread.
+// Accuracy of people's timed presses: two figures for each person and for a laboratory. Deterministic; any
+// thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace detent::playback {
 
-/// What was asked of people.
+/// The participants' task.
 enum class TimingTask : std::uint8_t {
   cue,     ///< press with the cue
   window,  ///< press while a target stands in its window
@@ -26,24 +27,25 @@ inline const char* nameOf(TimingTask task) { return timingTasks.word(task); }
 struct TimedPress {
   double interval_s = 0;  ///< cue, window: how long before it was known when it would come; > 0
   double window_s = 0;    ///< window: how long it stood; > 0
-  /// cue: behind the cue, window: behind the window's beginning, negative before it; tapping: behind the press before, > 0. None: no press.
+  /// cue: behind the cue, window: behind the window's beginning, negative before it; tapping: behind the
+  /// press before, > 0. None: no press.
   std::optional<double> press_s;
 };
 
-/// What is fitted. `place`, cue: mean press behind the cue as a share of the interval; window: the place in the window that is aimed at, as
-/// a share of the window; tapping: seconds between presses. `spread`: standard deviation about that as a share of the interval; of tapping
-/// as a share of the time between presses.
+/// The fitted figures. `place`, cue: mean press behind the cue as a share of the interval; window: the aim
+/// within the window, as a share of the window; tapping: seconds between presses. `spread`: standard
+/// deviation about that as a share of the interval; of tapping as a share of the time between presses.
 struct PressTiming {
   double place = 0, spread = 0;
 };
 
-/// One person. Beside the two figures two nuisances are fitted that are theirs alone: a drift over the trials and a share of presses that
-/// belong to nothing (lapses, spread evenly over an interval to either side).
+/// One person. Beside the two figures two nuisances are fitted that are theirs alone: a drift over the trials
+/// and a share of presses that belong to nothing (lapses, spread evenly over an interval to either side).
 struct PersonTiming {
   std::size_t trials = 0, presses = 0;
   PressTiming timing;
-  double drift =
-      0;  ///< from the first trial to the last, in the unit of `place` times interval (tapping: of the logarithm)
+  /// from the first trial to the last, in the unit of `place` times interval (tapping: of the logarithm)
+  double drift = 0;
   double lapses = 0;  ///< share of the presses
 };
 
@@ -51,11 +53,12 @@ struct PersonTiming {
 inline constexpr std::size_t leastPresses = 10;
 inline constexpr std::size_t fewestForInterval = 3;  ///< people: two say too little of how people scatter
 
-/// Nothing for fewer than leastPresses presses, or where they do not differ at all. Values within the ranges above (checked).
+/// Fits one person. Empty for fewer than leastPresses presses, or if they do not differ at all. Values within
+/// the ranges above (checked).
 std::optional<PersonTiming> timingOf(TimingTask task, const std::vector<TimedPress>& trials);
 
-/// A laboratory: the mean place and the geometric mean of the spreads over its people (of tapping geometric means both), each person
-/// counting alike, with Student's intervals over people; none for fewer than three.
+/// A laboratory: the mean place and the geometric mean of the spreads over its people (of tapping geometric
+/// means both), each person counting alike, with Student's intervals over people; none for fewer than three.
 struct LaboratoryTiming {
   PressTiming timing;
   std::optional<Interval> place, spread;

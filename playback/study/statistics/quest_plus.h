@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How small a difference a person just tells, from as few questions as it takes: after each answer the difference is asked that
-// promises to tell most (QUEST+: Watson, Journal of Vision 2017). Two choices of which one has more. Deterministic; any thread.
+// Smallest difference that a person notices, from few questions: after each answer the difference follows
+// that promises the most information (QUEST+: Watson, Journal of Vision 2017). Two choices of which one has
+// more. Deterministic; any thread.
 
 #include <cstddef>
 #include <vector>
@@ -10,13 +11,13 @@
 
 namespace detent::playback {
 
-/// One question of two choices: the difference (level) and whether it was told.
+/// One question of two choices: the difference (level), and true if it was noticed.
 struct LevelAnswer {
   std::size_t level = 0;  ///< index into the levels
   bool correct = false;
 };
 
-/// What is believed of a person's threshold: the difference that is told in 75 of 100, lapses aside.
+/// Estimate of a person's threshold: the difference that is noticed in 75 of 100 trials, lapses aside.
 struct ThresholdEstimate {
   double threshold = 0;  ///< median, in the levels' unit
   Interval credible;     ///< equal tails, in the levels' unit
@@ -24,11 +25,12 @@ struct ThresholdEstimate {
       false;  ///< the credible interval reaches an end of what was thought possible: it is open there
 };
 
-/// The share of right answers to a difference: 1/2 + (1/2 - lapse) (1 - 2^-(difference/threshold)^slope) (Weibull's form).
+/// The share of right answers to a difference: 1/2 + (1/2 - lapse) (1 - 2^-(difference/threshold)^slope)
+/// (Weibull's form).
 double shareToldApart(double difference, double threshold, double slope, double lapse);
 
-/// What QUEST+ believes after some answers. Beforehand every threshold from the smallest level to half as much again as the largest is
-/// as likely as any other on a log scale, and so are slopes of 1, 1.4, 2, 2.8, 4 and lapses of 0, 2, 5 %.
+/// QUEST+'s belief after some answers. The prior is even over all thresholds from the smallest level to half
+/// as much again as the largest on a log scale, and over slopes of 1, 1.4, 2, 2.8, 4 and lapses of 0, 2, 5 %.
 class QuestPlus {
  public:
   /// `levels`: differences, > 0, rising, at least two.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether two lists rise together.
+// Correlation of the ranks of two lists.
 
 #include <vector>
 
@@ -10,7 +10,8 @@ namespace detent::playback {
 /// two. Both of one length.
 double spearman(const std::vector<double>& x, const std::vector<double>& y);
 
-/// P(at least this correlation by chance), one-sided, from 9,999 shuffles of `y` with a fixed seed; 1 where there is none.
+/// P(at least this correlation by chance), one-sided, from 9,999 shuffles of `y` with a fixed seed; 1 where
+/// there is none.
 double spearmanP(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace detent::playback

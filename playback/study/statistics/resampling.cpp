@@ -12,7 +12,8 @@ namespace detent::playback {
 
 namespace {
 
-// What few people did bounds every resample of them: five cover the truth in 86 to 92 of 100 cases, six in 90 and more.
+// The data of few people bound every resample of them: five cover the truth in 86 to 92 of 100 cases, six in
+// 90 and more.
 constexpr std::size_t fewestParticipants = 6;
 
 Count sumOf(const std::vector<Count>& counts) {
@@ -88,8 +89,8 @@ std::optional<Interval> participantBootstrap(const std::vector<Count>& participa
   const double bias =
       normalQuantile(std::clamp((below + upTo) / (2 * static_cast<double>(rates.size())), half, 1 - half));
   const double acceleration = accelerationOf(participants);
-  // Resamples of n people spread by (n - 1) / n of what people do, and their spread is itself known from n only: the tails lie as
-  // far out as Student's (Hesterberg, American Statistician 2015).
+  // Resamples of n people spread by (n - 1) / n of what people do, and their spread is itself known from n
+  // only: the tails lie as far out as Student's (Hesterberg, American Statistician 2015).
   const auto people = static_cast<double>(participants.size());
   const auto corrected = [&](double share) {
     const double z =

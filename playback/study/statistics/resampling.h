@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What may be said about people from few of them: answers of one person are not independent, so persons are
-// resampled, not trials. Deterministic for a seed; any thread.
+// Intervals for few people: answers of one person are not independent, so persons are resampled, not trials.
+// Deterministic for a seed; any thread.
 
 #include <cstdint>
 #include <optional>
@@ -17,9 +17,10 @@ struct ResamplingSettings {
   double confidence = 0.95;  ///< (0, 1)
 };
 
-/// Bias-corrected and accelerated bootstrap interval (Efron, JASA 1987), widened for few participants, of the rate of all errors
-/// over all trials, resampling participants. Nothing for fewer than six participants, whose resamples cover too little
-/// (docs/measurements/coverage.md), or where all are alike: the resamples would not differ.
+/// Bias-corrected and accelerated bootstrap interval (Efron, JASA 1987), widened for few participants, of the
+/// rate of all errors over all trials, resampling participants. Nothing for fewer than six participants,
+/// whose resamples cover too little (docs/measurements/coverage.md), or where all are alike: the resamples
+/// would not differ.
 std::optional<Interval> participantBootstrap(const std::vector<Count>& participants,
                                              const ResamplingSettings& settings = {});
 

@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// How the random numbers of a study are made, as its files state it.
+/// The generator of a study's random numbers, as its files state it.
 inline constexpr const char* generatorName = "mt19937_64, Fisher-Yates by rejection";
 using StudyRandom = std::mt19937_64;
 

@@ -71,7 +71,7 @@ struct PersonThreshold {
 
 std::size_t referenceOf(const Trial& trial) { return trial.choices[1 - trial.target]; }
 
-/// By reference and person.
+/// Thresholds by reference and person.
 std::map<std::pair<std::size_t, std::size_t>, PersonThreshold> thresholdsIn(
     const Study& study, const std::vector<Counted>& answers) {
   std::map<std::pair<std::size_t, std::size_t>, PersonThreshold> found;
@@ -124,7 +124,8 @@ FigureTable overPeopleTable() {
 
 // ---- ratings
 
-/// What one person gave one button or pair on average: a rating, the logarithm of one, or 1 where the pair's first was preferred.
+/// What one person gave one button or pair on average: a rating, the logarithm of one, or 1 where the pair's
+/// first was preferred.
 using PersonMeans = std::map<std::size_t, std::map<std::size_t, double>>;  // by thing, by person
 
 PersonMeans meansOf(const std::vector<Counted>& answers,
@@ -142,8 +143,9 @@ PersonMeans meansOf(const std::vector<Counted>& answers,
   return means;
 }
 
-/// Everybody uses numbers of their own: what a person's logarithms are beyond the person's mean, added to the mean of all (Stevens;
-/// Lane, Catania & Stevens, JASA 1961). Persons who did not rate every button are left out.
+/// Ratings on one scale: everybody uses numbers of their own, so a person's deviations in logarithms are
+/// added to the mean of all (Stevens; Lane, Catania & Stevens, JASA 1961). Persons who did not rate every
+/// button are left out.
 PersonMeans onOneScale(const PersonMeans& logs, std::size_t things) {
   std::map<std::size_t, std::pair<double, std::size_t>> byPerson;
   for (const auto& [thing, people] : logs)
@@ -229,7 +231,7 @@ FigureTable differenceTable(const Study& study) {
           {}};
 }
 
-/// How a mean of logarithms, shares or ratings is told.
+/// Text of a mean of logarithms, shares or ratings.
 double told(RatingScale scale, double value) {
   switch (scale) {
     case RatingScale::preference:

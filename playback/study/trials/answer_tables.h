@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What thresholds and ratings come to, as tables. Any thread.
+// Results of thresholds and ratings, as tables. Any thread.
 
 #include <vector>
 
@@ -9,13 +9,13 @@
 
 namespace detent::playback {
 
-/// Thresholds of each participant, and of each button over participants. A condition of its own for each of listening, mode and who answered,
-/// as in the rows.
+/// Thresholds of each participant, and of each button over participants. A condition of its own for each of
+/// listening, mode and who answered, as in the rows.
 std::vector<FigureTable> thresholdTables(const Study& study,
                                          const std::vector<ParticipantRecord>& participants);
 
-/// Scales: what each button got over participants. Pairwise: Bradley-Terry scores. Then every two buttons against each other, participants as
-/// their own control.
+/// Scales: what each button got over participants. Pairwise: Bradley-Terry scores. Then every two buttons
+/// against each other, participants as their own control.
 std::vector<FigureTable> ratingTables(const Study& study, const std::vector<ParticipantRecord>& participants);
 
 }  // namespace detent::playback

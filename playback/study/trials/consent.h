@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a participant is asked to agree to, and what they decided. The texts lie in the study's folder: consent.LANGUAGE.txt, and consent.txt
-// for every other language. Who agrees begins a journal; who does not is counted, and nothing else about them is kept. Any thread.
+// Consent text of a participant, and their decision. The texts lie in the study's folder:
+// consent.LANGUAGE.txt, and consent.txt for every other language. A participant who agrees begins a journal;
+// one who declines is counted, and nothing else about them is kept. Any thread.
 
 #include <cstddef>
 #include <filesystem>
@@ -22,7 +23,7 @@ struct ConsentText {
 struct ConsentDecision {
   std::string language;  ///< the text was shown in
   std::string sha256;    ///< of the text
-  double utc_s = 0;      ///< when, wall clock, since 1970
+  double utc_s = 0;      ///< wall-clock time since 1970
 };
 
 /// A text from a file; NAME.de.txt is German. Failure unreadableInput: not there, empty, or not UTF-8.
@@ -36,7 +37,7 @@ Result<ConsentText> consentIn(const std::filesystem::path& folder, const std::st
 
 /// Counts one "no, thank you"; `declined.jsonl` of the study's folder. Failure: as LineJournal.
 Result<Done> recordDeclined(const std::filesystem::path& folder, const ConsentDecision& decision);
-/// How many said so.
+/// Number of people who declined.
 std::size_t declinedIn(const std::filesystem::path& folder);
 
 }  // namespace detent::playback

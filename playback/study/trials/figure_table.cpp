@@ -30,7 +30,7 @@ std::string shown(const FigureCell& cell, const FigureColumn& column, const char
   return text;
 }
 
-/// Whether a column holds words, which stand at the left.
+/// Returns true if a column holds words, which are aligned to the left.
 bool ofWords(const FigureTable& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<FigureCell>& row) {
     return std::holds_alternative<std::string>(row[column]);
@@ -48,7 +48,7 @@ std::vector<std::vector<std::string>> linesOf(const FigureTable& table) {
   return lines;
 }
 
-/// Of each column of lines.
+/// Width of each column of lines.
 std::vector<std::size_t> widthsOf(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths(lines[0].size(), 0);
   for (const std::vector<std::string>& line : lines)
@@ -62,8 +62,8 @@ std::size_t wholeWidth(const std::vector<std::size_t>& widths, const std::vector
   return width;
 }
 
-/// Of the columns of words the one that says something new least often: it can stand above the rows it is the same for. None where each of them
-/// does in every row.
+/// The text column that changes least often: it can be printed above the rows that share it. None if every
+/// column changes in every row.
 std::optional<std::size_t> rarestChange(const FigureTable& table, const std::vector<std::size_t>& columns) {
   std::optional<std::size_t> rarest;
   std::size_t least = table.rows.size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A table of figures as data: what a study found is put into such tables once, and text, CSV, JSON and pages read them all alike. Any
-// thread.
+// A table of figures as data: what a study found is put into such tables once, and text, CSV, JSON and pages
+// read them all alike. Any thread.
 
 #include <string>
 #include <variant>
@@ -27,7 +27,8 @@ struct FigureTable {
   std::vector<std::vector<FigureCell>> rows;  ///< each as long as `columns`
 };
 
-/// Aligned columns under the title, 80 letters wide where that can be: what is the same for many rows then stands above them.
+/// Aligned columns under the title, 80 letters wide where that can be: what is the same for many rows then
+/// stands above them.
 std::string tableText(const FigureTable& table);
 /// A section of a page.
 std::string tableMarkup(const FigureTable& table);
@@ -36,7 +37,8 @@ std::string tableJson(const FigureTable& table);
 
 /// Letters, not bytes.
 std::size_t widthOf(const std::string& text);
-/// Lines of at most 80 letters, broken at blanks; the first begins with `begin`, the others are indented as deep.
+/// Lines of at most 80 letters, broken at blanks; the first begins with `begin`, the others are indented as
+/// deep.
 std::string wrapped(const std::string& words, const std::string& begin);
 
 }  // namespace detent::playback

@@ -168,12 +168,12 @@ class Replay {
     return Done{};
   }
 
-  /// Where this stretch lies after the first one began. The wall clock may have been set meanwhile; the
-  /// steady clock says what has passed at least. A simulation makes its times up: they prove no clock wrong.
+  /// Start of this stretch after the first one began. The system clock may have been set meanwhile; the
+  /// steady clock gives a lower bound. A simulation invents its times: they prove no clock wrong.
   void placeAfterPause(const SessionStart& s) {
     const double byWallClock_s = s.utc_s - record_.sessions.front().utc_s;
     if (s.kind != SessionKind::simulated && byWallClock_s < spent_s_ - clockTolerance_s)
-      note("two clocks disagree: the wall clock stepped back by " +
+      note("two clocks disagree: the system clock stepped back by " +
            std::to_string(std::lround(spent_s_ - byWallClock_s)) +
            " s; times within a trial are not touched, the pause counts as none");
     start_s_ = std::max(byWallClock_s, spent_s_);
@@ -224,7 +224,8 @@ class Replay {
            (json.at("interval_s") == trial.interval_s && json.at("window_s") == trial.window_s);
   }
 
-  /// What was felt counts, not what this machine would have asked: where two levels promise the same, the last digit of a logarithm decides.
+  /// The felt level counts, not the one that this machine would have chosen: if two levels promise the same,
+  /// the last digit of a logarithm decides.
   void takeLevel(const Json& json) {
     if (study_.design.kind != StudyKind::threshold) return;
     Trial& trial = record_.plan[record_.answers.size()];
@@ -351,7 +352,7 @@ bool ratingFits(const Study& study, const std::optional<double>& rating) {
 
 namespace {
 
-/// Of all sites, each with its name before the ids: P01 of two sites are two people.
+/// Records of all sites, each with its name before the ids: P01 of two sites are two people.
 Result<std::vector<ParticipantRecord>> readSites(const Study& study) {
   std::vector<ParticipantRecord> all;
   for (const std::string& site : study.sites) {
@@ -490,7 +491,7 @@ Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, 
 
 namespace {
 
-/// Whether a journal says that a head lies beside it; those of version 0.2 had none at first.
+/// Returns true if a journal says that a head lies beside it; those of version 0.2 had none at first.
 bool hadHead(const std::vector<std::string>& lines) {
   if (lines.empty()) return false;
   const Json header = Json::parse(lines.front(), nullptr, false);
@@ -504,11 +505,10 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     if (!hadHead(lines)) return Done{};
-    return Failure{
-        FailureCode::unreadableInput, journal.string(), "",
-        Message("had a file \"%1\" beside it that is gone: whether its end was cut off cannot be told",
-                file.filename().string()),
-        Message("Restore both from a copy")};
+    return Failure{FailureCode::unreadableInput, journal.string(), "",
+                   Message("had a file \"%1\" beside it that is missing: its end may have been cut off",
+                           file.filename().string()),
+                   Message("Restore both from a copy")};
   }
   const Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
@@ -517,7 +517,7 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::string chain;
   if (!(head >> count))
     return Failure{FailureCode::unreadableInput, file.string(), "",
-                   Message("does not say how long the journal was"), Message("Restore both from a copy")};
+                   Message("does not record the length of the journal"), Message("Restore both from a copy")};
   head >> chain;
   if (count <= lines.size() &&
       chainAfter({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)}) == chain)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What one participant's journal says. The journal is a text of JSON lines; every line carries a piece of a
-// hash over itself and all before it, so that a line changed, added or taken out by hand is noticed.
+// Contents of one participant's journal. The journal is a text of JSON lines; every line carries a piece of a
+// hash over itself and all before it, so that a line changed, added or removed by hand is noticed.
 
 #include <optional>
 #include <string>
@@ -13,14 +13,14 @@
 
 namespace detent::playback {
 
-/// Who answered, and with what under the finger.
+/// Source of the answers, and the device under the finger.
 enum class SessionKind : std::uint8_t {
   real,       ///< a person, with a sound device
   rehearsal,  ///< a person or nobody, without one: nothing was felt
   simulated   ///< the program
 };
 
-/// What reaches the ears. K&L: "Normal" and "Noisy" group.
+/// Sound in the participant's ears. K&L: "Normal" and "Noisy" group.
 enum class Listening : std::uint8_t { quiet, masked };
 
 inline constexpr auto sessionKinds = named<SessionKind>({{"real", SessionKind::real},
@@ -31,16 +31,16 @@ inline constexpr auto listenings =
 inline const char* nameOf(SessionKind kind) { return sessionKinds.word(kind); }
 inline const char* nameOf(Listening listening) { return listenings.word(listening); }
 
-/// When a press counts as made, and how the cue gets to the person: of timing studies.
+/// Timing studies: the rule by which a press counts as made, and the way of the cue to the person.
 struct TimingRoute {
   std::string press;  ///< source of the presses' times, and what a time means: "key: read from the terminal"
   std::string cue;    ///< what shows the time: "picture", "picture and sound"
-  /// From the time a trial gives its tone to where it leaves this computer: half a buffer and what the sound system says; none: not known, or
-  /// no tone.
+  /// Time from a trial's tone to this computer's output: half a buffer plus the sound system's delay; none:
+  /// unknown, or no tone.
   std::optional<double> cueLatency_s{};
 };
 
-/// What presses, and through what it is felt; as the device says it. Kept in the journal's first line and with every stretch.
+/// Devices that press and play, by their own names. Kept in the journal's first line and with every stretch.
 struct StudyRoute {
   std::string sensorPort;         ///< empty: keys and large buttons press
   std::string sensorCalibration;  ///< "100 g = 0.98 N ..." in one line; empty without a sensor
@@ -55,13 +55,13 @@ struct SessionStart {
   Listening listening = Listening::quiet;
   std::string device;      ///< sound device; empty in rehearsal and simulation
   std::string simulation;  ///< "guess", "perfect", "errors=0.1"; else empty
-  double utc_s = 0;        ///< wall clock, since 1970
+  double utc_s = 0;        ///< system clock, since 1970
   double noiseLevel = 0;   ///< of the masking noise made here, rms share of full scale; 0: none was made
   StudyRoute route{};
   std::optional<ConsentDecision> consent{};  ///< agreed just before; none: agreed before, or a simulation
 };
 
-/// What a participant did with one stimulus in one trial, as the sensor (or the key that presses) says.
+/// A participant's movements with one stimulus in one trial, from the sensor (or the key that presses).
 struct Felt {
   std::size_t presses = 0;  ///< begun
   std::size_t whole = 0;    ///< of those, pressed through, let go, and played
@@ -78,7 +78,7 @@ struct Answer {
   std::optional<double> rating;  ///< of a scale: 1..7, or a number above 0
   std::vector<double>
       presses_s{};  ///< timing: behind the cue, the window's beginning, or the run's first press; rising
-  double pressWithin_s = 0;          ///< timing: how late a press may have been told, the worst
+  double pressWithin_s = 0;          ///< timing: largest lateness of the report of a press
   std::vector<std::size_t> replays;  ///< of each choice
   std::size_t replaysX = 0;
   std::vector<Felt> felt;   ///< of each choice
@@ -105,7 +105,7 @@ struct ParticipantRecord {
   std::size_t begunBefore = 0;             ///< participants who began before
   std::size_t place = 0;                   ///< see planTrials: as planned (study_plan.h), else begunBefore
   std::optional<ConsentDecision> consent;  ///< what they agreed to last
-  /// Why the journal cannot be used; then there is no plan and no answer.
+  /// The reason why the journal cannot be used; then there is no plan and no answer.
   std::optional<Failure> damage;
   std::vector<Trial> plan;
   std::vector<SessionStart> sessions;
@@ -120,7 +120,7 @@ struct ParticipantRecord {
   const Trial* next() const;
 };
 
-/// What the lines of a journal mean. `unfinished` is what follows the last line end. Failure unreadableInput
+/// Reads the lines of a journal. `unfinished` is the text after the last line end. Failure unreadableInput
 /// names file and line: no journal, of another version or study, or edited by hand.
 Result<ParticipantRecord> replayJournal(const Study& study, const std::string& participant,
                                         const std::vector<std::string>& lines, const std::string& unfinished,
@@ -129,38 +129,43 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
 /// The file of a participant's journal.
 std::filesystem::path journalOf(const Study& study, const std::string& participant);
 
-/// One participant; nothing planned or answered where there is no journal yet. Failure: as replayJournal and checkHead.
+/// One participant; nothing planned or answered where there is no journal yet. Failure: as replayJournal and
+/// checkHead.
 Result<ParticipantRecord> readParticipant(const Study& study, const std::string& participant);
 
-/// All participants of a study by id; journals are read while they are written, too. One that cannot be used costs that person only:
-/// see ParticipantRecord::damage.
+/// All participants of a study by id; journals are read while they are written, too. One that cannot be used
+/// costs that person only: see ParticipantRecord::damage.
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study);
 
-/// Whether an answer was felt: X and both others pressed through; in matching at least one other; where there is no X, all choices.
+/// Returns true if an answer was felt: X and both others pressed through; in matching at least one other;
+/// without an X, all choices.
 bool feltEnough(const Study& study, const Answer& answer);
 
-/// Cue, window: the press that counts, if there is one: the first from half an interval before the cue (or the window's beginning) to an
-/// interval after it. Whoever beats time with what comes before is not taken at their word.
+/// Cue, window: the press that counts, if there is one: the first from half an interval before the cue (or
+/// the window's beginning) to an interval after it. Whoever beats time with what comes before is not taken at
+/// their word.
 std::optional<double> countedPress(const Trial& trial, const std::vector<double>& presses_s);
 
-/// Whether the times of a trial's presses can be: finite, rising, and one that counts; of tapping at least two. None in other studies.
+/// Returns true if the times of a trial's presses are possible: finite, rising, and one that counts; of
+/// tapping at least two. None in other studies.
 bool pressesFit(const Study& study, const Trial& trial, const Answer& answer);
 
-/// Whether a rating lies on the study's scale; none where it has none.
+/// Returns true if a rating lies on the study's scale, or if there is none in a study without a scale.
 bool ratingFits(const Study& study, const std::optional<double>& rating);
 
 // ---- what is compared next, where that follows from the answers so far: thresholds (next_level.cpp)
 
-/// What is believed of one button's threshold in one mode after a participant's first `answers` answers; practice does not count.
+/// What is believed of one button's threshold in one mode after a participant's first `answers` answers;
+/// practice does not count.
 QuestPlus beliefAfter(const Study& study, const ParticipantRecord& record, std::size_t reference,
                       FeedbackMode mode, std::size_t answers);
 
-/// Puts the level that tells most into the trial that comes next. Does nothing where nothing adapts or all is answered.
+/// Puts the most informative level into the next trial. Does nothing if nothing adapts or all is answered.
 void placeNextLevel(const Study& study, ParticipantRecord& record);
 
 // ---- lines
 
-/// The one place that words journal lines. `chain` is the hash so far and is moved on.
+/// Makes the text of journal lines, alone. `chain` is the hash so far and is updated.
 std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
                        std::string& chain);
 std::string consentLine(const ConsentDecision& decision, std::string& chain);
@@ -169,11 +174,13 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& ans
 std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain);
 std::string endLine(const std::string& reason, std::string& chain);
 
-/// What the journal held when it was last written, beside it: a journal whose end was cut off or that was emptied is noticed. Written before
-/// the first line, which says so, and after each line; a crash between leaves it behind by a line.
+/// State of the journal when it was last written, in a file beside it: a journal whose end was cut off or
+/// that was emptied is noticed. Written before the first line, which says so, and after each line; after a
+/// crash between the two it is one line behind.
 std::filesystem::path headFileOf(const std::filesystem::path& journal);
 Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, const std::string& chain);
-/// Failure unreadableInput: the journal holds less than it held, or its head is gone. Journals begun before heads were kept have none.
+/// Failure unreadableInput: the journal holds less than it held, or its head is gone. Journals begun before
+/// heads were kept have none.
 Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<std::string>& lines);
 
 /// The hash after those lines.

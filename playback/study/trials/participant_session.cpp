@@ -25,13 +25,14 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
   for (const SessionStart& before : record.sessions) {
     const bool simulated = before.kind == SessionKind::simulated;
     if (simulated == (start.kind == SessionKind::simulated)) continue;
-    return Failure{FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
-                   simulated ? Message("was simulated so far") : Message("is a person's so far"),
-                   Message("Give another id")};
+    return Failure{
+        FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
+        simulated ? Message("already has simulated answers") : Message("already has answers of a person"),
+        Message("Give another id")};
   }
   if (!record.sessions.empty() && record.sessions.back().listening != start.listening)
     return Failure{FailureCode::wrongUsage, Subject::option("--condition"), record.participant,
-                   Message("has listened \"%1\" so far, not \"%2\"",
+                   Message("has used the condition \"%1\" so far, not \"%2\"",
                            Message::of(nameOf(record.sessions.back().listening), {}),
                            Message::of(nameOf(start.listening), {})),
                    Message("Go on in the same condition, or give another id")};
@@ -52,7 +53,7 @@ Result<std::size_t> othersIn(const Study& study, const std::string& participant)
     ++others;
     if (spokenId(id) == spokenId(participant))
       return Failure{FailureCode::wrongUsage, Subject::option("--participant"), participant,
-                     Message("is too like \"%1\", who is in the study already", id),
+                     Message("is too similar to \"%1\", who is already in the study", id),
                      Message("Give an id that is read out differently")};
   }
   return others;
@@ -131,7 +132,7 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
   const Trial* shown = trial();
   if (shown == nullptr || answer.trial != shown->number || answer.choice >= shown->choices.size())
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   Message("is not the trial that is asked"), Message("Answer the trial that is shown")};
+                   Message("is not the current trial"), Message("Answer the trial that is shown")};
   if (!ratingFits(*study_, answer.rating))
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
                    answer.rating ? Message("does not lie on the scale") : Message("gives no number"),
@@ -201,7 +202,8 @@ std::optional<double> numberBehind(const std::string& text, std::string_view nam
   return value;
 }
 
-/// Whether a simulated person errs. A threshold of `threshold`: as QUEST+ takes people to be, in the middle of its slopes and lapses.
+/// Returns true if a simulated person errs. A threshold of `threshold`: QUEST+'s model of people, in the
+/// middle of its slopes and lapses.
 bool errs(const Study& study, const Trial& trial, const Simulation& simulation, StudyRandom& random) {
   double share = simulation.errorRate;
   if (simulation.threshold > 0) {
@@ -228,7 +230,7 @@ void simulateRating(const Study& study, const Trial& trial, const Simulation& si
   answer.rating = magnitude ? std::exp2(static_cast<double>(step)) : static_cast<double>(step + 1);
 }
 
-/// Which one is X, or has more.
+/// Index of the choice that is X, or has more.
 std::size_t simulatedChoice(const Study& study, const Trial& trial, const Simulation& simulation,
                             StudyRandom& random) {
   const std::size_t choices = trial.choices.size();

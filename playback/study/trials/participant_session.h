@@ -15,12 +15,14 @@ namespace detent::playback {
 class ParticipantSession {
  public:
   /// Begins or resumes the participant's journal. Failure unreadableInput: see replayJournal and
-  /// LineJournal::open; wrongUsage: the id, also one that sounds like another's; an answer of a person would follow a simulated one
-  /// (or the other way round) in one journal; or the participant listened otherwise before.
+  /// LineJournal::open; wrongUsage: the id, also one that sounds like another's; an answer of a person would
+  /// follow a simulated one (or the other way round) in one journal; or the participant listened otherwise
+  /// before.
   static Result<ParticipantSession> open(const Study& study, const std::string& participant,
                                          const SessionStart& start);
 
-  /// What open() would go on with, by the same checks; nothing is written. Without a plan where the participant has not begun.
+  /// The record that open() would continue, by the same checks; nothing is written. Without a plan if the
+  /// participant has not begun.
   static Result<ParticipantRecord> toOpen(const Study& study, const std::string& participant,
                                           const SessionStart& start);
 
@@ -28,8 +30,8 @@ class ParticipantSession {
   /// The trial to be shown; null when all are answered.
   const Trial* trial() const { return record_.next(); }
 
-  /// Written and synced; on Failure (full disk; a person's answer to what was not felt) nothing has changed and the same answer
-  /// may be given again.
+  /// Written and synced; on Failure (full disk; a person's answer to what was not felt) nothing has changed
+  /// and the same answer may be given again.
   Result<Done> record(const Answer& answer);
   /// Sound or sensor were lost during the trial: it is shown anew, and marked.
   Result<Done> interrupted(const std::string& reason);
@@ -49,27 +51,28 @@ class ParticipantSession {
   std::string chain_;
 };
 
-/// Now by the wall clock, seconds since 1970: for SessionStart and ConsentDecision.
+/// Now by the system clock, seconds since 1970: for SessionStart and ConsentDecision.
 double wallClock_s();
 
-/// What a participant listens to: as asked, else as in their journal, else in quiet.
+/// The participant's listening: as requested, else as in their journal, else quiet.
 Listening listeningOf(const Study& study, const std::string& participant,
                       const std::optional<Listening>& asked);
 
-/// How the program answers in a person's place.
+/// Answers of the program in a person's place.
 struct Simulation {
   double errorRate = 0;  ///< 0 perfect, 0.5 guess (abx)
   bool guess = false;    ///< any choice is as likely as any other
   double threshold =
-      0;  ///< threshold studies: as someone who tells so great an increase in 75 of 100; 0: errors as above
+      0;  ///< threshold studies: a person who notices this increase in 75 of 100 trials; 0: errors as above
   std::string name;                     ///< as given
   std::optional<PressTiming> timing{};  ///< timing studies: of the person
   /// Timing studies: what another program says a person pressed, by trial, as Answer::presses_s.
   std::map<std::size_t, std::vector<double>> presses_s{};
 };
 
-/// "guess", "perfect", "errors=P" with P in [0, 1], "threshold=T" with T in [0.001, 10], "timing=PLACE,SPREAD" (PressTiming), or
-/// "presses=FILE", CSV `trial,press_s`. Failure wrongUsage; unreadableInput: of the file.
+/// "guess", "perfect", "errors=P" with P in [0, 1], "threshold=T" with T in [0.001, 10],
+/// "timing=PLACE,SPREAD" (PressTiming), or "presses=FILE", CSV `trial,press_s`. Failure wrongUsage;
+/// unreadableInput: of the file.
 Result<Simulation> simulationNamed(const std::string& name);
 /// Failure wrongUsage: it cannot answer what the study asks for.
 Result<Done> checkSimulation(const Study& study, const Simulation& simulation);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who gets which list of trials, fixed before the first person comes (study_plan.h). Any thread.
+// Assigns a list of trials to each participant, fixed before the first person comes (study_plan.h). Any
+// thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,8 @@
 
 namespace detent::playback {
 
-/// Rule for participants who did not answer all trials. The report shows both results; this one comes first and is tested.
+/// Rule for participants who did not answer all trials. The report shows both results; this one comes first
+/// and is tested.
 enum class Unfinished : std::uint8_t {
   leftOut,  ///< unless nobody has finished yet
   counted
@@ -21,8 +23,8 @@ enum class Unfinished : std::uint8_t {
 inline constexpr auto unfinishedRules =
     named<Unfinished>({{"left-out", Unfinished::leftOut}, {"counted", Unfinished::counted}});
 
-/// Plan made before the first person comes: `plan.json` of the study's folder. Which list of trials a participant gets is a matter of
-/// their place.
+/// Plan made before the first person comes: `plan.json` of the study's folder. Which list of trials a
+/// participant gets is a matter of their place.
 struct PlannedPlaces {
   std::vector<std::string> participants;  ///< by place
   Unfinished unfinished = Unfinished::leftOut;
@@ -32,9 +34,11 @@ struct PlannedPlaces {
 /// P01, P02, ... for so many people.
 PlannedPlaces usualPlaces(std::size_t people);
 
-/// The places a study was planned with; none: they follow from who comes first. Failure unreadableInput: plan.json is broken.
+/// The places a study was planned with; none: they follow from who comes first. Failure unreadableInput:
+/// plan.json is broken.
 Result<PlannedPlaces> placesOf(const std::filesystem::path& folder);
-/// The place of somebody who begins now, `begunBefore` others having begun; behind all planned ones where they are not among them.
+/// The place of somebody who begins now, `begunBefore` others having begun; behind all planned ones where
+/// they are not among them.
 std::size_t placeOf(const PlannedPlaces& places, const std::string& participant, std::size_t begunBefore);
 
 /// Writes plan.json. `studySha256`, `listsSha256`: of study.json, of all lists in order.

@@ -67,7 +67,7 @@ void check(const GroupResult& group, std::vector<std::string>& wrong) {
                     std::to_string(group.fails.trials));
 }
 
-/// A printed matching experiment: how many matches were right, and what the text tells of each participant.
+/// A printed matching experiment: the number of right matches, and the text's figures for each participant.
 GroupResult matchingFrom(const Json& json, std::vector<std::string>& wrong) {
   GroupResult group;
   group.condition = json.at("condition");

@@ -9,7 +9,7 @@
 
 namespace detent::playback {
 
-/// Whether a folder holds printed counts (counts.json) instead of a study.
+/// Returns true if a folder holds printed counts (counts.json) instead of a study.
 bool holdsPrintedCounts(const std::filesystem::path& folder);
 
 /// The printed counts as results without rows; where they do not add up, a warning says so. Failure

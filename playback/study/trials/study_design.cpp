@@ -33,7 +33,7 @@ Failure wrong(Subject subject, Message problem, const Message& remedy) {
   return {FailureCode::wrongUsage, std::move(subject), "", std::move(problem), remedy};
 }
 
-/// What an option asks for; a window names its own part of that.
+/// Failure of an option; a window names its own control instead.
 Failure wrongOption(const char* option, Message problem, const Message& remedy) {
   return wrong(Subject::option(option), std::move(problem), remedy);
 }
@@ -71,7 +71,8 @@ Result<std::vector<StudyStimulus>> stimuliOf(const Study& study) {
   return stimuli;
 }
 
-/// Without a jump there is nothing to snap more, without slopes nothing to be rougher.
+/// Refuses quantities that the button does not have: without a jump no snap, without slopes no grain
+/// strength.
 Result<Done> checkLevelsDiffer(const Study& study) {
   const auto hashIn = [&](std::size_t button, FeedbackMode mode) {
     for (const StudyStimulus& s : study.stimuli)
@@ -138,7 +139,7 @@ Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file)
                     Message("Restore the file as it was made"));
 }
 
-/// Everything study.json says; buttons without their files. Throws nlohmann's exceptions.
+/// The study of study.json; buttons without their files. Throws nlohmann's exceptions.
 Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")
@@ -373,7 +374,7 @@ std::size_t usualTrials(StudyKind kind, TimingTask task) {
 
 namespace {
 
-/// Whether some values lie within a range, each once, and are not too many.
+/// Returns true if the values lie within a range, each once, and are not too many.
 bool eachOnceWithin(const std::vector<double>& values, double low, double high) {
   return !values.empty() && values.size() <= mostTimes &&
          std::set<double>(values.begin(), values.end()).size() == values.size() &&
@@ -419,7 +420,7 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   if (d.practice > mostPractice) return outside("--practice", d.practice, 0, mostPractice);
   const std::size_t pairs = buttons * (buttons - 1) / 2;
   if (d.pairsEach > 0 && !asksForPairs(d))
-    return wrongOption("--pairs-each", Message("has no meaning where no pairs are asked for"),
+    return wrongOption("--pairs-each", Message("has no meaning in a study without pairs"),
                        Message("Leave it out"));
   if (d.pairsEach > pairs)
     return wrongOption("--pairs-each", Message("%1 of %2 pairs", d.pairsEach, pairs),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a study with people is: which buttons, which task, how often. One study is one folder that can be
-// copied: study.json, buttons/, device.device (optional), consent.txt and consent.LANGUAGE.txt (consent.h), participants/ID.jsonl.
+// A study with people: its buttons, task and number of trials. One study is one folder that can be copied:
+// study.json, buttons/, device.device (optional), consent.txt and consent.LANGUAGE.txt (consent.h),
+// participants/ID.jsonl.
 
 #include <cstdint>
 #include <filesystem>
@@ -34,12 +35,12 @@ inline constexpr auto studyKinds = named<StudyKind>({{"abx", StudyKind::abx},
                                                      {"rating", StudyKind::rating},
                                                      {"timing", StudyKind::timing}});
 inline const char* nameOf(StudyKind kind) { return studyKinds.word(kind); }
-/// Whether an answer says which one X is.
+/// Returns true if an answer says which one X is.
 inline bool asksForX(StudyKind kind) { return kind == StudyKind::abx || kind == StudyKind::matching; }
-/// Whether an answer is right or wrong.
+/// Returns true if an answer is right or wrong.
 inline bool hasRightAnswer(StudyKind kind) { return kind != StudyKind::rating && kind != StudyKind::timing; }
 
-/// What there is more of; threshold.
+/// The quantity that increases; threshold.
 enum class LevelQuantity : std::uint8_t {
   peakForce,     ///< all forces of the button
   eventSize,     ///< strength of the vibration at its jumps
@@ -55,7 +56,7 @@ inline constexpr auto levelQuantities =
                           {"grain-strength", LevelQuantity::grainStrength}});
 inline const char* nameOf(LevelQuantity quantity) { return levelQuantities.word(quantity); }
 
-/// How a rating is given.
+/// Scale of a rating.
 enum class RatingScale : std::uint8_t {
   preference,  ///< 1 (worst) to 7 (best), one button at a time
   magnitude,   ///< any number above 0, twice as strong is twice the number (Stevens), one button at a time
@@ -67,16 +68,16 @@ inline constexpr auto ratingScales = named<RatingScale>({{"preference", RatingSc
 inline const char* nameOf(RatingScale scale) { return ratingScales.word(scale); }
 inline constexpr double worstPreference = 1, bestPreference = 7, greatestMagnitude = 1e6;
 
-/// What X is made of. Physical: the experimenter hands over the real switch of that number.
+/// Kind of X. Physical: the experimenter hands over the real switch of that number.
 enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
 
-/// What a design may ask for; checkDesign().
+/// Limits of a design; checkDesign().
 inline constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
 inline constexpr std::size_t mostTimes = 9;  ///< intervals, windows: each once
 inline constexpr double leastInterval_s = 0.2, mostInterval_s = 5, leastWindow_s = 0.01, mostWindow_s = 1;
 inline constexpr double shortestRun_s = 3, longestRun_s = 120;
 
-/// What is asked for; `study new`.
+/// Settings of a study; `study new`.
 struct StudyDesign {
   StudyKind kind = StudyKind::abx;
   TargetKind targets = TargetKind::virtualButton;       ///< physical: matching only
@@ -96,7 +97,8 @@ struct StudyDesign {
       consents;  ///< one for each language; empty: a short standard text in English and in German
 };
 
-/// Trials a kind, and of timing a task, usually needs. Threshold: docs/guide/studies.md has what they come to.
+/// Trials a kind, and of timing a task, usually needs. Threshold: docs/guide/studies.md has what they come
+/// to.
 std::size_t usualTrials(StudyKind kind, TimingTask task = TimingTask::cue);
 
 /// One button of a study.
@@ -106,7 +108,7 @@ struct StudyButton {
   Button button;
 };
 
-/// What a participant gets: button and mode, as sound. SHA-256 over the standard press: it changes when the
+/// A participant's stimulus: button and mode, as sound. SHA-256 over the standard press: it changes when the
 /// button, a setting, the device profile or the engine would make it feel different.
 struct StudyStimulus {
   std::size_t button = 0;
@@ -146,13 +148,14 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t buttons);
 
 /// A participant's id: 1 to 32 of a-z A-Z 0-9 - _, so that it names a file and no person.
 Result<Done> checkParticipantId(const std::string& id);
-/// What remains of an id for reading it out: P-1, P_1, p1 and P01 are one person.
+/// An id as it is read out: P-1, P_1, p1 and P01 are one person.
 std::string spokenId(const std::string& id);
 
-/// Whether two buttons at a time are asked about, as pairsOf() lists them.
+/// Returns true if trials compare two buttons at a time, as pairsOf() lists them.
 bool asksForPairs(const StudyDesign& design);
 
-/// Range checks of a design for so many buttons. Failure wrongUsage: its subject is the option of `study new`, or the study.
+/// Range checks of a design for so many buttons. Failure wrongUsage: its subject is the option of
+/// `study new`, or the study.
 Result<Done> checkDesign(const StudyDesign& design, std::size_t buttons);
 
 /// Makes the folder, whole or not at all. `buttonFiles`: at least two (threshold, scales and timing:
@@ -165,39 +168,43 @@ Result<Study> createStudy(const std::filesystem::path& folder, const std::vector
 /// unreadableInput: no study, another version's, or a button missing or changed.
 Result<Study> openStudy(const std::filesystem::path& folder);
 
-/// That this program would make it feel as the one that made it. Failure unreadableInput names the button
-/// and mode. For running, not for reading results.
+/// Checks that this program would make the stimuli feel as the one that made them. Failure unreadableInput
+/// names the button and mode. For running, not for reading results.
 Result<Done> checkStimuli(const Study& study);
 
-/// What a participant feels for a button in a mode.
+/// Program of a button in a mode.
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode);
 
-// ---- one study that several laboratories ran (merged_study.cpp): a folder with a whole study of each below sites/NAME, and a study.json
-// that names them. Its participants are called NAME-ID.
+// ---- one study that several laboratories ran (merged_study.cpp): a folder with a whole study of each below
+// sites/NAME, and a study.json that names them. Its participants are called NAME-ID.
 
-/// Copies studies into `folder`, whole or not at all. `sites`: one name for each, as of a participant; empty: the names of the folders.
-/// Failure wrongUsage: they differ in task or feel, in their rule for the unfinished, or two sites have one name.
+/// Copies studies into `folder`, whole or not at all. `sites`: one name for each, as of a participant; empty:
+/// the names of the folders. Failure wrongUsage: they differ in task or feel, in their rule for the
+/// unfinished, or two sites have one name.
 Result<Study> mergeStudies(const std::vector<std::filesystem::path>& studies, std::vector<std::string> sites,
                            const std::filesystem::path& folder);
-/// Opens the study of these sites; not empty. Failures: those of openStudy, for each site, and of mergeStudies.
+/// Opens the study of these sites; not empty. Failures: those of openStudy, for each site, and of
+/// mergeStudies.
 Result<Study> openSites(const std::vector<std::string>& sites, const std::filesystem::path& folder);
 /// The folder of one site's study.
 std::filesystem::path siteFolder(const std::filesystem::path& folder, const std::string& site);
 
-// ---- levels of a threshold study: buttons with more of one quantity than the one they are compared with (study_levels.cpp)
+// ---- levels of a threshold study: buttons with more of one quantity than the one they are compared with
+// (study_levels.cpp)
 
-/// The settings with so much more of the quantity; those of quantities of the button itself stay. Jumps whose size is asked about play at half
-/// their strength, so that there is room for more. `increase` >= 0; 0: the reference.
+/// The settings with the quantity increased; those of quantities of the button itself stay. Jumps whose size
+/// is tested play at half their strength, so that there is room for more. `increase` >= 0; 0: the reference.
 PlaybackSettings raised(PlaybackSettings settings, LevelQuantity quantity, double increase);
 
-/// Puts a level behind the study's buttons. `reference`: one of the given buttons; `increase` > 0. Failure: as the edit.
+/// Puts a level behind the study's buttons. `reference`: one of the given buttons; `increase` > 0. Failure:
+/// as the edit.
 Result<Done> addLevel(Study& study, std::size_t reference, double increase);
 
-/// A hundredth to the double, twelve a decade, as far as the button can be changed and the vibration is not at full scale. Failure wrongUsage
-/// names a button that has too few such levels.
+/// A hundredth to the double, twelve a decade, as far as the button can be changed and the vibration is not
+/// at full scale. Failure wrongUsage names a button that has too few such levels.
 Result<Done> addUsualLevels(Study& study);
 
-/// Of a button, rising.
+/// Increases of a button, rising.
 std::vector<double> increasesOf(const Study& study, std::size_t reference);
 /// The level a button is; null: a button the study was made of.
 const StudyLevel* levelOf(const Study& study, std::size_t button);

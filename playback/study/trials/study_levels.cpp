@@ -47,7 +47,7 @@ double usualIncrease(int step) {
   return std::round(exact / unit) * unit;
 }
 
-/// Whether the vibration has room for it: at full scale more is not felt.
+/// Returns true if the vibration has room for it: at full scale more is not felt.
 bool hasRoom(const Study& study, std::size_t button) {
   for (const FeedbackMode mode : study.design.modes) {
     const Result<PreparedProgram> program = programFor(study, button, mode);

@@ -190,7 +190,7 @@ Json jsonOf(const StudyResults& results, const GroupResult& g) {
           {"confusion", g.confusion}};
 }
 
-/// What rows of a kind hold beyond those of all.
+/// Additional columns of a kind's rows.
 struct KindColumn {
   const char* name;
   const char* description;

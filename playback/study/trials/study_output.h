@@ -10,25 +10,28 @@
 
 namespace detent::playback {
 
-/// One row per trial; `study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,
-/// answer_s,condition`, `level`, `rating` or times for those kinds, then `feel,finished,site`. Fields with commas, quotes or line ends are quoted (RFC 4180); points for decimals.
+/// One row per trial;
+/// `study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x, answer_s,condition`,
+/// `level`, `rating` or times for those kinds, then `feel,finished,site`. Fields with commas, quotes or line
+/// ends are quoted (RFC 4180); points for decimals.
 std::string resultsCsv(const StudyResults& results);
 
-/// What was felt: one row per trial and stimulus (1, 2, … as shown, x); `study,participant,trial,stimulus,button,presses,whole,peak_N,
-/// travel_mm,condition`. No rows of journals that did not keep it.
+/// Felt stimuli: one row per trial and stimulus (1, 2, … as shown, x);
+/// `study,participant,trial,stimulus,button,presses,whole,peak_N, travel_mm,condition`. No rows of journals
+/// that did not keep it.
 std::string feltCsv(const StudyResults& results);
 
 /// Writes `folder`/dataset_description.json, participants.tsv, task-NAME_events.json and, per participant,
 /// sub-ID/beh/sub-ID_task-NAME_events.tsv (BIDS: onset first, duration second, n/a for what is not there).
 Result<Done> writeBids(const StudyResults& results, const std::filesystem::path& folder);
 
-/// The results with the unfinished where `results` leaves them out, without them where it counts them: groups and tables, which are empty
-/// where that makes no difference.
+/// The results with the unfinished where `results` leaves them out, without them where it counts them: groups
+/// and tables, which are empty where that makes no difference.
 StudyResults otherwise(const StudyResults& results);
 /// "With those who did not finish", or without.
 std::string otherwiseTitle(const StudyResults& results);
 
-/// Both tables as text, with intervals, d' and what must be known before believing them.
+/// Both tables as text, with intervals, d' and the caveats.
 std::string resultsText(const StudyResults& results);
 /// One JSON object, one line.
 std::string resultsJson(const StudyResults& results);

@@ -232,7 +232,7 @@ std::string confusionHtml(const StudyResults& results, const GroupResult& group)
   return text + "<caption>Rows: what X was. Columns: what was answered.</caption></table></section>\n";
 }
 
-/// Nothing where so few pairs have no order to speak of.
+/// Caption of the rank correlation; empty if there are too few pairs for an order.
 std::string rankCaption(const std::vector<double>& told, const std::vector<double>& found) {
   constexpr std::size_t fewest = 3;
   if (found.size() < fewest) return {};

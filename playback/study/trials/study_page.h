@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// What was foretold of one pair in one mode, to stand beside what was found.
+/// Forecast of one pair in one mode, to be shown beside the result.
 struct ForetoldPair {
   FeedbackMode mode = FeedbackMode::full;
   std::size_t first = 0, second = 0;
@@ -20,7 +20,8 @@ struct ForetoldPair {
   std::string reason;
 };
 
-/// A page up to the beginning of its body, which is given `bodyClass` (may be empty). Style and printing are those of all pages of a study.
+/// A page up to the beginning of its body, which is given `bodyClass` (may be empty). Style and printing are
+/// those of all pages of a study.
 std::string pageBeginning(const std::string& title, const std::string& bodyClass = {});
 
 /// UTF-8. `foretold` may be empty; it stands beside the groups of its mode.

@@ -125,7 +125,8 @@ FigureTable twoConditions(const Study& study) {
   return byPeople(std::move(power), draws, level / static_cast<double>(comparisonsOf(study)));
 }
 
-/// The fewest of the people asked that find a difference in 80 of 100 studies; nothing where even most do not.
+/// The smallest of the given numbers of people that finds a difference in 80 of 100 studies; nothing if even
+/// the largest does not.
 FigureCell peopleFor(const DrawDifference& draw, double atLevel) {
   constexpr double wanted = 0.8;
   constexpr std::size_t studies = 1000;  // twenty cells, and a neighbour in the table is no fault
@@ -233,10 +234,12 @@ std::vector<FigureTable> thresholdPower() {
       1)};
 }
 
-/// What a laboratory's two figures come to: half the width of their 95 % intervals over people. `people` and `trials` of each.
+/// Precision of a laboratory's two figures: half the width of their 95 % intervals over people. `people` and
+/// `trials` of each.
 FigureTable timingPrecision(const Study& study) {
   const StudyDesign& d = study.design;
-  // Between people, and of one press: about what practised people do (Lee & Oulasvirta, CHI 2016; docs/reference/press-forecast.md).
+  // Between people, and of one press: about what practised people do (Lee & Oulasvirta, CHI 2016;
+  // docs/reference/press-forecast.md).
   constexpr double spread = 0.09, spreadVaries = 0.25, tapsOfRun = 50;
   const bool tapping = d.task == TimingTask::tapping, window = d.task == TimingTask::window;
   const double placeVaries = tapping ? 0.12 : window ? 0.08 : 0.02;

@@ -31,7 +31,7 @@ std::string conditionOf(const Study& study, const TrialRow& row) {
   return conditionOf(study, row.listening, row.mode, row.kind);
 }
 
-/// What is compared in a trial, and what was asked for how often.
+/// The compared buttons of a trial, and how often each was replayed.
 void describe(const Study& study, const Trial& trial, const Answer& answer, TrialRow& row) {
   const StudyKind kind = study.design.kind;
   const auto label = [&](std::size_t choice) { return study.buttons[trial.choices[choice]].label; };
@@ -208,7 +208,7 @@ GroupResult groupOf(const Study& study, const DiscriminationRule& rule, const Ro
   return group;
 }
 
-/// What each person did in a condition, over all trials or those of one pair.
+/// Counts of each person in a condition, over all trials or those of one pair.
 using People = std::map<std::string, Count>;
 
 People peopleOf(const Rows& rows, const std::pair<std::size_t, std::size_t>* pair) {
@@ -428,7 +428,8 @@ PairResult pairResult(std::size_t first, std::size_t second, const Count& errors
   return {first, second, errors, wilson(errors), clopperPearson(errors), sensitivityOf(errors), {}, {}};
 }
 
-/// Every journal tells how many there were when it was begun. Whoever began last is missed by nobody.
+/// Every journal records how many there were when it was begun. The journal that was begun last cannot be
+/// missed.
 std::vector<std::string> missingParticipants(const std::vector<ParticipantRecord>& participants) {
   struct Site {
     std::size_t people = 0, most = 0;

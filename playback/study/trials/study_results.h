@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a study found: tidy rows, and figures by group in the layout of K&L's Tables 1 and 2. Any thread.
+// Results of a study: tidy rows, and figures by group in the layout of K&L's Tables 1 and 2. Any thread.
 
 #include <optional>
 #include <string>
@@ -54,11 +54,12 @@ struct DiscriminationRule {
 };
 DiscriminationRule discriminationRule(std::size_t trials, double level = 0.05);
 
-/// How sensitive all participants together were, d' by both strategies.
+/// Sensitivity of all participants together, d' by both strategies.
 struct Sensitivity {
   double differencing = 0, independent = 0;
   double low = 0, lowIndependent = 0;  ///< from the lower end (97.5 %) of the share correct
-  /// No error was made: the first two are what half an error gives (Macmillan & Kaplan, Psychological Bulletin 1985).
+  /// True if no error was made: the first two then assume half an error (Macmillan & Kaplan, Psychological
+  /// Bulletin 1985).
   bool noError = false;
 };
 Sensitivity sensitivityOf(const Count& errors);
@@ -127,7 +128,8 @@ struct StudyResults {
   std::vector<GroupComparison> comparisons;  ///< abx, matching
   std::vector<FigureTable> tables;           ///< threshold, rating, timing
   bool unfinishedLeftOut = false;            ///< of groups, comparisons and tables
-  /// The same with the unfinished where they are left out, without them where they count; empty where there are none.
+  /// The same with the unfinished where they are left out, without them where they count; empty where there
+  /// are none.
   std::vector<GroupResult> otherGroups;
   std::vector<FigureTable> otherTables;
   DiscriminationRule rule;
@@ -136,13 +138,16 @@ struct StudyResults {
   bool anySimulated = false, anyRehearsal = false;
 };
 
-/// A pair as it is named: "A-B"; where a label holds that hyphen "A | B", or numbers, so that no two pairs are named alike.
+/// A pair as it is named: "A-B"; where a label holds that hyphen "A | B", or numbers, so that no two pairs
+/// are named alike.
 std::string pairName(const std::vector<std::string>& labels, std::size_t first, std::size_t second);
 
-/// Labels of at most `width` bytes (4 or more) that still differ: those that would come out alike get a number, "Long~2".
+/// Labels of at most `width` bytes (4 or more) that still differ: those that would come out alike get a
+/// number, "Long~2".
 std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width);
 
-/// Participants of a study whose journals were taken out of the folder, as far as later journals tell, in words.
+/// Participants of a study whose journals were taken out of the folder, as far as later journals tell, in
+/// words.
 std::vector<std::string> missingParticipants(const std::vector<ParticipantRecord>& participants);
 
 StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants);

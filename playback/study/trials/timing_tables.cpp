@@ -99,7 +99,7 @@ class Reader {
   std::map<std::string, std::vector<TimedPress>> people_;
 };
 
-/// How a task's two figures are called, and what a share is shown as.
+/// Names of a task's two figures, and the unit of a share.
 struct Words {
   FigureColumn place, spread;
   double placeFactor;
@@ -136,7 +136,7 @@ FigureCell timingCell(const std::optional<double>& value) {
 }
 FigureCell timingCount(std::size_t n) { return static_cast<double>(n); }
 
-/// Everybody's trials with one button in one condition; both are empty where a file tells neither.
+/// Everybody's trials with one button in one condition; both are empty if a file names neither.
 struct TimingCell {
   std::string button, condition;
   TimedPeople presses;
@@ -163,7 +163,8 @@ std::vector<FittedPerson> fitted(const TimedPeople& presses) {
   return people;
 }
 
-/// How the rows of a table say which timingCell they are of: not at all, of a file that tells neither; by the title, where all are of one condition.
+/// The way in which the rows of a table name their timingCell: not at all, for a file that names neither; by
+/// the title, if all are of one condition.
 struct Naming {
   bool button = false, condition = false;
   std::string title;  ///< behind a table's own
@@ -267,7 +268,7 @@ FigureTable peopleTable(TimingTask task, const std::vector<TimingCell>& cells,
   return table;
 }
 
-/// What two fits of one person differ by. Spreads, and places of tapping, are ratios: hundredths more.
+/// Difference of two fits of one person. Spreads, and places of tapping, are ratios: hundredths more.
 double differenceOf(TimingTask task, bool ofPlace, const PersonTiming& first, const PersonTiming& second) {
   if (ofPlace && task != TimingTask::tapping)
     return timingPercent * (first.timing.place - second.timing.place);
@@ -328,7 +329,7 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// By condition, then button.
+/// Cells by condition, then button.
 std::vector<TimingCell> cellsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
   struct Person {
     std::vector<TimedPress> trials;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A laboratory's own timed presses, of a study or from a CSV file: fitted person by person (study/statistics/press_timing.h), put into
-// tables.
+// A laboratory's own timed presses, of a study or from a CSV file: fitted person by person
+// (study/statistics/press_timing.h), put into tables.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace detent::playback {
 
-/// Everybody's trials of one task. Plain value, any thread.
+/// All participants' trials of one task. Plain value, any thread.
 struct TimedPeople {
   struct Person {
     std::string participant;
@@ -23,20 +23,21 @@ struct TimedPeople {
   std::vector<Person> people;  ///< by id
 };
 
-/// CSV with a header that names participant, interval_s, window_s and press_s (each task needs its own), one row for each trial in order; an
-/// empty press_s is a trial without a press. Failure unreadableInput names file and line: a column is missing, a value is outside its range, or
-/// nobody has enough presses.
+/// CSV with a header that names participant, interval_s, window_s and press_s (each task needs its own), one
+/// row for each trial in order; an empty press_s is a trial without a press. Failure unreadableInput names
+/// file and line: a column is missing, a value is outside its range, or nobody has enough presses.
 Result<TimedPeople> readTimedPresses(const std::string& file, TimingTask task);
 
-/// The laboratory's two figures, then everybody's. Only those with enough presses are fitted; the others' figures stay empty. Failure
-/// unreadableInput: of nobody.
+/// The laboratory's two figures, then everybody's. Only those with enough presses are fitted; the others'
+/// figures stay empty. Failure unreadableInput: of nobody.
 Result<std::vector<FigureTable>> timingTables(const TimedPeople& presses, const std::string& file);
 
-/// What a study's journals hold of one trial, as it is fitted: one press, none, or (tapping) each tap behind the one before.
+/// One trial of a study's journals, in the form for fitting: one press, none, or (tapping) each tap behind
+/// the one before.
 std::vector<TimedPress> timedPresses(const StudyDesign& design, const Trial& trial, const Answer& answer);
 
-/// The same tables of a timing study, by button and condition; then every two buttons against each other, participants as their own control.
-/// Nobody needs to have enough presses.
+/// The same tables of a timing study, by button and condition; then every two buttons against each other,
+/// participants as their own control. Nobody needs to have enough presses.
 std::vector<FigureTable> timingTables(const Study& study, const std::vector<ParticipantRecord>& participants);
 
 }  // namespace detent::playback

@@ -18,21 +18,21 @@ class TrialDesk {
   /// Number of that switch, from 1, in the study's order.
   std::size_t physicalNumber() const { return trial_->choices[trial_->target] + 1; }
 
-  /// Whether there is an X to be felt.
+  /// Returns true if there is an X to be felt.
   bool hasX() const { return asksForX(study_->design.kind) && !physical_; }
-  /// What is under the finger is one of so many: the choices, and X behind them.
+  /// Index of the stimulus under the finger: the choices, and X behind them.
   std::size_t slotOfX() const { return trial_->choices.size(); }
   std::size_t buttonIn(std::size_t slot) const {
     return trial_->choices[slot == slotOfX() ? trial_->target : slot];
   }
 
-  /// That one is under the finger now.
+  /// Records that this stimulus is under the finger now.
   void tried(std::size_t slot, double now_s);
-  /// What the finger has done since tried() or the last call, with the one that is under it.
+  /// The finger's movements since tried() or the last call, with the stimulus under it.
   void felt(const Felt& more);
   const Felt& feltOf(std::size_t slot) const { return felt_[slot]; }
 
-  /// Nothing may be answered unfelt: see feltEnough.
+  /// Returns true if an answer is allowed: every stimulus was felt (see feltEnough).
   bool mayAnswer() const { return feltEnough(*study_, asFelt()); }
   /// The finished answer. Only while mayAnswer().
   Answer answer(std::size_t choice, double now_s) const;

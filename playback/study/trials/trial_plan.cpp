@@ -25,15 +25,15 @@ std::vector<bool> balanced(std::size_t count, StudyRandom& random) {
   return {sides.begin(), sides.end()};
 }
 
-/// What one trial of a pair is: who is alpha, and on which side X falls.
+/// One trial of a pair: the button that is alpha, and the side of X.
 struct PlanCell {
   bool swapped = false;    ///< the pair's second button is alpha
   bool secondIsX = false;  ///< X is the pair's second button
   std::size_t side() const { return swapped == secondIsX ? 0 : 1; }
 };
 
-/// Every cell a quarter of the time. What four do not divide: one by chance; two that differ in both, on the side that `toTheRight`
-/// says; three of the four.
+/// Every cell a quarter of the time. What four do not divide: one by chance; two that differ in both, on the
+/// side that `toTheRight` says; three of the four.
 std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom& random) {
   constexpr std::array<PlanCell, 4> all{
       {{false, false}, {true, true}, {false, true}, {true, false}}};  // left, left, right, right
@@ -50,7 +50,7 @@ std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom&
   return cells;
 }
 
-/// As studies of version 1 were planned: sides balanced, who X is left to chance.
+/// Plan of studies of version 1: sides balanced, X left to chance.
 std::vector<PlanCell> balancedSides(std::size_t count, StudyRandom& random) {
   const std::vector<bool> swapped = balanced(count, random), right = balanced(count, random);
   std::vector<PlanCell> cells;
@@ -58,7 +58,7 @@ std::vector<PlanCell> balancedSides(std::size_t count, StudyRandom& random) {
   return cells;
 }
 
-/// Which pairs this participant gets: the next ones of a list that all participants go through in turn.
+/// Pairs of this participant: the next ones of a list that all participants go through in turn.
 std::vector<Pair> pairsFor(const Study& study, std::size_t place, StudyRandom& random) {
   std::vector<Pair> pairs = pairsOf(study.buttons.size());
   const std::size_t each = study.design.pairsEach;
@@ -126,7 +126,7 @@ std::vector<Trial> thresholdTrials(const Study& study, FeedbackMode mode, StudyR
   return trials;
 }
 
-/// What is rated: buttons, or pairs of them.
+/// The rated things: buttons, or pairs of them.
 std::vector<std::vector<std::size_t>> ratedThings(const Study& study, const std::vector<Pair>& pairs) {
   std::vector<std::vector<std::size_t>> things;
   if (study.design.scale == RatingScale::pairwise) {
@@ -137,7 +137,7 @@ std::vector<std::vector<std::size_t>> ratedThings(const Study& study, const std:
   return things;
 }
 
-/// In rounds: all once, in a new order each time.
+/// Trials in rounds: all once, in a new order each time.
 std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pairs, FeedbackMode mode,
                                 StudyRandom& random) {
   const std::vector<std::vector<std::size_t>> things = ratedThings(study, pairs);
@@ -159,7 +159,7 @@ std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pai
   return trials;
 }
 
-/// What a trial's times may be: every window at every interval; tapping has none.
+/// Possible times of a trial: every window at every interval; tapping has none.
 std::vector<std::pair<double, double>> timesOf(const StudyDesign& d) {
   if (d.task == TimingTask::tapping) return {{0, 0}};
   std::vector<std::pair<double, double>> times;
@@ -204,7 +204,8 @@ std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, 
   return abxTrials(study, pairs, mode, random);
 }
 
-/// Each mode as often first, second and last as the number of people allows: rotated from one to the next, then the same backwards.
+/// Each mode as often first, second and last as the number of people allows: rotated from one to the next,
+/// then the same backwards.
 std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t place) {
   std::vector<FeedbackMode> modes = study.design.modes;
   if (study.version == 1) return modes;

@@ -11,7 +11,8 @@
 
 namespace detent::playback {
 
-/// One question: which of `choices` is X? Threshold: which has more? Rating: how is it, or which is better? Timing: press, at a time.
+/// One question: which of `choices` is X? Threshold: which has more? Rating: how is it, or which is better?
+/// Timing: press, at a time.
 struct Trial {
   std::size_t number = 0;  ///< from 1, practice first, as the participant meets them
   bool practice = false;   ///< answered and kept, but counted nowhere
@@ -22,19 +23,21 @@ struct Trial {
   bool breakBefore = false;             ///< the participant rests first, as long as they like
 };
 
-/// abx: every pair `trials` times in every mode. Within a pair and mode the four cells of who is alpha and who is X are filled
-/// alike; of two trials that remain each has another alpha and another X, and which side X falls on then alternates from pair to
-/// pair. matching: every button `trials` times in every mode, the choices in a new order each time.
-/// threshold: every button `trials` times in every mode; what has more stands first as often as second, and which level it is follows from
-/// the answers (next_level.cpp): until then its place holds the button itself.
-/// timing: every button `trials` times in every mode, intervals and windows each as often as the others.
-/// rating: every button, or pair, `trials` times in every mode; of a pair each is first as often as second.
-/// Trials are shuffled within a mode; of rating, each button or pair once before any comes again. Modes are blocks with a break between; over participants their order is counterbalanced by
-/// `place`, which is planned (planned_places.h) or the number of those who began before. So are the pairs where each gets some: they differ by at most one.
-/// Studies of version 1 were shuffled as one list, and X was balanced by sides alone.
+/// abx: every pair `trials` times in every mode. Within a pair and mode the four cells of who is alpha and
+/// who is X are filled alike; of two trials that remain each has another alpha and another X, and which side
+/// X falls on then alternates from pair to pair. matching: every button `trials` times in every mode, the
+/// choices in a new order each time. threshold: every button `trials` times in every mode; what has more
+/// stands first as often as second, and which level it is follows from the answers (next_level.cpp): until
+/// then its place holds the button itself. timing: every button `trials` times in every mode, intervals and
+/// windows each as often as the others. rating: every button, or pair, `trials` times in every mode; of a
+/// pair each is first as often as second. Trials are shuffled within a mode; of rating, each button or pair
+/// once before any comes again. Modes are blocks with a break between; over participants their order is
+/// counterbalanced by `place`, which is planned (planned_places.h) or the number of those who began before.
+/// So are the pairs where each gets some: they differ by at most one. Studies of version 1 were shuffled as
+/// one list, and X was balanced by sides alone.
 std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t place = 0);
 
-/// How many of them count.
+/// Number of trials that count.
 std::size_t countedTrials(const Study& study);
 
 }  // namespace detent::playback

@@ -102,7 +102,7 @@ void CanvasTest::polylinesStayOnTheCurve() {
   for (qsizetype i = 0; i + 1 < lines[0].size(); ++i) {
     const QPointF middle = 0.5 * (lines[0][i] + lines[0][i + 1]);
     const double x = map.toPlot(middle).x();
-    if (lines[0][i].x() == lines[0][i + 1].x()) continue;  // a wall
+    if (lines[0][i].x() == lines[0][i + 1].x()) continue;  // a vertical rise
     QVERIFY(near(middle.y(), map.toPixel(x, curve.force_N(x)).y(), 0.35));
   }
   QCOMPARE(lines[0].front(), map.toPixel(0, curve.knots().front().force_N));

@@ -11,7 +11,7 @@
 
 namespace detent::test {
 
-/// A machine without a sound device. Counts how often one was asked for.
+/// A machine without a sound device. Counts the requests for one.
 struct NoDevices {
   std::shared_ptr<std::atomic<int>> opened = std::make_shared<std::atomic<int>>(0);
   std::shared_ptr<std::atomic<int>> listed = std::make_shared<std::atomic<int>>(0);

@@ -77,8 +77,8 @@ double loudest(const JackListener& listener, std::size_t from = 0) {
   return static_cast<double>(peak);
 }
 
-/// The loudest sample of a press played as drawn, which does not depend on how fast this machine moves a finger. A take of which the
-/// sound server lost something is taken again.
+/// The loudest sample of a press played as drawn, which does not depend on how fast this machine moves a
+/// finger. A take of which the sound server lost something is taken again.
 double drawnPeak(Rig& rig, const JackListener& listener) {
   auto* play = rig.part<QToolButton>("play");
   double peak = 0;

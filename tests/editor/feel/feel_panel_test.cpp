@@ -69,7 +69,7 @@ QString writtenWave(const QTemporaryDir& folder, const QString& name) {
   return QFile::rename(QString::fromStdString(wave), path) ? path : QString();
 }
 
-/// A panel in a window, with what it tells others.
+/// A panel in a window, with the signals it emits.
 struct Rig {
   NoDevices none;
   ViewSettings settings;
@@ -172,7 +172,7 @@ class FeelPanelTest : public QObject {
     QTRY_VERIFY(rig.status().contains("no sound output is there"));
     QVERIFY(rig.status().contains("Connect one"));
     QVERIFY(rig.part<QPushButton>("soundAgain")->isVisible());
-    rig.press();  // a device that could not be opened is tried again when it is asked for, not at each press
+    rig.press();  // a device that could not be opened is tried again on request, not at each press
     QTest::qWait(150);
     QCOMPARE(rig.none.opened->load(), 1);
     QCOMPARE(rig.otherFinger.size(), std::size_t{0});
@@ -593,7 +593,7 @@ class FeelPanelTest : public QObject {
   }
 
   void theForceSetupShowsWhatTheDeviceHas() {
-    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device is asked for
+    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device may render
     rig.open();
     rig.panel.restoreState({{"setupShown", true}});
     auto* device = rig.part<QComboBox>("forceDevice");
@@ -617,7 +617,7 @@ class FeelPanelTest : public QObject {
   }
 
   void forceIsWatchedAndMadeStable() {
-    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device is asked for
+    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device may render
     rig.open();
     rig.panel.restoreState({{"forceDevice", "sim:falcon"}, {"sound", false}});
     auto* meter = rig.part<QWidget>("forceMeter");

@@ -27,7 +27,7 @@ FeelSettings withForce(const QString& device, bool holds = false) {
   return settings;
 }
 
-/// Three times the template: its drop is steeper than any device is asked for.
+/// Three times the template: its drop is steeper than any device may render.
 Button steepButton() {
   const Result<Button> steep = scaleForce(tactileButton(), 3);
   if (!steep) throw std::runtime_error(steep.failure().sentence());

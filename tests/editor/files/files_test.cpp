@@ -340,7 +340,8 @@ class FilesTest : public QObject {
     QVERIFY(contentsOf(at("mine.html")) == contentsOf(at("theirs.html")));
   }
 
-  // What detent-graph writes for programs of others: the same, table by table, in any unit, of either state.
+  // Files for programs of others, as detent-graph writes them: the same, table by table, in any unit, of
+  // either state.
   void writesForOthersWhatTheCommandLineWrites() {
     const auto convert = [](const QStringList& words) {
       return QProcess::execute(DETENT_GRAPH, QStringList{"convert"} + words);

@@ -28,7 +28,7 @@ QStringList filesUnder(const QString& folder) {
   return names;
 }
 
-// What a second process does for these tests: an editor with one modified document, for ever.
+// The second process of these tests: an editor with one modified document, which runs for ever.
 int editorToBeKilled(QCoreApplication& app, const QString& folder) {
   RecoveryStore store(folder);
   ButtonDocument document(*tactileButton());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forecasts of confusion in the window: computed beside it, said in words, and design help that can be undone.
+// Forecasts of confusion in the window: computed beside it, said in words, and design help that can be
+// undone.
 
 #include <QLabel>
 #include <QListView>
@@ -50,8 +51,8 @@ struct SourceRig {
 
 }  // namespace
 
-/// Posts its click when the button becomes enabled, so that the click stands in the queue before any answer can: a
-/// loaded machine may have answered before anybody looks.
+/// Posts its click when the button becomes enabled, so that the click is in the queue before any answer: a
+/// loaded machine may have answered before the next poll.
 class ClickOnceEnabled : public QObject {
  public:
   explicit ClickOnceEnabled(QPushButton* button) : button_(button) { button->installEventFilter(this); }

@@ -193,7 +193,7 @@ TEST_CASE(
   const std::vector<QPointF> marks{{50, 100}, {100, 118}, {101, 128}, {150, 110}};
   std::vector<QRectF> taken;
   for (const QPointF& mark : marks) taken.emplace_back(mark - QPointF(7, 7), QSizeF(14, 14));
-  for (const double y : {20.0, 40.0, 60.0, 80.0}) taken.emplace_back(20, y, 20, 14);  // numbers of an axis
+  for (const double y : {20.0, 40.0, 60.0, 80.0}) taken.emplace_back(20, y, 20, 14);  // tick labels
   const std::size_t others = taken.size();
   for (const QPointF& mark : marks) freePlace(mark, words, true, page, taken);
   REQUIRE(taken.size() == others + marks.size());

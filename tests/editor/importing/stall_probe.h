@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How long the GUI thread kept the event loop waiting.
+// Measures how long the GUI thread kept the event loop waiting.
 
 #include <algorithm>
 #include <QElapsedTimer>

@@ -244,7 +244,8 @@ class LibraryTest : public QObject {
     QVERIFY(dialog.findChild<QWidget*>("comparePlot")->height() >= 100);
   }
 
-  /// Where there is little room: long names are shortened, the first two buttons stand side by side, numbers of axes apart.
+  /// Where there is little room: long names are shortened, the first two buttons stand side by side, numbers
+  /// of axes apart.
   void aSmallScreenShowsBothSidesByTheirNames() {
     ViewSettings settings;
     const auto named = [](const Button& button, const char* name) {

@@ -194,7 +194,7 @@ class MeasuredTest : public QObject {
               {});
     QTRY_COMPARE(plot.legend->columnCount(), 2);
     plot.resize(width_px, 400);
-    QCOMPARE(plot.legend->itemCount(), 4);  // the band, the one asked for, two switches
+    QCOMPARE(plot.legend->itemCount(), 4);  // the band, the reference, two switches
     QFETCH(int, columns);
     QTRY_COMPARE(plot.legend->columnCount(), columns);
     const auto narrowest_px = [&] {
@@ -227,7 +227,7 @@ class MeasuredTest : public QObject {
     QTRY_COMPARE(drawn.count(), 1);
     table.setFilter({"no such switch", {}, {}});
     map.redraw();
-    QVERIFY(!map.placeOf(4));  // asked before it is painted, of what there is now
+    QVERIFY(!map.placeOf(4));  // called before it is painted, of the present entries
     table.setFilter({});
     map.redraw();
     QVERIFY(map.placeOf(4));
@@ -306,7 +306,7 @@ class MeasuredTest : public QObject {
     QCOMPARE(view_->model()->rowCount(), 1);
     window.findChild<QLineEdit*>("measuredWords")->clear();
 
-    // Datasheets where they are asked for; who no longer asks keeps what was read.
+    // Datasheets on request; without the request the read ones stay.
     const QString page = QFINDTESTDATA("../../../samples/plots/white-vector.pdf");
     QVERIFY(!page.isEmpty() && QFile::copy(page, folder.filePath("m/White.pdf")));
     auto* pages = window.findChild<QAction*>("measuredPages");
@@ -334,7 +334,7 @@ class MeasuredTest : public QObject {
     another.show();
     QTRY_COMPARE_WITH_TIMEOUT(shownThere.count(), 1, patience_ms);
     QCOMPARE(another.findChild<QTableView*>("measuredTable")->model()->rowCount(),
-             3);  // and the page, where asked for
+             3);  // and the page, on request
     const QString said = another.findChild<QLabel*>("measuredSaid")->text();
     QVERIFY2(said.contains("version 1"), qPrintable(said));
   }

@@ -212,7 +212,7 @@ void KeyFiguresPanelTest::aLimitIsNamedWithWhatStandsInTheWay() {
   QVERIFY2(why.contains(numberText(*outcome.conflict->reachable, 6) + " mm"), qPrintable(why));
 }
 
-// What contradicts on a curve of many knots is not found out with all that a solve may do.
+// A contradiction on a curve of many knots is reported before the solve's bound is used up.
 void KeyFiguresPanelTest::whereASolveEndsIsTheSameEverywhere() {
   using enum KeyFigure;
   WorkspaceRig rig(finely(tactile(), 500));
@@ -267,7 +267,7 @@ void KeyFiguresPanelTest::whatIsTypedWaitsForTheHandAndItsTurn() {
   };
   type(KeyFigure::peakForce, "+5 %");
   type(KeyFigure::totalTravel, "+0.2 mm");
-  // Another edit comes between what was asked and its answer: it stays.
+  // Another edit comes between the request and its answer: it stays.
   rig.document.history().apply(require(scaleForce(rig.button(), 1.02)), "harder");
   rig.document.history().beginDrag("drag");
   QTest::qWait(50);
@@ -360,7 +360,7 @@ void KeyFiguresPanelTest::whatIsShownIsWhatCanBeTyped() {
           const QModelIndex at = model.index(row, KeyFiguresModel::now);
           const QString text = at.data(Qt::EditRole).toString();
           QVERIFY2(model.refusalOf(at, text).isEmpty(), qPrintable(text));
-          // What the cell offers for editing, given back as it is, is no step.
+          // The text that the cell offers for editing, given back unchanged, is no step.
           QVERIFY(model.setData(at, text, Qt::EditRole));
         }
         QCOMPARE(rig.steps(), 0);

@@ -34,7 +34,7 @@ OperationDialog* opened(WorkspaceRig& rig, const char* action) {
   return dialog;
 }
 
-// What OK gives; the dialog is gone afterwards.
+// Result of OK; the dialog is gone afterwards.
 void accept(OperationDialog* dialog) {
   dialog->accept();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How people will press what is compared: computed beside the window and only while it is seen, said in words, never as a bare number.
+// How people will press what is compared: computed beside the window and only while it is seen, said in
+// words, never as a bare number.
 
 #include "editor/pressing/press_view.h"
 
@@ -91,7 +92,7 @@ class PressViewTest : public QObject {
     view.setButtons({{button, "Tactile"}}, {});
     auto* table = view.findChild<QTableWidget*>("pressTable");
     QTest::qWait(600);
-    QCOMPARE(table->columnCount(), 0);  // nobody looks: nothing is computed
+    QCOMPARE(table->columnCount(), 0);  // hidden: nothing is computed
     view.show();
     QTRY_COMPARE_WITH_TIMEOUT(cell(view, PressFigure::peakForce, 1), "no forecast", patience_ms);
     QVERIFY(view.findChild<QLabel*>("pressWords")
@@ -107,7 +108,7 @@ class PressViewTest : public QObject {
     QVERIFY(!view.findChild<QLabel*>("pressWords")->text().contains("operating point"));
     QCOMPARE(view.findChild<EffortPlot*>("effortPlot")->graphCount(), 1);
     QVERIFY(view.tableText().startsWith("\"Forecast\",\"Tactile\"\n\"Peak force of the fingertip ("));
-    QVERIFY(!button.states().front().operatingPoint_mm);  // asked, not edited
+    QVERIFY(!button.states().front().operatingPoint_mm);  // a forecast, not an edit
 
     view.resize(420, 900);
     view.setButtons({{button, "Tactile"}, {linearButton(), "Linear"}}, {});

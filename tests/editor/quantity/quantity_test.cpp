@@ -38,7 +38,7 @@ bool near(double a, double b, double relative = 1e-9) {
   return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
 }
 
-// What a caliper or a datasheet could say, of any sign and size.
+// Values of a caliper or a datasheet, of any sign and size.
 rc::Gen<double> anyValue() {
   return rc::gen::map(
       rc::gen::tuple(rc::gen::inRange(-999999, 1000000), rc::gen::inRange(-6, 3)),

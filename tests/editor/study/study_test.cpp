@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies in the window: made, worked through by a participant with keys and large buttons, followed by the experimenter.
+// Studies in the window: made, worked through by a participant with keys and large buttons, followed by the
+// experimenter.
 
 #include <chrono>
 #include <csignal>
@@ -34,7 +35,7 @@ using namespace detent::test;
 
 namespace {
 
-/// What a participant has under the finger in a test.
+/// The device under a participant's finger in a test.
 struct Finger {
   bool sounding = true, lost = false;
   bool lets_go_early = false;
@@ -89,7 +90,7 @@ class FakePlayer : public playback::StudyPlayer {
   std::shared_ptr<Finger> finger_;
 };
 
-/// A study of two buttons, four questions, in a folder of its own, and a desk on it.
+/// A study of two buttons, four questions, in a folder of its own, with the experimenter's view on it.
 struct Rig {
   QTemporaryDir folder;
   std::shared_ptr<Finger> finger = std::make_shared<Finger>();

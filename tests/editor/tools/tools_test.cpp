@@ -172,7 +172,7 @@ void ToolsTest::clickSelectsAndASecondClickTakesWhatLiesBeneath() {
   QCOMPARE(rig.canvas().selected(), std::optional(tactile));
   rig.click(rig.pixel(tactile));
   QCOMPARE(rig.canvas().selected()->kind, MarkKind::knot);
-  rig.click(rig.pixel(0.2, 1.1));  // empty ground
+  rig.click(rig.pixel(0.2, 1.1));  // empty background
   QVERIFY(!rig.canvas().selected());
   QCOMPARE(rig.steps(), 0);
 }
@@ -231,7 +231,7 @@ void ToolsTest::contactPointsKeepToTheTravel() {
   const double moved = *rig.canvas().state().operatingPoint_mm;
   QVERIFY(moved > 2.0);
   rig.press(rig.pixel(operating));
-  rig.move(rig.pixel(5, 0.5));  // beyond the wall
+  rig.move(rig.pixel(5, 0.5));  // beyond the bottom-out
   QVERIFY(rig.canvas().feedback().refused.has_value());
   QVERIFY(*rig.canvas().state().operatingPoint_mm > rig.document.graph().travel_mm() - 0.01);  // at the limit
   QVERIFY(*rig.canvas().state().operatingPoint_mm <= rig.document.graph().travel_mm());
@@ -533,7 +533,8 @@ void ToolsTest::shiftAddsAndTakesAway() {
   QVERIFY(rig.canvas().selection().empty());
 }
 
-// With the mouse held on empty ground the keys still work: what the rectangle adds to are the same knots afterwards.
+// With the mouse held on the empty background the keys still work: the rectangle adds to the same knots
+// afterwards.
 void ToolsTest::undoUnderARectangleKeepsTheSelectionTrue() {
   WorkspaceRig rig(require(tactileButton()));
   const std::size_t knots = rig.press().knots().size();
@@ -642,7 +643,7 @@ void ToolsTest::alignAndDistribute() {
   rig.action("editAlignForce")->trigger();
   for (const MarkId& mark : marks) QCOMPARE(rig.press().knots()[mark.index].force_N, level);
   const Button aligned = rig.button();
-  rig.action("editAlignDisplacement")->trigger();  // three knots at one place are no curve: refused or a wall
+  rig.action("editAlignDisplacement")->trigger();  // three knots at one displacement: refused or a rise
   QVERIFY(rig.press().knots().size() == aligned.states()[0].graph.press().knots().size());
   rig.canvas().setSelected(marks[0]);
   QVERIFY(!rig.action("editAlignForce")->isEnabled());

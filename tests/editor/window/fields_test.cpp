@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every field for a quantity that the windows have, whatever it is called: what is typed means the same in every language, with
-// every unit typed and every unit shown; what cannot be read leaves the value alone.
+// Every field for a quantity that the windows have, whatever it is called: what is typed means the same in
+// every language, with every unit typed and every unit shown; what cannot be read leaves the value alone.
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +128,7 @@ class FieldsTest : public QObject {
     }
   }
 
-  /// What it shows, typed back, is what it has.
+  /// The shown text, typed back, gives the value.
   void showsWhatItReads(QuantityField& field, const char* where) {
     for (const double value : valuesFor(field, random_)) {
       field.setValue(value);
@@ -164,7 +164,7 @@ class FieldsTest : public QObject {
     QCoreApplication::sendEvent(&widget, &wheel);
   }
 
-  /// What a person has chosen or typed in this window, by the widget it was chosen in.
+  /// The user's choices and texts in this window, by widget.
   static QMap<const QWidget*, double> choicesIn(const QWidget& window) {
     QMap<const QWidget*, double> choices;
     for (const auto* box : window.findChildren<QComboBox*>()) choices[box] = box->currentIndex();

@@ -173,7 +173,7 @@ double contrast(const QColor& a, const QColor& b) {
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// Text of a widget that stands on a ground of its own.
+/// Text of a widget with a background of its own.
 QString textSeen(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
@@ -203,7 +203,7 @@ double contrastIn(const QImage& picture) {
   return best;
 }
 
-/// The highest contrast to the ground on the way into a control, from its left edge at half height.
+/// The highest contrast to the background on the way into a control, from its left edge at half height.
 double outlineContrast(const QImage& picture, const QRect& control, const QColor& ground) {
   double best = 0;
   for (int x = control.left(); x < control.center().x(); ++x)
@@ -487,7 +487,7 @@ class WindowTest : public QObject {
   }
 
   void recoversWhatWasLeft() {
-    // What a killed editor leaves: a recovery file under a lock nobody holds.
+    // Remains of a killed editor: a recovery file under a lock nobody holds.
     QVERIFY(QDir().mkpath(at("recovery/dead")));
     QFile::copy(sample("buttons/B.button.json"), at("b.button.json"));
     const Button saved = (*openDocument(at("b.button.json")))->button();
@@ -500,7 +500,7 @@ class WindowTest : public QObject {
     }
     Rig rig(folder_->path());
     rig.window->files().offerRecovery();
-    QVERIFY(rig.window->notices().texts().join("").contains("kept what was not saved"));
+    QVERIFY(rig.window->notices().texts().join("").contains("kept unsaved changes"));
     rig.press("discardRecovery");  // not confirmed: offered again
     rig.press("recover");
     QCOMPARE(rig.window->tabs().all().size(), std::size_t{2});
@@ -612,9 +612,9 @@ class WindowTest : public QObject {
     rig.prompts.deviceAnswers = {dialog.choice()};
     rig.action("exportDevice")->trigger();
     for (const char* file : {"b.press.ahap", "b.release.ahap"}) QVERIFY2(QFile::exists(at(file)), file);
-    rig.action("exportDevice")->trigger();  // cancelled: nothing is asked, written or said
+    rig.action("exportDevice")->trigger();  // cancelled: no question, no file, no message
     QVERIFY(rig.notices().isEmpty());
-    // Where a format has no room for the press, it is told before anything is written.
+    // If a format has no room for the press, this is reported before anything is written.
     rig.window->files().open({sample("buttons/latch.button.json")});
     DeviceExportDialog latch(rig.document().button());
     auto* formats = latch.findChild<QComboBox*>("deviceFormat");
@@ -731,7 +731,7 @@ class WindowTest : public QObject {
     QVERIFY(!accept->isEnabled());
   }
 
-  /// What is written, printed or copied is a picture of its own; the window goes on as it was, to the pixel.
+  /// Exports, prints and copies are pictures of their own; the window goes on as it was, to the pixel.
   void exportsLeaveTheWindowAlone() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/C.button.json")});
@@ -756,7 +756,7 @@ class WindowTest : public QObject {
     }
   }
 
-  /// What was imported is under the keyboard, with the dialogue gone.
+  /// The imported button has the keyboard focus, and the dialogue is gone.
   void theKeyboardFollowsAnImport() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("plots/white-vector.pdf")});
@@ -957,7 +957,7 @@ class WindowTest : public QObject {
     rig.window->files().open({button});
     const QSignalSpy wanted(&rig.document(), &ButtonDocument::originWanted);
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
-    // The page alone, where the curves lie: nothing was read again, and nobody has asked for it.
+    // The page alone, behind the curves: nothing was read again without a request.
     const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
     QVERIFY(canvas.hasUnderlay() && !rig.document().origin());
     QCOMPARE(wanted.count(), 0);
@@ -1020,7 +1020,8 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
   }
 
-  // By choice the button's file holds the page: where the sheet is gone, it lies behind the curves where it lay.
+  // By choice the button's file holds the page: where the sheet is gone, it lies behind the curves where it
+  // lay.
   void thePageIsKeptInTheFile() {
     const QString sheet = at("sheet.pdf"), button = at("b.button.json");
     QVERIFY(QFile::copy(sample("plots/white-vector.pdf"), sheet));
@@ -1085,8 +1086,8 @@ class WindowTest : public QObject {
     QVERIFY(!placedFrom({"\x89PNG\r\n\x1a\nbroken", cutout->pixelToAxes}));
   }
 
-  // A button that was reshaped so far that its page does not prove itself is read again at once, as is a page on its side
-  // that nothing says is on its side.
+  // A button that was reshaped so far that its page does not prove itself is read again at once, as is a page
+  // on its side that nothing says is on its side.
   void aPageThatDoesNotProveItselfIsReadAgain() {
     const QString sheet = at("sheet.png"), button = at("b.button.json");
     QVERIFY(QFile::copy(sample("plots/two-level-legend.png"), sheet));
@@ -1301,7 +1302,8 @@ class WindowTest : public QObject {
     QVERIFY2(printed.contains("locked: Release at 1 mm: a scrape"), qPrintable(printed));
   }
 
-  // Sentences of classes that are no QObject too: the hints of all tools of the import, a refusal of the model.
+  // Sentences of classes that are no QObject too: the hints of all tools of the import, a refusal of the
+  // model.
   void everySentenceIsFoundInGerman() {
     ViewSettings settings;
     ImportDialog dialog(settings);
@@ -1428,7 +1430,8 @@ class WindowTest : public QObject {
     }
   }
 
-  // What is seen of every label, button and field of every window, light and dark: its ground is the colour it has most of.
+  // Visible contrast of every label, button and field of every window, light and dark: the background is the
+  // most frequent colour.
   void everyTextCanBeRead() {
     Rig rig(folder_->path());
     rig.window->resize(1500, 950);
@@ -1507,7 +1510,8 @@ class WindowTest : public QObject {
       QVERIFY(plot->plottable(i)->pen().color() != colors.release);  // that colour means a stroke
   }
 
-  // The desktop turns dark and light again while the editor runs: every open window follows, and what it says can be read.
+  // The desktop turns dark and light again while the editor runs: every open window follows, and what it says
+  // can be read.
   void theDesktopsChangeOfThemeIsFollowed() {
     bool dark = false;
     Rig rig(folder_->path(), [&dark] { return dark ? darkPalette() : lightPalette(); });
@@ -1534,7 +1538,7 @@ class WindowTest : public QObject {
         lookAtTexts(*window,
                     (dark ? "desktop turned dark " : "desktop turned light ") + window->objectName());
     }
-    // What was chosen by hand is not taken back by the desktop.
+    // A choice by hand is not overruled by the desktop.
     rig.action("appearanceLight")->trigger();
     QEvent change(QEvent::ThemeChange);
     QApplication::sendEvent(rig.window.get(), &change);

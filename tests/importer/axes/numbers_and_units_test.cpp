@@ -261,7 +261,7 @@ TEST_CASE("a unit is read behind any words, a comma and an arrow, and in Cyrilli
 
 namespace {
 
-/// What a row of labels can mean once its signs were looked at together.
+/// Possible meanings of a row of labels after its signs were read together.
 std::vector<std::vector<NumberReading>> readTogether(const std::vector<std::string>& texts,
                                                      ThousandsSign expected) {
   std::vector<std::vector<NumberReading>> readings;

@@ -37,7 +37,8 @@ Looked look(const cv::Mat& grey) {
   return looked;
 }
 
-/// The frame of a drawn plot whose ink is gone: there is nothing to recognise, texts are what the test writes.
+/// The frame of a drawn plot whose ink is gone: there is nothing to recognise, texts are what the test
+/// writes.
 Looked lookWithoutInk(const PlotStyle& s) {
   auto looked = look(drawn(s));
   for (auto& p : looked.view.raster.rgb) p = 255;
@@ -555,7 +556,8 @@ TEST_CASE("numbers of the y axis that read upwards are read") {
   }
   SECTION("drawn") {
     if (skipWithoutEngine()) return;
-    // "0.5": read level its digits are numbers of which two make a scale; of 0, 5, 10 and 15 no three are equally long.
+    // "0.5": read level its digits are numbers of which two make a scale; of 0, 5, 10 and 15 no three are
+    // equally long.
     std::tie(s.ySteps, s.yStep) = GENERATE(std::pair(6, 20.0), std::pair(4, 0.5), std::pair(3, 5.0));
     s.grid = false;
     s.labels = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Print of four by five pixels, typed here pixel by pixel, so that it is drawn by another hand than the reader's.
+// Print of four by five pixels, typed here pixel by pixel, so that it is drawn by another hand than the
+// reader's.
 
 #include "importer/axes/small_labels.h"
 
@@ -39,7 +40,7 @@ const std::map<char, Rows> kLetters{
     {'F', {"", "####", "#   ", "### ", "#   ", "#   ", ""}},
 };
 
-/// Writes a text with its top left corner here; its ink's box.
+/// Writes a text with its top left corner here; returns the box of its pixels.
 Box write(cv::Mat& darkness, const std::string& text, int x, int y) {
   const int from = x;
   int top = 7, foot = 0;
@@ -147,7 +148,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// What equal shapes make of labels in even steps of which the engine read `engine`.
+/// Labels in even steps by equal shapes, given the engine's readings.
 std::optional<Texts> readAlike(const Texts& drawn, const Texts& engine, bool rising = true) {
   cv::Mat ink = cv::Mat::zeros(20, 40 * static_cast<int>(drawn.size()) + 40, CV_8U);
   std::vector<std::vector<LetterShape>> letters;
@@ -170,7 +171,7 @@ TEST_CASE("equal digits are read as the same one everywhere, unequal ones as oth
   CHECK(readAlike(tenths, tenths) == tenths);
   const Texts tens{"80", "60", "40", "20", "0"};
   CHECK(readAlike(tens, {"88", "6o", "40", "28", "8"}, false) == tens);
-  // What the engine lost in part still counts as far as it was read.
+  // A label that the engine lost in part still counts as far as it was read.
   CHECK(readAlike(tens, {"8", "60", "40", "20", ""}, false) == tens);
 }
 

@@ -13,7 +13,7 @@ namespace detent::importer::drawn {
 
 inline StrokeCurve curveOf(const std::vector<Knot>& knots) { return StrokeCurve::fromKnots(knots).value(); }
 
-/// A tactile key: rise, smooth peak at 1.2 mm, valley at 2.0 mm, slope, vertical wall. 5 pieces.
+/// A tactile key: rise, smooth peak at 1.2 mm, valley at 2.0 mm, slope, vertical rise. 5 pieces.
 inline StrokeCurve tactileKey() {
   return curveOf({{0, 0.3, 0.25, 0.25},
                   {1.2, 0.55, 0, 0},
@@ -71,7 +71,7 @@ inline std::vector<CurvePoint> reversed(std::vector<CurvePoint> points) {
   return {points.rbegin(), points.rend()};
 }
 
-/// Greatest difference in force between two curves, outside of 1 % of travel around their walls.
+/// Greatest difference in force between two curves, outside of 1 % of travel around their vertical rises.
 inline double worstForceError(const StrokeCurve& fit, const StrokeCurve& truth, double until_mm) {
   double worst = 0;
   for (int i = 0; i <= 1000; ++i) {

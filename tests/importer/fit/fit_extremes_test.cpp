@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The edges of what may be asked of a fit.
+// The limits of requests to a fit.
 
 #include <chrono>
 #include <cmath>

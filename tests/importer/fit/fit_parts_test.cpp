@@ -212,7 +212,8 @@ TEST_CASE("a fit whose knot could stand anywhere is ill conditioned, and says so
 
 namespace {
 
-/// A peak (or, upside down, a valley) of two cubics, 100 sigmas high and 200 wide to each side, steeper to the right.
+/// A peak (or, upside down, a valley) of two cubics, 100 sigmas high and 200 wide to each side, steeper to
+/// the right.
 KnotChain extremum(double sign, double movedBy = 0) {
   return {{{0, 0, 0, 0}, JointKind::flat},
           {{200 + movedBy, sign * 100, 0, 0}, JointKind::flat},

@@ -32,7 +32,7 @@ struct PlotStyle {
   std::string xUnit, yUnit;   ///< behind each number, with the blank before it
   bool forceOnRight = false;  ///< the force axis with its ticks, numbers and title, which reads downwards
   bool titleAtLeft = false;   ///< the force axis' title all the same
-  bool travelAtTop = false;   ///< the travel axis' numbers and title
+  bool travelAtTop = false;   ///< the travel axis' tick labels and title
 };
 
 /// Grey canvas on which lines cover parts of pixels.

@@ -156,7 +156,7 @@ TEST_CASE("a graph that lies on its side says how it stands up") {
   PlotStyle s;
   cv::Mat upright = drawn(s), lying;
   const bool clockwise = GENERATE(true, false);
-  const bool touching = GENERATE(false, true);  // digits of a number, which look upright as it lies
+  const bool touching = GENERATE(false, true);  // digits of a number, which appear upright as it lies
   if (touching)
     for (cv::Mat numbers : {upright.colRange(0, static_cast<int>(s.left) - 2),
                             upright.rowRange(static_cast<int>(s.bottom) + 3, upright.rows)})
@@ -205,7 +205,8 @@ TEST_CASE("a scan a degree askew keeps its four corners") {
 
 namespace {
 
-/// The plot as a camera sees its sheet: `map` from the drawn plot to the picture; a light falls off to the right.
+/// The plot as a camera sees its sheet: `map` from the drawn plot to the picture; a light falls off to the
+/// right.
 cv::Mat photographOf(const PlotStyle& s, const cv::Matx33d& map) {
   cv::Mat seen;
   cv::warpPerspective(drawn(s), seen, map, {s.width, s.height}, cv::INTER_CUBIC, cv::BORDER_CONSTANT,

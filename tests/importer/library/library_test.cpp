@@ -48,7 +48,7 @@ class Folder {
   void write(const std::string& name, const std::string& text) const {
     fs::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << text;
-    // An hour ago: what is as fresh as the look at it is looked at again.
+    // An hour ago: a file as fresh as its index is read again.
     fs::last_write_time(path_ / name, fs::file_time_type::clock::now() - std::chrono::hours(1));
   }
 
@@ -56,7 +56,7 @@ class Folder {
   fs::path path_;
 };
 
-/// A switch by a bump on a spring: peak at 1.2 mm, wall at 3.6 mm; the release 6 gf below.
+/// A switch by a bump on a spring: peak at 1.2 mm, bottom-out at 3.6 mm; the release 6 gf below.
 double force_gf(double x_mm, double start_gf, double bump_gf) {
   const double bump = bump_gf * std::exp(-(x_mm - 1.2) * (x_mm - 1.2) / 0.08);
   const double wall = x_mm > 3.6 ? 400 * (x_mm - 3.6) : 0;

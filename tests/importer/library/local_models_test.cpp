@@ -32,7 +32,8 @@ LocalWindow windowOf(const std::function<double(double)>& force_N, double from_m
   return window;
 }
 
-/// Per cent of places and forces within one standard error, of 400 windows; of the places also the mean error.
+/// Per cent of places and forces within one standard error, of 400 windows; of the places also the mean
+/// error.
 struct Covered {
   double place = 0, force = 0;
   double sigma_mm = 0;  ///< mean
@@ -139,7 +140,8 @@ TEST_CASE("a stroke's samples tell the meter's noise, its step and what samples 
   CHECK(even.isEven());
   CHECK(even.step_mm() == Approx(0.005));
   CHECK(even.noise_N() == Approx(0.002).epsilon(0.08));
-  // The mean of 800 readings, times the travel: white noise, and with a fifth of it carried on, of which 19 share one error.
+  // The mean of 800 readings, times the travel: white noise, and with a fifth of it carried on, of which 19
+  // share one error.
   CHECK(std::sqrt(even.areaVariance()) == Approx(4 * 0.002 / std::sqrt(800.0)).epsilon(0.25));
   CHECK(std::sqrt(slow.areaVariance() / even.areaVariance()) > 1.2);
   for (std::size_t i = 0; i < 800; i += 20)

@@ -18,7 +18,7 @@ constexpr int width_px = 1000, height_px = 760;
 
 double offGrid(double value, double step) { return std::abs(value - step * std::round(value / step)); }
 
-/// The sheet that the pictures are drawn from: 800 x 600 px, tilted a little if asked.
+/// The sheet that the pictures are drawn from: 800 x 600 px, tilted a little on request.
 AxisCalibration sheet(double tilt, std::optional<SheetBend> bend) {
   AxisCalibration truth;
   truth.x.max = travel_mm, truth.x.unit = "mm";

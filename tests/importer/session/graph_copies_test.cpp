@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Copies of one graph are told from other switches on equal axes, and the better one is taken.
+// Copies of one graph are separated from other switches on equal axes, and the better one is taken.
 
 #include "importer/graph_copies.h"
 

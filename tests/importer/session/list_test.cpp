@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session that is asked again, and documents of which some pages cannot be read.
+// A session with several requests, and documents of which some pages cannot be read.
 
 #include <filesystem>
 #include <fstream>

@@ -12,7 +12,8 @@ using namespace detent::importer;
 
 namespace {
 
-/// 4 mm at the left of the frame to 0 at the right if travel falls; force 0 at the top to 4 N at its foot if force does.
+/// 4 mm at the left of the frame to 0 at the right if travel falls; force 0 at the top to 4 N at the bottom
+/// if force does.
 LocatedGraph graphWith(bool travelFalls, bool forceFalls) {
   LocatedGraph graph;
   graph.view.raster.width_px = 61, graph.view.raster.height_px = 51;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several looks at one page come to: agreement, contradiction, and a look taken in place of another.
+// Several readings of one page: agreement, contradiction, and a reading taken in place of another.
 
 #include "importer/second_opinion.h"
 
@@ -94,7 +94,7 @@ TEST_CASE("The much surer look stands, and the other is told beside it", "[secon
   CHECK_FALSE(best.report->doubt);
   CHECK(best.report->confidence == 0.95);
   CHECK(says(*best.report, RemarkCode::doubted));
-  // Who asks for more than it is worth hears the doubt.
+  // A request for more confidence than there is gets the doubt.
   CHECK(settled(certain(1, 4, 0.95), certain(2, 8, 0.7), unasked, 0.97).report->doubt);
 }
 

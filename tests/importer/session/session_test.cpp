@@ -129,7 +129,7 @@ TEST_CASE("A doubt is a failure, or comes with the result where a person will lo
 TEST_CASE("A failed import gives what was found so far; a good one what its report holds") {
   auto session = opened("two-level-legend.png");
   ImportRequest request = firstGraph();
-  request.hints.trace.masks_px = {{-1, -1, 1e5, 1e5}};  // no ink is left
+  request.hints.trace.masks_px = {{-1, -1, 1e5, 1e5}};  // no marks are left
   const auto [failed, evidence, question, interpretations] = session.attempt(request);
   CHECK_FALSE(failed);
   REQUIRE(evidence);
@@ -155,7 +155,8 @@ TEST_CASE("A document from memory is imported as one from a file") {
   CHECK_FALSE(ImportSession::fromBytes({}, "nothing"));
 }
 
-// Lines scaled up are off by more pixels, and a filter with lobes leaves pale copies beside them: neither is a doubt.
+// Lines scaled up are off by more pixels, and a filter with lobes leaves pale copies beside them: neither is
+// a doubt.
 TEST_CASE("A plot that imports at its own size imports scaled up to the most pixels that are read") {
   const cv::Mat plot = cv::imread(plots + "black-red-curves.png");
   REQUIRE(!plot.empty());
@@ -230,7 +231,7 @@ TEST_CASE("A scanner's grain is seen where a large plot is read from averaged pi
 }
 
 TEST_CASE("A cancelled import leaves nothing half done behind") {
-  // Cancelled at the n-th question, for every n until it is not asked so often.
+  // Cancelled at the n-th call, for every n until it is not called so often.
   const ImportReport whole = [] {
     auto session = opened("white-vector.pdf");
     return imported(session, firstGraph());
@@ -313,7 +314,7 @@ TEST_CASE("A limit on time ends an import with a sentence, or with what was read
   CHECK_FALSE(whole.endedByTimeLimit);
   CHECK(whole.seconds.count(ImportStep::refine) == 1);
 
-  // What was found is kept, so that strokes are soon reached; there it waits until the limit has passed.
+  // Findings are kept, so that strokes are soon reached; there it waits until the limit has passed.
   request.timeLimit.emplace(2);
   Progress progress;
   progress.report = [&](double, ImportStep step) {

@@ -13,8 +13,8 @@ using namespace detent::importer;
 
 namespace {
 
-/// A frame from (100, 100) to (500, 500) of a white picture of 700 x 600; 100 px are a millimetre. A rising line in red is drawn as far
-/// as wanted and followed to the frame.
+/// A frame from (100, 100) to (500, 500) of a white picture of 700 x 600; 100 px are a millimetre. A rising
+/// line in red is drawn as far as wanted and followed to the frame.
 struct Plot {
   LocatedGraph graph;
   std::vector<CurveTrace> curves{1};

@@ -92,7 +92,7 @@ TEST_CASE("Of a row with several variants the one counts that the graph shows") 
   const auto none = checked({"Total travel", "3,0", "3,4", "mm"});
   CHECK_FALSE(none.agrees);
   CHECK(none.spec.nominal == Approx(3.4));
-  // What is another unit's, or a bound's, is no variant.
+  // A value of another unit, or of a bound, is no variant.
   CHECK(only({{"Total travel 3.5 mm (4.0 inch)"}}).nominal == Approx(3.5));
   CHECK(only({{"Total travel 3.5 mm, min. 4 mm"}}).nominal == Approx(3.5));
 }

@@ -121,7 +121,7 @@ TEST_CASE("Words of strokes that readers of pixels misread or cut", "[legend]") 
     CHECK(strokeNamedBy(text) == Stroke::press);
   for (const char* text : {"Zwalniani", "Uvolnéni", "Felengedés", "Loslass", "Odpuszczani", "Elibarare"})
     CHECK(strokeNamedBy(text) == Stroke::release);
-  CHECK(strokeNamedBy("Obciazenie") == Stroke::press);  // nearer by the one letter that tells the two apart
+  CHECK(strokeNamedBy("Obciazenie") == Stroke::press);  // nearer by the one letter that distinguishes the two
   CHECK(strokeNamedBy("Oociazenie") == std::nullopt);
 }
 

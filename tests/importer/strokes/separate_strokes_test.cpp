@@ -64,7 +64,7 @@ TEST_CASE("Hysteresis: the press lies above", "[strokes]") {
     CHECK(pair.release->points.front().displacement_mm > pair.release->points.back().displacement_mm);
     CHECK(pair.press.points.size() == pair.press.points_px.size());
     CHECK(pair.release->points.size() == pair.release->points_px.size());
-    // Millimetres, newtons and the wall as drawn.
+    // Millimetres, newtons and the bottom-out as drawn.
     CHECK(pair.press.points.front().displacement_mm == Approx(0).margin(1e-9));
     CHECK(pair.press.points.front().force_N == Approx(0.3));
     CHECK(pair.press.points.back().force_N - pair.release->points.back().force_N > 0.5);
@@ -155,7 +155,7 @@ TEST_CASE("A release that lies above the press is none", "[strokes]") {
   const auto found = separate(traces);
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().reason == nameOf(DoubtCode::releaseAbovePress));
-  traces[1].color = {255, 0, 0};  // in inks of their own they may be two switches' as well
+  traces[1].color = {255, 0, 0};  // in colours of their own they may be two switches' as well
   CHECK_FALSE(separate(traces).ok());
   traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // a person says so
   CHECK(separate(traces).ok());
@@ -174,7 +174,7 @@ TEST_CASE("A release that drops later than the press is another switch's", "[str
   };
   const Rgb black{0, 0, 0}, red{255, 0, 0};
   std::vector<CurveTrace> traces = {dropping(1.2, 0.2, black), dropping(1.8, 0, black)};
-  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // as parted in one ink
+  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // as separated in one colour
   const auto found = separate(traces);
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().reason == nameOf(DoubtCode::tooManyCurves));
@@ -223,7 +223,7 @@ TEST_CASE("A stroke whose wall lies under the other's goes up it; one that ends 
   REQUIRE(led.ok());
   CHECK(led->value.release->points.front().force_N == Approx(whole_N).margin(0.03));
   CHECK(separate({cutAt(0.8), press})->value.release->points.front().force_N == Approx(whole_N).margin(0.03));
-  CurveTrace across = cutAt(0.69);  // comes to the wall's foot levelly
+  CurveTrace across = cutAt(0.69);  // comes to the start of the bottom-out level
   across.points_px.push_back({press.points_px.back().x, across.points_px.back().y});
   across.width_px.push_back(4);
   CHECK(separate({press, across})->value.release->points.front().force_N < whole_N - 0.3);
@@ -272,7 +272,7 @@ TEST_CASE("A shorter release and points that are not finite", "[strokes]") {
 }
 
 TEST_CASE("Lines that stand side by side are not the strokes of one switch", "[strokes]") {
-  // Two leaders: each one line of its own ink, above and below, but never over the same travel.
+  // Two leaders: each one line of its own colour, above and below, but never over the same travel.
   CurveTrace left = traced(0.1, {0, 255, 0}, 1), right = traced(-0.05, {0, 255, 0}, 1);
   for (Point& p : right.points_px) p.x += 90;
   const auto apart = separate({left, right});
@@ -287,10 +287,10 @@ TEST_CASE("Strokes that end in different places are doubted, unless something sa
   std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0}, 3.4)};
   CHECK(separate(traces)->confidence < 0.5);
   CHECK(separate({traced(0.1), traced(-0.05, {255, 0, 0}, 3.8)})->confidence > 0.9);
-  CurveTrace hidden = traced(-0.05, {255, 0, 0});  // the last of its wall lies under the press
+  CurveTrace hidden = traced(-0.05, {255, 0, 0});  // the last of its bottom-out lies under the press
   hidden.points_px.resize(hidden.points_px.size() - 25);
   CHECK(separate({traces[0], hidden})->confidence > 0.9);
-  if (GENERATE(false, true)) {  // 5 % of the travel less far, and half a wall higher
+  if (GENERATE(false, true)) {  // 5 % of the travel less far, and half a bottom-out higher
     traces[1] = traced(-0.05, {255, 0, 0}, 3.8);
     const Point top = traces[1].points_px.back();
     for (int i = 1; i <= 25; ++i) traces[1].points_px.push_back({top.x + 0.01 * i, top.y - 2 * i});
@@ -311,7 +311,7 @@ TEST_CASE("Strokes that end in different places are doubted, unless something sa
 TEST_CASE(
     "A loop that stays open where neither stroke is steep is two curves, unless the legend says otherwise",
     "[strokes]") {
-  // To 4 mm without a wall; the release `open_px` of 190 lower at its end.
+  // To 4 mm without a bottom-out; the release `open_px` of 190 lower at its end.
   const auto flat = [](double open_px, Rgb ink) {
     CurveTrace t;
     for (int i = 0; i <= 400; ++i) t.points_px.push_back({50.0 + i, 250 - 0.475 * i + open_px});
@@ -323,7 +323,7 @@ TEST_CASE(
   CHECK(separate({flat(0, black), flat(20, red)})->confidence > 0.9);
   std::vector<CurveTrace> open{flat(0, black), flat(50, red)};
   CHECK(separate(open)->confidence < 0.5);
-  std::vector<CurveTrace> walled = open;  // along walls they may be cut at different heights
+  std::vector<CurveTrace> walled = open;  // along bottom-outs they may be cut at different heights
   for (CurveTrace& each : walled)
     for (int i = 1; i <= 20; ++i)
       each.points_px.push_back({each.points_px.back().x + 0.3, each.points_px.back().y - 5});
@@ -334,7 +334,7 @@ TEST_CASE(
 
 TEST_CASE("Two presses of one shape that end apart are two samples, unless something says what they are",
           "[strokes]") {
-  // A dome of which the second sample is 17 % weaker; both rise to walls that end apart.
+  // A dome of which the second sample is 17 % weaker; both rise to bottom-outs that end apart.
   const auto dome = [](double scale, double moved_mm, Rgb ink) {
     CurveTrace t;
     for (double mm = 0; mm <= 3.6 + moved_mm; mm += 0.01) {
@@ -352,7 +352,7 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
   const double moved_mm = GENERATE(0.0, -0.1);
   std::vector<CurveTrace> samples{dome(1, 0, black), dome(0.83, moved_mm, red)};
   const auto found = separate(samples);
-  if (moved_mm < 0) {  // their walls cross: no release lies above its press
+  if (moved_mm < 0) {  // their bottom-outs cross: no release lies above its press
     REQUIRE_FALSE(found.ok());
     CHECK(found.failure().reason == nameOf(DoubtCode::severalSwitches));
     return;
@@ -360,7 +360,7 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
   CHECK(found->confidence < 0.5);
   samples[0].label = "Press", samples[1].label = "Release";
   CHECK(separate(samples)->confidence > 0.9);
-  // What comes back from where the press ended is its release, however alike.
+  // A curve that comes back from the press's end is its release, however similar.
   CurveTrace release = dome(0.83, 0, red);
   while (release.points_px.back().x > 50 + 350) release.points_px.pop_back();
   release.points_px.push_back(samples[0].points_px.back());
@@ -382,7 +382,7 @@ TEST_CASE("Two walls that end at different heights beside each other are two pre
       press, through({{50, 450}, {60, 350}, {404 + beside_px, 320}, {410 + beside_px, 165}}, {255, 0, 0})};
   const auto found = separate(both);
   REQUIRE(found.ok());
-  CHECK((found->confidence < 0.5) == (beside_px > 0));  // a release cut lower up the wall begins on the press
+  CHECK((found->confidence < 0.5) == (beside_px > 0));  // a release cut lower begins on the press
   both[0].label = "Press", both[1].label = "Release";
   CHECK(separate(both)->confidence > 0.9);
 }
@@ -410,7 +410,7 @@ TEST_CASE("A locked key's release covers part of the travel: the legend says tha
 
 TEST_CASE("A locked key's release comes down to the force at rest: no legend has to say whose it is",
           "[strokes]") {
-  // From rest to 4 mm; the release leaves the wall and ends at the travel at which the key locks.
+  // From rest to 4 mm; the release leaves the bottom-out and ends at the travel at which the key locks.
   const auto through = [](std::vector<CurvePoint> drawn, Rgb ink) {
     CurveTrace t;
     for (const CurvePoint& p : drawn)

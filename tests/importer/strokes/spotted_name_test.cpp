@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that no text engine reads, drawn into a legend at a plot's size and asked for.
+// Names that no text engine reads, drawn into a legend at a plot's size and requested.
 
 #include "importer/strokes/spotted_name.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<Rgb, 3> kInks{Rgb{200, 30, 30}, {30, 120, 200}, {30, 150, 60}};
 
-/// A legend: one name below the other, each with a sample in its curve's ink before it.
+/// A legend: one name below the other, each with a key in its curve's colour before it.
 struct Legend {
   Raster picture;
   std::vector<CurveTrace> traces;

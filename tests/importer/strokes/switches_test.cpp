@@ -13,7 +13,8 @@ using namespace detent::importer;
 
 namespace {
 
-/// A rising line of its own ink, `height_px` above the foot of a 300 px plot; its legend entry in row `row`.
+/// A rising line of its own colour, `height_px` above the bottom of a 300 px plot; its legend entry in row
+/// `row`.
 CurveTrace tracedSwitch(std::string label, double height_px, std::uint8_t blue, int row = 0,
                         double column_px = 400) {
   CurveTrace t;
@@ -256,7 +257,7 @@ TEST_CASE("Names that no list has are strokes' where their curves end in one poi
   REQUIRE(found("Plonger", "Sortir").size() == 1);
   CHECK(found("Plonger", "Sortir").front().name.empty());
   CHECK(found("Plonger", "Sortir").front().traces.size() == 2);
-  CHECK(found("Plonger", "Sortir", 6).size() == 2);  // with a wall of its own
+  CHECK(found("Plonger", "Sortir", 6).size() == 2);  // with a bottom-out of its own
   for (const char* name : {"Brown", "Sortir 2", "K", "Type Sortir", "used"}) {
     INFO(name);
     CHECK(found("Plonger", name).size() == 2);
@@ -356,7 +357,7 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
     CHECK(switchesAmong(crossing).size() == 1);
     for (Point& p : crossing[0].points_px) p.x *= 0.95;  // ends elsewhere: a press of its own
     CHECK(switchesAmong(crossing).size() == 2);
-    crossing[0].color = crossing[1].color;  // strokes of one ink that the tracer may have exchanged
+    crossing[0].color = crossing[1].color;  // strokes of one colour that the tracer may have exchanged
     CHECK(switchesAmong(crossing).size() == 1);
   }
   SECTION("of three and more each ends beside the others' lines, which no release does") {
@@ -446,7 +447,7 @@ TEST_CASE("A curve whose end another switch's covers is not taken for the whole"
   hints.curve = "Switch B";
   CHECK(separateStrokes({whole, part}, axes, hints).ok());
   for (double y = part.points_px.back().y; y > 110; --y)
-    part.points_px.push_back({301, y});  // up the same wall
+    part.points_px.push_back({301, y});  // up the same bottom-out
   const auto hidden = separateStrokes({whole, part}, axes, hints);
   REQUIRE_FALSE(hidden.ok());
   CHECK(hidden.failure().code == FailureCode::notCertain);

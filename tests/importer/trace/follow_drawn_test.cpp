@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines drawn beside their ink by a hand: how near to the ink they come, and that nothing else pulls them away.
+// Lines drawn by hand beside their curve: their distance from it, and that nothing else pulls them away.
 #include "importer/trace/follow_drawn.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unmixing pixels whose inks are known to the last level.
+// Unmixing pixels whose colours are known to the last level.
 
 #include "importer/trace/ink_coverage.h"
 

@@ -101,7 +101,7 @@ class Plot {
     return out;
   }
 
-  /// One stroke of a pen: exact coverage, painted over what is there. Clipped to the frame if asked.
+  /// One stroke of a pen: exact coverage, painted over the picture. Clipped to the frame on request.
   void line(const Curve& points, double width, Rgb color, bool clipped = false, double opacity = 1) {
     Raster& r = view_.raster;
     std::vector<float> coverage(static_cast<std::size_t>(r.width_px) * static_cast<std::size_t>(r.height_px),
@@ -126,7 +126,8 @@ class Plot {
         view_.raster.rgb[3 * i + k] = static_cast<std::uint8_t>(std::lround(c * ink[k] + (1 - c) * under));
       }
   }
-  /// What lies between a curve and the plot's foot, as programs fill it; `opacity` at the top and at the foot.
+  /// The area between a curve and the plot's bottom, as programs fill it; `opacity` at the top and at the
+  /// bottom.
   void area(const Curve& points, Rgb color, double opacity, double atFoot) {
     Raster& r = view_.raster;
     const double ink[3] = {double(color.r), double(color.g), double(color.b)};
@@ -189,7 +190,7 @@ class Plot {
   trace::PlotScene scene(const std::vector<Box>& masks_px = {}) const {
     return {view_.raster, frame_, axes_.texts, masks_px};
   }
-  /// What a file keeps of it: `extension` ".jpg" (colour at half resolution) or ".webp".
+  /// Stores the picture with loss: `extension` ".jpg" (colour at half resolution) or ".webp".
   void storeAs(const std::string& extension, int quality) {
     Raster& r = view_.raster;
     cv::Mat bgr;
@@ -212,7 +213,7 @@ class Plot {
   Box box_;
 };
 
-/// A tactile press: rise at 0, peak, valley, slope, wall that leaves the frame at the top.
+/// A tactile press: rise at 0, peak, valley, slope, bottom-out that leaves the frame at the top.
 Curve press(double shift = 0) {
   Curve c = {{0.004, 0}, {0.012, 0.2}, {0.02, 0.33}};
   for (double x = 0.03; x <= 0.62; x += 0.01)
@@ -289,7 +290,7 @@ TEST_CASE("Tints that compression leaves beside a line are no curves", "[trace]"
       REQUIRE(traces.ok());
       REQUIRE(traces->size() == 2);
       CHECK(apart(ofColor(*traces, pressInk).points_px, clippedAtTop(plot, down)) < 0.3);
-      CHECK(apart(ofColor(*traces, releaseInk).points_px, up) < 2);  // of its wall the press hides a part
+      CHECK(apart(ofColor(*traces, releaseInk).points_px, up) < 2);  // the press hides a part of it
     }
 }
 
@@ -333,7 +334,7 @@ TEST_CASE("Shades that compression makes of thin lines on dark paper belong to t
   const auto traces = plot.trace();
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 2);
-  CHECK(apart(ofColor(*traces, sky).points_px, down) < 2);  // of its wall the other hides a part
+  CHECK(apart(ofColor(*traces, sky).points_px, down) < 2);  // the other hides a part of it
   CHECK(apart(ofColor(*traces, lime).points_px, up) < 1);
 }
 
@@ -542,7 +543,7 @@ TEST_CASE("What runs along the frame's upper line after a leap over bare paper i
   CHECK(std::abs(left.x - plot.at(0, 0).x) < 1);
   CHECK(std::abs(right.x - plot.at(0.7, 0).x) < 3);
   CHECK(traces[0].width_px.size() == traces[0].points_px.size());
-  // Where its ink leads up there, it goes on.
+  // Where its pixels lead up there, it goes on.
   plot.line(plot.at({{0.7, 0.8}, {0.69, 1}}), 2, kBlue);
   traces = {stroke};
   trace::cutAcrossToEdges(traces, plot.scene());
@@ -631,7 +632,8 @@ TEST_CASE("A pale arrow that stands on the curve near its wall is no part of it"
 
 namespace {
 
-/// Both strokes of one black ink that end on one line at a share of the width; a thin black grid under them.
+/// Both strokes in one black colour that end on one line at a share of the width; a thin black grid under
+/// them.
 struct Loop {
   Curve press, release;
 };
@@ -1480,7 +1482,7 @@ void drawDashes(Plot& plot, const Curve& way, Rgb ink, double width) {
               width, ink);
 }
 
-/// A press, or a release that begins where it ends and comes to lie at its edge on the wall.
+/// A press, or a release that begins where it ends and comes to lie at its edge on the bottom-out.
 Curve upToAWall(double below) {
   return {{0, 0},      {0.08, 0.35 - below}, {0.4, 0.5 - below}, {0.43, 0.4 - below}, {0.8, 0.55 - below},
           {0.87, 0.95}};
@@ -1508,7 +1510,7 @@ TEST_CASE("A line in dashes of a paler shade of the other's ink is a curve of it
     CHECK(apart(ofColor(*traces, ink).points_px, down) < 0.5);
     const Curve& paler = ofColor(*traces, shade).points_px;
     CHECK(apart(paler, up) < 1);
-    // On the wall it lies at the other's edge, where it is not seen, and goes up with it.
+    // On the bottom-out it lies at the other's edge, where it is not seen, and goes up with it.
     CHECK(std::ranges::min(paler, {}, &Point::y).y == Approx(up.back().y).margin(10));
   }
 }
@@ -1530,7 +1532,7 @@ TEST_CASE("A pale line that was not traced is seen beside one that was", "[expla
 TEST_CASE(
     "Releases in dashes close below their presses are told, led up the walls and named by their samples",
     "[trace]") {
-  // Nearer than two lines of one ink are told apart by their course.
+  // Nearer than two lines of one colour that are separated by their paths.
   constexpr double below = 0.016, width_px = 2;
   Plot plot(1000, 600);
   plot.grid(5, 5, kGrey);
@@ -1543,7 +1545,7 @@ TEST_CASE(
     plot.line(strokeOf(end, level, 0), width_px, ink);
     Curve release = densified(strokeOf(end, level, below), 1);
     const double foot_px = plot.at(0.92 * end, 0).x;
-    std::erase_if(release, [&](Point p) { return p.x > foot_px; });  // the wall is the press' own
+    std::erase_if(release, [&](Point p) { return p.x > foot_px; });  // the bottom-out is the press' own
     drawDashes(plot, release, ink, width_px);
     const double y = 50 + 40 * row++;
     plot.line({{935, y}, {955, y}}, width_px, ink);

@@ -22,7 +22,7 @@ namespace {
 
 using Curve = std::vector<Point>;
 
-/// A plot in one ink; coordinates in view pixels, coverage of a stroke by exact distance.
+/// A plot in one colour; coordinates in view pixels, coverage of a stroke by exact distance.
 class Plot {
  public:
   Plot(int width, int height, double stroke) : stroke_(stroke) {
@@ -94,7 +94,7 @@ class Plot {
     return traceLoop(area, inkOn(area), {}, {}, progress);
   }
   PlotArea area() const { return makePlotArea(picture(), frame_); }
-  /// The ink that the area's picture shows.
+  /// The coverage that the area's picture shows.
   static Plane inkOn(const PlotArea& area) {
     Plane ink(area.raster.width_px, area.raster.height_px);
     for (std::size_t i = 0; i < ink.values.size(); ++i)
@@ -164,7 +164,7 @@ struct Loop {
   Curve press, release;  ///< fractions of the frame, both rising in x
 };
 
-/// Tactile switch: hump, valley, a common rise, a leaning wall at the end.
+/// Tactile switch: hump, valley, a common rise, a leaning bottom-out at the end.
 Loop tactileLoop(double apart = 0.02) {
   const double x = 0.9;
   return {through({{0.02, 0.0},
@@ -410,7 +410,8 @@ TEST_CASE("loop: two switches whose straight strokes cross are refused in one in
 }
 
 TEST_CASE("loop: presses of two switches without their releases are refused in one ink", "[trace_loop]") {
-  // Of two walls at different travels one is left over, or the lower press goes on farther than the upper.
+  // Of two bottom-outs at different travels one is left over, or the lower press goes on farther than the
+  // upper.
   const auto [end, top] = GENERATE(table<double, double>({{0.62, 0.92}, {0.72, 0.9}}));
   CAPTURE(end, top);
   Plot plot(800, 600, 2);
@@ -551,7 +552,7 @@ Explained explain(Plot& plot) {
   return out;
 }
 
-/// Mean ink left to the curves along a line given in view pixels.
+/// Mean unexplained coverage along a line given in view pixels.
 double meanInk(const Explained& e, const Curve& view) {
   double sum = 0;
   for (Point p : view) sum += double(e.structure.curveInk.sample(e.plane.fromArea(p - e.corner)));
@@ -620,7 +621,8 @@ TEST_CASE("loop: two leaders side by side are no strokes", "[trace_loop]") {
 }
 
 TEST_CASE("loop: a path that climbs a leader is sent back", "[trace_loop]") {
-  // Ends short of the frame, with a thick, long, nearly upright leader: up it there is more ink than beyond.
+  // Ends short of the frame, with a thick, long, nearly upright leader: along it there are more pixels than
+  // beyond.
   Plot plot(640, 560, 4);
   const Loop loop{through({{0.02, 0.3}, {0.25, 0.45}, {0.5, 0.35}, {0.8, 0.45}}),
                   through({{0.02, 0.15}, {0.3, 0.25}, {0.45, 0.1}, {0.8, 0.40}})};

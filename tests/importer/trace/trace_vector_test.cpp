@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves among a page's paths: told from everything else, joined from their pieces, cut into strokes; exact.
+// Curves among a page's paths: separated from everything else, joined from their pieces, cut into strokes;
+// exact.
 
 #include "importer/trace/trace_vector.h"
 
@@ -141,7 +142,8 @@ Polyline part(const Polyline& line, std::size_t from, std::size_t to) {
           line.begin() + static_cast<std::ptrdiff_t>(to) + 1};
 }
 
-/// The outline of a line with butt ends: each segment's own edges; on a bend's inner side they meet over its corner.
+/// The outline of a line with butt ends: each segment's own edges; on a bend's inner side they meet over its
+/// corner.
 Polyline outlineOf(const Polyline& line, double width) {
   Polyline sides[2];
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -370,7 +372,7 @@ TEST_CASE("a leader beyond a stroke's end is no rest of it") {
 
 TEST_CASE("a loop drawn as one line is cut at its turn") {
   Polyline loop = press;
-  loop.push_back(at(0.95, 0.9));  // a wall, up and down again
+  loop.push_back(at(0.95, 0.9));  // a bottom-out, up and down again
   loop.insert(loop.end(), release.rbegin(), release.rend());
   Polyline up = press;
   up.push_back(at(0.95, 0.9));

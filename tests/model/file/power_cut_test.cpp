@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a power cut leaves is decided by the order in which content and names are handed to the disk. This program's own fsync and
-// rename stand before the C library's, note who is called for which file, and hand on.
+// What a power cut leaves is decided by the order in which content and names are handed to the disk. This
+// program's own fsync and rename stand before the C library's, note who is called for which file, and hand
+// on.
 
 #include <cerrno>
 #include <filesystem>

@@ -189,7 +189,7 @@ TEST_CASE("a box with room does not go on to a tick far behind the curves") {
   const PlotFrame roomy = frameOfPlot(state, style);
   CHECK(roomy.x.last() < end);
   CHECK(roomy.xPx(1.04 * end) == Approx(toTheTick.right_px));
-  style.xEnds = AxisEnds{0, toTheTick.x.last()};  // what is asked for is drawn
+  style.xEnds = AxisEnds{0, toTheTick.x.last()};  // the request is drawn
   CHECK(frameOfPlot(state, style).x.last() == toTheTick.x.last());
 }
 

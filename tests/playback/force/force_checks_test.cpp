@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine checks what it assumes of a device: that a force moves the handle the right way, that the encoder counts, that a
-// motor takes energy out of a handle that moves against it. Simulated time throughout.
+// The engine checks what it assumes of a device: that a force moves the handle the right way, that the
+// encoder counts, that a motor takes energy out of a handle that moves against it. Simulated time throughout.
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -119,7 +119,7 @@ TEST_CASE("force guard: an encoder that stops dead under force is frozen; a fing
   CHECK(broken.silent());
   CHECK_FALSE(movedAt(400, 0.5).silent());  // too little to surprise anybody
   CHECK_FALSE(movedAt(150, 2).silent());
-  ForceGuard finger({}, period_s, step_mm);  // turns on a wall, 0.5 mm deep
+  ForceGuard finger({}, period_s, step_mm);  // turns on a bottom-out, 0.5 mm deep
   for (int i = 0; i < 600; ++i) {
     const double at_mm = std::round(0.5 * std::sin(0.18 * 0.05 * i * 20) / step_mm) * step_mm;
     finger.judge(at_mm, true);

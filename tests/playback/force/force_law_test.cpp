@@ -113,7 +113,7 @@ TEST_CASE("force law: no number is read of what a button does not have") {
       CHECK_FALSE(presses(prepared));
     }
   }
-  // What it has is read: push has damping.
+  // Properties that it has are read: push has damping.
   PreparedForce push = forceOf(sampleButton("push"), simulatedDevice());
   for (ForceRow& row : push.program.states[0].rows) poison({&row.damping_Ns_per_mm});
   CHECK(presses(push));

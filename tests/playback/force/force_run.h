@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A simulated finger on a simulated device that renders a button: what the force tests look at.
+// A simulated finger on a simulated device that renders a button, for the force tests.
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ class ForceRun {
   double leastFingerWork_mJ_ = 0;
 };
 
-/// How quiet a run of values is.
+/// Steadiness of a run of values.
 class Quiet {
  public:
   void add(double position_mm, double force_N) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must never hurt anybody: no reading, fault or order gets more out of the force loop than the limit times the ramp.
+// What must never hurt anybody: no reading, fault or order gets more out of the force loop than the limit
+// times the ramp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,7 +30,8 @@ ForceDeviceProfile bench(double rate_Hz = 1000) {
 
 constexpr double longestTravel_mm = 100;
 
-/// Its force reaches the limit at 20 mm and its travel ends at the longest there is: no position here lies beyond it.
+/// Its force reaches the limit at 20 mm and its travel ends at the longest there is: no position here lies
+/// beyond it.
 Button longSpring() {
   const Result<Button> button = springButton("long spring", {{0.25}, {}, longestTravel_mm});
   REQUIRE(button);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits of every format over drawn buttons and presses: a slice of what tests/bench/export_limits counts a million of.
+// Limits of every format over drawn buttons and presses: a slice of what tests/bench/export_limits counts a
+// million of.
 
 #include <map>
 

@@ -151,7 +151,7 @@ std::vector<double> numbersIn(const std::string& text) {
   return numbers;
 }
 
-/// What stands between the first `from` at or behind `begin` and the next `to`; empty where it does not.
+/// Text between the first `from` at or behind `begin` and the next `to`; empty if there is none.
 std::string between(const std::string& text, const std::string& from, const std::string& to,
                     std::size_t begin = 0) {
   const std::size_t at = text.find(from, begin);
@@ -207,7 +207,8 @@ void checkHjif(const Json& file, Limits& limits) {
         for (const Json& key : effect["keyframes"]) {
           limits.within("relative_position", key["relative_position"], place + 1, 1e9);
           limits.within("amplitude_modulation", key["amplitude_modulation"], -1, 1);
-          // One frequency of an effect, on its first keyframe: the reference software mistakes the phase of several.
+          // One frequency of an effect, on its first keyframe: the reference software mistakes the phase of
+          // several.
           limits.holds("a frequency on a later keyframe",
                        key.contains("frequency_modulation") == (place < 0));
           if (place < 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Buttons and presses drawn at random, exported, and held against every numeric limit of the format they went to.
+// Buttons and presses drawn at random, exported, and held against every numeric limit of the format they went
+// to.
 
 #include <cstdint>
 #include <memory>
@@ -25,13 +26,14 @@ struct FuzzedExport {
 };
 FuzzedExport fuzzedExport(std::uint64_t seed);
 
-/// What became of it.
+/// Result of an export.
 struct ExportVerdict {
   std::string refusal;                  ///< the sentence; empty where files were written
   std::vector<std::string> violations;  ///< limits that a file passes
 };
 ExportVerdict judged(const FuzzedExport& drawn);
-/// The same in two thirds of the time: without the energies of the loss record, on which no limit of a format hangs.
+/// The same in two thirds of the time: without the energies of the loss record, on which no limit of a format
+/// hangs.
 ExportVerdict judgedByLimits(const FuzzedExport& drawn);
 
 /// Limits that files of a format pass: as judged() asks.

@@ -378,7 +378,8 @@ std::string littleEndian(std::uint64_t value, int bytes) {
   return {text.rbegin(), text.rend()};
 }
 
-/// A quarter of a second at 48000 Hz, 16 bits, big-endian; the second channel is `second` times the first one.
+/// A quarter of a second at 48000 Hz, 16 bits, big-endian; the second channel is `second` times the first
+/// one.
 std::string toneBytes(double second) {
   std::string bytes;
   for (int i = 0; i < 12000; ++i)
@@ -455,8 +456,9 @@ TEST_CASE("Channels that cancel each other are no silence: the strongest is play
   std::filesystem::remove(path);
 }
 
-// Pairs of Meta's haptics SDK (core/haptic_data/test_files): a .haptic and what its makers' converter made of it. At the breakpoints
-// alone: between them the converter's curves run straight in the root of the amplitude, the makers' own renderer in the amplitude.
+// Pairs of Meta's haptics SDK (core/haptic_data/test_files): a .haptic and what its makers' converter made of
+// it. At the breakpoints alone: between them the converter's curves run straight in the root of the
+// amplitude, the makers' own renderer in the amplitude.
 TEST_CASE("Pairs of .haptic and .ahap made by others say the same") {
   const char* const folder = std::getenv("DETENT_HAPTIC_PAIRS");
   if (folder == nullptr) return;

@@ -18,7 +18,7 @@ struct Played {
   std::vector<std::size_t> begun;  // cells at which a point that is no ramp begins
 };
 
-/// What the memory itself says, read by its pointers.
+/// Contents of the memory, read by its pointers.
 std::array<Played, 2> playedSnippets(const std::array<int, snippetMemoryBytes>& memory) {
   const auto at = [&](std::size_t i) { return static_cast<std::size_t>(memory.at(i)); };
   const std::size_t snippets = at(0), sequences = at(1), begin = 2 + snippets + sequences;

@@ -172,7 +172,7 @@ TEST_CASE("sweep: lost sound is seen, noise, distortion and rattling resonances 
         const auto response = analyseSweep(played, recordedWith(at_s, lost, shifts), settings);
         INFO(at_s << " s, " << lost << " samples, " << (shifts ? "cut out" : "silent"));
         REQUIRE(response);
-        // What is cut out late in a sweep only delays what comes after it, and does no harm where it stays unseen.
+        // A gap late in a sweep only delays the rest, and is harmless where it is not noticed.
         CHECK((!response->dropouts_s.empty() || (shifts && agree(*response, *clean))));
         if (!shifts) CHECK(response->dropouts_s.front() == Approx(at_s).margin(0.02));
       }

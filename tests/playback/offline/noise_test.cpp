@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sensor's noise under a still finger and under presses, on every sample button: docs/develop/decisions/0906.
+// A sensor's noise under a still finger and under presses, on every sample button:
+// docs/develop/decisions/0906.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ struct Felt {
   std::size_t grains = 0, pressJumps = 0, releaseJumps = 0, bottomOuts = 0, events = 0;
 };
 
-/// What is felt of readings with noise, from `since_s` on.
+/// Felt events of readings with noise, from `since_s` on.
 template <class Force>
 Felt feel(const HapticProgram& program, double seconds, double since_s, double noise_N, std::uint64_t seed,
           Force force) {

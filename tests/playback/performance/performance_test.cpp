@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forecast of a press: its plant keeps the books of energy, its closed forms agree with chance, and what cannot be
-// forecast is said.
+// The forecast of a press: its plant keeps the books of energy, its closed forms agree with chance, and what
+// cannot be forecast is said.
 #include <array>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the product makes of presses and timed presses, for press_ode_test.py: one JSON value per line in, one per line out.
-//   {"button": {...}, "finger": {...}, "command": {...}, "close_m": x, "open_m": x} -> the outcome of the press
+// What the product makes of presses and timed presses, for press_ode_test.py: one JSON value per line in, one
+// per line out.
+//   {"button": {...}, "finger": {...}, "command": {...}, "close_m": x, "open_m": x} -> outcome of the press
 //   {"window_s": x, "interval_s": x, "activation_sd_s": x, "aim": x, "spread": x}   -> {"error": x}
 #include <iostream>
 #include <stdexcept>

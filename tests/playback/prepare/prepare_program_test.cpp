@@ -173,7 +173,7 @@ TEST_CASE("prepare: the device's resonance and equalizer are used when asked for
   const auto program = std::make_unique<HapticProgram>(programOf(tactileButton(), settings, profile));
   CHECK(program->states[0].press.jumps[0].burst.frequency_Hz == 370);
   CHECK(program->states[0].release.jumps[0].burst.frequency_Hz == Approx(410.0 * 370 / 390));
-  // The band at the jumps' own frequency is spared unless asked for.
+  // The band at the jumps' own frequency is spared unless requested.
   CHECK(program->equalizerBandCount == 0);
   settings.equalizer = EqualizerUse::full;
   CHECK(programOf(tactileButton(), settings, profile).equalizerBandCount == 1);

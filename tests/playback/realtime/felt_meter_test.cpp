@@ -44,7 +44,8 @@ TEST_CASE("felt meter: a sine of full scale at 250 Hz has the device's level, at
   const auto program = std::make_unique<HapticProgram>(prepareProgram(linearButton(), device, {})->program);
   CHECK(felt_dB(*program, rate_Hz, sine(rate_Hz, 250, 1, 0.3)) == Approx(38).margin(0.2));
   CHECK(felt_dB(*program, rate_Hz, sine(rate_Hz, 250, 0.1, 0.3)) == Approx(18).margin(0.2));
-  // The strongest 10 ms hold one and a quarter periods: up to 10 lg(1 + 1 / (2 pi f T)) = 0.52 dB more than their mean.
+  // The strongest 10 ms hold one and a quarter periods: up to 10 lg(1 + 1 / (2 pi f T)) = 0.52 dB more than
+  // their mean.
   CHECK(felt_dB(*program, rate_Hz, sine(rate_Hz, 125, 1, 0.3)) ==
         Approx(38 + pacinianWeight_dB(125) + 0.52).margin(0.1));
   CHECK(felt_dB(*program, rate_Hz, std::vector<float>(1000, 0)) == -std::numeric_limits<double>::infinity());

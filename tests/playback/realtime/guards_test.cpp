@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One test per guard of the realtime room that nothing else would miss (tests/faults/faults.toml takes them out one by one).
+// One test per guard of the realtime room that nothing else would miss (tests/faults/faults.toml takes them
+// out one by one).
 
 #include <memory>
 #include <vector>
@@ -23,7 +24,8 @@ std::size_t countOf(const Crossings& crossings, CrossingKind kind) {
   return n;
 }
 
-/// A press jump at 1 mm; a release that comes back to just before it, not as far as where the jump arms again.
+/// A press jump at 1 mm; a release that comes back to just before it, not as far as where the jump arms
+/// again.
 Button returningButton() {
   return buttonOf("returning",
                   {stateOf("", {{0, 0}, {1, 0.6}, {1.3, 0.45}, {1.6, 0.6}, {3, 1.0}},

@@ -480,7 +480,7 @@ TEST_CASE("engine: another program leaves no step in what sounds") {
 }
 
 TEST_CASE("engine: the limiter keeps the form of an attack") {
-  // How far the output lies from the same sound at another level, share of its own.
+  // Distance of the output from the same sound at another level, share of its own.
   const auto misshapen = [](double gain, double before) {
     auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
     program->gain = gain;
@@ -543,7 +543,7 @@ TEST_CASE("engine: nothing is evaluated that a button does not have") {
       CHECK_FALSE(play(*program));
     }
   }
-  // What it does have is read: one poisoned jump is met.
+  // Properties that it does have are read: one poisoned jump is met.
   const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));
   REQUIRE(program->states[0].press.jumpCount == 1);
   poison(program->states[0].press.jumps[0]);

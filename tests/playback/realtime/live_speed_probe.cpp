@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A press through the live engine, reading by reading as a sensor gives them, for live_speed_test.py:
 //   live_speed_probe BUTTON PRESS.csv SAMPLES.f32   (time_s,force_N or time_s,displacement_mm)
-// prints what was felt, `felt,time_s,kind,displacement_mm,amplitude,count`, and after each reading `at,time_s,displacement_mm`.
+// prints what was felt, `felt,time_s,kind,displacement_mm,amplitude,count`, and after each reading
+// `at,time_s,displacement_mm`.
 #include <cstdio>
 #include <fstream>
 #include <memory>

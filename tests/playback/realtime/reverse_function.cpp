@@ -38,7 +38,8 @@ void ReverseFunction::turnIfDue(double force_N) {
 double ReverseFunction::pressedTo(double force_N) const {
   const StrokeCurve& curve = graph_.press();
   const double x = displacement_mm_;
-  // At a wall the curve carries every force of the wall, so its larger end must be exceeded to move on.
+  // At a vertical rise the curve carries every force of the rise, so its larger end must be exceeded to move
+  // on.
   if (force_N <= std::max(curve.forceBefore_N(x), curve.force_N(x))) return x;
   if (x >= curve.end_mm()) return x;
   auto stretch = std::upper_bound(pressStretches_.begin(), pressStretches_.end(), x,

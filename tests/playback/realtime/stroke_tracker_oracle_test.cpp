@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// StrokeTracker against reverse_function.h on the same polylines: whatever the curve and the way, both stand at the same place.
+// StrokeTracker against reverse_function.h on the same polylines: whatever the curve and the way, both stand
+// at the same place.
 
 #include <memory>
 #include <vector>
@@ -21,7 +22,7 @@ using detent::tests::holdsAlways;
 
 namespace {
 
-/// The curve the tracker walks: a table's vertices, joined by straight lines.
+/// The curve that the tracker follows: a table's vertices, joined by straight lines.
 StrokeCurve polyline(const StrokeTable& table) {
   std::vector<Knot> knots;
   for (std::size_t i = 0; i < table.pointCount; ++i)
@@ -65,7 +66,7 @@ TEST_CASE("tracker: on any curve it stands where the reverse function says (prop
     tracker.use(program.get());
     double force_N = 0;
     for (int step = 0; step < 200; ++step) {
-      // Above rest: what a lifted finger resets is asked in stroke_tracker_test.cpp.
+      // Above rest: stroke_tracker_test.cpp tests the reset by a lifted finger.
       force_N = step % 3 == 0 ? between(0.01, 2.5) : std::max(0.01, force_N + between(-0.2, 0.2));
       tracker.updateForce(force_N);
       oracle.update(force_N);

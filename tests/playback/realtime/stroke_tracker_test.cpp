@@ -271,7 +271,8 @@ TEST_CASE("tracker: flat force, walls and far too long travels stay in bounds") 
 }
 
 TEST_CASE("tracker: more grains in one reading than there is room for are counted by those before them") {
-  // Cranked all the way down, so that the table keeps a piece for each knot: more pieces than crossings have room.
+  // Cranked all the way down, so that the table keeps a piece for each knot: more pieces than crossings have
+  // room.
   std::vector<CurvePoint> points;
   for (int i = 0; i <= 1400; ++i) points.push_back({100.0 * i / 1400, 0.002 * i + (i % 2 == 0 ? 0 : 0.001)});
   const Button cranked = buttonOf("cranked", {stateOf("", points, {})});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is put under a participant's finger, and what is refused before anybody is asked.
+// Stimuli under a participant's finger, and refusals before the first question.
 #include "playback/study/study_player.h"
 
 #include <catch2/catch.hpp>

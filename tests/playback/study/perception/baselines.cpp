@@ -42,7 +42,7 @@ std::vector<double> blockOf(const std::vector<float>& samples, std::size_t index
   return part;
 }
 
-/// How far each bin is felt, 0..1.
+/// Support of each bin, 0..1.
 std::vector<double> supportOf(const std::vector<double>& samples) {
   constexpr double softness_dB = 12;
   const std::vector<double> spectrum = magnitudes(samples);

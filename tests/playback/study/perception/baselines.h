@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Measures of others for how alike two vibrations are, to stand beside the forecast: ST-SIM and SPQI of the
-// vibrotactile codec literature, and a plain spectral distance. docs/reference/predicted-confusion.md has the formulas.
-// All are distances here: larger is more different. Any thread.
+// vibrotactile codec literature, and a plain spectral distance. docs/reference/predicted-confusion.md has the
+// formulas. All are distances here: larger is more different. Any thread.
 
 #include "playback/study/perception/felt_button.h"
 

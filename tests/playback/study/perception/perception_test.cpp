@@ -61,7 +61,8 @@ double stepsApart(const FeltButton& a, const FeltButton& b) {
 /// K&L, Table 2 (b): errors in 90 by A-B, A-C, B-C, A-D, ...
 const std::vector<double> noisyGroup{3, 2, 5, 1, 3, 10, 0, 4, 5, 5, 1, 4, 1, 0, 2};
 
-/// Spearman's coefficient as docs/reference/predicted-confusion.md prints it in the row that begins with `forecast`.
+/// Spearman's coefficient as docs/reference/predicted-confusion.md prints it in the row that begins with
+/// `forecast`.
 double printedSpearman(const std::string& forecast) {
   std::ifstream page(std::string(DETENT_SOURCE_DIR) + "/docs/reference/predicted-confusion.md");
   for (std::string line; std::getline(page, line);) {
@@ -157,7 +158,7 @@ TEST_CASE("confusion: a button whose forces grow by a millinewton at a time move
       REQUIRE(more);
       const double dPrime = stepsApart(was, felt(*more));
       CHECK(std::fabs(dPrime - before) <=
-            0.07);  // asked 0.02: docs/develop/decisions/1202-forecast-of-confusion.md
+            0.07);  // required 0.02: docs/develop/decisions/1202-forecast-of-confusion.md
       before = dPrime;
     }
   }
@@ -187,7 +188,8 @@ TEST_CASE("confusion: the range of errors is what scipy says of pairs that diffe
   struct Expected {
     double dPrime, least, most, errors, probability;
   };
-  // Quadrature over the log-normal sensitivity, scipy.stats.binom.cdf; counts may be one off by the number of pairs drawn.
+  // Quadrature over the log-normal sensitivity, scipy.stats.binom.cdf; counts may be one off by the number of
+  // pairs drawn.
   for (const Expected& expected :
        {Expected{1, 15, 48, 37.94835, 0.01741}, Expected{2.87, 2, 38, 13.94254, 0.36198},
         Expected{6.63, 0, 18, 2.54064, 0.85137}, Expected{12, 0, 6, 2.25004, 0.97888}}) {

@@ -189,8 +189,8 @@ TEST_CASE("shuffle: every place is equally likely, and the text decides the orde
   CHECK(randomSeededBy("1:P01")() != randomSeededBy("1:P02")());
 }
 
-// p by scipy 1.10.1, stats.permutation_test((d,), mean, permutation_type="samples", n_resamples=inf); limits by sorting the means of all
-// subsets in Python.
+// p by scipy 1.10.1, stats.permutation_test((d,), mean, permutation_type="samples", n_resamples=inf); limits
+// by sorting the means of all subsets in Python.
 TEST_CASE(
     "paired: signs of persons flipped, every pattern once; the interval is what the test does not refuse") {
   const PairedDifference better = pairedDifference({0.02, 0.05, 0.01, 0.08, 0.03, 0.04, 0.06, 0.07});

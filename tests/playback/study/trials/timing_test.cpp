@@ -204,7 +204,7 @@ TEST_CASE("simulated people come back, in every format") {
     CHECK_THAT(csv,
                Catch::Contains("condition,interval_s,window_s,press_s,press_within_s,feel,finished,site\n"));
     REQUIRE(writeBids(results, folder.folder() / "bids"));
-    // What a study writes is what a file is read from: one button of it gives the same figures.
+    // A study's output is a valid input file: one button of it gives the same figures.
     const std::string file = (folder.folder() / "one.csv").string();
     std::string one = csv.substr(0, csv.find('\n') + 1);
     for (std::size_t at = csv.find('\n') + 1; at < csv.size(); at = csv.find('\n', at) + 1)

@@ -511,7 +511,7 @@ TEST_CASE("results: a person whose journal was taken out of the folder with its 
   };
   CHECK_FALSE(warned());
   fs::remove(made.folder() / "participants" / "P02.jsonl");
-  CHECK_FALSE(warned());  // its head tells it
+  CHECK_FALSE(warned());  // its head shows it
   fs::remove(made.folder() / "participants" / "P02.head");
   CHECK(warned());
 }
@@ -671,7 +671,7 @@ TEST_CASE("session: an early end keeps the columns; stopping is told") {
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 2);
   CHECK(std::any_of(results.warnings.begin(), results.warnings.end(),
                     [](const std::string& w) { return w.find("ended early") != std::string::npos; }));
-  // Who comes back goes on where they stopped.
+  // A participant who comes back goes on where they stopped.
   Result<ParticipantSession> again = ParticipantSession::open(*made.study, "P01", simulatedStart);
   REQUIRE(again);
   REQUIRE(again->trial() != nullptr);
@@ -920,7 +920,8 @@ namespace {
 
 enum class Sensor { good, zeros, silent, stuck, lost, light };
 
-/// A person who tries to answer everything while the sensor does this; how many answers the journal holds then.
+/// A person who tries to answer everything while the sensor does this; how many answers the journal holds
+/// then.
 std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor) {
   StudyRandom random = randomSeededBy(id);
   Result<ParticipantSession> session =
@@ -953,7 +954,7 @@ std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor
     }
     if (desk.mayAnswer()) {
       REQUIRE(session->record(desk.answer(drawBelow(random, 2), tries + 1.0)));
-    } else {  // a front end that does not ask the desk comes no further
+    } else {  // a front end without a trial controller comes no further
       Answer blind = simulatedAnswer(study, id, trial, {});
       for (std::size_t slot = 0; slot < desk.slotOfX(); ++slot) blind.felt[slot] = desk.feltOf(slot);
       blind.feltX = desk.feltOf(desk.slotOfX());
