@@ -133,8 +133,9 @@ def accept(costs):
     rows = [row(name, Cost(**cost)) for name, cost in kept.items()]
     TABLE.write_text("\n".join([
         "# What fixed jobs cost", "",
-        "Made by `tests/bench/cost.py --accept`: instructions of the whole process (callgrind), shared libraries that are loaded, peak memory.",
-        "`.ci/run cost` compares with `tests/bench/cost.json` and fails beyond +5 % that no line of the changelog announces.", "",
+        "Made by `tests/bench/cost.py --accept`: instructions of the whole process (callgrind), shared libraries that",
+        "are loaded, peak memory. `.ci/run cost` compares with `tests/bench/cost.json` and fails beyond +5 % that no",
+        "line of the changelog announces.", "",
         "| job | million instructions | libraries | MB |", "|---|---|---|---|", *rows, ""]))
 
 
