@@ -9212,14 +9212,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
     </message>
     <message>
-        <source>the SVG cannot be drawn: %1</source>
-        <translation type="vanished">die SVG-Datei lässt sich nicht zeichnen: %1</translation>
-    </message>
-    <message>
-        <source>Export the drawing as a PDF or as a picture of at least 300 dpi and import that</source>
-        <translation type="vanished">Exportieren Sie die Zeichnung als PDF oder als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
-    </message>
-    <message>
         <source>the file has %1, more than the limit of %2</source>
         <translation>die Datei hat %1, mehr als die Grenze von %2</translation>
     </message>
@@ -9592,30 +9584,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Archiv enthält kein Projekt (wpd.json)</translation>
     </message>
     <message>
-        <source>it is missing or no file</source>
-        <translation type="vanished">sie fehlt oder ist keine Datei</translation>
-    </message>
-    <message>
-        <source>it is larger than 32 MB</source>
-        <translation type="vanished">sie ist größer als 32 MB</translation>
-    </message>
-    <message>
-        <source>Export fewer switches into one file</source>
-        <translation type="vanished">Weniger Schalter in eine Datei exportieren</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation type="vanished">sie ist nicht lesbar</translation>
-    </message>
-    <message>
-        <source>no columns are headed as a switch&apos;s downstroke</source>
-        <translation type="vanished">keine Spalten sind als Hinweg eines Schalters überschrieben (downstroke)</translation>
-    </message>
-    <message>
-        <source>Export the columns of one switch as CSV: &quot;displacement_mm,force_N&quot;</source>
-        <translation type="vanished">Die Spalten eines Schalters als CSV exportieren: &quot;displacement_mm,force_N&quot;</translation>
-    </message>
-    <message>
         <source>it is no JSON</source>
         <translation>es ist kein JSON</translation>
     </message>
@@ -9644,36 +9612,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ihre Listen enthalten kein Drücken</translation>
     </message>
     <message>
-        <source>the sheet holds no table of numbers</source>
-        <translation type="vanished">das Blatt enthält keine Tabelle mit Zahlen</translation>
-    </message>
-    <message>
-        <source>Give a sheet with a column of displacement and one of force</source>
-        <translation type="vanished">Ein Blatt mit einer Spalte für den Weg und einer für die Kraft angeben</translation>
-    </message>
-    <message>
-        <source>Save the spreadsheet again</source>
-        <translation type="vanished">Die Tabelle noch einmal speichern</translation>
-    </message>
-    <message>
         <source>it is no spreadsheet, or a damaged one</source>
         <translation>es ist keine Tabelle, oder eine beschädigte</translation>
-    </message>
-    <message>
-        <source>it is encrypted</source>
-        <translation type="vanished">sie ist verschlüsselt</translation>
-    </message>
-    <message>
-        <source>it is damaged</source>
-        <translation type="vanished">sie ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it is cut short</source>
-        <translation type="vanished">sie ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>its content is damaged, or too large when unpacked</source>
-        <translation type="vanished">ihr Inhalt ist beschädigt, oder ausgepackt zu groß</translation>
     </message>
     <message>
         <source>the import %1</source>
@@ -9766,6 +9706,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>only the heading names the units: &quot;%1&quot;</source>
         <translation>nur die Überschrift nennt die Einheiten: „%1“</translation>
+    </message>
+    <message>
+        <source>spreadsheets need the library libzip.so.4, which is not installed</source>
+        <translation>Tabellen brauchen die Bibliothek libzip.so.4, die nicht installiert ist</translation>
+    </message>
+    <message>
+        <source>Install it (on Debian: libzip4), or save the sheet as CSV</source>
+        <translation>Sie installieren (unter Debian: libzip4) oder die Tabelle als CSV speichern</translation>
     </message>
 </context>
 <context>
@@ -9892,78 +9840,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::importer::LineReader</name>
-    <message>
-        <source>is a folder</source>
-        <translation type="vanished">ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>Give a force meter&apos;s CSV file</source>
-        <translation type="vanished">Geben Sie die CSV-Datei eines Kraftmessgeräts an</translation>
-    </message>
-    <message>
-        <source>cannot be opened: %1</source>
-        <translation type="vanished">lässt sich nicht öffnen: %1</translation>
-    </message>
-    <message>
-        <source>Check the path and its rights</source>
-        <translation type="vanished">Prüfen Sie den Pfad und seine Zugriffsrechte</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation type="vanished">ist leer</translation>
-    </message>
-    <message>
-        <source>Export the measurement again</source>
-        <translation type="vanished">Exportieren Sie die Messung noch einmal</translation>
-    </message>
-    <message>
-        <source>is not a text file</source>
-        <translation type="vanished">ist keine Textdatei</translation>
-    </message>
-    <message>
-        <source>Give a force meter&apos;s CSV file, or a picture or PDF by its right name</source>
-        <translation type="vanished">Geben Sie die CSV-Datei eines Kraftmessgeräts an, oder ein Bild oder PDF unter seinem richtigen Namen</translation>
-    </message>
-</context>
-<context>
     <name>detent::importer::LogReader</name>
-    <message>
-        <source>it holds %1 switches: %2</source>
-        <translation type="vanished">es enthält %1 Schalter: %2</translation>
-    </message>
-    <message>
-        <source>Pass --curve NAME|N for one of them</source>
-        <translation type="vanished">Mit --curve NAME|N einen davon wählen</translation>
-    </message>
-    <message>
-        <source>the line does not end</source>
-        <translation type="vanished">die Zeile endet nicht</translation>
-    </message>
-    <message>
-        <source>Give a force meter&apos;s CSV file with one sample per line</source>
-        <translation type="vanished">Die CSV-Datei eines Kraftmessers mit einem Messwert je Zeile angeben</translation>
-    </message>
-    <message>
-        <source>no two columns of numbers were found</source>
-        <translation type="vanished">zwei Spalten mit Zahlen wurden nicht gefunden</translation>
-    </message>
-    <message>
-        <source>Give a CSV with a displacement and a force column, for example &quot;displacement_mm,force_N&quot;</source>
-        <translation type="vanished">Eine CSV mit einer Spalte für den Weg und einer für die Kraft angeben, etwa &quot;displacement_mm,force_N&quot;</translation>
-    </message>
-    <message>
-        <source>the file cannot be read further</source>
-        <translation type="vanished">die Datei ist ab hier nicht lesbar</translation>
-    </message>
-    <message>
-        <source>no row holds a finite displacement and force</source>
-        <translation type="vanished">keine Zeile hat einen endlichen Weg und eine endliche Kraft</translation>
-    </message>
-    <message>
-        <source>Check the export: each row needs two numbers</source>
-        <translation type="vanished">Den Export prüfen: jede Zeile braucht zwei Zahlen</translation>
-    </message>
     <message>
         <source>it has no sample</source>
         <translation>er hat keinen Messwert</translation>
@@ -9983,14 +9860,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Check which column holds the displacement</source>
         <translation>Prüfen, in welcher Spalte der Weg steht</translation>
-    </message>
-    <message>
-        <source>it holds a release stroke but no press</source>
-        <translation type="vanished">sie enthält einen Rückweg, aber kein Drücken</translation>
-    </message>
-    <message>
-        <source>Else record the press too</source>
-        <translation type="vanished">Sonst auch das Drücken aufzeichnen</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -10035,14 +9904,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>it is no spreadsheet, or a damaged one</source>
         <translation>sie ist keine Tabelle oder eine beschädigte</translation>
-    </message>
-    <message>
-        <source>spreadsheets need the library libzip.so.4, which is not installed</source>
-        <translation>Tabellen brauchen die Bibliothek libzip.so.4, die nicht installiert ist</translation>
-    </message>
-    <message>
-        <source>Install it (on Debian: libzip4), or save the sheet as CSV</source>
-        <translation>Sie installieren (unter Debian: libzip4) oder die Tabelle als CSV speichern</translation>
     </message>
     <message>
         <source>Save the spreadsheet again</source>
@@ -10827,10 +10688,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>antwortet nach %1 ms: Die Kraft käme %2 ms zu spät, und stabil sind dann höchstens %3 N/mm; dieser Taster braucht %4 N/mm</translation>
     </message>
     <message>
-        <source>Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or --upload, so that the device runs the law</source>
-        <translation type="vanished">Machen Sie die Verbindung schneller: direktes USB, mehr --baud, ein FTDI-Latenzzähler von 1 ms; oder --upload, damit das Gerät die Kraft selbst rechnet</translation>
-    </message>
-    <message>
         <source>does not take limits for a slow link</source>
         <translation>nimmt keine Grenzen für eine langsame Verbindung an</translation>
     </message>
@@ -10905,10 +10762,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the parameter curve %1 is left out</source>
         <translation>die Parameterkurve %1 wird weggelassen</translation>
-    </message>
-    <message>
-        <source>control points behind the %1th of a curve are left out, as Core Haptics does</source>
-        <translation type="vanished">Stützpunkte hinter dem %1. einer Kurve werden weggelassen, wie Core Haptics es tut</translation>
     </message>
     <message>
         <source>lies before the control point it follows</source>
@@ -11029,10 +10882,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1 channels are played together</source>
         <translation>%1 Kanäle werden zusammen wiedergegeben</translation>
-    </message>
-    <message>
-        <source>Give an AHAP, .haptic or HJIF file, or a WAV</source>
-        <translation type="vanished">Geben Sie eine AHAP-, .haptic- oder HJIF-Datei oder eine WAV an</translation>
     </message>
     <message>
         <source>it passes full scale by a factor of %1 and is turned down</source>
@@ -11609,10 +11458,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Go on with that program, or begin a new study</source>
         <translation>Machen Sie mit jenem Programm weiter oder beginnen Sie eine neue Studie</translation>
-    </message>
-    <message>
-        <source>has a participant already: lists made now could not be kept to</source>
-        <translation type="vanished">hat schon eine Teilnehmerin oder einen Teilnehmer: Listen, die erst jetzt gemacht werden, ließen sich nicht einhalten</translation>
     </message>
     <message>
         <source>Plan before the first person comes, or make a new study</source>

@@ -242,6 +242,7 @@ void measureLaw() {
     if (took_us * 4 / 3 > lawPeriod_us) lawPeriod_us = took_us * 4 / 3;
   }
   rowCount = 0;
+  ownLaw = false;  // where memory outlives the reset
   noForce();
 }
 
