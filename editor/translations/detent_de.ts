@@ -9708,8 +9708,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>nur die Überschrift nennt die Einheiten: „%1“</translation>
     </message>
     <message>
-        <source>spreadsheets need the library libzip.so.4, which is not installed</source>
-        <translation>Tabellen brauchen die Bibliothek libzip.so.4, die nicht installiert ist</translation>
+        <source>spreadsheets need the library libzip, which is not installed</source>
+        <translation>Tabellen brauchen die Bibliothek libzip, die nicht installiert ist</translation>
     </message>
     <message>
         <source>Install it (on Debian: libzip4), or save the sheet as CSV</source>

@@ -39,7 +39,7 @@ struct Libzip {
 
  private:
   Libzip() {
-    void* const library = dlopen("libzip.so.4", RTLD_LAZY | RTLD_LOCAL);  // kept until the program ends
+    void* const library = dlopen(DETENT_LIBZIP, RTLD_LAZY | RTLD_LOCAL);  // kept until the program ends
     if (library == nullptr) return;
     const auto find = [&](auto& function, const char* name) {
       function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
@@ -274,7 +274,7 @@ Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const s
     return Failure{FailureCode::unreadableInput,
                    subject,
                    {},
-                   Message("spreadsheets need the library libzip.so.4, which is not installed"),
+                   Message("spreadsheets need the library libzip, which is not installed"),
                    Message("Install it (on Debian: libzip4), or save the sheet as CSV")};
   const Archive archive(*libzip, bytes);
   if (!archive) return damaged(Message("it is no spreadsheet, or a damaged one"));
