@@ -225,13 +225,6 @@ std::size_t bytesOf(const PageView& view) {
   return bytes;
 }
 
-/// Labels are not read on an axis whose range is given; they still stand there and can be shown, unused.
-void keepUnusedTicks(AxisReading& axis, const AxisReading& asRead) {
-  if (!axis.ticks.empty()) return;
-  axis.ticks = asRead.ticks;
-  for (TickLabel& tick : axis.ticks) tick.used = false;
-}
-
 }  // namespace
 
 struct ImportSession::Impl {
@@ -388,8 +381,7 @@ struct ImportSession::Impl {
       auto read = readAxes(graph.view, graph.frame.value, hints, progress);
       if (!read) return read.failure();
       axes = std::move(read).value();
-      keepUnusedTicks(axes.calibration.value.x, reading.asLocated->calibration.value.x);
-      keepUnusedTicks(axes.calibration.value.y, reading.asLocated->calibration.value.y);
+      useNoTicksOfGivenRanges(axes.calibration.value, hints);
     }
     axes.texts = std::move(graph.axes.texts);
     axes.otherLines = std::move(graph.axes.otherLines);
@@ -1049,19 +1041,26 @@ Result<ImportReport> ImportSession::Impl::reportOfLog(Result<ForceLog> log,
   provenance.quality = nameOf(request.quality);
   provenance.confidence = log->confidence * fitConfidence(log->strokes, *fitted);
   provenance.given = givenByHand(request.hints);
+  const bool isAmbiguous = question && log->confidence < request.sure;
+  const bool isNoLog = log->confidence < request.sure, isBadFit = provenance.confidence < request.sure;
   std::optional<Doubt> gravest;
-  if (provenance.confidence < request.sure) {
-    const Message what = question && log->confidence < request.sure
-                             ? Message("the table can be read in several ways: %1", question->what)
-                             : Message("the fitted curve leaves the samples");
-    gravest = Doubt{DoubtCode::assumed, {what}, Message("Pass one of the choices")};
-  }
   for (const WeighedDoubt& each : doubtsOfLog(log->strokes, *fitted, request.hints)) {
-    if (each.confidence < request.sure && each.confidence < provenance.confidence) gravest = each.doubt;
+    if (each.confidence < request.sure && (!gravest || each.confidence < provenance.confidence))
+      gravest = each.doubt;
     if (each.confidence >= request.sure)
       log->remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
     provenance.confidence = std::min(provenance.confidence, each.confidence);
   }
+  // What is wrong with the values says more than that the table is an unlikely log; a question can be answered.
+  if (isAmbiguous)
+    gravest = Doubt{DoubtCode::assumed,
+                    {Message("the table can be read in several ways: %1", question->what)},
+                    Message("Pass one of the choices")};
+  else if (!gravest && (isNoLog || isBadFit))
+    gravest = Doubt{DoubtCode::assumed,
+                    {isNoLog ? Message("the table is hardly a record of a button")
+                             : Message("the fitted curve leaves the samples")},
+                    Message("Check the values, or ask for a lower confidence")};
   if (gravest && !request.acceptDoubt) {
     return failureOf(*gravest, name());
   }

@@ -107,6 +107,7 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                      std::move(axes).value()};
   if (graph.candidate.by != DecidedBy::given)
     if (auto wider = readWider(graph, page, options, progress)) graph = std::move(*wider);
+  useNoTicksOfGivenRanges(graph.axes.calibration.value, options.axes);
   lookFartherForUnits(graph, document, page, options, progress);
   return graph;
 }

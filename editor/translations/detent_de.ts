@@ -9831,6 +9831,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Pass one of the choices</source>
         <translation>Eine der Möglichkeiten angeben</translation>
     </message>
+    <message>
+        <source>the table is hardly a record of a button</source>
+        <translation>die Tabelle ist kaum die Aufzeichnung einer Taste</translation>
+    </message>
+    <message>
+        <source>Check the values, or ask for a lower confidence</source>
+        <translation>Die Werte prüfen oder eine geringere Sicherheit verlangen</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::LibraryStore</name>

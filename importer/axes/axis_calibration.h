@@ -97,6 +97,10 @@ struct AxesFound {
   RightScale rightScale = RightScale::none;
 };
 
+/// Marks the labels of an axis whose range was given as unused: they say where the frame ends, and the given
+/// range alone says what its edges mean.
+void useNoTicksOfGivenRanges(AxisCalibration& calibration, const AxisHints& hints);
+
 /// Failure noForceGraph: no numbers; notCertain: numbers that make no progression (remedy: --x-axis /
 /// --y-axis).
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints = {},

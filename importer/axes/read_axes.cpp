@@ -551,6 +551,13 @@ void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& fr
   takeHeadingUnits(axes, r);
 }
 
+void useNoTicksOfGivenRanges(AxisCalibration& calibration, const AxisHints& hints) {
+  if (hints.xMin && hints.xMax)
+    for (TickLabel& tick : calibration.x.ticks) tick.used = false;
+  if (hints.yMin && hints.yMax)
+    for (TickLabel& tick : calibration.y.ticks) tick.used = false;
+}
+
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints,
                            const Progress& progress) {
   const AxisGiven xGiven{hints.xMin, hints.xMax}, yGiven{hints.yMin, hints.yMax};

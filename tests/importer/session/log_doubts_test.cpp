@@ -65,8 +65,8 @@ TEST_CASE("A log of a button is not doubted") {
 }
 
 TEST_CASE("What no button measures is doubted: sentinels, sizes, signs") {
-  refusedFor(logOf(1, 1, 200, "-9999,0.3"), "assumed");
-  refusedFor(logOf(1, 1, 200, "9999,0.3"), "assumed");
+  refusedFor(logOf(1, 1, 200, "-9999,0.3"), "implausible-travel");
+  refusedFor(logOf(1, 1, 200, "9999,0.3"), "implausible-travel");
   refusedFor(logOf(1, 1, 200, "2.0,-9999"), "negative-force");
   refusedFor(logOf(10), "implausible-travel");  // a tensile test's, or another unit
   refusedFor(logOf(1e-3),
