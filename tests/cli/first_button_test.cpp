@@ -214,7 +214,7 @@ void play(const std::vector<std::string>& command, const ProgramFolder& folder,
   const std::size_t said = program.screen().find("warning:");
   CHECK(said != std::string::npos);
   INFO("the simulated board halted for up to " << board.longestHalt_s() << " s");
-  constexpr double boardsHalt_s = 0.05;
+  constexpr double boardsHalt_s = 0.01;  // ten readings
   if (board.longestHalt_s() < boardsHalt_s)
     CHECK(program.screen().find("warning:", said + 1) == std::string::npos);
 }
