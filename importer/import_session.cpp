@@ -11,6 +11,7 @@
 #include "importer/doubts.h"
 #include "importer/drawn_strokes.h"
 #include "importer/graph_copies.h"
+#include "importer/graph_question.h"
 #include "importer/graph_title.h"
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
@@ -699,6 +700,8 @@ struct ImportSession::Impl {
                                    const ImportRequest& request);
   std::optional<Question> tried(const Question& question, const ImportRequest& request,
                                 const Progress& progress);
+  std::optional<Question> askedOf(const ImportAttempt& attempt, const ImportRequest& request,
+                                  const Progress& progress);
 };
 
 Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportRequest& request,
@@ -969,8 +972,12 @@ bool takeUp(const Choice& choice, ImportHints& hints) {
   std::istringstream words(choice.option);
   for (std::string name, value; words >> name;) {
     if (!(words >> value)) return false;
-    if (name == "--record")
+    if (name == "--record" || name == "--curve")
       hints.strokes.curve = value;
+    else if (name == "--press-color")
+      hints.trace.pressColor = colorFrom(value);
+    else if (name == "--release-color")
+      hints.trace.releaseColor = colorFrom(value);
     else if (name == "--x-unit")
       hints.axes.xUnit = lengthUnitFrom(value);
     else if (name == "--y-unit")
@@ -1016,6 +1023,25 @@ std::optional<Question> ImportSession::Impl::tried(const Question& question, con
     if (!takeUp(choice, answered.hints)) continue;
     LogReading reading = readLog(path, logHintsOf(answered.hints), progress);
     if (reportOfLog(std::move(reading.log), reading.question, answered)) left.choices.push_back(choice);
+  }
+  seconds = before;
+  return left.choices.empty() ? std::nullopt : std::optional(std::move(left));
+}
+
+/// The question about a refused graph with the choices that lead to an accepted result.
+std::optional<Question> ImportSession::Impl::askedOf(const ImportAttempt& attempt,
+                                                     const ImportRequest& request, const Progress& progress) {
+  if (attempt.report) return {};
+  const auto question = questionAbout(attempt.report.failure(), attempt.evidence.get());
+  if (!question) return {};
+  Question left{question->what, {}};
+  const std::map<ImportStep, double> before = seconds;
+  Progress silent;
+  silent.cancelled = progress.cancelled;
+  for (const auto& choice : question->choices) {
+    ImportRequest answered = request;
+    if (progress.isCancelled()) return {};
+    if (takeUp(choice, answered.hints) && importPlot(answered, silent).report) left.choices.push_back(choice);
   }
   seconds = before;
   return left.choices.empty() ? std::nullopt : std::optional(std::move(left));
@@ -1176,6 +1202,8 @@ Result<std::vector<PlotSwitch>> ImportSession::switches(const ListedGraph& graph
 ImportAttempt ImportSession::attempt(const ImportRequest& request, const Progress& progress) {
   ImportAttempt made =
       isForceLog() ? impl_->importLog(request, progress) : impl_->importPlot(request, progress);
+  if (request.asks && !isForceLog() && !request.acceptDoubt)
+    made.question = impl_->askedOf(made, request, progress);
   const auto restOf = [&](Remedies& remedies) { remedies = leftToTry(remedies, request.hints); };
   if (!made.report && !made.report.failure().reason.empty()) {
     Failure doubted = made.report.failure();

@@ -93,6 +93,9 @@ struct ImportRequest {
   /// After this limit the results so far are taken, with a remark; without any, the failure is
   /// unreadableInput.
   std::optional<TimeLimit> timeLimit;
+  /// A refused graph comes back with the question that would settle it. Each choice costs an import, of which
+  /// only the steps that it changes run.
+  bool asks = false;
 };
 
 /// One graph of a document, as `--list` prints it.
@@ -193,8 +196,8 @@ struct ImportAttempt {
   /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no
   /// frame was found and for force logs.
   std::shared_ptr<const GraphEvidence> evidence;
-  /// For an uncertain force log: the difference of its readings. Each choice was tried and leads to an
-  /// accepted result.
+  /// Where a person's answer would settle it. Each choice was tried and leads to an accepted result. Of
+  /// graphs on pages only if ImportRequest::asks.
   std::optional<Question> question = {};
   std::vector<ExplainedInterpretation> interpretations = {};  ///< of a force log, the best three
 };

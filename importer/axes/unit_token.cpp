@@ -15,14 +15,16 @@ namespace detent::importer {
 namespace {
 
 /// The symbol of a unit that plots are drawn in, as read or as what it is a misreading of; empty if it is
-/// none.
+/// none. `apart`: a mark announces a unit. A misreading that counts only beside its quantity's word then stays
+/// as it was read: "H" may be newton (Н) or henry, which the whole title decides.
 std::string_view symbolIn(std::string_view core, bool apart) {
   constexpr double surelyMisread = 0.5;             // cost of a reading
   constexpr std::array others{"n", "p", "m", "P"};  // units by the book that no plot names so
   if (std::ranges::find(others, core) != others.end()) return {};
   if (const auto reading = unitReadAs(core, TextSource::recognised, false))
-    return !reading->needsQuantity || (apart && reading->cost < surelyMisread) ? reading->printed
-                                                                               : std::string_view();
+    return !reading->needsQuantity                  ? reading->printed
+           : apart && reading->cost < surelyMisread ? core
+                                                    : std::string_view();
   if (const auto force = forceUnitFrom(core);
       force && *force != ForceUnit::meganewton && *force != ForceUnit::micronewton)
     return symbolOf(*force);
@@ -97,7 +99,9 @@ std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool ap
     ++marks;
     apart = apart || c != '.';
   }
-  const std::string_view symbol = symbolIn(core, apart);
+  // Letters of other scripts come back as brackets: "[H" is "Гн", henry.
+  const bool isTorn = opened && !closed && core.size() == 1;
+  const std::string_view symbol = symbolIn(core, apart && !isTorn);
   // A letter less than there are blobs was lost: the N of "cN".
   if (symbol.empty() || blobs > core.size() + marks) return {};
   // Words of their own, or too short to be more than a word's end.
@@ -140,7 +144,7 @@ std::optional<UnitToken> unitTokenIn(TextReader& reader, const std::vector<Box>&
         reader.readLineCarefully(turned(token, 4 - quarterTurns), TextKind::unit, angle_deg);
     if (seen.confidence >= leastSure(seen.utf8))
       if (auto unit = named(seen.utf8, letters.size() - from, behindMark)) return unit;
-    behindMark = !seen.utf8.empty() && (isBracket(seen.utf8.front()) || seen.utf8.front() == '/');
+    behindMark = !seen.utf8.empty() && seen.utf8.front() == '/';
   }
   return {};
 }

@@ -16,7 +16,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ColumnWord>, 17> kRoleNames{
+constexpr std::array<std::pair<std::string_view, ColumnWord>, 19> kRoleNames{
     {{"displacement", ColumnWord::displacement},
      {"displacement-weak", ColumnWord::displacementWeak},
      {"force", ColumnWord::force},
@@ -33,7 +33,9 @@ constexpr std::array<std::pair<std::string_view, ColumnWord>, 17> kRoleNames{
      {"mean", ColumnWord::mean},
      {"spread", ColumnWord::spread},
      {"copy", ColumnWord::copy},
-     {"unit", ColumnWord::unit}}};
+     {"unit", ColumnWord::unit},
+     {"raw", ColumnWord::raw},
+     {"neutral", ColumnWord::neutral}}};
 
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -165,11 +167,15 @@ std::uint32_t meaningsOf(const std::string& word) {
     singular.pop_back();
     if (const auto found = all.words.find(singular); found != all.words.end()) return found->second;
   }
-  // "ch1", "run2"
+  // "ch1", "run2"; of single letters those of axes: "y1"
   std::string stem = word;
   while (!stem.empty() && stem.back() >= '0' && stem.back() <= '9') stem.pop_back();
-  if (stem.size() >= 2 && stem.size() < word.size())
-    if (const auto found = all.words.find(stem); found != all.words.end()) return found->second;
+  constexpr auto axes = static_cast<std::uint32_t>(ColumnWord::displacementWeak) |
+                        static_cast<std::uint32_t>(ColumnWord::forceWeak);
+  if (!stem.empty() && stem.size() < word.size())
+    if (const auto found = all.words.find(stem);
+        found != all.words.end() && (stem.size() >= 2 || found->second == (found->second & axes)))
+      return found->second;
   for (const auto& [ending, meanings] : all.ends)
     if (word.size() >= ending.size() + 3 && word.ends_with(ending)) return meanings;
   return 0;
@@ -213,6 +219,31 @@ ColumnUnit unitSpelled(std::string_view text) {
       found != all.unitsInSmallLetters.end())
     return found->second;
   return {ColumnUnit::Kind::unknown, 1, std::string(text)};
+}
+
+/// "1/64 in": a part of a unit.
+std::optional<ColumnUnit> fractionOfUnit(std::string_view text) {
+  double above = 0, below = 0;
+  const char* const end = text.data() + text.size();
+  const auto [slash, wrongAbove] = std::from_chars(text.data(), end, above);
+  if (wrongAbove != std::errc() || slash == end || *slash != '/') return {};
+  const auto [rest, wrongBelow] = std::from_chars(slash + 1, end, below);
+  if (wrongBelow != std::errc() || !(above > 0) || !(below > 0)) return {};
+  ColumnUnit unit = unitSpelled(trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest))));
+  if (unit.kind == ColumnUnit::Kind::unknown || unit.kind == ColumnUnit::Kind::other) return {};
+  unit.size *= above / below, unit.text = std::string(text);
+  return unit;
+}
+
+/// "N m", "N s": units one behind the other.
+bool isProductOfUnits(std::string_view text) {
+  std::size_t units = 0;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (unitSpelled(text.substr(at, end - at)).kind == ColumnUnit::Kind::unknown) return false;
+    ++units, at = end + 1;
+  }
+  return units > 1;
 }
 
 std::string_view withoutBrackets(std::string_view text) {
@@ -278,6 +309,7 @@ ColumnUnit unitOf(std::string_view text) {
   if (whole.empty() || whole == "-" || whole == "--" || whole == "n/a" || whole == "1") return {};
   ColumnUnit unit = unitSpelled(whole);
   if (unit.kind != ColumnUnit::Kind::unknown) return unit.text = std::string(whole), unit;
+  if (auto fraction = fractionOfUnit(whole)) return *fraction;
   // A factor before or behind it: "x0.1 N", "×10⁻³ N", "0.1 N", "N x 10".
   constexpr std::array<std::string_view, 5> signs{"x", "X", "×", "*", "·"};
   std::string_view bare = whole;
@@ -304,7 +336,8 @@ ColumnUnit unitOf(std::string_view text) {
     if (!factor || scaled.kind == ColumnUnit::Kind::unknown) continue;
     return scaled.size *= *factor, scaled.text = std::string(whole), scaled;
   }
-  // Compound units measure something else, whatever they are made of.
+  // Compound units measure something else, whatever they are made of: "N m", "N/mm".
+  if (isProductOfUnits(whole)) return {ColumnUnit::Kind::other, 1, std::string(whole)};
   const bool compound =
       whole.find_first_of("/^*") != std::string_view::npos || whole.find("²") != std::string_view::npos ||
       whole.find("³") != std::string_view::npos || whole.find("·") != std::string_view::npos ||

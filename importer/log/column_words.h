@@ -27,7 +27,9 @@ enum class ColumnWord : std::uint32_t {
   mean = 1 << 13,
   spread = 1 << 14,  ///< minimum, maximum, deviation
   copy = 1 << 15,    ///< peak hold, filtered, set point: a second form of another column
-  unit = 1 << 16
+  unit = 1 << 16,
+  raw = 1 << 17,     ///< as the sensor gave it: alone another quantity, beside a quantity nothing
+  neutral = 1 << 18  ///< any quantity: "channel", "value"
 };
 
 /// The known words of a text in order, each with all its meanings.

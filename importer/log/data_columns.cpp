@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "importer/lexicon/lexicon.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -75,13 +76,15 @@ ColumnQuantity quantityOf(const KnownWords& words) {
            q == ColumnQuantity::forceWeak || q == ColumnQuantity::index || q == ColumnQuantity::cycle ||
            q == ColumnQuantity::contact;
   };
-  for (const KnownWords::Word& word : words.words)
+  for (const KnownWords::Word& word : words.words) {
+    if (word.has(ColumnWord::raw) && head == ColumnQuantity::none) head = ColumnQuantity::other;
     for (const auto& [meaning, quantity] : kinds) {
       if (!word.has(meaning)) continue;
       // The last noun says what it is, in Romance languages the first; numbers and letters say less than names.
       if (isWeak(head) || (!words.headFirst && !isWeak(quantity))) head = quantity;
       break;
     }
+  }
   return head;
 }
 
@@ -113,7 +116,7 @@ double likelihood(const DataColumn& column, bool force) {
     sum += 1;
   else if (column.quantity == ColumnQuantity::forceWeak ||
            column.quantity == ColumnQuantity::displacementWeak)
-    sum -= 2;
+    sum -= column.unit.kind == own ? 0 : 2;  // "S-101 (N)"
   else if (column.quantity != ColumnQuantity::none && !column.ratioGiven)
     sum -= 6;
   else if (column.unit.kind == Kind::none && !column.title.empty() && !column.has(ColumnWord::press) &&
@@ -123,6 +126,7 @@ double likelihood(const DataColumn& column, bool force) {
   if (column.words.has(ColumnWord::copy) || column.words.has(ColumnWord::spread)) sum -= 3;
   if (column.words.has(ColumnWord::other) && column.quantity != ColumnQuantity::other) sum -= 1.5;
   if (column.isConstant()) sum -= 15;
+  if (force && column.countsRows()) sum -= 6;
   return sum;
 }
 
@@ -405,6 +409,7 @@ class ColumnFinder {
           column.title = std::string(cell) + (column.title.empty() ? "" : " " + column.title);
           continue;
         }
+        if (readScale(cell, column)) continue;
         const SplitTitle split = splitTitle(cell);
         if (column.unit.kind == ColumnUnit::Kind::none || column.unit.kind == ColumnUnit::Kind::unknown)
           if (split.unit.kind != ColumnUnit::Kind::none) column.unit = split.unit;
@@ -507,6 +512,26 @@ class ColumnFinder {
     }
   }
 
+  /// "CH2 load cell 1 V = 0.5 N": what one of the column's own units measures. Returns true if the cell says so.
+  bool readScale(std::string_view cell, DataColumn& column) const {
+    const std::size_t sign = cell.find('=');
+    if (sign == std::string_view::npos) return false;
+    const std::string_view left = trimmed(cell.substr(0, sign));
+    const auto measured = numberIn(trimmed(cell.substr(sign + 1)), table_.style);
+    const std::size_t blank = left.find_last_of(' ');
+    if (!measured || !(measured->value > 0) || blank == std::string_view::npos) return false;
+    const ColumnUnit unit = unitOf(measured->rest);
+    if (unit.kind != ColumnUnit::Kind::force && unit.kind != ColumnUnit::Kind::displacement) return false;
+    const std::size_t before = left.find_last_of(' ', blank - 1);
+    const auto from = numberIn(left.substr(before == std::string_view::npos ? 0 : before + 1), table_.style);
+    if (!from || !(from->value > 0) || from->rest.empty()) return false;
+    column.unit = {unit.kind, unit.size * measured->value / from->value, std::string(measured->rest)};
+    column.ratioGiven = true;
+    if (before != std::string_view::npos)
+      column.title = std::string(left.substr(0, before)) + (column.title.empty() ? "" : " " + column.title);
+    return true;
+  }
+
   /// "counts_per_newton = 25000", "mm per step: 0.00125".
   void readRatio(std::string_view name, std::string_view value) {
     std::string plain(name);
@@ -538,10 +563,23 @@ class ColumnFinder {
     }
   }
 
+  /// A title in which the tables' list names no quantity: the charts' list may.
+  static void settleName(DataColumn& column) {
+    if (column.quantity != ColumnQuantity::none || column.title.empty()) return;
+    // "Sample A" is a record's name, "Samples" a count.
+    if (column.words.has(ColumnWord::record) && column.words.words.size() + column.words.unknown > 1) return;
+    const Quantity named = quantityNamedIn(outsideBrackets(column.title), TextSource::exact).quantity;
+    column.isUnknownName = named == Quantity::none && column.words.unknown > 0 && column.words.words.empty();
+    if (named == Quantity::other) column.quantity = ColumnQuantity::other;
+    if (named == Quantity::force) column.quantity = ColumnQuantity::force;
+    if (named == Quantity::travel) column.quantity = ColumnQuantity::displacement;
+  }
+
   static void settle(DataColumn& column) {
     column.words = knownWordsIn(outsideBrackets(column.title));
     column.groupWords = knownWordsIn(outsideBrackets(splitTitle(column.group).name));
     column.quantity = quantityOf(column.words);
+    settleName(column);
     const auto measured = [](ColumnUnit::Kind kind) {
       return kind == ColumnUnit::Kind::displacement || kind == ColumnUnit::Kind::force ||
              kind == ColumnUnit::Kind::time;

@@ -38,10 +38,16 @@ struct DataColumn {
   double low = 0, high = 0;
   int decimals = 0;  ///< the finest last digit counts 10^-decimals of its unit
   bool isInteger = false;
-  bool isText = false;      ///< words instead of numbers
-  bool ratioGiven = false;  ///< its unit comes from a line such as "steps_per_mm = 800"
+  bool isText = false;         ///< words instead of numbers
+  bool isUnknownName = false;  ///< its title has words, and no list knows one of them
+  bool ratioGiven = false;     ///< its unit comes from a line such as "steps_per_mm = 800"
 
   bool isConstant() const { return !(high > low); }
+  /// 1, 2, 3, ...: the number of a row.
+  bool countsRows() const {
+    constexpr std::size_t fewest = 8;
+    return isInteger && count >= fewest && high - low + 1 == static_cast<double>(count) && low <= 1;
+  }
   bool has(ColumnWord word) const { return words.has(word) || groupWords.has(word); }
   /// "2 \"Force (N)\"", for messages.
   std::string label() const;

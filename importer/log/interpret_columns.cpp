@@ -214,6 +214,9 @@ class Interpreter {
         }
     if (givenX_) xs_ = {*givenX_};
     if (givenF_) fs_ = {*givenF_};
+    for (const auto& [given, force] : {std::pair(givenX_, false), {givenF_, true}})
+      if (given && column(*given).unit.kind == ColumnUnit::Kind::other && result_.unknownUnit.empty())
+        result_.unknownUnit = column(*given).unit.text, result_.unknownUnitOfForce = force;
     // A constant column measures nothing; said as what it is.
     const auto moves = [&](const Columns& all) {
       return std::ranges::any_of(all, [&](std::size_t c) { return !column(c).isConstant(); });

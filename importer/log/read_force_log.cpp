@@ -408,10 +408,37 @@ class LogReader {
           Message("its unit of %1, \"%2\", is not known", force ? "force" : "displacement", read.unknownUnit),
           force ? Remedies(RemedyKind::giveYUnit) : Remedies(RemedyKind::giveXUnit));
     }
+    if (auto unknown = unknownName(read.best.front(), data))
+      return refuse(FailureCode::notCertain, {}, std::move(*unknown),
+                    Message("If they are: %1", reading_.question->choices.front().option));
     found.best = std::move(read.best);
     found.records = found.best.front().records;
     found.xUnit = found.best.front().xUnit, found.yUnit = found.best.front().yUnit;
     return found;
+  }
+
+  /// A column of one record that is taken for what its title does not say: a question, which is left in
+  /// `reading_`.
+  std::optional<Message> unknownName(const LogInterpretation& made, const DataTable& data) {
+    if (made.groups.size() != 1) return {};
+    const DataColumn &x = data.columns[made.groups.front().displacement],
+                     &f = data.columns[made.groups.front().force];
+    const bool askX = x.isUnknownName && hints_.columns.displacement.empty(),
+               askF = f.isUnknownName && hints_.columns.force.empty();
+    if (!askX && !askF) return {};
+    const std::string xOption = "--displacement-column " + std::to_string(x.index + 1),
+                      fOption = "--force-column " + std::to_string(f.index + 1);
+    const auto question = [&](const std::string& text, const std::string& option) {
+      reading_.question = Question{"what the columns measure", {{text, option}}};
+    };
+    if (askX && askF) {
+      question(x.label() + " is the displacement, " + f.label() + " the force", xOption + " " + fOption);
+      return Message("whether column %1 is a displacement and %2 a force is not known", x.label(), f.label());
+    }
+    const DataColumn& asked = askX ? x : f;
+    question(asked.label() + (askX ? " is the displacement" : " is the force"), askX ? xOption : fOption);
+    return askX ? Message("whether column %1 is a displacement is not known", asked.label())
+                : Message("whether column %1 is a force is not known", asked.label());
   }
 
   /// A unit given by hand settles a column whose title and unit contradict each other.
@@ -439,7 +466,8 @@ class LogReader {
     return std::ranges::any_of(made.groups, [&](const ColumnGroup& g) {
       return data.columns[g.force].unit.kind == ColumnUnit::Kind::unknown ||
              data.columns[g.force].unit.kind == ColumnUnit::Kind::other ||
-             data.columns[g.displacement].unit.kind == ColumnUnit::Kind::unknown;
+             data.columns[g.displacement].unit.kind == ColumnUnit::Kind::unknown ||
+             data.columns[g.displacement].unit.kind == ColumnUnit::Kind::other;
     });
   }
 

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include <iconv.h>
+
+#include "importer/log/column_words.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -478,6 +482,47 @@ FileContent contentOf(std::string_view bytes) {
   return FileContent::text;
 }
 
+namespace {
+
+/// Bytes of a charset that glibc knows as UTF-8; nullopt if they are not of it. A character cut off at the end is
+/// left out.
+std::optional<std::string> decoded(std::string_view bytes, const char* charset) {
+  const iconv_t converter = iconv_open("UTF-8", charset);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the value that iconv_open() states for a failure
+  if (converter == reinterpret_cast<iconv_t>(-1)) return {};
+  std::string in(bytes), out(4 * bytes.size() + 16, '\0');
+  char *from = in.data(), *to = out.data();
+  std::size_t left = in.size(), room = out.size();
+  const bool isWhole =
+      iconv(converter, &from, &left, &to, &room) != static_cast<std::size_t>(-1) || errno == EINVAL;
+  iconv_close(converter);
+  if (!isWhole) return {};
+  out.resize(out.size() - room);
+  return out;
+}
+
+/// Text in a charset of one country: the charset in which the most text beyond ASCII is words of tables.
+/// nullopt: none has one.
+std::optional<std::string> decodedByWords(const std::string& bytes) {
+  constexpr std::size_t head_bytes = 16384;
+  const char* best = nullptr;
+  std::size_t most = 0;
+  for (const char* charset : {"CP1252", "CP932", "CP949", "GB18030", "BIG5", "CP1251", "CP1250"}) {
+    const auto text = decoded(std::string_view(bytes).substr(0, head_bytes), charset);
+    if (!text) continue;
+    // One ideograph may come by chance from another charset's bytes.
+    constexpr std::size_t byChance_bytes = 3;
+    std::size_t known_bytes = 0;
+    for (const KnownWords::Word& word : knownWordsIn(*text).words)
+      if (std::ranges::any_of(word.text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
+        known_bytes += word.text.size() > byChance_bytes ? word.text.size() : 1;
+    if (known_bytes > most) best = charset, most = known_bytes;
+  }
+  return best ? decoded(bytes, best) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> utf8From(std::string bytes) {
   const auto addCodePoint = [](std::string& out, char32_t c) {
     const auto put = [&](unsigned value) { out += static_cast<char>(value); };
@@ -524,6 +569,7 @@ std::optional<std::string> utf8From(std::string bytes) {
   // A spreadsheet's note to itself about the delimiter.
   if (bytes.starts_with("sep=")) bytes.erase(0, std::min(bytes.find('\n'), bytes.size() - 1) + 1);
   if (isUtf8(bytes)) return bytes;
+  if (auto decoded = decodedByWords(bytes)) return decoded;
   std::string out;
   for (std::size_t i = 0; i < bytes.size(); ++i) addCodePoint(out, byte(i));
   return out;

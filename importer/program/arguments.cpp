@@ -75,14 +75,9 @@ Box parseBox(const std::string& text) {
 }
 
 Rgb parseColor(const char* option, const std::string& text) {
-  const std::string digits = !text.empty() && text[0] == '#' ? text.substr(1) : text;
-  unsigned value = 0;
-  const auto [after, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  if (digits.size() != 6 || error != std::errc() || after != digits.data() + 6) {
-    throw wrong(option, text, "a colour like #2a6099");
-  }
-  return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8 & 255),
-          static_cast<std::uint8_t>(value & 255)};
+  const auto color = colorFrom(text);
+  if (!color) throw wrong(option, text, "a colour like #2a6099");
+  return *color;
 }
 
 CLI::Validator within(double low, double high) { return numberWithin<CLI::Validator>(low, high); }

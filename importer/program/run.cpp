@@ -220,7 +220,7 @@ void print(const Arguments& a, const std::string& json, const std::string& text,
 
 int runImport(const Arguments& a, const Progress& progress) {
   ImportRequest request = a.request;
-  request.path = a.inputs.front();
+  request.path = a.inputs.front(), request.asks = true;
   if (a.timeLimit_s) request.timeLimit.emplace(*a.timeLimit_s);
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath, a.stepsPath};
   Told told{.explains = a.explain};

@@ -34,6 +34,8 @@ struct CurveTrace {
 
 /// Colour as "#2a6099".
 std::string nameOf(Rgb color);
+/// "#2a6099" or "2a6099"; nullopt for anything else.
+std::optional<Rgb> colorFrom(std::string_view text);
 
 struct TraceHints {
   std::optional<Rgb> pressColor, releaseColor;

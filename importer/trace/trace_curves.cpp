@@ -4,6 +4,7 @@
 // line_ends (curves in colours of their own) or trace_loop.h (both strokes in one colour).
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -549,6 +550,16 @@ std::string nameOf(Rgb color) {
   char text[8];
   std::snprintf(text, sizeof text, "#%02x%02x%02x", color.r, color.g, color.b);
   return text;
+}
+
+std::optional<Rgb> colorFrom(std::string_view text) {
+  if (text.starts_with('#')) text.remove_prefix(1);
+  unsigned value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, value, 16);
+  if (text.size() != 6 || error != std::errc() || after != end) return {};
+  const auto part = [&](unsigned shift) { return static_cast<std::uint8_t>(value >> shift & 0xFFU); };
+  return Rgb{part(16), part(8), part(0)};
 }
 
 Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScene& scene,

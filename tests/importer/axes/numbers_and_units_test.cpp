@@ -245,7 +245,8 @@ TEST_CASE("a unit is read behind any words, a comma and an arrow, and in Cyrilli
   CHECK(force("HRED CN]") == "none");  // of "[N]" or of "cN]"
   CHECK(force("HRED Igf]") == "gf");
   CHECK(force("Load Ibf") == "lbf");
-  CHECK(force("Yeunnue, H") == "N");                        // Усилие, Н
+  CHECK(force("Ycunue, H") == "N");                         // Усилие, Н
+  CHECK(force("Yeunnue, H") == "none");                     // letters too far from it: H may be henry
   CHECK(force("Ycunue Haxatua [r]") == "gf");               // Усилие нажатия [г]
   CHECK(force("Cuna (rc)") == "gf");                        // Сила (гс)
   CHECK(length("Xog (MKM) \xE2\x80\x94>") == "\xC2\xB5m");  // Ход (мкм) →

@@ -98,8 +98,12 @@ TEST_CASE("the axes of force and travel exchanged name each other", "[lexicon]")
 TEST_CASE("misread letters count in recognised text alone", "[lexicon]") {
   CHECK(forceIn("Force [eN]", TextSource::recognised) == "cN");
   CHECK(forceIn("Force [eN]", TextSource::exact).empty());
-  CHECK(forceIn("Sensor [H]", TextSource::recognised) ==
-        "N");  // a Cyrillic letter for newtons, as Latin print
+  // A Cyrillic letter for newtons, as Latin print, where the title names a force; else it may be henry.
+  CHECK(forceIn("Load [H]", TextSource::recognised) == "N");
+  CHECK(forceIn("Load, mH", TextSource::recognised) == "mN");
+  CHECK(forceIn("Sensor [H]", TextSource::recognised).empty());
+  CHECK(forceIn("WMuoyKTUBHOCTS, [H", TextSource::recognised).empty());
+  CHECK(forceIn("Response, mH", TextSource::recognised).empty());
   CHECK(forceIn("Y [H]", TextSource::exact).empty());
   CHECK(forceIn("Усилие [H]", TextSource::exact) == "N");  // typed in Latin beside Cyrillic words
   CHECK(forceIn("Inductance [H]", TextSource::recognised).empty());

@@ -215,6 +215,12 @@ TEST_CASE("tables that are no force log are refused for what they are") {
         Refused{"Time (s),Force (N)", "no column is a displacement"},
         Refused{"Time (s),Position (mm)", "no column is a force"},
         Refused{"Frequency (Hz),Gain (dB)", "no column is"},
+        Refused{"Travel (mm),Samples [N]", "no column is a force"},
+        Refused{"Travel (mm),Shock [g]", "no column is a force"},
+        Refused{"Travel (mm),Force (N m)", "no column is a force"},
+        Refused{"Travel (mm),Impulse (N s)", "no column is a force"},
+        Refused{"Wear (mm),Force (N)", "no column is a displacement"},
+        Refused{"Turns,Force (N)", "no column is a displacement"},
         Refused{"x (mm),y (mm),z (mm)", "no column is a force"}}) {
     CAPTURE(each.header);
     const std::string header = each.header;
@@ -243,6 +249,75 @@ TEST_CASE("a unit that is not known is a question, never newton") {
   newton.yUnit = ForceUnit::newton;
   const auto log = readForceLog(file.path(), newton);
   REQUIRE(log);
+  checkButton(*log);
+}
+
+TEST_CASE("a column whose name no list knows is a question, whatever its unit") {
+  struct Case {
+    const char *header, *option;
+  };
+  for (const Case& c : {Case{"Travel (mm),Fluffiness (N)", "--force-column 2"},
+                        Case{"Travel (mm),Fluffiness", "--force-column 2"},
+                        Case{"Teeth,Force (N)", "--displacement-column 1"},
+                        Case{"Foo,Bar", "--displacement-column 1 --force-column 2"}}) {
+    CAPTURE(c.header);
+    const LayoutFile file(std::string(c.header) + "\n" +
+                          rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
+    const LogReading reading = readLog(file.path());
+    REQUIRE_FALSE(reading.log);
+    CHECK(reading.log.failure().code == FailureCode::notCertain);
+    REQUIRE(reading.question);
+    REQUIRE(reading.question->choices.size() == 1);
+    CHECK(reading.question->choices.front().option == c.option);
+    LogHints answer;
+    answer.columns.displacement = "1", answer.columns.force = "2";
+    const auto log = readForceLog(file.path(), answer);
+    REQUIRE(log);
+    checkButton(*log);
+  }
+  for (const char* header :
+       {"Travel (mm),CH1 (N)", "s (mm),Total (N)", "X1 (mm),Y1 (N)", "Kanal 1 (mm),Kanal 2 (N)"}) {
+    CAPTURE(header);
+    const LayoutFile file(std::string(header) + "\n" +
+                          rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    checkButton(*log);
+  }
+}
+
+TEST_CASE("the force as the sensor gave it goes before its filtered copy") {
+  for (const char* header : {"pos_mm,force_raw_N,force_filtered_N", "pos_mm,raw force (N),smoothed force (N)",
+                             "Travel (mm),Force unfiltered (N),Force filtered (N)"}) {
+    CAPTURE(header);
+    double filtered = 0;
+    const LayoutFile file(std::string(header) + "\n" + rowsOf([&](double x, double f, int) {
+                            filtered += 0.1 * (f - filtered);
+                            return formatted("%.4f,%.4f,%.4f\n", x, f, filtered);
+                          }));
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    checkButton(*log);
+  }
+}
+
+TEST_CASE("a number of the row is no force, though its title is N") {
+  const LayoutFile file("N,x (mm),F (N)\n" + rowsOf([](double x, double f, int row) {
+                          return formatted("%d,%.4f,%.5f\n", row + 1, x, f);
+                        }));
+  const auto log = readForceLog(file.path());
+  if (!log) FAIL(log.failure().sentence());
+  checkButton(*log);
+}
+
+TEST_CASE("a line that says what a volt measures scales the column") {
+  const LayoutFile file(
+      "Vertical Units,V,V\nNote,CH1 laser 1 V = 2 mm,CH2 load cell 1 V = 0.5 N\nSecond,CH1,CH2\n" +
+      rowsOf([](double x, double f, int row) {
+        return formatted("%.3f,%.5f,%.5f\n", 0.02 * row, x / 2, f / 0.5);
+      }));
+  const auto log = readForceLog(file.path());
+  if (!log) FAIL(log.failure().sentence());
   checkButton(*log);
 }
 

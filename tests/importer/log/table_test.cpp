@@ -98,6 +98,24 @@ TEST_CASE("text in any encoding") {
   CHECK_FALSE(utf8From(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)));
 }
 
+TEST_CASE("a charset of one country is told by the words that it gives") {
+  struct Case {
+    std::string bytes, text;
+  };
+  for (const Case& c :
+       {Case{"\x95\xCF\x88\xCA,\x89\xD7\x8F"
+             "d",
+             "変位,荷重"},
+        Case{"\xBA\xAF\xC0\xA7,\xC7\xCF\xC1\xDF", "변위,하중"}, Case{"\xCE\xBB\xD2\xC6,\xC1\xA6", "位移,力"},
+        Case{"\xD3\xF1\xE8\xEB\xE8\xE5,\xD5\xEE\xE4", "Усилие,Ход"},
+        Case{"Pr\xFC"
+             "fkraft,Weg",
+             "Prüfkraft,Weg"}}) {
+    CAPTURE(c.text);
+    CHECK(utf8From(c.bytes) == c.text);
+  }
+}
+
 TEST_CASE("units are parsed whole") {
   using Kind = ColumnUnit::Kind;
   struct Case {
@@ -105,13 +123,26 @@ TEST_CASE("units are parsed whole") {
     Kind kind;
     double size;
   };
-  for (const Case& c :
-       {Case{"mm", Kind::displacement, 1}, Case{"(N)", Kind::force, 1}, Case{"daN", Kind::force, 10},
-        Case{"kgF", Kind::force, 9.80665}, Case{"(x0.1 N)", Kind::force, 0.1},
-        Case{"N x 10", Kind::force, 10}, Case{"10^-3 N", Kind::force, 1e-3}, Case{"mN", Kind::force, 1e-3},
-        Case{"mm/mm", Kind::other, 1}, Case{"mm/s", Kind::other, 1}, Case{"N/mm\xC2\xB2", Kind::other, 1},
-        Case{"N/mm", Kind::other, 1}, Case{"N\xC2\xB7mm", Kind::other, 1}, Case{"MPa", Kind::other, 1},
-        Case{"furlong", Kind::unknown, 1}, Case{"", Kind::none, 1}}) {
+  for (const Case& c : {Case{"mm", Kind::displacement, 1},
+                        Case{"(N)", Kind::force, 1},
+                        Case{"daN", Kind::force, 10},
+                        Case{"kgF", Kind::force, 9.80665},
+                        Case{"(x0.1 N)", Kind::force, 0.1},
+                        Case{"N x 10", Kind::force, 10},
+                        Case{"10^-3 N", Kind::force, 1e-3},
+                        Case{"mN", Kind::force, 1e-3},
+                        Case{"mm/mm", Kind::other, 1},
+                        Case{"mm/s", Kind::other, 1},
+                        Case{"N/mm\xC2\xB2", Kind::other, 1},
+                        Case{"N/mm", Kind::other, 1},
+                        Case{"N\xC2\xB7mm", Kind::other, 1},
+                        Case{"MPa", Kind::other, 1},
+                        Case{"N m", Kind::other, 1},
+                        Case{"N s", Kind::other, 1},
+                        Case{"1/10 mm", Kind::displacement, 0.1},
+                        Case{"1/64 in", Kind::displacement, 25.4 / 64},
+                        Case{"furlong", Kind::unknown, 1},
+                        Case{"", Kind::none, 1}}) {
     CAPTURE(c.text);
     CHECK(unitOf(c.text).kind == c.kind);
     CHECK(unitOf(c.text).size == Approx(c.size));

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "importer/assemble_report.h"
+#include "importer/graph_question.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -715,4 +716,42 @@ TEST_CASE("a doubt too small to refuse is said once, and kept in the button's fi
   const auto refused = assembleReport(cutBelow().findings(), {}, surer);
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.failure().code == FailureCode::notCertain);
+}
+
+TEST_CASE("a refusal that one answer settles is a question") {
+  const auto optionsOf = [](DoubtCode code, const Remedies& remedies, const GraphEvidence* evidence) {
+    Failure failure{FailureCode::notCertain, "plot.png", {}, Message("refused"), remedies};
+    failure.reason = nameOf(code);
+    std::vector<std::string> options;
+    if (const auto question = questionAbout(failure, evidence))
+      for (const auto& choice : question->choices) options.push_back(choice.option);
+    return options;
+  };
+  CHECK(optionsOf(DoubtCode::unitMissing, RemedyKind::giveXUnit, nullptr) ==
+        std::vector<std::string>{"--x-unit mm", "--x-unit um", "--x-unit in", "--x-unit mil"});
+  CHECK(optionsOf(DoubtCode::unitMissing, RemedyKind::giveYUnit, nullptr).front() == "--y-unit N");
+  CHECK(optionsOf(DoubtCode::unitMissing, {{RemedyKind::giveXUnit, {}}, {RemedyKind::giveYUnit, {}}}, nullptr)
+            .empty());
+  CHECK(optionsOf(DoubtCode::severalSwitches, {}, nullptr).empty());
+
+  GraphEvidence evidence;
+  evidence.traces.resize(2);
+  evidence.traces[0].color = {0xc8, 0x10, 0x2e}, evidence.traces[1].color = {0x0b, 0x5c, 0xad};
+  CHECK(optionsOf(DoubtCode::strokesAlike, {}, &evidence) ==
+        std::vector<std::string>{"--press-color #c8102e --release-color #0b5cad",
+                                 "--press-color #0b5cad --release-color #c8102e"});
+  evidence.traces[1].color = evidence.traces[0].color;
+  CHECK(optionsOf(DoubtCode::strokesAlike, {}, &evidence).empty());
+  evidence.switches.resize(2);
+  evidence.switches[0].name = "Brown";
+  CHECK(optionsOf(DoubtCode::severalSwitches, {}, &evidence) ==
+        std::vector<std::string>{"--curve 1", "--curve 2"});
+
+  ImportHints hints;
+  CHECK(takeUp({"", "--press-color #c8102e --release-color #0b5cad"}, hints));
+  CHECK(hints.trace.pressColor == Rgb{0xc8, 0x10, 0x2e});
+  CHECK(hints.trace.releaseColor == Rgb{0x0b, 0x5c, 0xad});
+  CHECK(takeUp({"", "--curve 2"}, hints));
+  CHECK(hints.strokes.curve == "2");
+  CHECK_FALSE(takeUp({"", "--frame 1,2,3,4"}, hints));
 }
