@@ -123,15 +123,17 @@ class Station(unittest.TestCase):
     def answered(self):
         return len(events(self.journal(), "answer"))
 
-    def until_answered(self, count):
+    def until_answered(self, count, shown):
+        """So many answers are kept, and the page has gone on from the trial that was shown."""
+        self.browser.wait(f"return document.querySelector('#rested, #end') || document.getElementById('number')?.textContent !== {json.dumps(shown)}")
         self.browser.wait(f"return detent.journal().split('\\n').filter((l) => l.includes('\"event\":\"answer\"')).length === {count}")
 
     def answer(self, *values):
         """Presses, then the answer."""
-        before = self.answered()
+        before, shown = self.answered(), self.shown()
         self.press(*values[:-1])
         self.key(values[-1])
-        self.until_answered(before + 1)
+        self.until_answered(before + 1, shown)
 
     def targets(self):
         return self.browser.run("return JSON.parse(document.getElementById('data').textContent).people[0].trials.map((t) => t.target)")
@@ -259,11 +261,12 @@ class Station(unittest.TestCase):
                 self.touch(pad)
                 self.browser.wait("return !document.getElementById('begin').disabled")
                 self.click("#begin")
-            self.assertTrue(self.browser.run("return document.querySelector('[data-answer]').disabled"))
+            self.browser.wait("return document.querySelector('[data-answer]')?.disabled")
+            shown = self.shown()
             self.touch(pad)
             self.browser.wait("return !document.querySelector('[data-answer]').disabled")
             self.click("[data-answer='6']")
-            self.until_answered(answered + 1)
+            self.until_answered(answered + 1, shown)
         self.click("#pause")
         self.click("#resume")
         self.assertIn("3", self.shown())
@@ -276,6 +279,7 @@ class Station(unittest.TestCase):
         self.assertIn("ended early", play("study", "status", study).stdout)
 
     def touch(self, css):
+        self.browser.wait(f"return !!document.querySelector({json.dumps(css)})")
         (_, value), = self.browser.do("POST", "/element", {"using": "css selector", "value": css}).items()
         pad = {"element-6066-11e4-a52e-4f735466cecf": value}
         self.browser.act("pointer", {"type": "pointerMove", "origin": pad, "x": 0, "y": 0}, {"type": "pointerDown", "button": 0},
