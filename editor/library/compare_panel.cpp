@@ -15,7 +15,6 @@
 #include "editor/document/names_in_sight.h"
 #include "editor/library/compare_plot.h"
 #include "editor/library/difference_rows.h"
-#include "editor/pressing/press_view.h"
 #include "model/sampling.h"
 
 namespace detent::editor {
@@ -147,8 +146,6 @@ QWidget* ComparePanel::figureSide() {
   column->addLayout(below);
   column->addWidget(distance_);
   column->addWidget(forecast_);
-  column->addWidget(pressSwitch());
-  column->addWidget(pressing_);
   // Where there is no room for all of it, it scrolls.
   auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Figures of the comparison"));
   scroll->setFrameShape(QFrame::NoFrame);
@@ -156,17 +153,6 @@ QWidget* ComparePanel::figureSide() {
   scroll->setWidgetResizable(true);
   scroll->setWidget(side);
   return scroll;
-}
-
-// Seconds of computing: only for who asks.
-QToolButton* ComparePanel::pressSwitch() {
-  pressing_ = new PressView;
-  pressing_->hide();
-  auto* shown = button<QToolButton>("comparePressing", tr("How will &people press them?"),
-                                    tr("Forecast force, speed and errors of 64 simulated fingers"));
-  shown->setCheckable(true);
-  connect(shown, &QToolButton::toggled, pressing_, &QWidget::setVisible);
-  return shown;
 }
 
 void ComparePanel::resizeEvent(QResizeEvent* event) {
@@ -338,7 +324,6 @@ const ButtonState* ComparePanel::stateOf(const Side& side) const {
 void ComparePanel::update() {
   std::vector<const ButtonState*> states;
   std::vector<ComparedGraph> graphs;
-  std::vector<PressView::Named> pressed;
   for (const auto& side : sides_) {
     // An edit may have added or taken a state.
     if (side->document && side->state->count() != static_cast<int>(side->document->button().states().size()))
@@ -347,9 +332,7 @@ void ComparePanel::update() {
     if (!state) continue;
     states.push_back(state);
     graphs.push_back({nameOf(*side), state->graph});
-    pressed.push_back({side->document->button(), graphs.back().name});
   }
-  pressing_->setButtons(std::move(pressed), settings_.units());
   forecast_->setPair(sides_[0]->document, sides_[1]->document);
   more_->setEnabled(sides_.size() < mostSides && !documents_.empty());
   fewer_->setEnabled(sides_.size() > 2);

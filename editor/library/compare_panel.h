@@ -22,7 +22,6 @@
 namespace detent::editor {
 
 class ComparePlot;
-class PressView;
 
 /// Two buttons or more, each by its name; differences are counted from the first. All can be worked on while
 /// it is open, and it follows. Plot beside the figures where it is wide, above them where it is high. GUI
@@ -71,7 +70,6 @@ class ComparePanel : public QWidget {
   void build();
   QWidget* plotSide();
   QWidget* figureSide();
-  QToolButton* pressSwitch();
   void addSide();
   QString nameOf(const Side& side) const;
   void showColors();
@@ -96,7 +94,6 @@ class ComparePanel : public QWidget {
   QTableWidget* table_ = nullptr;
   QLabel *distance_ = nullptr, *reading_ = nullptr;
   ForecastBar* forecast_ = nullptr;
-  PressView* pressing_ = nullptr;
   QPushButton *more_ = nullptr, *fewer_ = nullptr;
   QTimer soon_;
 };

@@ -2567,162 +2567,6 @@ Lizenz: %3</translation>
         <translation>%1 ist mehr, als ein Taster hat. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
     </message>
     <message>
-        <source>per 1,000</source>
-        <translation>je 1000</translation>
-    </message>
-    <message>
-        <source>Peak force of the fingertip</source>
-        <translation>Höchste Kraft der Fingerspitze</translation>
-    </message>
-    <message>
-        <source>The most force of the fingertip in one press, bottoming out included</source>
-        <translation>Die größte Kraft der Fingerspitze bei einem Druck, der Anschlag eingeschlossen</translation>
-    </message>
-    <message>
-        <source>Impulse</source>
-        <translation>Impuls</translation>
-    </message>
-    <message>
-        <source>Force of the fingertip summed over the time of a press</source>
-        <translation>Kraft der Fingerspitze, über die Dauer eines Drucks summiert</translation>
-    </message>
-    <message>
-        <source>Touch to activation</source>
-        <translation>Berührung bis Auslösen</translation>
-    </message>
-    <message>
-        <source>From touching the cap until the contact closes</source>
-        <translation>Von der Berührung der Kappe, bis der Kontakt schließt</translation>
-    </message>
-    <message>
-        <source>Its spread</source>
-        <translation>Dessen Streuung</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the time to activation of one finger</source>
-        <translation>Standardabweichung der Zeit bis zum Auslösen bei einem Finger</translation>
-    </message>
-    <message>
-        <source>Misses</source>
-        <translation>Verfehlte</translation>
-    </message>
-    <message>
-        <source>Presses that do not close the contact</source>
-        <translation>Drücke, die den Kontakt nicht schließen</translation>
-    </message>
-    <message>
-        <source>Doubles</source>
-        <translation>Doppelte</translation>
-    </message>
-    <message>
-        <source>Presses that close the contact twice</source>
-        <translation>Drücke, die den Kontakt zweimal schließen</translation>
-    </message>
-    <message>
-        <source>Accidental activations</source>
-        <translation>Versehentliche Auslösungen</translation>
-    </message>
-    <message>
-        <source>Times that a resting finger closes the contact</source>
-        <translation>Wie oft ein ruhender Finger den Kontakt schließt</translation>
-    </message>
-    <message>
-        <source>Highest steady rate</source>
-        <translation>Höchste stetige Folge</translation>
-    </message>
-    <message>
-        <source>presses/s</source>
-        <translation>Drücke/s</translation>
-    </message>
-    <message>
-        <source>Most presses per second with at most 5 % misses and 5 % doubles</source>
-        <translation>Die meisten Drücke je Sekunde mit höchstens 5 % verfehlten und 5 % doppelten</translation>
-    </message>
-    <message>
-        <source>Time per correct press</source>
-        <translation>Zeit je richtigem Druck</translation>
-    </message>
-    <message>
-        <source>With the time that misses and doubles cost</source>
-        <translation>Mit der Zeit, die verfehlte und doppelte kosten</translation>
-    </message>
-    <message>
-        <source>Misses of a window of 100 ms</source>
-        <translation>Verfehlte eines Fensters von 100 ms</translation>
-    </message>
-    <message>
-        <source>Presses in time with a cue half a second ahead that come too early or too late</source>
-        <translation>Drücke auf ein Zeichen eine halbe Sekunde voraus, die zu früh oder zu spät kommen</translation>
-    </message>
-    <message>
-        <source>Contact closed</source>
-        <translation>Kontakt geschlossen</translation>
-    </message>
-    <message>
-        <source>How long one press keeps the contact closed</source>
-        <translation>Wie lange ein Druck den Kontakt geschlossen hält</translation>
-    </message>
-    <message>
-        <source>Contact closed, rapid trigger</source>
-        <translation>Kontakt geschlossen, Rapid Trigger</translation>
-    </message>
-    <message>
-        <source>The same where the contact opens 0.2 mm above the deepest place</source>
-        <translation>Dasselbe, wenn der Kontakt 0,2 mm über der tiefsten Stelle öffnet</translation>
-    </message>
-    <message>
-        <source>Doubles, rapid trigger</source>
-        <translation>Doppelte, Rapid Trigger</translation>
-    </message>
-    <message>
-        <source>no forecast</source>
-        <translation>keine Vorhersage</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1 (%2 bis %3)</translation>
-    </message>
-    <message>
-        <source>The button has no operating point. Set one, or say below where it would act.</source>
-        <translation>Der Taster hat keinen Schaltpunkt. Setzen Sie einen, oder geben Sie unten an, wo er auslösen würde.</translation>
-    </message>
-    <message>
-        <source>The operating point is not within the travel. Enter one within it.</source>
-        <translation>Der Schaltpunkt liegt nicht im Weg. Geben Sie einen an, der darin liegt.</translation>
-    </message>
-    <message>
-        <source>Its force stays below 0.02 N: the finger&apos;s own weight is all there is.</source>
-        <translation>Seine Kraft bleibt unter 0,02 N: mehr als das Eigengewicht des Fingers ist da nicht.</translation>
-    </message>
-    <message>
-        <source>30 N of muscle do not close its contact for every finger.</source>
-        <translation>30 N der Muskeln schließen seinen Kontakt nicht bei jedem Finger.</translation>
-    </message>
-    <message>
-        <source>It has no release curve. Draw one.</source>
-        <translation>Er hat keine Loslasskurve. Zeichnen Sie eine.</translation>
-    </message>
-    <message>
-        <source>It locks: one cycle takes two presses, and only the first is forecast.</source>
-        <translation>Er rastet ein: Ein Zyklus braucht zwei Drücke, und nur der erste wird vorhergesagt.</translation>
-    </message>
-    <message>
-        <source>no difference forecast</source>
-        <translation>kein Unterschied vorhergesagt</translation>
-    </message>
-    <message>
-        <source>higher, × %1</source>
-        <translation>höher, × %1</translation>
-    </message>
-    <message>
-        <source>lower, × %1</source>
-        <translation>niedriger, × %1</translation>
-    </message>
-    <message>
-        <source>not decided</source>
-        <translation>nicht entschieden</translation>
-    </message>
-    <message>
         <source>a release lies up to %1 above the press of another speed at %2, which would make energy; the press is felt as that release there</source>
         <translation>ein Rückweg liegt bei %2 um bis zu %1 über dem Drücken einer anderen Geschwindigkeit, was Energie erzeugen würde; das Drücken fühlt sich dort wie dieser Rückweg an</translation>
     </message>
@@ -3417,14 +3261,6 @@ Lizenz: %3</translation>
         <source>Figures of the comparison</source>
         <translation>Größen des Vergleichs</translation>
     </message>
-    <message>
-        <source>How will &amp;people press them?</source>
-        <translation>Wie wird man sie &amp;drücken?</translation>
-    </message>
-    <message>
-        <source>Forecast force, speed and errors of 64 simulated fingers</source>
-        <translation>Kraft, Geschwindigkeit und Fehler von 64 simulierten Fingern vorhersagen</translation>
-    </message>
 </context>
 <context>
     <name>detent::editor::ComparePlot</name>
@@ -3673,13 +3509,6 @@ Lizenz: %3</translation>
     <message>
         <source>Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. Over the frame of the graph shown it corrects that; beside it it adds a graph. Its edges cling to lines.</source>
         <translation>Ziehen Sie von einer Ecke des Graphen zur gegenüberliegenden: das Rechteck, in dem die Kurven gezeichnet sind. Über dem Rahmen des gezeigten Graphen berichtigt das ihn; daneben fügt es einen Graphen hinzu. Seine Kanten haften an Linien.</translation>
-    </message>
-</context>
-<context>
-    <name>detent::editor::EffortPlot</name>
-    <message>
-        <source>Misses per 1,000</source>
-        <translation>Verfehlte je 1000</translation>
     </message>
 </context>
 <context>
@@ -7318,65 +7147,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>What is felt runs through here</source>
         <translation>Hier läuft durch, was zu fühlen ist</translation>
-    </message>
-</context>
-<context>
-    <name>detent::editor::PressView</name>
-    <message>
-        <source>Forecast of how people will press</source>
-        <translation>Vorhersage, wie gedrückt wird</translation>
-    </message>
-    <message>
-        <source>Further left is less effort, further down fewer misses; the lines span 5 to 95 % of the fingers</source>
-        <translation>Weiter links ist weniger Anstrengung, weiter unten sind weniger Verfehlte; die Striche reichen von 5 bis 95 % der Finger</translation>
-    </message>
-    <message>
-        <source>Misses against effort</source>
-        <translation>Verfehlte über der Anstrengung</translation>
-    </message>
-    <message>
-        <source>Buttons forecast</source>
-        <translation>Vorhergesagte Taster</translation>
-    </message>
-    <message>
-        <source>%v of %m</source>
-        <translation>%v von %m</translation>
-    </message>
-    <message>
-        <source>Copy the &amp;forecast</source>
-        <translation>&amp;Vorhersage kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the forecast as CSV, in the units shown</source>
-        <translation>Die Vorhersage als CSV kopieren, in den gezeigten Einheiten</translation>
-    </message>
-    <message>
-        <source>&amp;What if the contact closed at</source>
-        <translation>&amp;Was, wenn der Kontakt schlösse bei</translation>
-    </message>
-    <message>
-        <source>Forecast all of them as if they acted there; the buttons stay as they are</source>
-        <translation>Alle so vorhersagen, als lösten sie dort aus; die Taster bleiben, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Operating point of the forecast</source>
-        <translation>Schaltpunkt der Vorhersage</translation>
-    </message>
-    <message>
-        <source>Forecast</source>
-        <translation>Vorhersage</translation>
-    </message>
-    <message>
-        <source>%1 against %2</source>
-        <translation>%1 gegen %2</translation>
-    </message>
-    <message>
-        <source>A forecast by 64 simulated fingers, median and 5 to 95 % of them. Differences mean more than numbers, and of the published effects it hits those of force, not those of travel or of speed (press-forecast in the documents).</source>
-        <translation>Eine Vorhersage von 64 simulierten Fingern, Median und 5 bis 95 % von ihnen. Unterschiede sagen mehr als Zahlen, und von den veröffentlichten Wirkungen trifft sie die der Kraft, nicht die des Wegs oder der Geschwindigkeit (press-forecast in den Dokumenten).</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -11759,6 +11529,58 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>has a participant already: a plan made now could not be kept to</source>
         <translation>hat schon einen Teilnehmer: ein jetzt gemachter Plan wäre nicht einzuhalten</translation>
     </message>
+    <message>
+        <source>this is the merged study of several sites: nobody answers in it</source>
+        <translation>das ist die zusammengeführte Studie mehrerer Standorte: in ihr antwortet niemand</translation>
+    </message>
+    <message>
+        <source>Name the study of one site</source>
+        <translation>Die Studie eines Standorts angeben</translation>
+    </message>
+    <message>
+        <source>a timing study needs times that a browser does not give</source>
+        <translation>eine Studie über Zeitpunkte braucht Zeiten, die ein Browser nicht liefert</translation>
+    </message>
+    <message>
+        <source>Run it with study run or in detent-edit</source>
+        <translation>Sie mit study run oder in detent-edit durchführen</translation>
+    </message>
+    <message>
+        <source>the study was made for a device profile, and a browser&apos;s device is unknown</source>
+        <translation>die Studie wurde für ein Geräteprofil angelegt, und das Gerät eines Browsers ist unbekannt</translation>
+    </message>
+    <message>
+        <source>Make a study without --profile, or run it with study run</source>
+        <translation>Eine Studie ohne --profile anlegen oder sie mit study run durchführen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of a web server</source>
+        <translation>„%1“ ist keine Adresse eines Webservers</translation>
+    </message>
+    <message>
+        <source>Give one such as https://lab.example/answers</source>
+        <translation>Eine wie https://lab.example/answers angeben</translation>
+    </message>
+    <message>
+        <source>a page is for 1 to %1 participants, not %2</source>
+        <translation>eine Seite ist für 1 bis %1 Teilnehmer, nicht für %2</translation>
+    </message>
+    <message>
+        <source>Name them with --participants, separated by commas</source>
+        <translation>Sie mit --participants angeben, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>%1 has begun already</source>
+        <translation>%1 hat schon begonnen</translation>
+    </message>
+    <message>
+        <source>%1 is named twice, or is too similar to another id</source>
+        <translation>%1 ist zweimal angegeben oder einer anderen Kennung zu ähnlich</translation>
+    </message>
+    <message>
+        <source>Give ids that are read out differently</source>
+        <translation>Kennungen angeben, die verschieden klingen</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::AudioCapture::Recorder</name>
@@ -12181,6 +12003,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>does not fit the list of trials</source>
         <translation>passt nicht zur Liste der Durchgänge</translation>
+    </message>
+    <message>
+        <source>is an answer about something that was not felt</source>
+        <translation>ist eine Antwort über etwas, das nicht gefühlt wurde</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An instance of the engine with its buttons; shared by the page and its audio worklet.
+// An instance of the engine with its buttons; shared by the page and its audio worklet. A button is its numbers; a stimulus
+// of a study is { numbers, settings }.
 "use strict";
 
 function detentInstance(module, buttons) {
@@ -8,10 +9,11 @@ function detentInstance(module, buttons) {
   const system = new Proxy({}, { get: (_, name) => (name === "proc_exit" ? (code) => { throw new Error("engine ended: " + code); } : nothing) });
   const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system });
   exports._initialize();
-  for (const numbers of buttons) {
+  for (const button of buttons) {
+    const numbers = button.settings ? button.numbers : button;
     const at = exports.detent_numbers(numbers.length);
     new Float64Array(exports.memory.buffer, at, numbers.length).set(numbers);
-    if (exports.detent_add() < 0) throw new Error("a button of this page is damaged");
+    if ((button.settings ? exports.detent_add_stimulus(...button.settings) : exports.detent_add()) < 0) throw new Error("a button of this page is damaged");
   }
   return exports;
 }

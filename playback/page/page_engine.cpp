@@ -3,14 +3,16 @@
 // only (playback/page/CMakeLists.txt); page.js and worklet.js call what is exported here. One instance
 // renders whole presses in the page's thread, another runs in the audio worklet; each has one thread.
 //
-// Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_steer and
-// detent_use touch only what is there. detent_allocations counts, so that a browser can tell.
+// Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_steer,
+// detent_use and detent_place touch only what is there. detent_allocations counts, so that a browser can tell.
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "playback/offline/press_speed.h"
@@ -21,6 +23,7 @@
 #include "playback/realtime/finger_profile.h"
 #include "playback/realtime/force_conditioner.h"
 #include "playback/realtime/haptic_engine.h"
+#include "playback/realtime/press_counter.h"
 
 namespace detent::playback {
 
@@ -42,7 +45,13 @@ struct PageButton {
   Button button;
   PreparedProgram front;
   std::vector<SpeedProgram> speeds;  ///< from detent_start on
+  PlaybackSettings settings;
+  std::unique_ptr<HapticProgram> locked;  ///< the stimulus of a study that is found locked
+  bool stimulus = false;                  ///< played at the speed it is drawn for, as studies do
 };
+
+constexpr std::size_t mostSlots = 65;  // stimuli of a trial: the choices, and X
+constexpr std::size_t noSlot = mostSlots;
 
 /// Source that moves the finger.
 enum class Hand : std::uint8_t { none, timed, steered };
@@ -54,12 +63,17 @@ class Page {
     return numbers_.data();
   }
 
-  int add() {
+  int add(const PlaybackSettings& settings, bool stimulus) {
     Result<Button> button = buttonFrom(numbers_);
     if (!button) return -1;
-    Result<PreparedProgram> prepared = prepareProgram(*button, {}, usualSettings());
+    Result<PreparedProgram> prepared = prepareProgram(*button, {}, settings);
     if (!prepared) return -1;
-    buttons_.push_back({*std::move(button), *std::move(prepared), {}});
+    buttons_.push_back({*std::move(button), *std::move(prepared), {}, settings, {}, stimulus});
+    PageButton& added = buttons_.back();
+    if (stimulus && added.front.program.stateCount > 1) {
+      added.locked = std::make_unique<HapticProgram>(added.front.program);
+      std::swap(added.locked->states[0], added.locked->states[1]);
+    }
     return static_cast<int>(buttons_.size()) - 1;
   }
 
@@ -67,7 +81,7 @@ class Page {
     if (index >= buttons_.size()) return -1;
     const PageButton& b = buttons_[index];
     const PressTrace press = standardPress(b.front.program);
-    Result<PressedButton> felt = asPressed(b.button, b.front, press, {}, usualSettings());
+    Result<PressedButton> felt = asPressed(b.button, b.front, press, {}, b.settings);
     if (!felt) return -1;
     RenderSettings settings;
     settings.sampleRate_Hz = sampleRate_Hz;
@@ -81,7 +95,8 @@ class Page {
   int start(double sampleRate_Hz) {
     if (buttons_.empty()) return -1;
     for (PageButton& b : buttons_) {
-      Result<std::vector<SpeedProgram>> speeds = prepareSpeeds(b.button, {}, usualSettings());
+      if (b.stimulus) continue;
+      Result<std::vector<SpeedProgram>> speeds = prepareSpeeds(b.button, {}, b.settings);
       if (!speeds) return -1;
       b.speeds = *std::move(speeds);
     }
@@ -93,10 +108,38 @@ class Page {
 
   void use(std::size_t index) {
     if (!engine_ || index >= buttons_.size()) return;
-    const HapticProgram& program = buttons_[index].front.program;
-    engine_->use(&program, &buttons_[index].speeds);
-    profile_.peak_N = standardPeak_N(program);
-    conditioner_ = ForceConditioner(limitsFor(program));
+    exchange(buttons_[index].front.program, &buttons_[index].speeds);
+  }
+
+  /// Every stimulus of a trial starts unlocked, X as well as the choice that is the same button.
+  void beginTrial() {
+    locked_.fill(false);
+    slot_ = noSlot;
+    presses_.use(nullptr);
+    presses_.taken();
+  }
+
+  /// Puts a stimulus under a finger that starts above it. Each slot keeps its own lock.
+  void place(std::size_t slot, std::size_t index) {
+    if (!engine_ || slot >= mostSlots || index >= buttons_.size()) return;
+    if (slot == slot_) return;
+    if (slot_ != noSlot && engine_->position().state == 1) locked_[slot_] = !locked_[slot_];
+    const PageButton& b = buttons_[index];
+    const HapticProgram& program = locked_[slot] && b.locked ? *b.locked : b.front.program;
+    hand_ = Hand::none;
+    force_N_ = 0;
+    exchange(program, nullptr);
+    presses_.use(&program);
+    presses_.taken();
+    slot_ = slot;
+  }
+
+  /// Presses since the last call: begun, whole, peak in N, travel in mm.
+  const double* felt() {
+    const PressCount count = presses_.taken();
+    felt_ = {static_cast<double>(count.begun), static_cast<double>(count.whole), count.peak_N,
+             count.travel_mm};
+    return felt_.data();
   }
 
   /// A finger that presses as a person does, and stays.
@@ -118,6 +161,7 @@ class Page {
     if (!engine_) return block_.data();
     feedUntil(static_cast<double>(engine_->frame()) + static_cast<double>(frames));
     engine_->render(block_.data(), frames);
+    presses_.take(engine_->position());
     EngineEvent event;
     while (engine_->nextEvent(event)) {
     }
@@ -141,6 +185,12 @@ class Page {
   }
 
  private:
+  void exchange(const HapticProgram& program, const std::vector<SpeedProgram>* speeds) {
+    engine_->use(&program, speeds);
+    profile_.peak_N = standardPeak_N(program);
+    conditioner_ = ForceConditioner(limitsFor(program));
+  }
+
   void move(Hand hand, bool down) {
     hand_ = hand;
     down_ = down;
@@ -182,6 +232,10 @@ class Page {
   Hand hand_ = Hand::none;
   bool down_ = false;
   double from_N_ = 0, force_N_ = 0, steered_N_ = 0, since_s_ = 0, nextReading_frames_ = 0;
+  PressCounter presses_;
+  std::array<bool, mostSlots> locked_{};
+  std::size_t slot_ = noSlot;
+  std::array<double, 4> felt_{};
 };
 
 Page& page() {
@@ -209,7 +263,28 @@ using detent::playback::page;
 /// Room for `count` numbers of a button (button_numbers.h), to be filled before detent_add.
 DETENT_EXPORT(detent_numbers) double* detent_numbers(std::uint32_t count) { return page().numbers(count); }
 /// Index of the button in detent_numbers' room, or -1 where it is none.
-DETENT_EXPORT(detent_add) std::int32_t detent_add() { return page().add(); }
+DETENT_EXPORT(detent_add) std::int32_t detent_add() {
+  return page().add(detent::playback::usualSettings(), false);
+}
+/// Likewise, a stimulus of a study: feel (1: clear), mode (FeedbackMode), and the settings that a threshold
+/// study raises.
+DETENT_EXPORT(detent_add_stimulus)
+std::int32_t detent_add_stimulus(std::uint32_t feel, std::uint32_t mode, double grainAmplitude,
+                                 double jumpAmplitudePerArea_per_mJ, double faintestJump) {
+  detent::playback::PlaybackSettings settings;
+  settings.feel = feel == 1 ? detent::playback::Feel::clear : detent::playback::Feel::paper;
+  settings.mode = static_cast<detent::playback::FeedbackMode>(mode);
+  settings.grainAmplitude = grainAmplitude;
+  settings.jumpAmplitudePerArea_per_mJ = jumpAmplitudePerArea_per_mJ;
+  settings.faintestJump = faintestJump;
+  return page().add(settings, true);
+}
+/// Studies: a trial starts; a stimulus of it comes under the finger; its presses since the last call.
+DETENT_EXPORT(detent_begin_trial) void detent_begin_trial() { page().beginTrial(); }
+DETENT_EXPORT(detent_place) void detent_place(std::uint32_t slot, std::uint32_t index) {
+  page().place(slot, index);
+}
+DETENT_EXPORT(detent_felt) const double* detent_felt() { return page().felt(); }
 /// Samples of a standard press (`detent-play render --standard-press`), or -1; detent_rendered is where they
 /// lie.
 DETENT_EXPORT(detent_render) std::int32_t detent_render(std::uint32_t index, double sampleRate_Hz) {

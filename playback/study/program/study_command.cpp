@@ -20,6 +20,7 @@
 #include "playback/program/shared_options.h"
 #include "playback/study.h"
 #include "playback/study/program/study_terminal.h"
+#include "playback/study/station/station_page.h"
 #include "playback/study/trials/printed_counts.h"
 #include "playback/study/trials/study_plan.h"
 #include "playback/study/trials/timing_tables.h"
@@ -260,6 +261,42 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_flag("--json", a->json, "One JSON object on stdout");
   a->devices.player.masking.level = usualNoiseLevel;
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
+}
+
+// ---- station
+
+struct StationArguments {
+  std::string folder, outputFile;
+  StationSettings settings;
+};
+
+int runStation(const StationArguments& a) {
+  const Result<Study> study = openStudy(a.folder);
+  if (!study) return fail(study.failure());
+  const Result<std::string> page = stationPage(*study, a.settings);
+  if (!page) return fail(page.failure());
+  if (Result<Done> written = writeTextFileAtomically(a.outputFile, *page); !written)
+    return fail(written.failure());
+  std::fprintf(stderr, "%s: %zu participants, %zu kB; put the journals they hand over into %s/participants\n",
+               a.outputFile.c_str(), a.settings.participants.size(), page->size() / 1000, a.folder.c_str());
+  return 0;
+}
+
+void addStation(CLI::App& parent, Action& chosen) {
+  CLI::App* app =
+      parent.add_subcommand("station", "Write the study as a web page at which participants answer");
+  const auto a = std::make_shared<StationArguments>();
+  app->add_option("DIR", a->folder, "Folder of the study")->required();
+  app->add_option("--participants", a->settings.participants,
+                  "Ids of the page's participants, separated by commas; one opens PAGE#ID, or chooses")
+      ->delimiter(',')
+      ->required();
+  app->add_option("-o,--output", a->outputFile, "The page, *.html")->required();
+  addChoice(*app, "--condition", a->settings.listening, listenings,
+            "Listening: quiet, or masked by a noise that you provide; recorded in every row", "quiet");
+  app->add_option("--post", a->settings.postTo,
+                  "Address that receives the journals (POST); default: participants download them");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runStation(*a); }; });
 }
 
 // ---- merge
@@ -611,6 +648,7 @@ void addStudyCommand(CLI::App& program, Action& chosen) {
   addPlan(*app, chosen);
   addMerge(*app, chosen);
   addRun(*app, chosen);
+  addStation(*app, chosen);
   addReading(*app, chosen);
   addPresses(*app, chosen);
 }

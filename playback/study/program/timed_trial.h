@@ -6,7 +6,7 @@
 #include "playback/device/terminal.h"
 #include "playback/program/command.h"
 #include "playback/study.h"
-#include "playback/study/program/participant_words.h"
+#include "playback/study/trials/participant_words.h"
 
 namespace detent::playback {
 

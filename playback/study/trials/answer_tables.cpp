@@ -11,6 +11,7 @@
 #include "playback/measurement/normal.h"
 #include "playback/study/statistics/bradley_terry.h"
 #include "playback/study/statistics/paired_difference.h"
+#include "playback/study/statistics/resampling.h"
 #include "playback/study/trials/study_results.h"
 
 namespace detent::playback {
@@ -245,9 +246,9 @@ double told(RatingScale scale, double value) {
 }
 
 void addDifferences(const Study& study, const std::string& condition,
-                    const std::vector<std::vector<double>>& differences, FigureTable& table) {
+                    const std::vector<std::vector<double>>& differences, RatingScale scale,
+                    FigureTable& table) {
   const auto pairs = pairsOf(study.buttons.size());
-  const RatingScale scale = study.design.scale;
   std::vector<double> p;
   const std::size_t before = table.rows.size();
   for (std::size_t at = 0; at < pairs.size(); ++at) {
@@ -286,7 +287,49 @@ void addPairwise(const Study& study, const std::string& condition, const std::ve
   });
   std::vector<std::vector<double>> byPair(pairsOf(study.buttons.size()).size());
   for (const auto& [pair, people] : shares) byPair[pair] = valuesOf(people);
-  addDifferences(study, condition, byPair, differences);
+  addDifferences(study, condition, byPair, RatingScale::pairwise, differences);
+}
+
+/// Ratings as an order alone: how much is between 3 and 4 is not assumed to be what is between 6 and 7.
+FigureTable orderTable() {
+  return {"rating_order",
+          "Every two buttons against each other, by order alone",
+          "In how many of a person's ratings the first is higher, equal ones half: 50 where neither is. "
+          "Two-sided p by flipping the signs of whole persons, exact up to 20 people; Holm over the pairs of "
+          "a condition. Interval: what this test does not refuse, from six people on.",
+          {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+           {"first", "first", 0, "button"},
+           {"second", "second", 0, "button"},
+           {"participants", "people", 0, "participants who rated both"},
+           {"higher_percent", "first higher, %", 1, "share of rating pairs, mean over persons"},
+           {"low_percent", "low", 1, "lower end, 95 %"},
+           {"high_percent", "high", 1, "upper end, 95 %"},
+           {"p", "p", 4, "two-sided"},
+           {"p_holm", "p, Holm", 4, "for all pairs of the condition together"}},
+          {}};
+}
+
+/// Share of pairs of a rating of each button in which the first is higher, less a half.
+double higherShare(const std::vector<double>& first, const std::vector<double>& second) {
+  double sum = 0;
+  for (const double a : first)
+    for (const double b : second) sum += a > b ? 1 : a == b ? 0.5 : 0;
+  return sum / static_cast<double>(first.size() * second.size()) - 0.5;
+}
+
+void addOrder(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
+              FigureTable& order) {
+  std::map<std::size_t, std::map<std::size_t, std::vector<double>>> ratings;  // by button, by person
+  for (const Counted& c : answers)
+    ratings[c.trial().choices[0]][c.person].push_back(c.answer().rating.value_or(0));
+  std::vector<std::vector<double>> byPair;
+  for (const auto& [first, second] : pairsOf(study.buttons.size())) {
+    std::vector<double>& values = byPair.emplace_back();
+    for (const auto& [person, given] : ratings[first])
+      if (const auto other = ratings[second].find(person); other != ratings[second].end())
+        values.push_back(higherShare(given, other->second));
+  }
+  addDifferences(study, condition, byPair, RatingScale::pairwise, order);
 }
 
 void addScale(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
@@ -314,10 +357,149 @@ void addScale(const Study& study, const std::string& condition, const std::vecto
       if (const auto other = means[second].find(person); other != means[second].end())
         values.push_back(value - other->second);
   }
-  addDifferences(study, condition, byPair, differences);
+  addDifferences(study, condition, byPair, study.design.scale, differences);
+}
+
+// ---- matching
+
+FigureTable matchTable() {
+  return {
+      "matches",
+      "Matches of each button",
+      "Wilson's 95 % take trials as independent, resampled 95 % persons (from six on). p: guessing gets as "
+      "many right, exact; Holm over the buttons of a condition.",
+      {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+       {"button", "X", 0, "button that was to be found"},
+       {"trials", "trials", 0, "questions that count"},
+       {"right", "right", 0, "of those, answered rightly"},
+       {"right_percent", "right %", 1, "share"},
+       {"low_percent", "low", 1, "lower end, Wilson"},
+       {"high_percent", "high", 1, "upper end, Wilson"},
+       {"resampled_low_percent", "people low", 1, "lower end, participants resampled"},
+       {"resampled_high_percent", "high", 1, "upper end, participants resampled"},
+       {"chance_percent", "chance %", 1, "share that guessing gets right"},
+       {"p", "p", 4, "that guessing gets as many right"},
+       {"p_holm", "p, Holm", 4, "for all buttons of the condition together"}},
+      {}};
+}
+
+FigureTable confusedTable() {
+  return {"taken_for_each_other",
+          "Pairs taken for each other",
+          "Of the questions about either button that were answered with one of both, those answered with the "
+          "other: half of them if both feel the same, whatever the other buttons feel like. Intervals as "
+          "above. p: of so few if both feel the same, exact; Holm over the pairs of a condition.",
+          {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+           {"first", "first", 0, "button"},
+           {"second", "second", 0, "button"},
+           {"trials", "trials", 0, "questions about either that were answered with one of both"},
+           {"confused", "taken", 0, "of those, answered with the other"},
+           {"confused_percent", "taken %", 1, "share"},
+           {"low_percent", "low", 1, "lower end, Wilson"},
+           {"high_percent", "high", 1, "upper end, Wilson"},
+           {"resampled_low_percent", "people low", 1, "lower end, participants resampled"},
+           {"resampled_high_percent", "high", 1, "upper end, participants resampled"},
+           {"chance_percent", "chance %", 1, "share where both feel the same"},
+           {"p", "p", 4, "of so few where both feel the same"},
+           {"p_holm", "p, Holm", 4, "for all pairs of the condition together"}},
+          {}};
+}
+
+/// Counts of each person, by X and answer.
+using MatchCounts = std::map<std::size_t, std::vector<std::vector<std::size_t>>>;
+
+MatchCounts matchesIn(const std::vector<Counted>& answers, std::size_t buttons) {
+  MatchCounts counts;
+  for (const Counted& c : answers) {
+    auto& own = counts[c.person];
+    own.resize(buttons, std::vector<std::size_t>(buttons, 0));
+    ++own[c.trial().choices[c.trial().target]][c.trial().choices[c.answer().choice]];
+  }
+  return counts;
+}
+
+Count sumOf(const std::vector<Count>& persons) {
+  Count all;
+  for (const Count& person : persons) {
+    all.errors += person.errors;
+    all.trials += person.trials;
+  }
+  return all;
+}
+
+/// A share of each person's trials with its two intervals, behind the row's first cells.
+std::vector<FigureCell> shareCells(std::vector<FigureCell> row, const std::vector<Count>& persons) {
+  const Count all = sumOf(persons);
+  const Interval independent = wilson(all, confidence);
+  const std::optional<Interval> resampled = participantBootstrap(persons);
+  const auto end = [&](double Interval::*side) {
+    return cell(resampled ? std::optional(answerPercent * (*resampled).*side) : std::nullopt);
+  };
+  for (FigureCell& each : std::vector<FigureCell>{
+           count(all.trials), count(all.errors), answerPercent * rateOf(all), answerPercent * independent.low,
+           answerPercent * independent.high, end(&Interval::low), end(&Interval::high)})
+    row.push_back(std::move(each));
+  return row;
+}
+
+/// Chance, p and p by Holm behind the rows from `before` on.
+void addChance(FigureTable& table, std::size_t before, double chance, const std::vector<double>& p) {
+  const std::vector<double> adjusted = holm(p);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (const double value : {answerPercent * chance, p[i], adjusted[i]})
+      table.rows[before + i].emplace_back(value);
+}
+
+void addMatches(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
+                FigureTable& matches, FigureTable& confused) {
+  const std::size_t buttons = study.buttons.size();
+  const double chance = 1 / static_cast<double>(buttons);
+  constexpr double evenChance = 0.5;
+  const MatchCounts counts = matchesIn(answers, buttons);
+  const auto persons = [&](const auto& of) {
+    std::vector<Count> each;
+    for (const auto& [person, own] : counts)
+      if (const Count one = of(own); one.trials > 0) each.push_back(one);
+    return each;
+  };
+  const auto trialsOf = [](const std::vector<std::size_t>& row) {
+    return std::accumulate(row.begin(), row.end(), std::size_t{0});
+  };
+  std::vector<double> p;
+  std::size_t before = matches.rows.size();
+  for (std::size_t x = 0; x < buttons; ++x) {
+    const std::vector<Count> right = persons([&](const auto& own) {
+      return Count{own[x][x], trialsOf(own[x])};
+    });
+    if (right.empty()) continue;
+    const Count all = sumOf(right);
+    p.push_back(atMost({all.trials - all.errors, all.trials}, 1 - chance));
+    matches.rows.push_back(shareCells({condition, study.buttons[x].label}, right));
+  }
+  addChance(matches, before, chance, p);
+  p.clear();
+  before = confused.rows.size();
+  for (const auto& [first, second] : pairsOf(buttons)) {
+    const std::size_t a = first, b = second;
+    const std::vector<Count> taken = persons([&](const auto& own) {
+      return Count{own[a][b] + own[b][a], own[a][a] + own[a][b] + own[b][a] + own[b][b]};
+    });
+    if (taken.empty()) continue;
+    p.push_back(atMost(sumOf(taken), evenChance));
+    confused.rows.push_back(shareCells({condition, study.buttons[a].label, study.buttons[b].label}, taken));
+  }
+  addChance(confused, before, evenChance, p);
 }
 
 }  // namespace
+
+std::vector<FigureTable> matchingTables(const Study& study,
+                                        const std::vector<ParticipantRecord>& participants) {
+  FigureTable matches = matchTable(), confused = confusedTable();
+  for (const auto& [condition, answers] : conditionsOf(study, participants))
+    addMatches(study, condition, answers, matches, confused);
+  return {matches, confused};
+}
 
 std::vector<FigureTable> thresholdTables(const Study& study,
                                          const std::vector<ParticipantRecord>& participants) {
@@ -346,14 +528,16 @@ std::vector<FigureTable> thresholdTables(const Study& study,
 
 std::vector<FigureTable> ratingTables(const Study& study,
                                       const std::vector<ParticipantRecord>& participants) {
-  FigureTable scores = scoreTable(study), differences = differenceTable(study);
+  FigureTable scores = scoreTable(study), differences = differenceTable(study), order = orderTable();
   for (const auto& [condition, answers] : conditionsOf(study, participants)) {
     if (study.design.scale == RatingScale::pairwise)
       addPairwise(study, condition, answers, scores, differences);
     else
       addScale(study, condition, answers, scores, differences);
+    if (study.design.scale == RatingScale::preference) addOrder(study, condition, answers, order);
   }
   if (study.buttons.size() < 2) return {scores};
+  if (study.design.scale == RatingScale::preference) return {scores, differences, order};
   return {scores, differences};
 }
 

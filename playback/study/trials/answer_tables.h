@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Results of thresholds and ratings, as tables. Any thread.
+// Results of thresholds, ratings and matching, as tables. Any thread.
 
 #include <vector>
 
@@ -15,7 +15,12 @@ std::vector<FigureTable> thresholdTables(const Study& study,
                                          const std::vector<ParticipantRecord>& participants);
 
 /// Scales: what each button got over participants. Pairwise: Bradley-Terry scores. Then every two buttons
-/// against each other, participants as their own control.
+/// against each other, participants as their own control; 1 to 7 also by order alone.
 std::vector<FigureTable> ratingTables(const Study& study, const std::vector<ParticipantRecord>& participants);
+
+/// Matching: how often each button was found, against guessing; how often the buttons of each pair were taken
+/// for each other, against two that feel the same. With intervals and exact p.
+std::vector<FigureTable> matchingTables(const Study& study,
+                                        const std::vector<ParticipantRecord>& participants);
 
 }  // namespace detent::playback

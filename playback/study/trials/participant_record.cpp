@@ -207,6 +207,7 @@ class Replay {
       for (const Json& felt : json.at("felt")) a.felt.push_back(feltFrom(felt));
       a.feltX = feltFrom(json.at("felt_x"));
     }
+    if (Result<Done> ok = checkFelt(a, trial->choices.size(), json.contains("felt")); !ok) return ok;
     a.onset_s = json.at("onset_s");
     a.firstPress_s = json.at("first_press_s");
     a.answer_s = json.at("answer_s");
@@ -216,6 +217,14 @@ class Replay {
     record_.interruptions = 0;
     placeNextLevel(study_, record_);
     return Done{};
+  }
+
+  /// A journal may come from another machine; what was not felt is no answer there either.
+  Result<Done> checkFelt(const Answer& a, std::size_t choices, bool kept) const {
+    if (a.replays.size() > choices || a.felt.size() > choices)
+      return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
+    if (!kept || record_.sessions.back().kind != SessionKind::real || feltEnough(study_, a)) return Done{};
+    return wrong(Message("is an answer about something that was not felt"), Message("Restore the journal"));
   }
 
   bool timesFit(const Trial& trial, const Answer& a, const Json& json) const {
@@ -398,25 +407,37 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
   return records;
 }
 
-std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
-                       std::string& chain) {
+namespace {
+
+Json headerOf(const Study& study, const ParticipantRecord& participant) {
   Json buttons = Json::array();
   for (std::size_t i = 0; i < study.givenButtons(); ++i)
     buttons.push_back({{"label", study.buttons[i].label}, {"sha256", study.buttons[i].sha256}});
-  return chained({{"format", "detent-study-journal"},
-                  {"version", journalVersion},
-                  {"participant", participant.participant},
-                  {"head", true},
-                  {"begun_before", participant.begunBefore},
-                  {"place", participant.place},
-                  {"route", jsonOf(route)},
-                  {"study", study.name},
-                  {"study_sha256", study.sha256},
-                  {"program", version()},
-                  {"seed", study.design.seed},
-                  {"profile_sha256", study.profileSha256},
-                  {"buttons", buttons}},
-                 chain);
+  return {{"format", "detent-study-journal"},
+          {"version", journalVersion},
+          {"participant", participant.participant},
+          {"place", participant.place},
+          {"study", study.name},
+          {"study_sha256", study.sha256},
+          {"program", version()},
+          {"seed", study.design.seed},
+          {"profile_sha256", study.profileSha256},
+          {"buttons", buttons}};
+}
+
+}  // namespace
+
+std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
+                       std::string& chain) {
+  Json header = headerOf(study, participant);
+  header["head"] = true;
+  header["begun_before"] = participant.begunBefore;
+  header["route"] = jsonOf(route);
+  return chained(header, chain);
+}
+
+std::string headerOfBrowser(const Study& study, const ParticipantRecord& participant) {
+  return jsonText(headerOf(study, participant));
 }
 
 std::string consentLine(const ConsentDecision& d, std::string& chain) {

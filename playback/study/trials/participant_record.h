@@ -168,6 +168,9 @@ void placeNextLevel(const Study& study, ParticipantRecord& record);
 /// Makes the text of journal lines, alone. `chain` is the hash so far and is updated.
 std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
                        std::string& chain);
+/// The header of a journal that a browser keeps, as JSON without route and chain, which the browser adds. No
+/// head lies beside it, and how many began before it is unknown.
+std::string headerOfBrowser(const Study& study, const ParticipantRecord& participant);
 std::string consentLine(const ConsentDecision& decision, std::string& chain);
 std::string sessionLine(const SessionStart& session, std::size_t cutBytes, std::string& chain);
 std::string answerLine(const Study& study, const Trial& trial, const Answer& answer, std::string& chain);

@@ -436,15 +436,18 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   return d.kind == StudyKind::timing ? checkTimes(d) : Result<Done>(Done{});
 }
 
-Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode) {
+PlaybackSettings settingsFor(const Study& study, std::size_t button, FeedbackMode mode) {
   PlaybackSettings settings;
   settings.mode = mode;
   settings.feel = study.design.feel;
-  if (study.design.kind == StudyKind::threshold) {
-    const StudyLevel* level = levelOf(study, button);
-    settings = raised(settings, study.design.quantity, level != nullptr ? level->increase : 0);
-  }
-  return prepareProgram(study.buttons[button].button, study.profile.value_or(DeviceProfile{}), settings);
+  if (study.design.kind != StudyKind::threshold) return settings;
+  const StudyLevel* level = levelOf(study, button);
+  return raised(settings, study.design.quantity, level != nullptr ? level->increase : 0);
+}
+
+Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode) {
+  return prepareProgram(study.buttons[button].button, study.profile.value_or(DeviceProfile{}),
+                        settingsFor(study, button, mode));
 }
 
 Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>& buttonFiles,

@@ -172,7 +172,8 @@ Result<Study> openStudy(const std::filesystem::path& folder);
 /// names the button and mode. For running, not for reading results.
 Result<Done> checkStimuli(const Study& study);
 
-/// Program of a button in a mode.
+/// Settings of a button in a mode, and its program.
+PlaybackSettings settingsFor(const Study& study, std::size_t button, FeedbackMode mode);
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode);
 
 // ---- one study that several laboratories ran (merged_study.cpp): a folder with a whole study of each below

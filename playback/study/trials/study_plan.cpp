@@ -404,6 +404,9 @@ std::vector<std::string> analysis(const Study& study) {
             : "Mean over participants with Student's 95 % interval (magnitudes: of logarithms, each "
               "person's moved to the mean of all); then each two buttons, signs of whole persons flipped, "
               "Holm over the pairs.");
+    if (d.scale == RatingScale::preference)
+      all.push_back(
+          "Secondary: the same by order alone, how often a person's rating of the first is higher.");
     return all;
   }
   const DiscriminationRule rule = discriminationRule(d.trials);
@@ -421,7 +424,13 @@ std::vector<std::string> analysis(const Study& study) {
   all.push_back(
       "Conditions with the same people: signs of whole persons flipped, exactly up to 20 people, two-sided; "
       "Holm over conditions, and over pairs and conditions. alpha = 0.05.");
-  all.push_back("d' of all participants by differencing.");
+  if (d.kind == StudyKind::abx) all.push_back("d' of all participants by differencing.");
+  if (d.kind == StudyKind::matching)
+    all.push_back(
+        "Each button: share found against guessing among all, exact p, Holm over the buttons. Each pair: "
+        "share "
+        "taken for each other among the answers that name one of both, against one half, exact p, Holm over "
+        "the pairs.");
   return all;
 }
 

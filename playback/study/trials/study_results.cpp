@@ -349,6 +349,7 @@ Figures figuresOf(const Study& study, const DiscriminationRule& rule,
   for (const TrialRow& row : rows) groups[conditionOf(study, row)].push_back(&row);
   for (const auto& [condition, all] : groups) figures.groups.push_back(groupOf(study, rule, all));
   adjustTests(figures.groups);
+  if (study.design.kind == StudyKind::matching) figures.tables = matchingTables(study, participants);
   figures.comparisons = comparisonsOf(study, figures.groups, groups);
   return figures;
 }

@@ -126,7 +126,7 @@ struct StudyResults {
   std::vector<TrialRow> rows;                ///< of all participants
   std::vector<GroupResult> groups;           ///< abx, matching
   std::vector<GroupComparison> comparisons;  ///< abx, matching
-  std::vector<FigureTable> tables;           ///< threshold, rating, timing
+  std::vector<FigureTable> tables;           ///< all but abx
   bool unfinishedLeftOut = false;            ///< of groups, comparisons and tables
   /// The same with the unfinished where they are left out, without them where they count; empty where there
   /// are none.

@@ -124,6 +124,15 @@ class Formats(unittest.TestCase):
             self.assertAlmostEqual(after[band] / before[band], loss["energy_kept"][band], delta=0.02 * max(1, loss["energy_kept"][band]),
                                    msg=band)
 
+    def test_text_of_a_program_under_another_ending_is_warned_of(self):
+        for name, ending, right in (("c", ".json", ".h"), ("da728x", ".json", ".h"), ("android", ".java", ".kt"), ("c", ".h", None), ("ahap", ".ahap", None)):
+            with self.subTest(name + ending):
+                done = self.run_play("export", SAMPLES / "B.button.json", "--format", name, "-o", os.path.join(self.folder, "x" + ending))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(right is not None, "give it the ending" in done.stderr, done.stderr)
+                if right:
+                    self.assertIn(f"give it the ending {right}", done.stderr)
+
     # ---- lossless
 
     def test_hjif(self):

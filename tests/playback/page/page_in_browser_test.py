@@ -181,6 +181,16 @@ class PageInBrowser(unittest.TestCase):
                 self.assertLessEqual(max(abs(a - b) for a, b in zip(expected, got)), 1e-6)
                 self.assertGreater(max(map(abs, got)), 0.1)
 
+    def test_renders_at_the_rate_of_a_context_what_the_program_renders(self):
+        """What the pad plays where the sound output runs at another rate, sample by sample."""
+        for rate in (44100, 96000):
+            wav = self.folder / "reference.wav"
+            subprocess.run([PROGRAM, "render", str(self.files[1]), "--standard-press", "--rate", str(rate), "-o", str(wav)], check=True, capture_output=True)
+            expected = samples_of(wav)
+            got = self.browser.run_async(f"const done = arguments[0]; detent.render(1, {rate}).then((a) => done(Array.from(a)))")
+            self.assertEqual(len(expected), len(got))
+            self.assertLessEqual(max(abs(a - b) for a, b in zip(expected, got)), 1e-6)
+
     def test_pointer_presses_and_lifts(self):
         pad = self.browser.do("POST", "/element", {"using": "css selector", "value": "#pad"})
         self.browser.act("pointer", {"type": "pointerMove", "origin": pad, "x": 0, "y": 0}, {"type": "pointerDown", "button": 0})

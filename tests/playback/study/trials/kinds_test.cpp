@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "model/file/text_file.h"
+#include "playback/study/statistics/resampling.h"
 #include "playback/study/trials/answer_tables.h"
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
@@ -252,6 +254,79 @@ TEST_CASE("an interval stays on its scale, and two people have none") {
   CHECK(std::get<double>(cellAt(0, high)) == Approx(4.0 / 3 + 4.302653 / 3));
   CHECK(std::get<double>(cellAt(1, low)) == Approx(20.0 / 3 - 4.302653 / 3));
   CHECK(std::get<double>(cellAt(1, high)) == 7);
+}
+
+TEST_CASE("ratings of 1 to 7 are compared by order alone, too") {
+  const StudyFolder folder(ratings(RatingScale::preference), {"A", "B", "C"});
+  for (const char* id : {"P1", "P2", "P3", "P4", "P5", "P6"}) {
+    Result<ParticipantSession> session = ParticipantSession::open(*folder.study, id, simulatedStart);
+    REQUIRE(session);
+    std::size_t a = 0;
+    while (const Trial* trial = session->trial()) {
+      Answer given = simulatedAnswer(*folder.study, id, *trial, {});
+      // A: 4, 5, 4, 5; B: 7, however far above that is; C: always 4
+      given.rating = trial->choices[0] == 0 ? (++a % 2 == 1 ? 4 : 5) : trial->choices[0] == 1 ? 7 : 4;
+      REQUIRE(session->record(given));
+    }
+  }
+  const FigureTable order = resultsIn(*folder.study).tables.at(2);
+  CHECK(order.key == "rating_order");
+  CHECK(number(order, 0, "higher_percent") == 0);           // A above B
+  CHECK(number(order, 0, "p") == Approx(2.0 / 64));         // six people of one mind
+  CHECK(number(order, 1, "higher_percent") == Approx(75));  // A above C: half above, half equal
+  CHECK(number(order, 2, "higher_percent") == 100);         // B above C
+  CHECK(number(order, 2, "p_holm") == Approx(3 * 2.0 / 64));
+}
+
+TEST_CASE("matching: each button and pair has its interval, the level of chance and an exact p against it") {
+  StudyDesign design;
+  design.kind = StudyKind::matching;
+  design.trials = 10;
+  design.seed = 5;
+  const StudyFolder folder(design, {"A", "B", "C"});
+  const std::map<std::string, std::size_t> wrong{{"P1", 0}, {"P2", 1}, {"P3", 2},
+                                                 {"P4", 3}, {"P5", 4}, {"P6", 2}};
+  std::vector<Count> right;
+  for (const auto& [id, errors] : wrong) {
+    Result<ParticipantSession> session = ParticipantSession::open(*folder.study, id, simulatedStart);
+    REQUIRE(session);
+    std::size_t left = errors;
+    while (const Trial* trial = session->trial()) {
+      Answer given = simulatedAnswer(*folder.study, id, *trial, {});
+      given.choice = trial->target;
+      if (trial->choices[trial->target] == 2 && left > 0) {  // takes C for B
+        given.choice = static_cast<std::size_t>(
+            std::find(trial->choices.begin(), trial->choices.end(), std::size_t{1}) - trial->choices.begin());
+        --left;
+      }
+      REQUIRE(session->record(given));
+    }
+    right.push_back({10 - errors, 10});
+  }
+  const StudyResults results = resultsIn(*folder.study);
+  const FigureTable &matches = results.tables.at(0), &taken = results.tables.at(1);
+  // 48 of 60 against a third, 12 of 120 and 0 of 108 against a half, by scipy
+  CHECK(number(matches, 2, "right") == 48);
+  CHECK(number(matches, 2, "chance_percent") == Approx(100.0 / 3));
+  CHECK(number(matches, 2, "low_percent") == Approx(68.2182).margin(1e-3));
+  CHECK(number(matches, 2, "high_percent") == Approx(88.1715).margin(1e-3));
+  CHECK(number(matches, 2, "p") == Approx(1.53784521e-13).epsilon(1e-6));
+  CHECK(number(matches, 2, "p_holm") == number(matches, 2, "p"));  // the largest of the three
+  const std::optional<Interval> resampled = participantBootstrap(right);
+  REQUIRE(resampled);
+  CHECK(number(matches, 2, "resampled_low_percent") == Approx(100 * resampled->low));
+  CHECK(number(matches, 2, "resampled_high_percent") == Approx(100 * resampled->high));
+  CHECK(number(taken, 2, "confused") == 12);
+  CHECK(number(taken, 2, "trials") == 120);
+  CHECK(number(taken, 2, "low_percent") == Approx(5.8134).margin(1e-3));
+  CHECK(number(taken, 2, "high_percent") == Approx(16.6682).margin(1e-3));
+  CHECK(number(taken, 2, "p") == Approx(8.90063236e-21).epsilon(1e-6));
+  CHECK(number(taken, 1, "confused") == 0);
+  CHECK(number(taken, 1, "p") == Approx(3.08148791e-33).epsilon(1e-6));
+  CHECK(number(taken, 1, "trials") == 108);  // C taken for B says nothing of A and C
+  CHECK(number(taken, 1, "chance_percent") == 50);
+  CHECK_THAT(resultsText(results), Catch::Contains("Pairs taken for each other"));
+  CHECK_THAT(resultsJson(results), Catch::Contains("\"chance_percent\""));
 }
 
 TEST_CASE("preferences come back as scores, and persons' signs are flipped") {

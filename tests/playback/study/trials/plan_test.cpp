@@ -121,6 +121,8 @@ TEST_CASE("plan: the page says design, power, lists and tests of every kind") {
     const std::string page = preregistrationPage(*made.study, {14, "5ca1ab1e", {power}});
     for (const char* words : {"14 participants", "5ca1ab1e", "Hypotheses", "Analysis", "mt19937_64"})
       CHECK(page.find(words) != std::string::npos);
+    CHECK((page.find("against one half") != std::string::npos) == (kind == StudyKind::matching));
+    CHECK((page.find("by order alone") != std::string::npos) == (kind == StudyKind::rating));
     CHECK(page.find(made.study->sha256) != std::string::npos);
     CHECK(page.find(made.study->buttons[1].sha256) != std::string::npos);
   }

@@ -502,6 +502,43 @@ TEST_CASE("journal: whole lines cut off its end, emptied or gone, it is noticed"
   CHECK(ParticipantSession::open(*made.study, "P01", simulatedStart));
 }
 
+TEST_CASE("journal: of a browser no head is expected, and what was not felt is no answer in it") {
+  const StudyFolder made;
+  const SessionStart person{SessionKind::real, Listening::quiet, "a browser's output", "", 1000};
+  ParticipantRecord record = test::beginner("P01");
+  record.place = 3;
+  record.plan = planTrials(*made.study, "P01", 3);
+  const fs::path file = journalOf(*made.study, "P01");
+  const auto written = [&](const Answer& answer) {
+    // The route behind the header, and the hash over all: as the browser does it.
+    const std::string header = headerOfBrowser(*made.study, record);
+    const std::string body =
+        header.substr(0, header.size() - 1) +
+        R"(,"route":{"sensor":"","sensor_calibration":"","sound":"a browser's output"}})";
+    std::string chain = sha256Hex(body).substr(0, 16);
+    std::string text = body.substr(0, body.size() - 1) + R"(,"chain":")" + chain + "\"}\n";
+    text += sessionLine(person, 0, chain) + "\n";
+    text += answerLine(*made.study, record.plan[0], answer, chain) + "\n";
+    std::ofstream(file, std::ios::binary) << text;
+    return readParticipants(*made.study)->front();
+  };
+  const Answer felt = simulatedAnswer(*made.study, "P01", record.plan[0], {});
+  const ParticipantRecord read = written(felt);
+  REQUIRE_FALSE(read.damage);
+  CHECK(read.answers.size() == 1);
+  CHECK(read.place == 3);
+  CHECK(read.sessions[0].device == "a browser's output");
+  Answer unfelt = felt;
+  unfelt.feltX = {1, 0, 1.2, 0.4};
+  CHECK(written(unfelt).damage);
+  unfelt = felt;
+  unfelt.felt.pop_back();
+  CHECK(written(unfelt).damage);
+  unfelt = felt;
+  unfelt.replays.push_back(1);
+  CHECK(written(unfelt).damage);
+}
+
 TEST_CASE("results: a person whose journal was taken out of the folder with its head is missed") {
   const StudyFolder made;
   for (const char* id : {"P01", "P02", "P03"}) answer(*made.study, id, "guess", 2);

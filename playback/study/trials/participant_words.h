@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Texts for a participant at a terminal, in their language. %1, %2 ... are filled in (model/message.h).
+// Texts for a participant at a terminal or a page, in their language. %1, %2 ... are filled in (model/message.h).
 
 #include <string>
 

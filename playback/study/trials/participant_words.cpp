@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/study/program/participant_words.h"
+#include "playback/study/trials/participant_words.h"
 
 namespace detent::playback {
 
