@@ -9775,6 +9775,22 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Export the measurement again</source>
         <translation>Die Messung neu exportieren</translation>
     </message>
+    <message>
+        <source>If so, pass %1</source>
+        <translation>Wenn ja: %1</translation>
+    </message>
+    <message>
+        <source>whether column %1 is a displacement and %2 a force is not known</source>
+        <translation>ob Spalte %1 ein Weg und Spalte %2 eine Kraft ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>whether column %1 is a displacement is not known</source>
+        <translation>ob Spalte %1 ein Weg ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>whether column %1 is a force is not known</source>
+        <translation>ob Spalte %1 eine Kraft ist, ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::LogReader::Refuse</name>

@@ -410,7 +410,7 @@ class LogReader {
     }
     if (auto unknown = unknownName(read.best.front(), data))
       return refuse(FailureCode::notCertain, {}, std::move(*unknown),
-                    Message("If they are: %1", reading_.question->choices.front().option));
+                    Message("If so, pass %1", reading_.question->choices.front().option));
     found.best = std::move(read.best);
     found.records = found.best.front().records;
     found.xUnit = found.best.front().xUnit, found.yUnit = found.best.front().yUnit;
