@@ -89,12 +89,9 @@ class HapticPreparation {
     prepared_.summary.warnings.push_back({code, std::move(message)});
   }
 
-  /// Lowest displacement of the tables of a state. A self-locking button's release may end elsewhere than its
-  /// press began.
-  double lowOf(const ButtonState& state) const {
-    const double start_mm = state.graph.press().start_mm();
-    return button_.selfLocking() ? std::min(start_mm, state.graph.curve(Stroke::release).start_mm())
-                                 : start_mm;
+  /// Lowest displacement of the tables of a state. A release may end elsewhere than its press began.
+  static double lowOf(const ButtonState& state) {
+    return std::min(state.graph.press().start_mm(), state.graph.curve(Stroke::release).start_mm());
   }
 
   void setName() {
@@ -219,7 +216,7 @@ class HapticPreparation {
     to.low_mm = lowOf(from);
     to.rest_mm = button_.selfLocking()
                      ? std::clamp(from.graph.curve(Stroke::release).start_mm(), to.low_mm, to.end_mm)
-                     : to.start_mm;
+                     : to.low_mm;
     const StrokePlan press{from.graph.press(), Stroke::press,
                            sectionsOf(from.graph.press(), Stroke::press, settings_.sections)};
     const StrokeCurve& releaseCurve = from.graph.curve(Stroke::release);
@@ -324,7 +321,8 @@ class HapticPreparation {
   }
 
   // Grains stand on one grid over the whole travel ("evenly along the displacement range"); a slope owns the
-  // grid places within it. What lies outside a release curve's own range belongs to its nearest slope.
+  // grid places within it. Where one stroke has no curve, nothing is felt: the table is flat there and all its
+  // grains would come at one force, as one click.
   void addSlopes(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
     const auto cell = [&](double x_mm) {
       return static_cast<std::int64_t>(
@@ -334,12 +332,12 @@ class HapticPreparation {
     for (std::size_t i = 0; i < plan.sections.size(); ++i) {
       const Section& s = plan.sections[i];
       if (s.kind != SectionKind::slope) continue;
-      double low = std::max(std::min(s.from_mm, s.to_mm), state.low_mm);
-      double high = std::min(std::max(s.from_mm, s.to_mm), state.end_mm);
+      double low = std::min(s.from_mm, s.to_mm), high = std::max(s.from_mm, s.to_mm);
       const bool first = i == 0, last = i + 1 == plan.sections.size();
       const bool press = plan.stroke == Stroke::press;
-      if (press ? first : last) low = press ? state.start_mm : state.low_mm;
-      if (press ? last : first) high = state.end_mm;
+      if (press ? first : last) low = plan.curve.start_mm();
+      if (press ? last : first) high = plan.curve.end_mm();
+      high = std::min(high, state.end_mm);
       if (high > low) ranges.push_back({cell(low) + 1, cell(high)});
     }
     std::sort(ranges.begin(), ranges.end(),
