@@ -104,7 +104,7 @@ class Measuring {
     if (!roundTrip_s || !tooSlowFor(program_->period_s, *roundTrip_s)) return true;
     roundTrip_s_ = *roundTrip_s;
     program_->period_s = slowPeriod_s(program_->period_s, roundTrip_s_);
-    return opened.setPace(program_->period_s, answerOfSlowPeriod * program_->period_s);
+    return opened.setPace(program_->period_s);
   }
 
   Result<Done> started(std::unique_ptr<ForceDevice> opened) {
