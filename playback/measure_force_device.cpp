@@ -104,7 +104,7 @@ class Measuring {
     if (!roundTrip_s || !tooSlowFor(program_->period_s, *roundTrip_s)) return true;
     roundTrip_s_ = *roundTrip_s;
     program_->period_s = slowPeriod_s(program_->period_s, roundTrip_s_);
-    return opened.setPace(program_->period_s, answerOfSlowPeriod * program_->period_s);
+    return opened.setPace(program_->period_s);
   }
 
   Result<Done> started(std::unique_ptr<ForceDevice> opened) {
@@ -176,8 +176,10 @@ class Measuring {
     for (const ForceStep& step : steps_) {
       if (seen_ >= most) return;
       ++seen_;
-      time_s_ += step.periods * program_->period_s;
-      longestPause_s_ = std::max(longestPause_s_, (step.periods - 1) * program_->period_s);
+      const double since_s = between_s(before_, step, program_->period_s);
+      before_ = step;
+      time_s_ += since_s;
+      longestPause_s_ = std::max(longestPause_s_, since_s - program_->period_s);
       if (!from_mm_ && step.good) from_mm_ = step.position_mm;
       if (time_s_ < rampsOver_s) continue;
       if (!record_.time_s.empty() && time_s_ <= record_.time_s.back()) continue;
@@ -235,6 +237,7 @@ class Measuring {
   std::unique_ptr<ForceLoop> loop_;
   std::unique_ptr<ForceOrders> orders_;  ///< uses the loop
   std::vector<ForceStep> steps_;
+  ForceStep before_;
   MotionRecord record_;
   std::optional<double> from_mm_;
   std::int64_t seen_ = 0;  ///< steps, those that are not recorded included

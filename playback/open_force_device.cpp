@@ -71,7 +71,7 @@ Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& progr
   if (!program.proof.present) return Done{};
   const bool slow = tooSlowFor(program.period_s, roundTrip_s);
   const double period_s = slow ? slowPeriod_s(program.period_s, roundTrip_s) : program.period_s;
-  if (slow) device.setPace(period_s, answerOfSlowPeriod * period_s);
+  if (slow) device.setPace(period_s);
   const RealtimeWhile realtime(forcePriority);
   DirectionProof proof(program.proof, period_s);
   ForceGuard guard(program.limits, period_s, program.step_mm);
@@ -90,7 +90,7 @@ Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& progr
     sleepUntil(due_s);
   }
   device.exchange(ForceCommand{});
-  if (slow) device.setPace(program.period_s, answerOfPeriod * program.period_s);
+  if (slow) device.setPace(program.period_s);
   switch (proof.verdict()) {
     case DirectionProof::Verdict::agrees:
       return Done{};

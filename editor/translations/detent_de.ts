@@ -11597,6 +11597,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Give ids that are read out differently</source>
         <translation>Kennungen angeben, die verschieden klingen</translation>
     </message>
+    <message>
+        <source>Friction of %1 N would carry it</source>
+        <translation>Eine Reibung von %1 N würde genügen</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::AudioCapture::Recorder</name>
@@ -11637,6 +11641,13 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Check its cable and its power supply, or try it without hardware: --device sim:falcon</source>
         <translation>Prüfen Sie Kabel und Netzteil oder versuchen Sie es ohne Gerät: --device sim:falcon</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::HapticPreparation</name>
+    <message>
+        <source>with the paper&apos;s levels the click drowns in slope or bottom-out, more than %1 dB below them (jump at %2); --feel clear lets it through</source>
+        <translation>mit den Pegeln der Veröffentlichung geht der Klick in Steigung oder Anschlag unter, mehr als %1 dB darunter (Sprung bei %2); --feel clear lässt ihn durch</translation>
     </message>
 </context>
 <context>

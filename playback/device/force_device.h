@@ -38,15 +38,15 @@ class ForceDevice {
  public:
   virtual ~ForceDevice() = default;
 
-  /// Sends a force and gives the newest reading; waits for it no longer than half a period, or as `setPace` says. `fresh` is false where none came.
+  /// Sends a force and gives the newest reading; `fresh` is false where none came within the period.
   /// Never throws; a lost device gives no fresh reading until it is back.
   virtual ForceReading exchange(const ForceCommand& command) = 0;
 
   /// Time from a question to its answer, without force: nine of ten take no longer. None where the device has no link of its own, 0.1 s
   /// where it answers no sooner. Before the first `exchange`; takes a third of a second at most.
   virtual std::optional<double> measureRoundTrip_s() { return {}; }
-  /// Another period, of which an answer may take up `wait_s`. False where the device does not take it. Before the first `exchange`.
-  virtual bool setPace(double /*period_s*/, double /*wait_s*/) { return true; }
+  /// Another period. False where the device does not take it. Before the first `exchange`.
+  virtual bool setPace(double /*period_s*/) { return true; }
 
   /// Longest silence of a device that runs the law by itself before it is commanded to give no force; 0: the host runs the law.
   virtual double longestUnheard_s() const { return 0; }

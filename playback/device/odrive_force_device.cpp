@@ -487,9 +487,9 @@ std::optional<double> OdriveForceDevice::measureRoundTrip_s() {
   return trips.usual_s();
 }
 
-bool OdriveForceDevice::setPace(double period_s, double wait_s) {
+bool OdriveForceDevice::setPace(double period_s) {
   settings_.period_s = period_s;
-  wait_s_ = wait_s;
+  wait_s_ = answerWaitOfPeriod * period_s;
   return true;
 }
 

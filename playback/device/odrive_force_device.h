@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "playback/device/force_device.h"
+#include "playback/device/round_trips.h"
 #include "playback/device/serial_link.h"
 
 namespace detent::playback {
@@ -41,7 +42,7 @@ class OdriveForceDevice : public ForceDevice {
   /// fresh, and while it is pending nothing else is requested.
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
-  bool setPace(double period_s, double wait_s) override;
+  bool setPace(double period_s) override;
   /// Clears the axis's errors, arms it anew and takes the present position as rest.
   void rearm() override;
   ForceDeviceState state() const override {
@@ -52,7 +53,7 @@ class OdriveForceDevice : public ForceDevice {
 
  private:
   OdriveForceDevice(SerialLink link, const OdriveSettings& settings)
-      : link_(std::move(link)), settings_(settings), wait_s_(settings.period_s / 2) {}
+      : link_(std::move(link)), settings_(settings), wait_s_(answerWaitOfPeriod * settings.period_s) {}
   template <class... Values>
   void say(const char* pattern, Values... values);
   void write(const char* property, double value);

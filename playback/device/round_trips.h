@@ -13,6 +13,10 @@ namespace detent::playback {
 /// Priority of a thread that exchanges forces: above the audio callback (JACK: 65), because a late force is felt, a late sample heard.
 inline constexpr int forcePriority = 70;
 
+/// How long an answer is waited for, as a share of the period. The force that follows from it is sent with the next period, however early it
+/// came; what is left is for the law and for a late wake-up.
+inline constexpr double answerWaitOfPeriod = 0.85;
+
 /// An answer that takes longer is none.
 inline constexpr double slowestRoundTrip_s = 0.1;
 

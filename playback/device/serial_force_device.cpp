@@ -20,7 +20,6 @@ namespace {
 constexpr double serialAnswer_s = 0.5;  // to a question that is not part of the loop
 constexpr double bootPause_s = 2.0;     // an Arduino resets when its port is opened
 constexpr double micro = 1e-6, nmPerMm = 1e6;
-constexpr double serialWaitOfPeriod = 0.5;
 
 constexpr int protocol = 2;  // with limits of the device's own
 constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
@@ -84,7 +83,7 @@ std::string forceLimitLine(const ForceLimits& limits, double period_s) {
 
 SerialForceDevice::SerialForceDevice(SerialLink link, double period_s, const ForceLimits& limits)
     : link_(std::move(link)),
-      wait_s_(serialWaitOfPeriod * period_s),
+      wait_s_(answerWaitOfPeriod * period_s),
       limits_(limits),
       limitLine_(forceLimitLine(limits, period_s)) {}
 
@@ -418,8 +417,8 @@ std::optional<double> SerialForceDevice::measureRoundTrip_s() {
   return roundTrip_s_;
 }
 
-bool SerialForceDevice::setPace(double period_s, double wait_s) {
-  wait_s_ = wait_s;
+bool SerialForceDevice::setPace(double period_s) {
+  wait_s_ = answerWaitOfPeriod * period_s;
   const std::string line = forceLimitLine(limits_, period_s);
   if (line == limitLine_) return true;
   limitLine_ = line;

@@ -43,7 +43,7 @@ class SerialForceDevice : public ForceDevice {
 
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
-  bool setPace(double period_s, double wait_s) override;
+  bool setPace(double period_s) override;
   void rearm() override;
   /// Longest silence while the device runs a table; then it is commanded to give no force until answers are back.
   double longestUnheard_s() const override;

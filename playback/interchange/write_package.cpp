@@ -475,8 +475,9 @@ typedef struct { float from_mm, to_mm, level; } detent_slope;
 /* Points that a state does not have are -1. Curves and slopes by rising displacement, triggers in the order met.
    A press follows its curve from start_mm to where the curve bears the force, a release to where it pushes back no more.
    The contact closes when a press comes to operating_mm, opens when a release comes to reset_mm or ends.
-   A release ends at start_mm; one that follows an actuation (a press that came to operating_mm) at rest_mm, where the force
-   is settled_N. Then the next of several states answers, from its start_mm, armed as at the start; after the last comes the first. */
+   A release ends at start_mm; one that follows an actuation (a press that came to operating_mm or, where that is -1, left
+   start_mm) at rest_mm, where the force is settled_N. Then the next of several states answers, armed as at the start; after the last
+   comes the first. The next press begins at start_mm. */
 typedef struct {
   const char* name;
   float press_threshold_N, release_threshold_N, operating_N, reset_N, settled_N;

@@ -54,8 +54,8 @@ inline constexpr auto feels = named<Feel>({{"paper", Feel::paper}, {"clear", Fee
 struct ClearFeel {
   /// amplitude by the root of the paper's: twice the area is 3 dB more, and few jumps end at full scale
   bool jumpsByRoot = true;
-  /// Slope and bottom-out stay so far below the weakest jump of their stroke, by felt_level.h; they are never
-  /// raised. > 0.
+  /// The slope stays so far below the weakest jump of its stroke, the bottom-out below the jump before it, by
+  /// felt_level.h; neither is raised. > 0.
   double jumpAbove_dB = 8;
   double slopeUnderJump = 0.1;  ///< level of the slope while a jump sounds; [0, 1]
   double longestBottomOutWait_s =

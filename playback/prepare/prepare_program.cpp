@@ -30,6 +30,7 @@ constexpr double rearmInHysteresis = 2.5;
 
 constexpr double gentlest_N_per_mm = 0.02;  // what is gentler is as loud
 
+constexpr double drownedBelow_dB = 6, silent_dB = -1000;
 constexpr double unfeltChange_dB = 0.5;  // a third of the just noticeable difference of a vibration
 
 /// One bound of one setting.
@@ -73,6 +74,13 @@ class HapticPreparation {
     for (const ButtonState& state : button_.states())
       p.gridOrigin_mm = std::min(p.gridOrigin_mm, lowOf(state));
     for (std::size_t i = 0; i < p.stateCount; ++i) prepareState(button_.states()[i], p.states[i]);
+    if (!drowned_.empty()) {
+      warn(PrepareWarningCode::clickDrowned,
+           Message(
+               "with the paper's levels the click drowns in slope or bottom-out, more than %1 dB below them "
+               "(jump at %2); --feel clear lets it through",
+               drownedBelow_dB, drowned_));
+    }
     return std::move(prepared_);
   }
 
@@ -89,12 +97,9 @@ class HapticPreparation {
     prepared_.summary.warnings.push_back({code, std::move(message)});
   }
 
-  /// Lowest displacement of the tables of a state. A self-locking button's release may end elsewhere than its
-  /// press began.
-  double lowOf(const ButtonState& state) const {
-    const double start_mm = state.graph.press().start_mm();
-    return button_.selfLocking() ? std::min(start_mm, state.graph.curve(Stroke::release).start_mm())
-                                 : start_mm;
+  /// Lowest displacement of the tables of a state. A release may end elsewhere than its press began.
+  static double lowOf(const ButtonState& state) {
+    return std::min(state.graph.press().start_mm(), state.graph.curve(Stroke::release).start_mm());
   }
 
   void setName() {
@@ -219,7 +224,7 @@ class HapticPreparation {
     to.low_mm = lowOf(from);
     to.rest_mm = button_.selfLocking()
                      ? std::clamp(from.graph.curve(Stroke::release).start_mm(), to.low_mm, to.end_mm)
-                     : to.start_mm;
+                     : to.low_mm;
     const StrokePlan press{from.graph.press(), Stroke::press,
                            sectionsOf(from.graph.press(), Stroke::press, settings_.sections)};
     const StrokeCurve& releaseCurve = from.graph.curve(Stroke::release);
@@ -229,7 +234,7 @@ class HapticPreparation {
     setBottomOut(press, to);
     prepareStroke(press, to, to.press);
     prepareStroke(release, to, to.release);
-    if (clear()) letJumpsThrough(to);
+    clear() ? letJumpsThrough(to) : findDrowned(to);
     prepared_.summary.pressJumps += to.press.jumpCount;
     prepared_.summary.releaseJumps += to.release.jumpCount;
     prepared_.summary.bottomOuts += to.hasBottomOut ? 1 : 0;
@@ -241,26 +246,52 @@ class HapticPreparation {
     }
   }
 
-  /// Slope and bottom-out stay below the weakest jump of their stroke. A stroke without one keeps what it
-  /// has.
+  /// The slope stays below the weakest jump of its stroke, the bottom-out below the jump before it: farther
+  /// below a strong click it would not be felt. A stroke without one keeps what it has.
   void letJumpsThrough(StateProgram& state) {
     const HapticProgram& p = prepared_.program;
-    const auto below = [&](const StrokeTable& stroke, double level_dB) {
-      double room_dB = 0;
-      for (std::size_t i = 0; i < stroke.jumpCount; ++i) {
-        if (!(stroke.jumps[i].burst.amplitude > 0)) continue;
-        const double jump_dB = feltLevel_dB(stroke.jumps[i].burst, profile_, p);
-        room_dB = std::min(room_dB, jump_dB - settings_.clear.jumpAbove_dB - level_dB);
-      }
-      return std::pow(10, room_dB / 20);
+    const auto below = [&](double jump_dB, double level_dB) {
+      return std::pow(10, std::min(0.0, jump_dB - settings_.clear.jumpAbove_dB - level_dB) / 20);
     };
-    state.bottomOutLevel = below(state.press, feltLevel_dB(p.bottomOut, profile_, p));
+    const std::vector<double> press_dB = jumpLevels_dB(state.press);
+    if (!press_dB.empty())
+      state.bottomOutLevel = below(press_dB.back(), feltLevel_dB(p.bottomOut, profile_, p));
     for (StrokeTable* stroke : {&state.press, &state.release}) {
+      const std::vector<double> jumps_dB = jumpLevels_dB(*stroke);
       double loudest = 0;
       for (std::size_t i = 0; i < stroke->slopeCount; ++i)
         loudest = std::max(loudest, stroke->slopes[i].level);
-      if (loudest > 0)
-        stroke->slopeLevel = below(*stroke, feltSlopeLevel_dB(profile_, p) + 20 * std::log10(loudest));
+      if (loudest > 0 && !jumps_dB.empty())
+        stroke->slopeLevel = below(*std::min_element(jumps_dB.begin(), jumps_dB.end()),
+                                   feltSlopeLevel_dB(profile_, p) + 20 * std::log10(loudest));
+    }
+  }
+
+  /// Felt levels of a stroke's jumps that sound, in the order travelled.
+  std::vector<double> jumpLevels_dB(const StrokeTable& stroke) const {
+    std::vector<double> levels_dB;
+    for (std::size_t i = 0; i < stroke.jumpCount; ++i) {
+      if (stroke.jumps[i].burst.amplitude > 0)
+        levels_dB.push_back(feltLevel_dB(stroke.jumps[i].burst, profile_, prepared_.program));
+    }
+    return levels_dB;
+  }
+
+  /// Keeps the jumps that the paper's levels put far below the slope or the bottom-out.
+  void findDrowned(const StateProgram& state) {
+    const HapticProgram& p = prepared_.program;
+    for (const StrokeTable* stroke : {&state.press, &state.release}) {
+      double loudest_dB = silent_dB;
+      if (stroke->slopeCount > 0 && p.grain.amplitude > 0) loudest_dB = feltSlopeLevel_dB(profile_, p);
+      if (stroke == &state.press && state.hasBottomOut && p.bottomOut.amplitude > 0)
+        loudest_dB = std::max(loudest_dB, feltLevel_dB(p.bottomOut, profile_, p));
+      for (std::size_t i = 0; i < stroke->jumpCount; ++i) {
+        const JumpEntry& jump = stroke->jumps[i];
+        if (!(jump.burst.amplitude > 0) ||
+            feltLevel_dB(jump.burst, profile_, p) >= loudest_dB - drownedBelow_dB)
+          continue;
+        drowned_.push_back({"%1", millimetres(jump.from_mm)});
+      }
     }
   }
 
@@ -324,7 +355,8 @@ class HapticPreparation {
   }
 
   // Grains stand on one grid over the whole travel ("evenly along the displacement range"); a slope owns the
-  // grid places within it. What lies outside a release curve's own range belongs to its nearest slope.
+  // grid places within it. Where one stroke has no curve, nothing is felt: the table is flat there and all its
+  // grains would come at one force, as one click.
   void addSlopes(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
     const auto cell = [&](double x_mm) {
       return static_cast<std::int64_t>(
@@ -334,12 +366,12 @@ class HapticPreparation {
     for (std::size_t i = 0; i < plan.sections.size(); ++i) {
       const Section& s = plan.sections[i];
       if (s.kind != SectionKind::slope) continue;
-      double low = std::max(std::min(s.from_mm, s.to_mm), state.low_mm);
-      double high = std::min(std::max(s.from_mm, s.to_mm), state.end_mm);
+      double low = std::min(s.from_mm, s.to_mm), high = std::max(s.from_mm, s.to_mm);
       const bool first = i == 0, last = i + 1 == plan.sections.size();
       const bool press = plan.stroke == Stroke::press;
-      if (press ? first : last) low = press ? state.start_mm : state.low_mm;
-      if (press ? last : first) high = state.end_mm;
+      if (press ? first : last) low = plan.curve.start_mm();
+      if (press ? last : first) high = plan.curve.end_mm();
+      high = std::min(high, state.end_mm);
       if (high > low) ranges.push_back({cell(low) + 1, cell(high)});
     }
     std::sort(ranges.begin(), ranges.end(),
@@ -497,6 +529,7 @@ class HapticPreparation {
   PreparedProgram prepared_;
   double press_Hz_ = 0, release_Hz_ = 0;
   double rearm_N_ = 0;
+  std::vector<Message> drowned_;
 };
 
 }  // namespace
@@ -513,6 +546,8 @@ const char* nameOf(PrepareWarningCode code) {
       return "jumps-left-out";
     case PrepareWarningCode::jumpClipped:
       return "jump-clipped";
+    case PrepareWarningCode::clickDrowned:
+      return "click-drowned";
     case PrepareWarningCode::equalizerSpared:
       break;
   }

@@ -22,7 +22,8 @@ enum class PrepareWarningCode : std::uint8_t {
   slopesLeftOut,      ///< how many a program holds
   jumpsLeftOut,       ///< how many there are, how many are kept, messages of where those left out are
   jumpClipped,        ///< where, times full scale it asks for
-  equalizerSpared     ///< messages of the bands' frequencies
+  clickDrowned,    ///< dB, messages of where the jumps are that the paper's levels put so far below the rest
+  equalizerSpared  ///< messages of the bands' frequencies
 };
 
 /// The code decides, the message is for people (model/message.h).

@@ -46,6 +46,7 @@ struct ForceStep {
   double periods = 1;      ///< since the step before, by the clock of a loop that keeps time
   double time_s =
       0;  ///< of the reading, on that clock (playback/device/steady_clock.h); 0: the loop keeps none
+  double asked_s = 0;  ///< when the device was asked for it, on that clock; the last force went along
   bool good = true;  ///< the reading was believed; else the position is the last that was
   bool proving =
       false;  ///< motor and encoder are being checked (direction_proof.h): the button's force has not begun
@@ -57,6 +58,12 @@ struct ForceStep {
   std::uint32_t state = 0;
   bool actuated = false;
 };
+
+/// Time from one step to the next, by the loop's clock. `periods` counts no interval as less than one, so that
+/// a sum of them runs ahead where a busy computer wakes the loop early and late in turns.
+inline double between_s(const ForceStep& before, const ForceStep& step, double period_s) {
+  return before.asked_s > 0 && step.asked_s > 0 ? step.asked_s - before.asked_s : step.periods * period_s;
+}
 
 class ForceEngine {
  public:

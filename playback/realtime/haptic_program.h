@@ -70,7 +70,7 @@ struct StateProgram {
   double low_mm = 0, end_mm = 0;  ///< range of both strokes' tables
   double start_mm = 0;            ///< where the press stroke begins; an unactuated press returns to here
   double rest_mm =
-      0;  ///< where a release ends after an actuation: start_mm, or where a self-locking button latches
+      0;  ///< where a release ends after an actuation: where a self-locking button latches, else low_mm
   StrokeTable press, release;
   bool hasBottomOut = false;
   double bottomOut_mm = 0;       ///< felt when a press arrives here

@@ -119,7 +119,7 @@ void SpeedTracker::look(const Crossings& crossings, double value, bool isForce, 
   const bool known = pace_.take(value, isForce, at.state, time_s);
   if (!pace_.begun()) {
     settled_ = false;
-    if (at.displacement_mm == state.start_mm) wanted_ = &speeds_->front().program;
+    if (at.displacement_mm <= state.start_mm) wanted_ = &speeds_->front().program;
     return;
   }
   settled_ = settled_ || at.releasing || meets(crossings, CrossingKind::pressJump) ||

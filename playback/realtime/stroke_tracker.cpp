@@ -43,14 +43,14 @@ void StrokeTracker::use(const HapticProgram* program) {
   actuated_ = false;
   extreme_N_ = 0;
   if (program_ == nullptr) return;
-  position_.displacement_mm = extreme_mm_ = state().start_mm;
+  position_.displacement_mm = extreme_mm_ = restingPlace_mm();
 }
 
 void StrokeTracker::exchange(const HapticProgram* program) {
-  const bool atTop = position_.displacement_mm == state().start_mm;
+  const bool atTop = position_.displacement_mm == restingPlace_mm();
   program_ = program;
   const StateProgram& now = state();
-  double x = atTop ? now.start_mm : clamped(position_.displacement_mm, now.low_mm, now.end_mm);
+  double x = atTop ? restingPlace_mm() : clamped(position_.displacement_mm, now.low_mm, now.end_mm);
   // No finger stands within a jump: it is about to be met.
   for (std::size_t i = 0; i < now.press.jumpCount; ++i) {
     const JumpEntry& jump = now.press.jumps[i];
@@ -70,8 +70,12 @@ std::int64_t StrokeTracker::grainCell(double displacement_mm) const {
 }
 
 // A self-locking button stays down after an actuation; whatever was pressed less far comes back up.
-double StrokeTracker::releaseEnd_mm() const {
-  return actuated_ && program_->stateCount > 1 ? state().rest_mm : state().start_mm;
+double StrokeTracker::releaseEnd_mm() const { return actuated_ ? state().rest_mm : state().start_mm; }
+
+// A self-locking button is where the press on its present state starts, a momentary one at the higher end of
+// both strokes.
+double StrokeTracker::restingPlace_mm() const {
+  return program_->stateCount > 1 ? state().start_mm : state().low_mm;
 }
 
 double StrokeTracker::forceAt(double displacement_mm) const {
@@ -360,6 +364,9 @@ void StrokeTracker::add(CrossingKind kind, std::size_t jump, double at_mm, const
 void StrokeTracker::finish() {
   rearm();
   spreadTies();
+  // Without an operating point, a press that has left its start has actuated.
+  if (!position_.releasing && !state().hasOperatingPoint && position_.displacement_mm > state().start_mm)
+    actuated_ = true;
   if (!position_.releasing || position_.displacement_mm > releaseEnd_mm()) return;
   position_.contact = false;
   if (!actuated_) return;
@@ -415,7 +422,7 @@ void StrokeTracker::toRest() {
   const std::uint8_t keptState = position_.state < program_->stateCount ? position_.state : std::uint8_t{0};
   position_ = StrokePosition{};
   position_.state = keptState;
-  position_.displacement_mm = state().start_mm;
+  position_.displacement_mm = restingPlace_mm();
   pressFired_.reset();
   releaseFired_.reset();
   bottomOutArmed_ = true;

@@ -55,6 +55,8 @@ struct StrokePosition {
 ///  - a jump fires once and again only after its re-arm position (chatter is counted, not played);
 ///  - a grain on the grid g is crossed upwards by x0 < g <= x1, downwards by x1 < g <= x0: none lost, none
 ///    doubled;
+///  - where a state's release does not end at the start of its press, a press that has not actuated returns to
+///    that start, and the way between both ends is silent;
 ///  - a self-locking button changes its state when it is released after an actuation.
 /// Readings must be finite (force_conditioner.h sees to it). Callback thread; no allocation.
 class StrokeTracker {
@@ -102,6 +104,7 @@ class StrokeTracker {
   std::int64_t grainCell(double displacement_mm) const;
   double forceAt(double displacement_mm) const;
   double releaseEnd_mm() const;
+  double restingPlace_mm() const;
 
   const HapticProgram* program_ = nullptr;
   StrokePosition position_;

@@ -81,6 +81,20 @@ def margins(judge, name, press_s):
     return [own[i:min([i + reach] + [k for k in at if k > i])].max() - rest[max(0, i - reach):i + reach].max() for i in at]
 
 
+def bottom_out_below(judge, name):
+    """How far the bottom-out of a slow press lies below the last click before it, dB."""
+    button = BUTTONS / f"{name}.button.json"
+    strongest = max(k["force_N"] for s in json.loads(button.read_text())["states"] for k in s["press"])
+    t = np.arange(0, 1.2, 0.001)
+    trace = judge.trace("force_N", t, 1.25 * strongest * np.clip(t - 0.1, 0, 1))
+    both, events = judge.render(button, trace, "--mode", "click-only")
+    jumps, _ = judge.render(button, trace, "--mode", "click-only", "--bottom-amplitude", "0")
+    count = max(len(both), len(jumps)) + RATE_HZ // 2
+    both, jumps = (np.pad(x, (0, count - len(x))) for x in (both, jumps))
+    last = max(round(float(e["time_s"]) * RATE_HZ) for e in events if e["event"] == "press_jump")
+    return level_dB(jumps)[last:].max() - level_dB(both - jumps).max()
+
+
 def slope(judge, speed_mm_per_s):
     t = np.arange(0, 3.9 / speed_mm_per_s, 0.001)
     samples, _ = judge.render(BUTTONS / "A.button.json", judge.trace("displacement_mm", t, t * speed_mm_per_s),
@@ -129,6 +143,7 @@ def main():
             print(f"steps per doubling of the steepness, 0.05 to 0.8 N/mm, at {speed} mm/s, dB:", steepness_steps(judge, lambda k: speed))
         for rate in (2, 10):
             print(f"the same at {rate} N/s, dB:", steepness_steps(judge, lambda k: rate / k))
+        print("the bottom-out below the click before it, dB:", ", ".join(f"{n} {bottom_out_below(judge, n):.1f}" for n in "BCDEF"))
         print(f"energy of a stroke over speed: within {max(energies) - min(energies):.1f} dB")
 
 

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-COMMANDS = {"--quality": ["detent-import"], "--placement": ["detent-play", "render"], "--rate 48000": ["detent-play", "render"],
+COMMANDS = {"--quality": ["detent-import"], "--placement": ["detent-play", "render"], "--feel": ["detent-play", "render"], "--rate 48000": ["detent-play", "render"],
             "--rate 1000": None, "--velocity": ["detent-play", "force"]}  # None: 0 stands for the device's own, 1000 Hz of every preset
 
 

@@ -137,18 +137,19 @@ void step(float steps_per_s) {
     if (!atRest && force_N > extreme_N + detent_hysteresis_N) turn(0, force_N);
   }
   if (releasing || !atRest) follow(s, force_N, releasing ? end_mm : 1e30f);
-  if (!releasing && detent_state_count > 1 && x_mm >= s->operating_mm) actuated = 1;
+  if (!releasing && (s->operating_mm < 0 ? x_mm > s->start_mm : x_mm >= s->operating_mm)) actuated = 1;
   for (unsigned i = 0; i < s->trigger_count; ++i) {
     if (!played[i]) continue;
     const detent_trigger t = triggerAt(s, i);
     if (t.release ? x_mm >= t.rearm_displacement_mm : x_mm <= t.rearm_displacement_mm) played[i] = 0;
   }
-  if (releasing && actuated && x_mm <= end_mm) { /* the next state of a self-locking button answers */
-    actuated = 0, piece = 0, state = (state + 1) % detent_state_count;
+  const int ended = releasing && actuated && x_mm <= end_mm;
+  if (ended && detent_state_count > 1) { /* the next state of a self-locking button answers */
+    state = (state + 1) % detent_state_count;
     DETENT_COPY(current, detent_states[state]);
-    x_mm = s->start_mm;
     for (unsigned i = 0; i < sizeof played; ++i) played[i] = 0;
   }
+  if (ended) actuated = 0, piece = 0, x_mm = s->start_mm;
   float sum = 0;
   for (unsigned i = 0; i < sizeof voices / sizeof *voices; ++i) sum += sampleOf(&voices[i], voices[i].age);
   sum += sampleOf(&grain, carrier);

@@ -197,15 +197,15 @@ int main(void) {
     }
     travel(s, releasing, &at, next);
     if (!(detent_grains_per_mm > 0)) at = next;
-    if (!releasing && s->operating_mm >= 0 && at >= s->operating_mm) acted = 1;
+    if (!releasing && (s->operating_mm >= 0 ? at >= s->operating_mm : at > s->start_mm)) acted = 1;
     if (releasing && acted && at <= s->rest_mm) {
       acted = 0;
       if (detent_state_count > 1) {
         answers = (answers + 1) % detent_state_count;
         s = &detent_states[answers];
-        at = s->start_mm;
         arm(s);
       }
+      at = s->start_mm;
     }
     before = force;
     for (i = 0; i < MOST; ++i)

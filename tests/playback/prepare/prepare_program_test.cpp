@@ -57,14 +57,15 @@ TEST_CASE(
   const auto clear = std::make_unique<HapticProgram>(programOf(twoLevelButton(), settings));
   Burst bottomOut = clear->bottomOut;
   bottomOut.amplitude *= clear->states[0].bottomOutLevel;
-  double weakest_dB = 1000;
+  double weakest_dB = 1000, last_dB = 0;
   const StrokeTable &press = clear->states[0].press, &before = plain->states[0].press;
   for (std::size_t i = 0; i < press.jumpCount; ++i) {
     CHECK(press.jumps[i].burst.amplitude == Approx(std::sqrt(before.jumps[i].burst.amplitude)));
     CHECK(press.jumps[i].burst.quietensSlope);
-    weakest_dB = std::min(weakest_dB, feltLevel_dB(press.jumps[i].burst, {}, *clear));
+    last_dB = feltLevel_dB(press.jumps[i].burst, {}, *clear);
+    weakest_dB = std::min(weakest_dB, last_dB);
   }
-  CHECK(feltLevel_dB(bottomOut, {}, *clear) <= weakest_dB - settings.clear.jumpAbove_dB + 1e-9);
+  CHECK(feltLevel_dB(bottomOut, {}, *clear) == Approx(last_dB - settings.clear.jumpAbove_dB));
   for (std::size_t i = 0; i < press.slopeCount; ++i) {
     CHECK(feltSlopeLevel_dB({}, *clear) + 20 * std::log10(press.slopeLevel * press.slopes[i].level) <=
           weakest_dB - settings.clear.jumpAbove_dB + 1e-9);
@@ -185,7 +186,7 @@ TEST_CASE("prepare: the device's resonance and equalizer are used when asked for
   CHECK(programOf(tactileButton(), settings, profile).equalizerBandCount == 0);
   const Result<PreparedProgram> without = prepareProgram(tactileButton(), {}, settings);
   REQUIRE(without);
-  REQUIRE(without->summary.warnings.size() == 1);
+  REQUIRE(!without->summary.warnings.empty());
   CHECK(without->summary.warnings[0].code == PrepareWarningCode::noResonance);
 }
 
@@ -302,4 +303,82 @@ TEST_CASE("prepare: a transducer's power bounds the ceiling, its sensor's noise 
   profile.sensor.weights = 3;
   profile.sensor.coefficients = {0, -1, 0, 0};
   CHECK_FALSE(prepareProgram(tactileButton(), profile, {}));
+}
+
+namespace {
+
+/// A press with two jumps, of which the second falls by more.
+Button twoClicks(double firstFall_N, double secondFall_N) {
+  return buttonOf("two clicks", {stateOf("",
+                                         {{0, 0.2},
+                                          {0.8, 1.2},
+                                          {1.1, 1.2 - firstFall_N},
+                                          {1.6, 1.6},
+                                          {2.0, 2.6},
+                                          {2.4, 2.6 - secondFall_N},
+                                          {3.0, 3.2},
+                                          {3.0, 4.0}},
+                                         {})});
+}
+
+}  // namespace
+
+TEST_CASE("prepare: the bottom-out stays felt beside a strong click, however weak the one before") {
+  for (const double weak_N : {0.12, 0.3, 0.6}) {
+    PlaybackSettings settings;
+    settings.feel = Feel::clear;
+    const auto program = std::make_unique<HapticProgram>(programOf(twoClicks(weak_N, 1.5), settings));
+    const StateProgram& state = program->states[0];
+    REQUIRE(state.press.jumpCount == 2);
+    REQUIRE(state.hasBottomOut);
+    Burst bottomOut = program->bottomOut;
+    bottomOut.amplitude *= state.bottomOutLevel;
+    const double strong_dB = feltLevel_dB(state.press.jumps[1].burst, {}, *program);
+    INFO("first fall " << weak_N << " N, " << feltLevel_dB(state.press.jumps[0].burst, {}, *program)
+                       << " and " << strong_dB << " dB");
+    CHECK(feltLevel_dB(bottomOut, {}, *program) >= strong_dB - 12);
+    CHECK(feltLevel_dB(bottomOut, {}, *program) <= strong_dB - settings.clear.jumpAbove_dB + 1e-9);
+  }
+}
+
+TEST_CASE("prepare: the clear feel keeps the order of the jumps over the paper's areas") {
+  for (const Feel feel : {Feel::paper, Feel::clear}) {
+    PlaybackSettings settings;
+    settings.feel = feel;
+    double before = 0;
+    for (double fall_N = 0.2; fall_N < 1.2; fall_N += 0.1) {
+      const auto program = std::make_unique<HapticProgram>(programOf(twoClicks(0.1, fall_N), settings));
+      const double amplitude = program->states[0].press.jumps[1].burst.amplitude;
+      INFO(feels.word(feel) << ", falls by " << fall_N);
+      if (amplitude < 1) CHECK(amplitude > before);
+      before = amplitude;
+    }
+    CHECK(before > 0.5);
+  }
+}
+
+TEST_CASE("prepare: a click that the paper's levels drown is told, by its place") {
+  const auto told = [](const Button& button, const PlaybackSettings& settings, const DeviceProfile& profile) {
+    const Result<PreparedProgram> prepared = prepareProgram(button, profile, settings);
+    REQUIRE(prepared);
+    for (const PrepareWarning& w : prepared->summary.warnings)
+      if (w.code == PrepareWarningCode::clickDrowned) return english(w.message);
+    return std::string();
+  };
+  PlaybackSettings paper;
+  const Button weakFirst = twoClicks(0.12, 1.5);
+  CHECK(told(weakFirst, paper, {}).find("0.8 mm") != std::string::npos);
+  CHECK(told(weakFirst, paper, {}).find("--feel clear") != std::string::npos);
+  CHECK(told(weakFirst, paper, {}).find("2 mm") == std::string::npos);
+  PlaybackSettings clear;
+  clear.feel = Feel::clear;
+  CHECK(told(weakFirst, clear, {}).empty());
+  PlaybackSettings slopes;
+  slopes.mode = FeedbackMode::slopeOnly;
+  CHECK(told(weakFirst, slopes, {}).empty());
+  CHECK(told(linearButton(), paper, {}).empty());
+  // A device that resonates at the jumps' frequency lifts them.
+  DeviceProfile resonant;
+  resonant.resonances = {{390, 10, 24}};
+  CHECK(told(weakFirst, paper, resonant).empty());
 }

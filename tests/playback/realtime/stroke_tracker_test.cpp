@@ -287,3 +287,87 @@ TEST_CASE("tracker: more grains in one reading than there is room for are counte
   CHECK(t.grains == trackerGrainPositions(program->states[0].press));
   CHECK(t.bottomOuts == 1);
 }
+
+namespace {
+
+struct OpenState {
+  const char* name;
+  std::vector<CurvePoint> press, release;
+  std::uint64_t pressGrains, releaseGrains;
+};
+
+/// States whose strokes end at different places, as E and F of the paper played alone, and one that closes.
+const std::vector<OpenState>& openStates() {
+  static const std::vector<OpenState> states{
+      {"E alone", {{0, 0.3}, {4, 0.9}}, {{2.5, 0.05}, {4, 0.85}}, 80, 30},
+      {"F alone", {{2.5, 0.2}, {4, 0.9}}, {{0, 0.1}, {4, 0.85}}, 30, 80},
+      {"release from 3 mm", {{0, 0.3}, {4, 0.9}}, {{0, 0.1}, {3, 0.6}}, 80, 60},
+      {"closed", {{0, 0.3}, {4, 0.9}}, {{0, 0.2}, {4, 0.85}}, 80, 80},
+  };
+  return states;
+}
+
+}  // namespace
+
+TEST_CASE("tracker: a state whose strokes end at different places plays each stroke's own grains") {
+  for (const OpenState& open : openStates()) {
+    for (const bool operates : {false, true}) {
+      ButtonState state = stateOf("", open.press, open.release);
+      if (operates) state.operatingPoint_mm = 3.6;
+      const auto program = std::make_unique<HapticProgram>(programOf(buttonOf(open.name, {state})));
+      for (const bool byForce : {true, false}) {
+        StrokeTracker tracker;
+        tracker.use(program.get());
+        for (int press = 0; press < 3; ++press) {
+          Totals down, up;
+          std::uint64_t mostAtOnce = 0;
+          for (int i = 0; i <= 2000; ++i) {
+            const double share = i <= 1000 ? i / 1000.0 : (2000 - i) / 1000.0;
+            Totals now;
+            now.add(byForce ? tracker.updateForce(share) : tracker.updateDisplacement(4 * share));
+            mostAtOnce = std::max(mostAtOnce, now.grains);
+            (i <= 1000 ? down : up).grains += now.grains;
+          }
+          INFO(open.name << ", press " << press << (byForce ? " by force" : " by displacement"));
+          CHECK(down.grains == open.pressGrains);
+          CHECK(up.grains == open.releaseGrains);
+          CHECK(mostAtOnce <= 2);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("tracker: a press that has not actuated goes back to its start without the way beyond it") {
+  // F alone: a finger that only rests on it must not play the release from 2.5 mm to 0.
+  ButtonState state = stateOf("", {{2.5, 0.2}, {4, 0.9}}, {{0, 0.1}, {4, 0.85}});
+  for (const bool operates : {false, true}) {
+    if (operates) state.operatingPoint_mm = 3.6;
+    const auto program = std::make_unique<HapticProgram>(programOf(buttonOf("F alone", {state})));
+    StrokeTracker tracker;
+    tracker.use(program.get());
+    Totals touch;
+    for (const double force_N : {0.05, 0.15, 0.19, 0.1, 0.0, 0.18, 0.0})
+      touch.add(tracker.updateForce(force_N));
+    CHECK(touch.grains == 0);
+  }
+}
+
+TEST_CASE("tracker: half a press of a self-locking state is not let go in one click") {
+  const auto program = std::make_unique<HapticProgram>(programOf(
+      buttonOf("latch", {stateOf("unlocked", {{0, 0.1}, {2, 0.6}, {4, 1.2}}, {{2.5, 0.1}, {4, 1.1}}),
+                         stateOf("locked", {{2.5, 0.1}, {4, 1.2}}, {{0, 0.05}, {2, 0.4}, {4, 1.1}})})));
+  StrokeTracker tracker;
+  tracker.use(program.get());
+  std::uint64_t mostAtOnce = 0, grains = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    Totals now;
+    now.add(tracker.updateForce(0.5 * (i <= 500 ? i : 1000 - i) / 500));
+    mostAtOnce = std::max(mostAtOnce, now.grains);
+    grains += now.grains;
+  }
+  CHECK(grains == 32);  // 1.6 mm of the press; its release has no curve there
+  CHECK(mostAtOnce <= 2);
+  CHECK(tracker.position().state == 0);
+  CHECK(tracker.position().displacement_mm == 0);
+}

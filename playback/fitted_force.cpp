@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/fitted_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "playback/prepare/stability.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double busyShare = 0.5;          // of a round trip that this computer takes alone
+constexpr double finestEncoder_mm = 1e-4;  // nobody has a finer one
+
+/// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its
+/// travel.
+double plainestSlope_N_per_mm(const Button& button, double largest_N) {
+  double plainest = 0;
+  for (const ButtonState& state : button.states()) {
+    const StrokeCurve& press = state.graph.press();
+    plainest = std::max(plainest, std::min(press.forceRange_N().second, largest_N) / press.travel_mm());
+  }
+  return plainest;
+}
+
+/// Rounds to this many digits, so that measured values are not shown finer than measured.
+double rounded(double value, int digits) {
+  if (!(value > 0)) return value;
+  const double unit = std::pow(10, std::floor(std::log10(value)) - (digits - 1));
+  return std::round(value / unit) * unit;
+}
+
+/// What is told to carry a button carries a little more than it needs.
+constexpr double spareOfRemedy = 1.1;
+
+}  // namespace
+
+Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace, const MarginPoint& least,
+                    double needed_N_per_mm) {
+  const double allowed = rounded(least.allowed_N_per_mm, 2), needed = rounded(needed_N_per_mm, 2);
+  if (pace.roundTrip_s > 0) {
+    const double answer_ms = rounded(1e3 * pace.roundTrip_s, 3), late_ms = rounded(1e3 * device.delay_s, 3);
+    const bool busy = pace.computer_s > busyShare * pace.roundTrip_s;
+    return {FailureCode::deviceTrouble, device.name, "",
+            Message("answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest "
+                    "that is steady; this button needs %4 N/mm",
+                    answer_ms, late_ms, allowed, needed),
+            busy ? Message("This computer is late: it takes %1 ms to pass a line to itself. Close what else "
+                           "runs and allow "
+                           "real-time scheduling (docs/guide/force-feedback.md)",
+                           rounded(1e3 * pace.computer_s, 3))
+                 : Message("The device is late. Make the link quicker: native USB, a higher --baud, an FTDI "
+                           "latency timer of "
+                           "1 ms; or --upload, so that the device runs the law")};
+  }
+  const Message bears("bears %1 N/mm by its measured profile; this button needs %2 N/mm", allowed, needed);
+  if (least.bound == StabilityBound::quantisation) {
+    const double spared_N_per_mm = spareOfRemedy * needed_N_per_mm;
+    const double friction_N = rounded(spared_N_per_mm * device.step_mm / 2, 2),
+                 step_mm = rounded(2 * device.friction_N / spared_N_per_mm, 2);
+    return {FailureCode::deviceTrouble, device.name, "", bears,
+            step_mm >= finestEncoder_mm
+                ? Message("Friction of %1 N or an encoder step of %2 mm would carry it", friction_N, step_mm)
+                : Message("Friction of %1 N would carry it", friction_N)};
+  }
+  return {FailureCode::deviceTrouble, device.name, "", bears,
+          Message("More damping of the handle, a quicker loop (--rate) or a shorter delay would carry it")};
+}
+
+Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& device,
+                             const ForceSettings& settings, const ForceLinkPace& pace) {
+  Result<StableButton> stable = nearestStable(button, device, device.rate_Hz);
+  const double needed = plainestSlope_N_per_mm(button, device.limits.force_N);
+  const MarginPoint least = stabilityOf(stable ? stable->button : button, device, device.rate_Hz).least;
+  const double allowed = stable ? least.allowed_N_per_mm : 0;
+  if (allowed < needed) return tooSteepFor(device, pace, least, needed);
+  ForceDeviceProfile softened = device;
+  softened.largestSlope_N_per_mm = std::min(device.largestSlope_N_per_mm, allowed);
+  ForceSettings atRate = settings;
+  atRate.rate_Hz = device.rate_Hz;
+  atRate.passivityController = settings.passivityController || device.measured;
+  Result<PreparedForce> prepared = prepareForce(stable->button, softened, atRate);
+  if (!prepared) return prepared.failure();
+  FittedForce fitted{*std::move(prepared), softened, pace};
+  for (const StabilityChange& c : stable->changes) {
+    fitted.pace.addedDamping_Ns_per_mm =
+        std::max(fitted.pace.addedDamping_Ns_per_mm, c.addedDamping_Ns_per_mm);
+    fitted.pace.largestForceChange_N = std::max(fitted.pace.largestForceChange_N, c.largestForceChange_N);
+  }
+  return fitted;
+}
+
+Result<FittedForce> keptTo(const ForceDeviceProfile& profile, const Button& button,
+                           const ForceSettings& settings, PreparedForce prepared) {
+  FittedForce unlimited{std::move(prepared), profile, {}};
+  unlimited.device.rate_Hz = 1 / unlimited.prepared.program.period_s;
+  if (!profile.measured) return unlimited;
+  // A slope above the device's limit is softened anyway.
+  const std::vector<UnstableStretch> unstable =
+      stabilityOf(button, profile, unlimited.device.rate_Hz).unstable;
+  const bool borne = std::ranges::all_of(
+      unstable, [](const UnstableStretch& u) { return u.worst.bound == StabilityBound::device; });
+  if (borne) return unlimited;
+  return fittedTo(button, unlimited.device, settings, {});
+}
+
+}  // namespace detent::playback
