@@ -266,6 +266,7 @@ class ColumnFinder {
       if (first.find('=') != std::string_view::npos || first.ends_with(':')) break;  // a preamble's
       std::size_t over = 0;
       for (const std::size_t c : numeric_) over += isTitle(row, c);
+      if (from < to && isTableTitle(row, from)) break;
       const bool covers = over * 2 >= numeric_.size();
       const bool isGroup =
           from < to && (over >= 2 || (over == 1 && facts_[row].width >=
@@ -282,6 +283,26 @@ class ColumnFinder {
     while (before > 0 && facts_[before - 1].isVoid() && !isData(before - 1)) --before;
     if (from < to && before > 0 && isData(before - 1) && !namesColumns(from, to)) from = to;
     return {from, to};
+  }
+
+  /// One text at the left above the titles of columns, "Release" or "Release;;;": it names the table, not its first column.
+  bool isTableTitle(std::size_t row, std::size_t below) const {
+    if (facts_[row].texts != 1 || facts_[row].numbers > 0) return false;
+    std::size_t at = 0;
+    while (table_.cell(row, at).empty()) ++at;
+    std::size_t titles = 0;
+    for (const std::size_t c : numeric_) titles += isTitle(below, c);
+    if (at > numeric_.front() || titles < 2) return false;
+    // A quantity may be said once above its units; a word such as "load" is a stroke's there.
+    const SplitTitle split = splitTitle(table_.cell(row, at));
+    bool displacement = false, force = false;
+    for (const KnownWords::Word& word : knownWordsIn(split.name).words)
+      if (!word.has(ColumnWord::press) && !word.has(ColumnWord::release)) {
+        displacement = displacement || word.has(ColumnWord::displacement);
+        force = force || word.has(ColumnWord::force);
+      }
+    return (split.unit.kind == ColumnUnit::Kind::none || split.unit.kind == ColumnUnit::Kind::unknown) &&
+           force == displacement;
   }
 
   bool namesColumns(std::size_t from, std::size_t to) const {
@@ -319,6 +340,53 @@ class ColumnFinder {
     data_.firstLeftOutText = joinedCells(table_, row, ",").substr(0, longest_bytes);
   }
 
+  /// The title and unit above each column of the table.
+  std::vector<SplitTitle> titlesAbove(std::size_t dataRow) const {
+    const auto [from, to] = headingAbove(dataRow);
+    std::vector<SplitTitle> titles(width_);
+    for (std::size_t c = 0; c < width_; ++c)
+      for (std::size_t row = to; row-- > from;) {
+        const SplitTitle split = splitTitle(table_.cell(row, c));
+        if (titles[c].unit.kind == ColumnUnit::Kind::none) titles[c].unit = split.unit;
+        titles[c].name = lowered(split.name) + " " + titles[c].name;
+      }
+    for (SplitTitle& title : titles) title.name = std::string(trimmed(title.name));
+    return titles;
+  }
+
+  /// Brings a further block, whose columns stand in another order or have other units of the same quantities, into the
+  /// columns and units of the longest. Returns false, and changes nothing, if its titles are others.
+  bool bringIntoColumns(std::size_t firstRow) {
+    std::size_t end = firstRow;
+    while (end < table_.rows() && isData(end)) ++end;
+    constexpr std::size_t fewestRows = 4;
+    if (end - firstRow < fewestRows) return false;
+    const std::vector<SplitTitle> wanted = titlesAbove(mainFrom_), own = titlesAbove(firstRow);
+    std::map<std::size_t, std::size_t> from;
+    for (const std::size_t c : numeric_)
+      for (std::size_t other = 0; other < width_; ++other) {
+        if (own[other].name != wanted[c].name || own[other].unit.kind != wanted[c].unit.kind) continue;
+        if (own[other].name.empty() && own[other].unit.kind == ColumnUnit::Kind::none) continue;
+        if (!from.emplace(c, other).second) return false;  // two columns of one title
+      }
+    std::set<std::size_t> taken;
+    bool displacement = false, force = false;
+    for (const auto& [c, other] : from) {
+      if (!taken.insert(other).second) return false;
+      displacement = displacement || wanted[c].unit.kind == ColumnUnit::Kind::displacement;
+      force = force || wanted[c].unit.kind == ColumnUnit::Kind::force;
+    }
+    const bool whole = std::ranges::all_of(core_, [&](std::size_t c) { return from.contains(c); });
+    if (!whole || !displacement || !force) return false;
+    for (std::size_t row = firstRow; row < end; ++row) {
+      std::map<std::size_t, double> values;
+      for (const auto& [c, other] : from)
+        values[c] = numbers_[other][row] * (own[other].unit.size / wanted[c].unit.size);
+      for (const std::size_t c : numeric_) numbers_[c][row] = values.contains(c) ? values[c] : kNoNumber;
+    }
+    return true;
+  }
+
   void takeRows() {
     heading_ = headingAbove(mainFrom_);
     const auto headingOf = [&](std::size_t dataRow) {
@@ -328,7 +396,7 @@ class ColumnFinder {
       return text;
     };
     const std::string mainHeading = headingOf(mainFrom_);
-    bool begun = false, foreign = false;
+    bool begun = false, foreign = false, firstBrought = false;
     std::string between;
     bool interrupted = false;
     std::size_t firstRow = mainFrom_;
@@ -344,9 +412,11 @@ class ColumnFinder {
         const std::string own = headingOf(row);
         if (row == mainFrom_)
           foreign = false;
-        else if (!own.empty())
-          foreign = own != mainHeading && !mainHeading.empty();
-        else if (!begun && !foreign)
+        else if (!own.empty()) {
+          const bool other = own != mainHeading && !mainHeading.empty();
+          foreign = other && !bringIntoColumns(row);
+          firstBrought = firstBrought || (!begun && other && !foreign);
+        } else if (!begun && !foreign)
           foreign = row < mainFrom_ && !mainHeading.empty();
       }
       if (foreign) {
@@ -361,8 +431,9 @@ class ColumnFinder {
     }
     // Lines above the headings of the first run of data.
     const auto [from, to] = headingAbove(firstRow);
-    if (to > from) heading_ = {from, to};
-    for (std::size_t row = 0; row < std::min(heading_.first, firstRow); ++row)
+    if (to > from && !firstBrought) heading_ = {from, to};
+    const std::size_t captionsEnd = firstBrought ? from : std::min(heading_.first, firstRow);
+    for (std::size_t row = 0; row < captionsEnd; ++row)
       if (!facts_[row].isBlank()) data_.captions.push_back(joinedCells(table_, row, "\t"));
   }
 

@@ -177,6 +177,42 @@ TEST_CASE("the columns of a button are found among others") {
   }
 }
 
+TEST_CASE("a line above a table is its title, with however many delimiters behind it") {
+  const auto rows = [](bool press, const char* form, double first, double second, bool forceFirst,
+                       int steps = 160) {
+    std::string text;
+    for (int i = 0; i <= steps; ++i) {
+      const double x = press ? travel_mm * i / steps : travel_mm * (steps - i) / steps;
+      const double f = buttonForce_N(x, press);
+      text += formatted(form, first * (forceFirst ? f : x), second * (forceFirst ? x : f));
+    }
+    return text;
+  };
+  const std::string press = rows(true, "%.4f;%.4f\n", 1, 1, false),
+                    release = rows(false, "%.4f;%.4f\n", 1, 1, false);
+  const std::string titles = "Travel (mm);Force (N)\n";
+  for (const std::string& text : {
+           "Press\n" + titles + press + "\nRelease\n" + titles + release,
+           "Press;\n" + titles + press + ";\nRelease;\n" + titles + release,
+           "Essai 4;;;\nAller;;;\nCourse (mm);Effort (N);;\n" + press +
+               ";;;\nRetour;;;\nCourse (mm);Effort (N);;\n" + release,
+           "Belastung;\nWeg;Kraft\nmm;N\n" + press + "Entlastung;\nWeg;Kraft\nmm;N\n" + release,
+           "Press;\n" + titles + press + ";\nRelease;\nForce (N);Travel (mm)\n" +
+               rows(false, "%.4f;%.4f\n", 1, 1, true),
+           "Press;\n" + titles + press + ";\nRelease;\nForce (mN);Travel (um)\n" +
+               rows(false, "%.2f;%.1f\n", 1000, 1000, true),
+           "Press;\nForce (cN);Travel (mm)\n" + rows(true, "%.2f;%.4f\n", 100, 1, true, 100) +
+               ";\nRelease;\n" + titles + release,
+       }) {
+    CAPTURE(text.substr(0, 60), text.substr(text.size() - 60));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->confidence > 0.9);
+    checkButton(*log);
+  }
+}
+
 TEST_CASE("strokes in columns of their own are told by their names") {
   const auto beside = [](const char* header, const char* form, bool swapped) {
     std::string text = header;
