@@ -254,12 +254,23 @@ class ColumnFinder {
     std::size_t to = dataRow;
     // One blank row may stand between.
     if (to > 0 && facts_[to - 1].isBlank()) --to;
+    const std::size_t lowest = to;
     std::size_t from = to;
     while (from > 0 && to - from < mostLines) {
       const std::size_t row = from - 1;
-      if (facts_[row].isBlank() || isData(row)) break;
-      if (facts_[row].isVoid() && from == to) {
+      // One blank row may also stand above remarks.
+      if (from == to && to < lowest && facts_[row].isBlank() && lowest - to < mostLines) {
         --to, --from;
+        continue;
+      }
+      if (facts_[row].isBlank() || isData(row)) break;
+      if (from == to && (facts_[row].isVoid() || isBesideColumns(row))) {
+        --to, --from;
+        continue;
+      }
+      // Between the titles and their units.
+      if (from < to && isBesideColumns(row) && holdsOnlyUnits(from, to)) {
+        --from;
         continue;
       }
       const std::string_view first = table_.cell(row, 0);
@@ -278,11 +289,28 @@ class ColumnFinder {
       if (from < to && isPreambleLine(row)) break;
       --from;
     }
+    while (from < to && isBesideColumns(from)) ++from;
+    if (from == to) from = to = lowest;
     // Texts right below data are a heading only if they name something measured: "over range,error" is a row that failed.
     std::size_t before = from;
     while (before > 0 && facts_[before - 1].isVoid() && !isData(before - 1)) --before;
     if (from < to && before > 0 && isData(before - 1) && !namesColumns(from, to)) from = to;
     return {from, to};
+  }
+
+  /// Remarks in columns beside those of the data, and nothing in these.
+  bool isBesideColumns(std::size_t row) const {
+    return !facts_[row].isBlank() &&
+           std::ranges::all_of(core_, [&](std::size_t c) { return table_.cell(row, c).empty(); });
+  }
+
+  bool holdsOnlyUnits(std::size_t from, std::size_t to) const {
+    for (std::size_t row = from; row < to; ++row)
+      for (const std::size_t c : core_)
+        if (const std::string_view cell = table_.cell(row, c);
+            !cell.empty() && unitOf(cell).kind == ColumnUnit::Kind::unknown)
+          return false;
+    return true;
   }
 
   /// One text at the left above the titles of columns, "Release" or "Release;;;": it names the table, not its first column.

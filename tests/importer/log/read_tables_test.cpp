@@ -239,6 +239,30 @@ TEST_CASE("strokes in columns of their own are told by their names") {
   }
 }
 
+TEST_CASE("remarks beside a table leave its titles and units in force") {
+  const auto rows = [](const char* remark) {
+    return rowsOf([&](double x, double f, int n) {
+      return formatted("%.4f;%.5f%s\n", x, f / 0.278013851, n < 3 ? remark : "");
+    });
+  };
+  for (const std::string& text : {
+           "Travel [mm];Force [ozf];;k = 0.12 N/mm\n;;;Fmax;2.1\n" + rows(""),
+           "Travel [mm];Force [ozf];;k = 0.12 N/mm\n;;;Fmax;2.1\n" + rows(";;F1;2.1"),
+           "Travel [mm];Force [ozf]\n;;;Fmax (N);2.1\n;;;checked\n" + rows(""),
+           "Travel;Force\n;;;Fmax;2.1\nmm;ozf;;;\n" + rows(""),
+           "Travel (mm);Force (ozf);;Operator\n;;;;\n;;;Fmax;2.1\n" + rows(""),
+           "Travel;Force\nmm;ozf\n;;;Fmax;2.1\n" + rows(";;;3.4"),
+       }) {
+    CAPTURE(text.substr(0, 70));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->xUnit == "mm");
+    CHECK(log->yUnit == "ozf");
+    checkButton(*log);
+  }
+}
+
 TEST_CASE("tables that are no force log are refused for what they are") {
   struct Refused {
     const char* header;
