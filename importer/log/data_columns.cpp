@@ -591,9 +591,12 @@ class ColumnFinder {
         for (DataColumn& column : data_.columns)
           if (!column.isText) numeric.push_back(&column);
         while (!units.empty() && units.back().empty()) units.pop_back();
+        if (units.size() == 1 && quantity != ColumnQuantity::none &&
+            giveAxisUnit(numeric, quantity, unitOf(units.front())))
+          continue;
         // LabVIEW names those of its channels, not that of the first column.
         const std::size_t before =
-            units.size() + 1 == numeric.size() && quantity != ColumnQuantity::none ? 1 : 0;
+            units.size() + 1 == numeric.size() && quantity == ColumnQuantity::forceWeak ? 1 : 0;
         if (units.size() + before != numeric.size()) continue;
         for (std::size_t i = 0; i < units.size(); ++i)
           if (numeric[i + before]->unit.kind == ColumnUnit::Kind::none)
@@ -604,6 +607,28 @@ class ColumnFinder {
         if (column.unit.kind == ColumnUnit::Kind::none && quantityOf(knownWordsIn(column.title)) == quantity)
           column.unit = unitOf(value);
     }
+  }
+
+  /// "X unit: mm" is of the column titled X; where none is, of the only one that measures the unit's quantity, else X is the
+  /// first of two. Returns false if there is no such column.
+  static bool giveAxisUnit(const std::vector<DataColumn*>& numeric, ColumnQuantity axis,
+                           const ColumnUnit& unit) {
+    const auto only = [&](ColumnQuantity quantity) {
+      DataColumn* found = nullptr;
+      for (DataColumn* column : numeric)
+        if (quantityOf(knownWordsIn(column->title)) == quantity) {
+          if (found) return static_cast<DataColumn*>(nullptr);
+          found = column;
+        }
+      return found;
+    };
+    DataColumn* column = only(axis);
+    if (!column && unit.kind == ColumnUnit::Kind::displacement) column = only(ColumnQuantity::displacement);
+    if (!column && unit.kind == ColumnUnit::Kind::force) column = only(ColumnQuantity::force);
+    if (!column && axis == ColumnQuantity::displacementWeak && numeric.size() == 2) column = numeric.front();
+    if (!column) return false;
+    if (column->unit.kind == ColumnUnit::Kind::none) column->unit = unit;
+    return true;
   }
 
   /// "counts_per_newton = 25000", "mm per step: 0.00125".

@@ -291,6 +291,28 @@ TEST_CASE("tables that are no force log are refused for what they are") {
   }
 }
 
+TEST_CASE("key lines above a table give the units of X and Y") {
+  const auto rows = [](double mm, double newton, bool forceFirst) {
+    return rowsOf([=](double x, double f, int) {
+      return formatted("%.5f;%.5f\n", forceFirst ? f * newton : x * mm, forceFirst ? x * mm : f * newton);
+    });
+  };
+  for (const std::string& text : {
+           "X-Kanal;Weg\nX-Einheit;mm\nY-Kanal;Kraft\nY-Einheit;cN\n\nX;Y\n" + rows(1, 100, false),
+           "X-Unit: um\nY-Unit: cN\n\nX;Y\n" + rows(1000, 100, false),
+           "X unit = mm\nY unit = cN\n\nTravel;Force\n" + rows(1, 100, false),
+           "Y-Einheit;cN\nX-Einheit;mm\n\nY;X\n" + rows(1, 100, true),
+           "X-Einheit;mm\nY-Einheit;cN\n\nKraft;Weg\n" + rows(1, 100, true),
+       }) {
+    CAPTURE(text.substr(0, 70));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->yUnit == "cN");
+    checkButton(*log);
+  }
+}
+
 TEST_CASE("a unit that is not known is a question, never newton") {
   const LayoutFile file("Travel (mm),Force (furl)\n" +
                         rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
