@@ -492,11 +492,38 @@ class ColumnFinder {
     std::ranges::sort(data_.columns, {}, &DataColumn::index);
   }
 
+  /// Rows that are named by their number, 1 to n, and no title above these names, as R writes them: every title stands one cell
+  /// to the left of its column.
+  bool namesRows() const {
+    const auto [from, to] = heading_;
+    const DataColumn& first = data_.columns.front();
+    if (from == to || first.index != 0 || first.isText || table_.cell(to - 1, 0).empty()) return false;
+    for (std::size_t i = 0; i < first.values.size(); ++i)
+      if (first.values[i] != static_cast<double>(i + 1)) return false;
+    for (std::size_t row = from; row < to; ++row)
+      for (std::size_t c = data_.columns.back().index; c < table_.cells(row); ++c)
+        if (!table_.cell(row, c).empty()) return false;
+    if (table_.cell(to - 1, data_.columns.back().index - 1).empty()) return false;
+    // A title that may be the row numbers' own, above a last column that says nothing, shifts nothing.
+    const SplitTitle title = splitTitle(table_.cell(to - 1, 0));
+    const ColumnQuantity quantity = quantityOf(knownWordsIn(title.name));
+    const DataColumn& last = data_.columns.back();
+    const bool isMeasured =
+        title.unit.kind != ColumnUnit::Kind::none && title.unit.kind != ColumnUnit::Kind::unknown;
+    return quantity != ColumnQuantity::index && quantity != ColumnQuantity::cycle &&
+           (quantity != ColumnQuantity::none || isMeasured) && (last.isText || !last.isConstant());
+  }
+
   void readHeadings() {
     const auto [from, to] = heading_;
+    const std::size_t shift = namesRows() ? 1 : 0;
     for (DataColumn& column : data_.columns) {
+      if (column.index < shift) {
+        column.title = "row";
+        continue;
+      }
       for (std::size_t row = to; row-- > from;) {
-        std::string_view cell = withoutComment(table_.cell(row, column.index));
+        std::string_view cell = withoutComment(table_.cell(row, column.index - shift));
         // "# displacement force" over rows that do not begin with the sign.
         if (cell.empty() && table_.cell(row, 0) == "#") cell = table_.cell(row, column.index + 1);
         if (cell.empty()) continue;
@@ -510,6 +537,7 @@ class ColumnFinder {
         if (!split.name.empty()) column.title = split.name + (column.title.empty() ? "" : " " + column.title);
       }
     }
+    if (shift > 0) return;
     // A heading over several columns: the cells to its right are empty. The topmost line that has such a gap.
     for (std::size_t row = from; row + 1 < to; ++row) {
       std::string carried;

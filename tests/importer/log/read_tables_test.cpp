@@ -328,6 +328,31 @@ TEST_CASE("a unit that is not known is a question, never newton") {
   checkButton(*log);
 }
 
+TEST_CASE("titles stand one cell to the left where rows have names, as R writes them") {
+  const auto rows = [](const char* form, bool time) {
+    return rowsOf([&](double x, double f, int n) {
+      return time ? formatted(form, n + 1, 0.05 * n, x, f, n <= 160 ? "press" : "release")
+                  : formatted(form, n + 1, x, f, n <= 160 ? "press" : "release");
+    });
+  };
+  for (const std::string& text : {
+           "\"travel.mm\" \"force.N\" \"stroke\"\n" + rows("\"%d\" %.5f %.5f \"%s\"\n", false),
+           "\"time.s\" \"travel.mm\" \"force.N\" \"stroke\"\n" + rows("\"%d\" %.2f %.5f %.5f \"%s\"\n", true),
+           "\"Travel (mm)\" \"Force (N)\" \"stroke\"\n" + rows("\"%d\" %.5f %.5f \"%s\"\n", false),
+           "travel_mm,force_N,stroke\n" + rows("%d,%.5f,%.5f,%s\n", false),
+           "row,travel_mm,force_N,stroke\n" + rows("%d,%.5f,%.5f,%s\n", false),
+           "Reading,travel_mm,force_N\n" + rows("%d,%.5f,%.5f,%s\n", false),
+           "No,travel_mm,force_N\n" + rows("%d,%.5f,%.5f,%s\n", false),
+       }) {
+    CAPTURE(text.substr(0, 70));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->confidence > 0.9);
+    checkButton(*log);
+  }
+}
+
 TEST_CASE("a unit given by hand settles a column whose title and unit contradict each other") {
   const LayoutFile file("Travel (mm),Force (s)\n" +
                         rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
