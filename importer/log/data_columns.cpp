@@ -85,9 +85,38 @@ ColumnQuantity quantityOf(const KnownWords& words) {
   return head;
 }
 
-/// Digits followed by something: "0.1 mm/s" as a title says at what speed, not in which unit.
+/// A number followed by something: "0.1 mm/s" as a title says at what speed, not in which unit.
 bool isCondition(std::string_view title) {
+  for (const std::string_view sign : {"-", "+", "±", "−"})
+    if (title.starts_with(sign)) title.remove_prefix(sign.size());
   return !title.empty() && title.front() >= '0' && title.front() <= '9';
+}
+
+/// A unit in brackets behind a condition is that of the numbers: "85 °C (N)".
+bool isConditionWithUnit(std::string_view title) {
+  const ColumnUnit unit = splitTitle(title).unit;
+  return isCondition(title) && (title.ends_with(')') || title.ends_with(']')) &&
+         (unit.kind == ColumnUnit::Kind::force || unit.kind == ColumnUnit::Kind::displacement);
+}
+
+/// Returns true if a column's title tells what was measured apart from others, and not which quantity: a condition, or a word for
+/// a specimen with its letter or number.
+bool namesRecordIn(const DataColumn& column) {
+  const KnownWords& words = column.words;
+  for (const ColumnWord word : {ColumnWord::force, ColumnWord::displacement, ColumnWord::copy,
+                                ColumnWord::spread, ColumnWord::mean, ColumnWord::contact})
+    if (words.has(word)) return false;
+  if (column.isText || (column.isInteger && column.low >= 0 && column.high <= 1)) return false;
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  const std::string& title = column.title;
+  const auto isLetter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+  };
+  if (isCondition(title)) return std::ranges::any_of(title, isLetter);
+  const bool isTold = words.words.size() + words.unknown > 1 || std::ranges::any_of(title, isDigit);
+  if (words.has(ColumnWord::record) && isTold) return true;
+  return words.has(ColumnWord::cycle) && column.unit.kind == ColumnUnit::Kind::force &&
+         std::ranges::any_of(title, isDigit);
 }
 
 /// Log-likelihood that a column is a force, or a displacement, by its title, unit and values.
@@ -227,6 +256,9 @@ class ColumnFinder {
         return false;
     }
     for (const std::size_t c : numeric_) all += isNumber(row, c);
+    // "-40 °C;;85 °C;" above pairs of columns.
+    if (facts_[row].numbers < core_.size() && holdsConditions(row) && !holdsConditions(mainTo_ - 1))
+      return false;
     return all >= 2 && (numbers > 0 || core_.empty() || all >= 2);
   }
 
@@ -345,9 +377,17 @@ class ColumnFinder {
     return false;
   }
 
+  /// Numbers of one unit: "-40 °C;85 °C".
+  bool holdsConditions(std::size_t row) const {
+    std::set<std::string_view> units;
+    for (std::size_t c = 0; c < facts_[row].width; ++c)
+      if (c < width_ && isNumber(row, c)) units.insert(table_.number(row, c)->rest);
+    return facts_[row].numbers >= 2 && units.size() == 1 && !units.begin()->empty();
+  }
+
   /// A line of a preamble that happens to have as many cells as the data: "Serial,123456", "Date;2024-05-01".
   bool isPreambleLine(std::size_t row) const {
-    if (facts_[row].numbers > 0) return true;
+    if (facts_[row].numbers > 0) return !holdsConditions(row);
     // Below it stand names of quantities; above these a line without any is a group's name only where cells are left empty.
     if (facts_[row].texts >= numeric_.size() && numeric_.size() <= 3) {
       std::size_t known = 0;
@@ -527,7 +567,7 @@ class ColumnFinder {
         // "# displacement force" over rows that do not begin with the sign.
         if (cell.empty() && table_.cell(row, 0) == "#") cell = table_.cell(row, column.index + 1);
         if (cell.empty()) continue;
-        if (isCondition(cell)) {
+        if (isCondition(cell) && !isConditionWithUnit(cell)) {
           column.title = std::string(cell) + (column.title.empty() ? "" : " " + column.title);
           continue;
         }
@@ -719,7 +759,20 @@ class ColumnFinder {
     if (lowered(column.unit.text) == "oz" && !column.title.empty() && !column.has(ColumnWord::force) &&
         !column.has(ColumnWord::forceWeak))
       column.unit.kind = ColumnUnit::Kind::unknown;
+    settleRecordName(column);
     weigh(column);
+  }
+
+  /// Of a title that names a condition no word says which quantity was measured: "0 cycles (N)" counts no cycles.
+  static void settleRecordName(DataColumn& column) {
+    using Kind = ColumnUnit::Kind;
+    column.namesRecord =
+        (column.unit.kind == Kind::none || column.unit.kind == Kind::force) && namesRecordIn(column);
+    if (!column.namesRecord || (column.unit.kind == Kind::none && !isCondition(column.title))) return;
+    std::erase_if(column.words.words, [](const KnownWords::Word& word) {
+      return !word.has(ColumnWord::record) && !word.has(ColumnWord::press) && !word.has(ColumnWord::release);
+    });
+    column.quantity = ColumnQuantity::none;
   }
 
   const Table& table_;

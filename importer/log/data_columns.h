@@ -38,8 +38,9 @@ struct DataColumn {
   double low = 0, high = 0;
   int decimals = 0;  ///< the finest last digit counts 10^-decimals of its unit
   bool isInteger = false;
-  bool isText = false;      ///< words instead of numbers
-  bool ratioGiven = false;  ///< its unit comes from a line such as "steps_per_mm = 800"
+  bool isText = false;       ///< words instead of numbers
+  bool namesRecord = false;  ///< titled by a condition or a specimen: "85 °C (N)", "0 cycles", "Switch A"
+  bool ratioGiven = false;   ///< its unit comes from a line such as "steps_per_mm = 800"
 
   bool isConstant() const { return !(high > low); }
   bool has(ColumnWord word) const { return words.has(word) || groupWords.has(word); }

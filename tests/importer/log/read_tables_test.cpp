@@ -436,6 +436,54 @@ TEST_CASE("presses one after the other are records: the way back between them is
   CHECK(log->strokes.press.points.back().force_N == Approx(1.2 * buttonForce_N(4, true)).margin(0.001));
 }
 
+TEST_CASE("columns titled by conditions or specimens are records, never the first in silence") {
+  struct Titles {
+    const char* header;
+    const char* first;
+    const char* second;
+    double newton = 1;  // in one unit of the table
+  };
+  for (const Titles& each : {Titles{"Weg (mm);-40 °C (N);85 °C (N)", "-40 °C", "85 °C"},
+                             Titles{"Travel (mm);0 cycles (N);1M cycles (N)", "0 cycles", "1M cycles"},
+                             Titles{"Travel (mm);after 10 cycles (N);after 5000 cycles (N)",
+                                    "after 10 cycles", "after 5000 cycles"},
+                             Titles{"Travel (mm);Switch A;Switch B", "Switch A", "Switch B", 0.00980665},
+                             Titles{"Travel (mm);0.1 mm/s [N];10 mm/s [N]", "0.1 mm/s", "10 mm/s"},
+                             Titles{"Weg (mm);Probe 1 (N);Probe 2 (N)", "Probe 1", "Probe 2"},
+                             Titles{"Travel;-40 °C;85 °C\nmm;N;N", "-40 °C", "85 °C"}}) {
+    CAPTURE(each.header);
+    const LayoutFile file(
+        std::string(each.header) + "\n" +
+        rowsOf([&](double x, double f,
+                   int) { return formatted("%.4f;%.5f;%.5f\n", x, f / each.newton, 1.4 * f / each.newton); },
+               false));
+    const LogReading open = readLog(file.path());
+    REQUIRE_FALSE(open.log);
+    CHECK(open.log.failure().code == FailureCode::notCertain);
+    REQUIRE(open.records.size() == 2);
+    CHECK(open.records[0].name == each.first);
+    CHECK(open.records[1].name == each.second);
+    REQUIRE(open.question);
+    LogHints second;
+    second.curve = each.second;
+    const auto log = readForceLog(file.path(), second);
+    REQUIRE(log);
+    CHECK_FALSE(log->strokes.release);
+    CHECK(log->strokes.press.points.back().force_N == Approx(1.4 * buttonForce_N(4, true)).margin(0.001));
+  }
+}
+
+TEST_CASE("conditions above pairs of columns name records") {
+  const LayoutFile file(
+      "-40 °C;;85 °C;\nWeg (mm);Kraft (N);Weg (mm);Kraft (N)\n" +
+      rowsOf([](double x, double f, int) { return formatted("%.4f;%.5f;%.4f;%.5f\n", x, f, x, 1.4 * f); }));
+  const LogReading open = readLog(file.path());
+  REQUIRE_FALSE(open.log);
+  REQUIRE(open.records.size() == 2);
+  CHECK(open.records[0].name == "-40 °C");
+  CHECK(open.records[1].name == "85 °C");
+}
+
 TEST_CASE("a loop sorted by displacement is refused with what to do") {
   std::string text = "Travel (mm),Force (N)\n";
   for (int i = 0; i <= 100; ++i)
