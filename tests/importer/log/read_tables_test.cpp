@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "importer/log/force_log.h"
+#include "tests/importer/log/written_sheet.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -512,6 +513,68 @@ TEST_CASE("a pair of files is one button") {
   const auto log = readForceLog(press.path(), pair);
   if (!log) FAIL(log.failure().sentence());
   checkButton(*log);
+}
+
+TEST_CASE("sheets named as strokes are one button") {
+  const auto table = [](const std::string& name, const char* titles, bool press, bool rises, double newton,
+                        double scale) {
+    std::string xml = "<table:table table:name=\"" + name + "\">" + titles;
+    for (int i = 0; i <= 160; ++i) {
+      const double x = travel_mm * (rises ? i : 160 - i) / 160;
+      xml += "<table:table-row>" + test::cellOf(x) + test::cellOf(scale * buttonForce_N(x, press) / newton) +
+             "</table:table-row>";
+    }
+    return xml + "</table:table>";
+  };
+  const auto titles = [](const char* displacement, const char* force) {
+    return "<table:table-row>" + test::cellOf(std::string(displacement)) + test::cellOf(std::string(force)) +
+           "</table:table-row>";
+  };
+  const auto book = [](const std::string& sheets) {
+    return test::zipOf("content.xml",
+                       "<?xml version=\"1.0\"?><office:spreadsheet>" + sheets + "</office:spreadsheet>");
+  };
+  const std::string plain = titles("Travel (mm)", "Force (N)"), grams = titles("Travel (mm)", "Force (gf)"),
+                    bare = titles("Travel", "Force");
+  struct Names {
+    const char* press;
+    const char* release;
+  };
+  for (const Names& names :
+       {Names{"Press", "Release"}, Names{"Belastung", "Entlastung"}, Names{"Aller", "Retour"},
+        Names{"加载", "卸载"}, Names{"K1 downstroke", "K1 upstroke"}})
+    for (const bool rises : {false, true}) {
+      CAPTURE(names.press, rises);
+      const std::string press = table(names.press, plain.c_str(), true, true, 1, 1);
+      const std::string release = table(names.release, grams.c_str(), false, rises, 0.00980665, 1);
+      for (const std::string& sheets : {press + release, release + press}) {
+        const LayoutFile file(book(sheets), "a.ods");
+        const auto log = readForceLog(file.path());
+        if (!log) FAIL(log.failure().sentence());
+        CHECK(log->confidence > 0.9);
+        checkButton(*log);
+      }
+    }
+  // A unit that only one of the sheets says is that of both.
+  const LayoutFile half(book(table("Press", bare.c_str(), true, true, 0.00980665, 1) +
+                             table("Release", grams.c_str(), false, false, 0.00980665, 1)),
+                        "b.ods");
+  const auto log = readForceLog(half.path());
+  if (!log) FAIL(log.failure().sentence());
+  CHECK(log->yUnit == "gf");
+  checkButton(*log);
+  // Two buttons of two sheets each; a release without its press is none.
+  const LayoutFile two(book(table("A press", plain.c_str(), true, true, 1, 1) +
+                            table("A release", plain.c_str(), false, false, 1, 1) +
+                            table("B press", plain.c_str(), true, true, 1, 1.5) +
+                            table("B release", plain.c_str(), false, false, 1, 1.5) +
+                            table("C release", plain.c_str(), false, false, 1, 2)),
+                       "c.ods");
+  const LogReading both = readLog(two.path());
+  REQUIRE(both.records.size() == 2);
+  CHECK(both.records[0].name == "A");
+  CHECK(both.records[1].name == "B");
+  CHECK(both.records[1].release);
 }
 
 TEST_CASE("a column of contact gives the operating and the reset point") {
