@@ -404,6 +404,16 @@ SplitTitle splitTitle(std::string_view given) {
     if (!byBlank && unit.kind == ColumnUnit::Kind::other && behind.size() < 2) continue;
     return {std::string(trimmed(title.substr(0, cut))), unit};
   }
+  // "ForceLb", "travelMm": where a capital begins, behind a name of what the unit measures.
+  for (std::size_t i = 1; i < title.size() && unknown.text.empty(); ++i) {
+    if (!(title[i - 1] >= 'a' && title[i - 1] <= 'z' && title[i] >= 'A' && title[i] <= 'Z')) continue;
+    const ColumnUnit unit = unitOf(title.substr(i));
+    const KnownWords words = knownWordsIn(title.substr(0, i));
+    if ((unit.kind == ColumnUnit::Kind::force && words.has(ColumnWord::force)) ||
+        (unit.kind == ColumnUnit::Kind::displacement && words.has(ColumnWord::displacement)) ||
+        (unit.kind == ColumnUnit::Kind::time && words.has(ColumnWord::time)))
+      return {std::string(title.substr(0, i)), unit};
+  }
   split.unit = unknown;
   return split;
 }

@@ -88,9 +88,38 @@ ColumnQuantity quantityOf(const KnownWords& words) {
   return head;
 }
 
-/// Digits followed by something: "0.1 mm/s" as a title says at what speed, not in which unit.
+/// A number followed by something: "0.1 mm/s" as a title says at what speed, not in which unit.
 bool isCondition(std::string_view title) {
+  for (const std::string_view sign : {"-", "+", "±", "−"})
+    if (title.starts_with(sign)) title.remove_prefix(sign.size());
   return !title.empty() && title.front() >= '0' && title.front() <= '9';
+}
+
+/// A unit in brackets behind a condition is that of the numbers: "85 °C (N)".
+bool isConditionWithUnit(std::string_view title) {
+  const ColumnUnit unit = splitTitle(title).unit;
+  return isCondition(title) && (title.ends_with(')') || title.ends_with(']')) &&
+         (unit.kind == ColumnUnit::Kind::force || unit.kind == ColumnUnit::Kind::displacement);
+}
+
+/// Returns true if a column's title tells what was measured apart from others, and not which quantity: a condition, or a word for
+/// a specimen with its letter or number.
+bool namesRecordIn(const DataColumn& column) {
+  const KnownWords& words = column.words;
+  for (const ColumnWord word : {ColumnWord::force, ColumnWord::displacement, ColumnWord::copy,
+                                ColumnWord::spread, ColumnWord::mean, ColumnWord::contact})
+    if (words.has(word)) return false;
+  if (column.isText || (column.isInteger && column.low >= 0 && column.high <= 1)) return false;
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  const std::string& title = column.title;
+  const auto isLetter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+  };
+  if (isCondition(title)) return std::ranges::any_of(title, isLetter);
+  const bool isTold = words.words.size() + words.unknown > 1 || std::ranges::any_of(title, isDigit);
+  if (words.has(ColumnWord::record) && isTold) return true;
+  return words.has(ColumnWord::cycle) && column.unit.kind == ColumnUnit::Kind::force &&
+         std::ranges::any_of(title, isDigit);
 }
 
 /// Log-likelihood that a column is a force, or a displacement, by its title, unit and values.
@@ -231,6 +260,9 @@ class ColumnFinder {
         return false;
     }
     for (const std::size_t c : numeric_) all += isNumber(row, c);
+    // "-40 °C;;85 °C;" above pairs of columns.
+    if (facts_[row].numbers < core_.size() && holdsConditions(row) && !holdsConditions(mainTo_ - 1))
+      return false;
     return all >= 2 && (numbers > 0 || core_.empty() || all >= 2);
   }
 
@@ -258,18 +290,30 @@ class ColumnFinder {
     std::size_t to = dataRow;
     // One blank row may stand between.
     if (to > 0 && facts_[to - 1].isBlank()) --to;
+    const std::size_t lowest = to;
     std::size_t from = to;
     while (from > 0 && to - from < mostLines) {
       const std::size_t row = from - 1;
-      if (facts_[row].isBlank() || isData(row)) break;
-      if (facts_[row].isVoid() && from == to) {
+      // One blank row may also stand above remarks.
+      if (from == to && to < lowest && facts_[row].isBlank() && lowest - to < mostLines) {
         --to, --from;
+        continue;
+      }
+      if (facts_[row].isBlank() || isData(row)) break;
+      if (from == to && (facts_[row].isVoid() || isBesideColumns(row))) {
+        --to, --from;
+        continue;
+      }
+      // Between the titles and their units.
+      if (from < to && isBesideColumns(row) && holdsOnlyUnits(from, to)) {
+        --from;
         continue;
       }
       const std::string_view first = table_.cell(row, 0);
       if (first.find('=') != std::string_view::npos || first.ends_with(':')) break;  // a preamble's
       std::size_t over = 0;
       for (const std::size_t c : numeric_) over += isTitle(row, c);
+      if (from < to && isTableTitle(row, from)) break;
       const bool covers = over * 2 >= numeric_.size();
       const bool isGroup =
           from < to && (over >= 2 || (over == 1 && facts_[row].width >=
@@ -281,11 +325,48 @@ class ColumnFinder {
       if (from < to && isPreambleLine(row)) break;
       --from;
     }
+    while (from < to && isBesideColumns(from)) ++from;
+    if (from == to) from = to = lowest;
     // Texts right below data are a heading only if they name something measured: "over range,error" is a row that failed.
     std::size_t before = from;
     while (before > 0 && facts_[before - 1].isVoid() && !isData(before - 1)) --before;
     if (from < to && before > 0 && isData(before - 1) && !namesColumns(from, to)) from = to;
     return {from, to};
+  }
+
+  /// Remarks in columns beside those of the data, and nothing in these.
+  bool isBesideColumns(std::size_t row) const {
+    return !facts_[row].isBlank() &&
+           std::ranges::all_of(core_, [&](std::size_t c) { return table_.cell(row, c).empty(); });
+  }
+
+  bool holdsOnlyUnits(std::size_t from, std::size_t to) const {
+    for (std::size_t row = from; row < to; ++row)
+      for (const std::size_t c : core_)
+        if (const std::string_view cell = table_.cell(row, c);
+            !cell.empty() && unitOf(cell).kind == ColumnUnit::Kind::unknown)
+          return false;
+    return true;
+  }
+
+  /// One text at the left above the titles of columns, "Release" or "Release;;;": it names the table, not its first column.
+  bool isTableTitle(std::size_t row, std::size_t below) const {
+    if (facts_[row].texts != 1 || facts_[row].numbers > 0) return false;
+    std::size_t at = 0;
+    while (table_.cell(row, at).empty()) ++at;
+    std::size_t titles = 0;
+    for (const std::size_t c : numeric_) titles += isTitle(below, c);
+    if (at > numeric_.front() || titles < 2) return false;
+    // A quantity may be said once above its units; a word such as "load" is a stroke's there.
+    const SplitTitle split = splitTitle(table_.cell(row, at));
+    bool displacement = false, force = false;
+    for (const KnownWords::Word& word : knownWordsIn(split.name).words)
+      if (!word.has(ColumnWord::press) && !word.has(ColumnWord::release)) {
+        displacement = displacement || word.has(ColumnWord::displacement);
+        force = force || word.has(ColumnWord::force);
+      }
+    return (split.unit.kind == ColumnUnit::Kind::none || split.unit.kind == ColumnUnit::Kind::unknown) &&
+           force == displacement;
   }
 
   bool namesColumns(std::size_t from, std::size_t to) const {
@@ -300,9 +381,17 @@ class ColumnFinder {
     return false;
   }
 
+  /// Numbers of one unit: "-40 °C;85 °C".
+  bool holdsConditions(std::size_t row) const {
+    std::set<std::string_view> units;
+    for (std::size_t c = 0; c < facts_[row].width; ++c)
+      if (c < width_ && isNumber(row, c)) units.insert(table_.number(row, c)->rest);
+    return facts_[row].numbers >= 2 && units.size() == 1 && !units.begin()->empty();
+  }
+
   /// A line of a preamble that happens to have as many cells as the data: "Serial,123456", "Date;2024-05-01".
   bool isPreambleLine(std::size_t row) const {
-    if (facts_[row].numbers > 0) return true;
+    if (facts_[row].numbers > 0) return !holdsConditions(row);
     // Below it stand names of quantities; above these a line without any is a group's name only where cells are left empty.
     if (facts_[row].texts >= numeric_.size() && numeric_.size() <= 3) {
       std::size_t known = 0;
@@ -323,6 +412,53 @@ class ColumnFinder {
     data_.firstLeftOutText = joinedCells(table_, row, ",").substr(0, longest_bytes);
   }
 
+  /// The title and unit above each column of the table.
+  std::vector<SplitTitle> titlesAbove(std::size_t dataRow) const {
+    const auto [from, to] = headingAbove(dataRow);
+    std::vector<SplitTitle> titles(width_);
+    for (std::size_t c = 0; c < width_; ++c)
+      for (std::size_t row = to; row-- > from;) {
+        const SplitTitle split = splitTitle(table_.cell(row, c));
+        if (titles[c].unit.kind == ColumnUnit::Kind::none) titles[c].unit = split.unit;
+        titles[c].name = lowered(split.name) + " " + titles[c].name;
+      }
+    for (SplitTitle& title : titles) title.name = std::string(trimmed(title.name));
+    return titles;
+  }
+
+  /// Brings a further block, whose columns stand in another order or have other units of the same quantities, into the
+  /// columns and units of the longest. Returns false, and changes nothing, if its titles are others.
+  bool bringIntoColumns(std::size_t firstRow) {
+    std::size_t end = firstRow;
+    while (end < table_.rows() && isData(end)) ++end;
+    constexpr std::size_t fewestRows = 4;
+    if (end - firstRow < fewestRows) return false;
+    const std::vector<SplitTitle> wanted = titlesAbove(mainFrom_), own = titlesAbove(firstRow);
+    std::map<std::size_t, std::size_t> from;
+    for (const std::size_t c : numeric_)
+      for (std::size_t other = 0; other < width_; ++other) {
+        if (own[other].name != wanted[c].name || own[other].unit.kind != wanted[c].unit.kind) continue;
+        if (own[other].name.empty() && own[other].unit.kind == ColumnUnit::Kind::none) continue;
+        if (!from.emplace(c, other).second) return false;  // two columns of one title
+      }
+    std::set<std::size_t> taken;
+    bool displacement = false, force = false;
+    for (const auto& [c, other] : from) {
+      if (!taken.insert(other).second) return false;
+      displacement = displacement || wanted[c].unit.kind == ColumnUnit::Kind::displacement;
+      force = force || wanted[c].unit.kind == ColumnUnit::Kind::force;
+    }
+    const bool whole = std::ranges::all_of(core_, [&](std::size_t c) { return from.contains(c); });
+    if (!whole || !displacement || !force) return false;
+    for (std::size_t row = firstRow; row < end; ++row) {
+      std::map<std::size_t, double> values;
+      for (const auto& [c, other] : from)
+        values[c] = numbers_[other][row] * (own[other].unit.size / wanted[c].unit.size);
+      for (const std::size_t c : numeric_) numbers_[c][row] = values.contains(c) ? values[c] : kNoNumber;
+    }
+    return true;
+  }
+
   void takeRows() {
     heading_ = headingAbove(mainFrom_);
     const auto headingOf = [&](std::size_t dataRow) {
@@ -332,7 +468,7 @@ class ColumnFinder {
       return text;
     };
     const std::string mainHeading = headingOf(mainFrom_);
-    bool begun = false, foreign = false;
+    bool begun = false, foreign = false, firstBrought = false;
     std::string between;
     bool interrupted = false;
     std::size_t firstRow = mainFrom_;
@@ -348,9 +484,11 @@ class ColumnFinder {
         const std::string own = headingOf(row);
         if (row == mainFrom_)
           foreign = false;
-        else if (!own.empty())
-          foreign = own != mainHeading && !mainHeading.empty();
-        else if (!begun && !foreign)
+        else if (!own.empty()) {
+          const bool other = own != mainHeading && !mainHeading.empty();
+          foreign = other && !bringIntoColumns(row);
+          firstBrought = firstBrought || (!begun && other && !foreign);
+        } else if (!begun && !foreign)
           foreign = row < mainFrom_ && !mainHeading.empty();
       }
       if (foreign) {
@@ -365,8 +503,9 @@ class ColumnFinder {
     }
     // Lines above the headings of the first run of data.
     const auto [from, to] = headingAbove(firstRow);
-    if (to > from) heading_ = {from, to};
-    for (std::size_t row = 0; row < std::min(heading_.first, firstRow); ++row)
+    if (to > from && !firstBrought) heading_ = {from, to};
+    const std::size_t captionsEnd = firstBrought ? from : std::min(heading_.first, firstRow);
+    for (std::size_t row = 0; row < captionsEnd; ++row)
       if (!facts_[row].isBlank()) data_.captions.push_back(joinedCells(table_, row, "\t"));
   }
 
@@ -397,15 +536,42 @@ class ColumnFinder {
     std::ranges::sort(data_.columns, {}, &DataColumn::index);
   }
 
+  /// Rows that are named by their number, 1 to n, and no title above these names, as R writes them: every title stands one cell
+  /// to the left of its column.
+  bool namesRows() const {
+    const auto [from, to] = heading_;
+    const DataColumn& first = data_.columns.front();
+    if (from == to || first.index != 0 || first.isText || table_.cell(to - 1, 0).empty()) return false;
+    for (std::size_t i = 0; i < first.values.size(); ++i)
+      if (first.values[i] != static_cast<double>(i + 1)) return false;
+    for (std::size_t row = from; row < to; ++row)
+      for (std::size_t c = data_.columns.back().index; c < table_.cells(row); ++c)
+        if (!table_.cell(row, c).empty()) return false;
+    if (table_.cell(to - 1, data_.columns.back().index - 1).empty()) return false;
+    // A title that may be the row numbers' own, above a last column that says nothing, shifts nothing.
+    const SplitTitle title = splitTitle(table_.cell(to - 1, 0));
+    const ColumnQuantity quantity = quantityOf(knownWordsIn(title.name));
+    const DataColumn& last = data_.columns.back();
+    const bool isMeasured =
+        title.unit.kind != ColumnUnit::Kind::none && title.unit.kind != ColumnUnit::Kind::unknown;
+    return quantity != ColumnQuantity::index && quantity != ColumnQuantity::cycle &&
+           (quantity != ColumnQuantity::none || isMeasured) && (last.isText || !last.isConstant());
+  }
+
   void readHeadings() {
     const auto [from, to] = heading_;
+    const std::size_t shift = namesRows() ? 1 : 0;
     for (DataColumn& column : data_.columns) {
+      if (column.index < shift) {
+        column.title = "row";
+        continue;
+      }
       for (std::size_t row = to; row-- > from;) {
-        std::string_view cell = withoutComment(table_.cell(row, column.index));
+        std::string_view cell = withoutComment(table_.cell(row, column.index - shift));
         // "# displacement force" over rows that do not begin with the sign.
         if (cell.empty() && table_.cell(row, 0) == "#") cell = table_.cell(row, column.index + 1);
         if (cell.empty()) continue;
-        if (isCondition(cell)) {
+        if (isCondition(cell) && !isConditionWithUnit(cell)) {
           column.title = std::string(cell) + (column.title.empty() ? "" : " " + column.title);
           continue;
         }
@@ -416,6 +582,7 @@ class ColumnFinder {
         if (!split.name.empty()) column.title = split.name + (column.title.empty() ? "" : " " + column.title);
       }
     }
+    if (shift > 0) return;
     // A heading over several columns: the cells to its right are empty. The topmost line that has such a gap.
     for (std::size_t row = from; row + 1 < to; ++row) {
       std::string carried;
@@ -497,9 +664,12 @@ class ColumnFinder {
         for (DataColumn& column : data_.columns)
           if (!column.isText) numeric.push_back(&column);
         while (!units.empty() && units.back().empty()) units.pop_back();
+        if (units.size() == 1 && quantity != ColumnQuantity::none &&
+            giveAxisUnit(numeric, quantity, unitOf(units.front())))
+          continue;
         // LabVIEW names those of its channels, not that of the first column.
         const std::size_t before =
-            units.size() + 1 == numeric.size() && quantity != ColumnQuantity::none ? 1 : 0;
+            units.size() + 1 == numeric.size() && quantity == ColumnQuantity::forceWeak ? 1 : 0;
         if (units.size() + before != numeric.size()) continue;
         for (std::size_t i = 0; i < units.size(); ++i)
           if (numeric[i + before]->unit.kind == ColumnUnit::Kind::none)
@@ -529,6 +699,28 @@ class ColumnFinder {
     column.ratioGiven = true;
     if (before != std::string_view::npos)
       column.title = std::string(left.substr(0, before)) + (column.title.empty() ? "" : " " + column.title);
+    return true;
+  }
+
+  /// "X unit: mm" is of the column titled X; where none is, of the only one that measures the unit's quantity, else X is the
+  /// first of two. Returns false if there is no such column.
+  static bool giveAxisUnit(const std::vector<DataColumn*>& numeric, ColumnQuantity axis,
+                           const ColumnUnit& unit) {
+    const auto only = [&](ColumnQuantity quantity) {
+      DataColumn* found = nullptr;
+      for (DataColumn* column : numeric)
+        if (quantityOf(knownWordsIn(column->title)) == quantity) {
+          if (found) return static_cast<DataColumn*>(nullptr);
+          found = column;
+        }
+      return found;
+    };
+    DataColumn* column = only(axis);
+    if (!column && unit.kind == ColumnUnit::Kind::displacement) column = only(ColumnQuantity::displacement);
+    if (!column && unit.kind == ColumnUnit::Kind::force) column = only(ColumnQuantity::force);
+    if (!column && axis == ColumnQuantity::displacementWeak && numeric.size() == 2) column = numeric.front();
+    if (!column) return false;
+    if (column->unit.kind == ColumnUnit::Kind::none) column->unit = unit;
     return true;
   }
 
@@ -605,7 +797,20 @@ class ColumnFinder {
     if (lowered(column.unit.text) == "oz" && !column.title.empty() && !column.has(ColumnWord::force) &&
         !column.has(ColumnWord::forceWeak))
       column.unit.kind = ColumnUnit::Kind::unknown;
+    settleRecordName(column);
     weigh(column);
+  }
+
+  /// Of a title that names a condition no word says which quantity was measured: "0 cycles (N)" counts no cycles.
+  static void settleRecordName(DataColumn& column) {
+    using Kind = ColumnUnit::Kind;
+    column.namesRecord =
+        (column.unit.kind == Kind::none || column.unit.kind == Kind::force) && namesRecordIn(column);
+    if (!column.namesRecord || (column.unit.kind == Kind::none && !isCondition(column.title))) return;
+    std::erase_if(column.words.words, [](const KnownWords::Word& word) {
+      return !word.has(ColumnWord::record) && !word.has(ColumnWord::press) && !word.has(ColumnWord::release);
+    });
+    column.quantity = ColumnQuantity::none;
   }
 
   const Table& table_;

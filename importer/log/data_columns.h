@@ -40,6 +40,7 @@ struct DataColumn {
   bool isInteger = false;
   bool isText = false;         ///< words instead of numbers
   bool isUnknownName = false;  ///< its title has words, and no list knows one of them
+  bool namesRecord = false;    ///< titled by a condition or a specimen: "85 °C (N)", "0 cycles", "Switch A"
   bool ratioGiven = false;     ///< its unit comes from a line such as "steps_per_mm = 800"
 
   bool isConstant() const { return !(high > low); }

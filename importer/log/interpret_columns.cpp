@@ -334,11 +334,20 @@ class Interpreter {
     };
     std::string name = nameOf(force);
     if (column(force).group.empty() && !column(displacement).group.empty()) name = column(displacement).group;
-    if (!column(force).group.empty() && !column(force).title.empty() && xs_.size() < fs_.size())
+    const KnownWords& own = column(force).words;
+    const bool isQuantity =
+        own.unknown == 0 && std::ranges::all_of(own.words, [](const KnownWords::Word& word) {
+          return word.has(ColumnWord::force);
+        });
+    if (!column(force).group.empty() && !column(force).title.empty() && !isQuantity &&
+        xs_.size() < fs_.size())
       name = column(force).title;
     std::string rest;
     for (std::size_t at = 0; at < name.size();) {
-      const std::size_t end = std::min(name.find_first_of(" _-,:", at), name.size());
+      // "-40 °C" has a sign.
+      const bool isSigned =
+          name[at] == '-' && at + 1 < name.size() && name[at + 1] >= '0' && name[at + 1] <= '9';
+      const std::size_t end = std::min(name.find_first_of(" _-,:", at + (isSigned ? 1 : 0)), name.size());
       const std::string word = name.substr(at, end - at);
       const KnownWords known = knownWordsIn(word);
       const bool stroke = known.has(ColumnWord::press) || known.has(ColumnWord::release);
@@ -371,7 +380,7 @@ class Interpreter {
     // Columns called forces that are left over.
     double left = 0;
     for (const std::size_t c : fs_)
-      if (!used.contains(c) && column(c).force >= kNamed) left += 1;
+      if (!used.contains(c) && (column(c).force >= kNamed || severalRecords_)) left += 1;
     constexpr double leftWorth = -3;  // log-likelihood of each
     if (left > 0)
       made.evidence.add("left over", std::to_string(static_cast<int>(left)) + " columns of force",
@@ -405,9 +414,11 @@ class Interpreter {
         if (!arrangements_.empty()) return;
       }
     }
+    findRecordColumns();
     // One displacement and one force: the run holds what strokes there are.
-    if (!std::ranges::any_of(fs_, [&](std::size_t c) { return column(c).force >= kNamed; }) ||
-        fs_.size() == 1 || givenF_) {
+    if (!severalRecords_ &&
+        (!std::ranges::any_of(fs_, [&](std::size_t c) { return column(c).force >= kNamed; }) ||
+         fs_.size() == 1 || givenF_)) {
       for (const std::size_t x : xs_)
         for (const std::size_t f : fs_)
           if (x != f) offer({{x, f, {}, ""}}, orderEvidence(x, f));
@@ -420,6 +431,21 @@ class Interpreter {
       for (const std::size_t x : xs_)
         if (x != f && (xs_.size() == 1 || x == displacementFor(f))) offer({{x, f, {}, ""}}, {});
     arrangeBeside();
+  }
+
+  /// Columns titled by conditions or specimens are the forces of as many records, where none is called a force.
+  void findRecordColumns() {
+    Columns records, others;
+    for (const std::size_t c : fs_)
+      if (column(c).namesRecord)
+        records.push_back(c);
+      else if (column(c).force >= kNamed)
+        return;
+    for (const std::size_t c : xs_)
+      if (!column(c).namesRecord) others.push_back(c);
+    if (records.size() < 2 || others.empty() || givenF_) return;
+    severalRecords_ = true;
+    xs_ = others, fs_ = records;
   }
 
   /// Several forces: strokes, records, or both.
@@ -452,7 +478,7 @@ class Interpreter {
     for (ColumnGroup& group : groups) group.stroke.reset();
     Evidence beside;
     offer(groups, beside);
-    if (groups.size() == 2) {
+    if (groups.size() == 2 && !severalRecords_) {
       groups[0].stroke = Stroke::press, groups[1].stroke = Stroke::release;
       groups[0].name.clear(), groups[1].name.clear();
       Evidence strokes;
@@ -593,6 +619,7 @@ class Interpreter {
   bool eitherStroke_ = false;
   std::optional<std::size_t> givenX_, givenF_, givenReleaseX_, givenReleaseF_, givenStroke_, givenCycle_;
   Columns xs_, fs_;
+  bool severalRecords_ = false;  // fs_ are titled by conditions or specimens
   std::vector<LogInterpretation> arrangements_;
   ColumnReading result_;
 };

@@ -322,20 +322,27 @@ class LogReader {
   Result<FileRecords> fromSheets(std::vector<Table> sheets, const std::string& subject, bool eitherStroke) {
     std::vector<FileRecords> read;
     std::optional<Failure> why;
-    for (Table& sheet : sheets) {
+    const std::vector<SheetPair> pairs = hints_.swapStrokes ? std::vector<SheetPair>{} : pairedSheets(sheets);
+    std::vector<std::optional<std::size_t>> readOf(sheets.size());  // place in `read`
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      Table& sheet = sheets[i];
       const std::string name = sheet.name;
+      const bool isOfPair = std::ranges::any_of(
+          pairs, [&](const SheetPair& pair) { return pair.press == i || pair.release == i; });
       const std::vector<RecordedSwitch> switches =
           hasColumnHints() ? std::vector<RecordedSwitch>{} : switchesOfSheet(sheet);
-      auto found =
-          switches.empty() ? fromTable(std::move(sheet), subject, eitherStroke) : fromSwitches(switches);
+      auto found = switches.empty() ? fromTable(std::move(sheet), subject, eitherStroke || isOfPair)
+                                    : fromSwitches(switches);
       if (!found) {
         if (!why || found.failure().code == FailureCode::notCertain) why = found.failure();
         continue;
       }
       for (LogRecord& record : found->records)
         if (sheets.size() > 1) record.name = name + (record.name.empty() ? "" : " " + record.name);
+      readOf[i] = read.size();
       read.push_back(std::move(*found));
     }
+    joinSheets(pairs, readOf, read);
     if (read.empty())
       return why ? *why
                  : Failure{FailureCode::noForceGraph,
@@ -354,6 +361,82 @@ class LogReader {
       read.front().records.insert(read.front().records.end(), read[i].records.begin(), read[i].records.end());
     if (read.size() > 1) read.front().switches.clear();
     return std::move(read.front());
+  }
+
+  /// Two sheets named as the strokes of one button: places in the workbook.
+  struct SheetPair {
+    std::size_t press = 0, release = 0;
+    std::string name;  ///< the rest of both names
+  };
+
+  static std::vector<SheetPair> pairedSheets(const std::vector<Table>& sheets) {
+    struct Button {
+      std::vector<std::size_t> press, release;
+    };
+    std::map<std::string, Button> buttons;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      const std::string& name = sheets[i].name;
+      const KnownWords words = knownWordsIn(name);
+      if (words.has(ColumnWord::press) == words.has(ColumnWord::release)) continue;
+      std::string rest;
+      constexpr std::string_view separators = " ._-()";
+      for (std::size_t at = 0; at < name.size();) {
+        const std::size_t end = std::min(name.find_first_of(separators, at), name.size());
+        std::string word = name.substr(at, end - at);
+        const KnownWords known = knownWordsIn(word);
+        if (known.has(ColumnWord::press) || known.has(ColumnWord::release))
+          std::erase_if(word, [](char c) { return c < '0' || c > '9'; });  // "Press2"
+        if (!word.empty()) rest += (rest.empty() ? "" : " ") + word;
+        at = end + 1;
+      }
+      Button& button = buttons[rest];
+      (words.has(ColumnWord::press) ? button.press : button.release).push_back(i);
+    }
+    std::vector<SheetPair> pairs;
+    for (const auto& [name, button] : buttons)
+      if (button.press.size() == 1 && button.release.size() == 1)
+        pairs.push_back({button.press[0], button.release[0], name});
+    return pairs;
+  }
+
+  /// Joins the sheets that hold one stroke each. A release without its press is left out.
+  static void joinSheets(const std::vector<SheetPair>& pairs,
+                         const std::vector<std::optional<std::size_t>>& readOf,
+                         std::vector<FileRecords>& read) {
+    const auto holdsOneStroke = [](const FileRecords& each) {
+      return each.switches.empty() && each.records.size() == 1 && each.records.front().release.empty();
+    };
+    std::vector<bool> isTaken(read.size());
+    for (const SheetPair& pair : pairs) {
+      if (!readOf[pair.release]) continue;
+      FileRecords& second = read[*readOf[pair.release]];
+      if (!holdsOneStroke(second)) continue;
+      isTaken[*readOf[pair.release]] = true;
+      if (!readOf[pair.press]) continue;
+      FileRecords& first = read[*readOf[pair.press]];
+      if (!holdsOneStroke(first)) continue;
+      LogRecord& record = first.records.front();
+      record.release = std::move(second.records.front().press);
+      std::ranges::reverse(record.release);
+      record.name = pair.name;
+      shareUnit(first.xUnit, record.press, second.xUnit, record.release, &CurvePoint::displacement_mm);
+      shareUnit(first.yUnit, record.press, second.yUnit, record.release, &CurvePoint::force_N);
+    }
+    std::vector<FileRecords> kept;
+    for (std::size_t i = 0; i < read.size(); ++i)
+      if (!isTaken[i]) kept.push_back(std::move(read[i]));
+    read = std::move(kept);
+  }
+
+  /// A unit that was assumed for one stroke gives way to the other's.
+  static void shareUnit(AssumedUnit& press, std::vector<CurvePoint>& pressPoints, const AssumedUnit& release,
+                        std::vector<CurvePoint>& releasePoints, double CurvePoint::*axis) {
+    if (release.isAssumed()) {
+      for (CurvePoint& p : releasePoints) p.*axis *= press.size / release.size;
+    } else if (press.isAssumed()) {
+      for (CurvePoint& p : pressPoints) p.*axis *= release.size / press.size;
+      press = release;
+    }
   }
 
   bool hasColumnHints() const { return hints_.columns != ColumnHints{}; }
@@ -424,7 +507,7 @@ class LogReader {
     const DataColumn &x = data.columns[made.groups.front().displacement],
                      &f = data.columns[made.groups.front().force];
     const bool askX = x.isUnknownName && hints_.columns.displacement.empty(),
-               askF = f.isUnknownName && hints_.columns.force.empty();
+               askF = f.isUnknownName && !f.namesRecord && hints_.columns.force.empty();
     if (!askX && !askF) return {};
     const std::string xOption = "--displacement-column " + std::to_string(x.index + 1),
                       fOption = "--force-column " + std::to_string(f.index + 1);

@@ -394,6 +394,10 @@ class FixedColumns {
     line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
     for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
       std::size_t end = at;
+      // A quoted title may hold blanks.
+      if (const std::size_t close = line[at] == '"' ? line.find('"', at + 1) : std::string_view::npos;
+          close != std::string_view::npos && (close + 1 == line.size() || isBlank(line[close + 1])))
+        end = close + 1;
       while (end < line.size()) {
         const std::size_t next = line.find_first_not_of(" \t", end);
         if (next != end &&

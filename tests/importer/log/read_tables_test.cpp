@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "importer/log/force_log.h"
+#include "tests/importer/log/written_sheet.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -177,6 +178,42 @@ TEST_CASE("the columns of a button are found among others") {
   }
 }
 
+TEST_CASE("a line above a table is its title, with however many delimiters behind it") {
+  const auto rows = [](bool press, const char* form, double first, double second, bool forceFirst,
+                       int steps = 160) {
+    std::string text;
+    for (int i = 0; i <= steps; ++i) {
+      const double x = press ? travel_mm * i / steps : travel_mm * (steps - i) / steps;
+      const double f = buttonForce_N(x, press);
+      text += formatted(form, first * (forceFirst ? f : x), second * (forceFirst ? x : f));
+    }
+    return text;
+  };
+  const std::string press = rows(true, "%.4f;%.4f\n", 1, 1, false),
+                    release = rows(false, "%.4f;%.4f\n", 1, 1, false);
+  const std::string titles = "Travel (mm);Force (N)\n";
+  for (const std::string& text : {
+           "Press\n" + titles + press + "\nRelease\n" + titles + release,
+           "Press;\n" + titles + press + ";\nRelease;\n" + titles + release,
+           "Essai 4;;;\nAller;;;\nCourse (mm);Effort (N);;\n" + press +
+               ";;;\nRetour;;;\nCourse (mm);Effort (N);;\n" + release,
+           "Belastung;\nWeg;Kraft\nmm;N\n" + press + "Entlastung;\nWeg;Kraft\nmm;N\n" + release,
+           "Press;\n" + titles + press + ";\nRelease;\nForce (N);Travel (mm)\n" +
+               rows(false, "%.4f;%.4f\n", 1, 1, true),
+           "Press;\n" + titles + press + ";\nRelease;\nForce (mN);Travel (um)\n" +
+               rows(false, "%.2f;%.1f\n", 1000, 1000, true),
+           "Press;\nForce (cN);Travel (mm)\n" + rows(true, "%.2f;%.4f\n", 100, 1, true, 100) +
+               ";\nRelease;\n" + titles + release,
+       }) {
+    CAPTURE(text.substr(0, 60), text.substr(text.size() - 60));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->confidence > 0.9);
+    checkButton(*log);
+  }
+}
+
 TEST_CASE("strokes in columns of their own are told by their names") {
   const auto beside = [](const char* header, const char* form, bool swapped) {
     std::string text = header;
@@ -199,6 +236,30 @@ TEST_CASE("strokes in columns of their own are told by their names") {
     const LayoutFile file(text);
     const auto log = readForceLog(file.path());
     if (!log) FAIL(log.failure().sentence());
+    checkButton(*log);
+  }
+}
+
+TEST_CASE("remarks beside a table leave its titles and units in force") {
+  const auto rows = [](const char* remark) {
+    return rowsOf([&](double x, double f, int n) {
+      return formatted("%.4f;%.5f%s\n", x, f / 0.278013851, n < 3 ? remark : "");
+    });
+  };
+  for (const std::string& text : {
+           "Travel [mm];Force [ozf];;k = 0.12 N/mm\n;;;Fmax;2.1\n" + rows(""),
+           "Travel [mm];Force [ozf];;k = 0.12 N/mm\n;;;Fmax;2.1\n" + rows(";;F1;2.1"),
+           "Travel [mm];Force [ozf]\n;;;Fmax (N);2.1\n;;;checked\n" + rows(""),
+           "Travel;Force\n;;;Fmax;2.1\nmm;ozf;;;\n" + rows(""),
+           "Travel (mm);Force (ozf);;Operator\n;;;;\n;;;Fmax;2.1\n" + rows(""),
+           "Travel;Force\nmm;ozf\n;;;Fmax;2.1\n" + rows(";;;3.4"),
+       }) {
+    CAPTURE(text.substr(0, 70));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->xUnit == "mm");
+    CHECK(log->yUnit == "ozf");
     checkButton(*log);
   }
 }
@@ -234,6 +295,28 @@ TEST_CASE("tables that are no force log are refused for what they are") {
     CHECK(log.failure().code == FailureCode::noForceGraph);
     CHECK(log.failure().sentence().find(each.said) != std::string::npos);
     CHECK(log.failure().sentence().find("--x-unit") == std::string::npos);
+  }
+}
+
+TEST_CASE("key lines above a table give the units of X and Y") {
+  const auto rows = [](double mm, double newton, bool forceFirst) {
+    return rowsOf([=](double x, double f, int) {
+      return formatted("%.5f;%.5f\n", forceFirst ? f * newton : x * mm, forceFirst ? x * mm : f * newton);
+    });
+  };
+  for (const std::string& text : {
+           "X-Kanal;Weg\nX-Einheit;mm\nY-Kanal;Kraft\nY-Einheit;cN\n\nX;Y\n" + rows(1, 100, false),
+           "X-Unit: um\nY-Unit: cN\n\nX;Y\n" + rows(1000, 100, false),
+           "X unit = mm\nY unit = cN\n\nTravel;Force\n" + rows(1, 100, false),
+           "Y-Einheit;cN\nX-Einheit;mm\n\nY;X\n" + rows(1, 100, true),
+           "X-Einheit;mm\nY-Einheit;cN\n\nKraft;Weg\n" + rows(1, 100, true),
+       }) {
+    CAPTURE(text.substr(0, 70));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->yUnit == "cN");
+    checkButton(*log);
   }
 }
 
@@ -321,6 +404,31 @@ TEST_CASE("a line that says what a volt measures scales the column") {
   checkButton(*log);
 }
 
+TEST_CASE("titles stand one cell to the left where rows have names, as R writes them") {
+  const auto rows = [](const char* form, bool time) {
+    return rowsOf([&](double x, double f, int n) {
+      return time ? formatted(form, n + 1, 0.05 * n, x, f, n <= 160 ? "press" : "release")
+                  : formatted(form, n + 1, x, f, n <= 160 ? "press" : "release");
+    });
+  };
+  for (const std::string& text : {
+           "\"travel.mm\" \"force.N\" \"stroke\"\n" + rows("\"%d\" %.5f %.5f \"%s\"\n", false),
+           "\"time.s\" \"travel.mm\" \"force.N\" \"stroke\"\n" + rows("\"%d\" %.2f %.5f %.5f \"%s\"\n", true),
+           "\"Travel (mm)\" \"Force (N)\" \"stroke\"\n" + rows("\"%d\" %.5f %.5f \"%s\"\n", false),
+           "travel_mm,force_N,stroke\n" + rows("%d,%.5f,%.5f,%s\n", false),
+           "row,travel_mm,force_N,stroke\n" + rows("%d,%.5f,%.5f,%s\n", false),
+           "Reading,travel_mm,force_N\n" + rows("%d,%.5f,%.5f,%s\n", false),
+           "No,travel_mm,force_N\n" + rows("%d,%.5f,%.5f,%s\n", false),
+       }) {
+    CAPTURE(text.substr(0, 70));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    if (!log) FAIL(log.failure().sentence());
+    CHECK(log->confidence > 0.9);
+    checkButton(*log);
+  }
+}
+
 TEST_CASE("a unit given by hand settles a column whose title and unit contradict each other") {
   const LayoutFile file("Travel (mm),Force (s)\n" +
                         rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
@@ -404,6 +512,54 @@ TEST_CASE("presses one after the other are records: the way back between them is
   CHECK(log->strokes.press.points.back().force_N == Approx(1.2 * buttonForce_N(4, true)).margin(0.001));
 }
 
+TEST_CASE("columns titled by conditions or specimens are records, never the first in silence") {
+  struct Titles {
+    const char* header;
+    const char* first;
+    const char* second;
+    double newton = 1;  // in one unit of the table
+  };
+  for (const Titles& each : {Titles{"Weg (mm);-40 °C (N);85 °C (N)", "-40 °C", "85 °C"},
+                             Titles{"Travel (mm);0 cycles (N);1M cycles (N)", "0 cycles", "1M cycles"},
+                             Titles{"Travel (mm);after 10 cycles (N);after 5000 cycles (N)",
+                                    "after 10 cycles", "after 5000 cycles"},
+                             Titles{"Travel (mm);Switch A;Switch B", "Switch A", "Switch B", 0.00980665},
+                             Titles{"Travel (mm);0.1 mm/s [N];10 mm/s [N]", "0.1 mm/s", "10 mm/s"},
+                             Titles{"Weg (mm);Probe 1 (N);Probe 2 (N)", "Probe 1", "Probe 2"},
+                             Titles{"Travel;-40 °C;85 °C\nmm;N;N", "-40 °C", "85 °C"}}) {
+    CAPTURE(each.header);
+    const LayoutFile file(
+        std::string(each.header) + "\n" +
+        rowsOf([&](double x, double f,
+                   int) { return formatted("%.4f;%.5f;%.5f\n", x, f / each.newton, 1.4 * f / each.newton); },
+               false));
+    const LogReading open = readLog(file.path());
+    REQUIRE_FALSE(open.log);
+    CHECK(open.log.failure().code == FailureCode::notCertain);
+    REQUIRE(open.records.size() == 2);
+    CHECK(open.records[0].name == each.first);
+    CHECK(open.records[1].name == each.second);
+    REQUIRE(open.question);
+    LogHints second;
+    second.curve = each.second;
+    const auto log = readForceLog(file.path(), second);
+    REQUIRE(log);
+    CHECK_FALSE(log->strokes.release);
+    CHECK(log->strokes.press.points.back().force_N == Approx(1.4 * buttonForce_N(4, true)).margin(0.001));
+  }
+}
+
+TEST_CASE("conditions above pairs of columns name records") {
+  const LayoutFile file(
+      "-40 °C;;85 °C;\nWeg (mm);Kraft (N);Weg (mm);Kraft (N)\n" +
+      rowsOf([](double x, double f, int) { return formatted("%.4f;%.5f;%.4f;%.5f\n", x, f, x, 1.4 * f); }));
+  const LogReading open = readLog(file.path());
+  REQUIRE_FALSE(open.log);
+  REQUIRE(open.records.size() == 2);
+  CHECK(open.records[0].name == "-40 °C");
+  CHECK(open.records[1].name == "85 °C");
+}
+
 TEST_CASE("a loop sorted by displacement is refused with what to do") {
   std::string text = "Travel (mm),Force (N)\n";
   for (int i = 0; i <= 100; ++i)
@@ -432,6 +588,68 @@ TEST_CASE("a pair of files is one button") {
   const auto log = readForceLog(press.path(), pair);
   if (!log) FAIL(log.failure().sentence());
   checkButton(*log);
+}
+
+TEST_CASE("sheets named as strokes are one button") {
+  const auto table = [](const std::string& name, const char* titles, bool press, bool rises, double newton,
+                        double scale) {
+    std::string xml = "<table:table table:name=\"" + name + "\">" + titles;
+    for (int i = 0; i <= 160; ++i) {
+      const double x = travel_mm * (rises ? i : 160 - i) / 160;
+      xml += "<table:table-row>" + test::cellOf(x) + test::cellOf(scale * buttonForce_N(x, press) / newton) +
+             "</table:table-row>";
+    }
+    return xml + "</table:table>";
+  };
+  const auto titles = [](const char* displacement, const char* force) {
+    return "<table:table-row>" + test::cellOf(std::string(displacement)) + test::cellOf(std::string(force)) +
+           "</table:table-row>";
+  };
+  const auto book = [](const std::string& sheets) {
+    return test::zipOf("content.xml",
+                       "<?xml version=\"1.0\"?><office:spreadsheet>" + sheets + "</office:spreadsheet>");
+  };
+  const std::string plain = titles("Travel (mm)", "Force (N)"), grams = titles("Travel (mm)", "Force (gf)"),
+                    bare = titles("Travel", "Force");
+  struct Names {
+    const char* press;
+    const char* release;
+  };
+  for (const Names& names :
+       {Names{"Press", "Release"}, Names{"Belastung", "Entlastung"}, Names{"Aller", "Retour"},
+        Names{"加载", "卸载"}, Names{"K1 downstroke", "K1 upstroke"}})
+    for (const bool rises : {false, true}) {
+      CAPTURE(names.press, rises);
+      const std::string press = table(names.press, plain.c_str(), true, true, 1, 1);
+      const std::string release = table(names.release, grams.c_str(), false, rises, 0.00980665, 1);
+      for (const std::string& sheets : {press + release, release + press}) {
+        const LayoutFile file(book(sheets), "a.ods");
+        const auto log = readForceLog(file.path());
+        if (!log) FAIL(log.failure().sentence());
+        CHECK(log->confidence > 0.9);
+        checkButton(*log);
+      }
+    }
+  // A unit that only one of the sheets says is that of both.
+  const LayoutFile half(book(table("Press", bare.c_str(), true, true, 0.00980665, 1) +
+                             table("Release", grams.c_str(), false, false, 0.00980665, 1)),
+                        "b.ods");
+  const auto log = readForceLog(half.path());
+  if (!log) FAIL(log.failure().sentence());
+  CHECK(log->yUnit == "gf");
+  checkButton(*log);
+  // Two buttons of two sheets each; a release without its press is none.
+  const LayoutFile two(book(table("A press", plain.c_str(), true, true, 1, 1) +
+                            table("A release", plain.c_str(), false, false, 1, 1) +
+                            table("B press", plain.c_str(), true, true, 1, 1.5) +
+                            table("B release", plain.c_str(), false, false, 1, 1.5) +
+                            table("C release", plain.c_str(), false, false, 1, 2)),
+                       "c.ods");
+  const LogReading both = readLog(two.path());
+  REQUIRE(both.records.size() == 2);
+  CHECK(both.records[0].name == "A");
+  CHECK(both.records[1].name == "B");
+  CHECK(both.records[1].release);
 }
 
 TEST_CASE("a column of contact gives the operating and the reset point") {

@@ -161,7 +161,11 @@ TEST_CASE("a title is a name and a unit") {
         Case{"Weg in mm", "Weg", Kind::displacement}, Case{"Kraft / mN", "Kraft", Kind::force},
         Case{"force_N", "force", Kind::force}, Case{"Weg in Schritten", "Weg in Schritten", Kind::none},
         Case{"mm", "", Kind::displacement}, Case{"Force A (gf)", "Force A", Kind::force},
-        Case{"Force min (N)", "Force min", Kind::force},
+        Case{"Force min (N)", "Force min", Kind::force}, Case{"ForceLb", "Force", Kind::force},
+        Case{"TravelIn", "Travel", Kind::displacement}, Case{"loadGf", "load", Kind::force},
+        Case{"travelUm", "travel", Kind::displacement}, Case{"Force Lb", "Force", Kind::force},
+        Case{"Force [Lb]", "Force", Kind::force}, Case{"PlugIn", "PlugIn", Kind::none},
+        Case{"ForceIn", "ForceIn", Kind::none},
         Case{"\xE8\x8D\xB7\xE9\x87\x8D(N)", "\xE8\x8D\xB7\xE9\x87\x8D", Kind::force}}) {
     CAPTURE(c.title);
     const SplitTitle split = splitTitle(c.title);
