@@ -20,6 +20,9 @@ QString asSentence(QString text);
 /// At most `longest` characters (>= 1); a longer text ends in an ellipsis.
 QString shortened(const QString& text, int longest);
 
+/// Returns true if a text names a program option, as "--dpi": nothing for a window.
+bool namesAnOption(const QString& text);
+
 /// "SUBJECT, PLACE: PROBLEM. REMEDIES.", with the remedies that are words, not program options.
 QString sentenceOf(const Failure& failure, const DisplayUnits& units = modelUnits);
 
