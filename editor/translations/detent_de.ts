@@ -180,10 +180,6 @@
         <translation>Arbeit</translation>
     </message>
     <message>
-        <source>Travel</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
         <source>Operating point</source>
         <translation>Schaltpunkt</translation>
     </message>
@@ -206,6 +202,10 @@
     <message>
         <source>%1: mean %2 % of the first one&apos;s range, largest %3 % (up to %4 %5, %6 %7)</source>
         <translation>%1: im Mittel %2 % vom Bereich des ersten, höchstens %3 % (bis %4 %5, %6 %7)</translation>
+    </message>
+    <message>
+        <source>Total travel</source>
+        <translation>Gesamtweg</translation>
     </message>
 </context>
 <context>
@@ -1305,14 +1305,6 @@ Lizenz: %3</translation>
     <message>
         <source>Move one end alone, or loosen the link</source>
         <translation>Bewegen Sie nur ein Ende, oder lösen Sie die Verknüpfung</translation>
-    </message>
-    <message>
-        <source>follows its press</source>
-        <translation>folgt dem Drücken</translation>
-    </message>
-    <message>
-        <source>Edit the press, or loosen the link</source>
-        <translation>Bearbeiten Sie das Drücken, oder lösen Sie die Verknüpfung</translation>
     </message>
     <message>
         <source>would leave its pinned point at %1</source>
@@ -2866,6 +2858,46 @@ Lizenz: %3</translation>
         <source>%1 is less than a hundredth. Meant: %2? Press Enter once more if not.</source>
         <translation>%1 ist weniger als ein Hundertstel. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
     </message>
+    <message>
+        <source>draw along the whole press curve</source>
+        <translation>die ganze Kurve des Drückens nachziehen</translation>
+    </message>
+    <message>
+        <source>Draw press</source>
+        <translation>Drücken zeichnen</translation>
+    </message>
+    <message>
+        <source>choose a switch in the list</source>
+        <translation>einen Schalter in der Liste wählen</translation>
+    </message>
+    <message>
+        <source>Choose switch</source>
+        <translation>Schalter wählen</translation>
+    </message>
+    <message>
+        <source>Right-click the curve at that place to set it.</source>
+        <translation>Klicken Sie dort mit der rechten Maustaste auf die Kurve, um ihn zu setzen.</translation>
+    </message>
+    <message>
+        <source>Use “Draw release” if the page shows one.</source>
+        <translation>Nehmen Sie „Rückweg zeichnen“, wenn die Seite einen zeigt.</translation>
+    </message>
+    <message>
+        <source>segment between knots %1 and %2</source>
+        <translation>Abschnitt zwischen Knoten %1 und %2</translation>
+    </message>
+    <message>
+        <source>Add a knot there (K) and move that</source>
+        <translation>Fügen Sie dort einen Knoten hinzu (K) und ziehen Sie diesen</translation>
+    </message>
+    <message>
+        <source>cannot be bent at its end</source>
+        <translation>lässt sich an seinem Ende nicht biegen</translation>
+    </message>
+    <message>
+        <source>would get a hump or a dip</source>
+        <translation>bekäme einen Buckel oder eine Delle</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -2970,10 +3002,6 @@ Lizenz: %3</translation>
         <source>Message about the import</source>
         <translation>Meldung zum Import</translation>
     </message>
-    <message>
-        <source>in %1</source>
-        <translation>in %1</translation>
-    </message>
 </context>
 <context>
     <name>detent::editor::AnnotationsPanel</name>
@@ -3020,18 +3048,6 @@ Lizenz: %3</translation>
     <message>
         <source>&amp;One end of the travel</source>
         <translation>&amp;Ein Ende des Wegs</translation>
-    </message>
-    <message>
-        <source>Press and release of all states end at one displacement: where one goes, all go</source>
-        <translation>Drücken und Rückweg aller Zustände enden an einer Stelle: wohin eines geht, gehen alle</translation>
-    </message>
-    <message>
-        <source>While the press is edited, the release is the press less this force</source>
-        <translation>Während das Drücken bearbeitet wird, ist der Rückweg das Drücken weniger diese Kraft</translation>
-    </message>
-    <message>
-        <source>How far the release lies below the press</source>
-        <translation>Wie weit der Rückweg unter dem Drücken liegt</translation>
     </message>
     <message>
         <source>New note at the selected point</source>
@@ -3090,10 +3106,6 @@ Lizenz: %3</translation>
         <translation>Alle Punkte lassen sich wieder bewegen</translation>
     </message>
     <message>
-        <source>Keep together</source>
-        <translation>Zusammenhalten</translation>
-    </message>
-    <message>
         <source>Select a point or section in the graph first: the note stands there.</source>
         <translation>Wählen Sie zuerst einen Punkt oder Abschnitt im Graphen: dort steht die Notiz.</translation>
     </message>
@@ -3134,12 +3146,63 @@ Lizenz: %3</translation>
         <translation>Kein Punkt ist angeheftet. P heftet den gewählten an.</translation>
     </message>
     <message>
-        <source>&amp;Release follows, lower by</source>
-        <translation>&amp;Rückweg folgt, tiefer um</translation>
-    </message>
-    <message>
         <source>Pinned points: %1</source>
         <translation>Angeheftete Punkte: %1</translation>
+    </message>
+    <message>
+        <source>From now on, where one end of press or release goes, the ends of all states go</source>
+        <translation>Ab jetzt gehen die Enden aller Zustände dorthin, wohin ein Ende von Drücken oder Rückweg geht</translation>
+    </message>
+    <message>
+        <source>&amp;Release follows the press, lower by</source>
+        <translation>&amp;Rückweg folgt dem Drücken, tiefer um</translation>
+    </message>
+    <message>
+        <source>From now on, edits of the press move the release along. The release keeps its shape.</source>
+        <translation>Ab jetzt nehmen Änderungen des Drückens den Rückweg mit. Der Rückweg behält seine Form.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the release below the press. Another value lowers or raises the whole release.</source>
+        <translation>Mittlerer Abstand des Rückwegs unter dem Drücken. Ein anderer Wert senkt oder hebt den ganzen Rückweg.</translation>
+    </message>
+    <message>
+        <source>Lower the release</source>
+        <translation>Rückweg senken</translation>
+    </message>
+    <message>
+        <source>Change links</source>
+        <translation>Verknüpfungen ändern</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AverageDialog</name>
+    <message>
+        <source>Buttons to average</source>
+        <translation>Taster für das Mittel</translation>
+    </message>
+    <message>
+        <source>Average buttons</source>
+        <translation>Taster mitteln</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>&amp;Erstellen</translation>
+    </message>
+    <message>
+        <source>Opens the average in a tab of its own</source>
+        <translation>Öffnet das Mittel in einem eigenen Reiter</translation>
+    </message>
+    <message>
+        <source>Average which buttons?</source>
+        <translation>Welche Taster mitteln?</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” differ in states or tactile points. Average buttons of one kind.</source>
+        <translation>„%1“ und „%2“ haben verschieden viele Zustände oder Druckpunkte. Mitteln Sie Taster einer Art.</translation>
+    </message>
+    <message>
+        <source>Tick two or more buttons.</source>
+        <translation>Haken Sie zwei oder mehr Taster an.</translation>
     </message>
 </context>
 <context>
@@ -3191,10 +3254,6 @@ Lizenz: %3</translation>
     <message>
         <source>as found</source>
         <translation>gefunden</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>bis</translation>
     </message>
     <message>
         <source>Set on page…</source>
@@ -3279,6 +3338,30 @@ Lizenz: %3</translation>
     <message>
         <source>Extend plot frame</source>
         <translation>Rahmen erweitern</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Left and right have the same value. Type the value printed at each end.</source>
+        <translation>Links und rechts steht derselbe Wert. Geben Sie den Wert ein, der an jedem Ende gedruckt ist.</translation>
+    </message>
+    <message>
+        <source>Bottom and top have the same value. Type the value printed at each end.</source>
+        <translation>Unten und oben steht derselbe Wert. Geben Sie den Wert ein, der an jedem Ende gedruckt ist.</translation>
     </message>
 </context>
 <context>
@@ -5564,10 +5647,6 @@ Lizenz: %3</translation>
         <translation>Kraft am Anfang des Drucks; mit Vorspannung die Vorspannung.</translation>
     </message>
     <message>
-        <source>From the start of the press to the operating point (PT).</source>
-        <translation>Vom Anfang des Drucks bis zum Schaltpunkt (PT).</translation>
-    </message>
-    <message>
         <source>Force of the press at the operating point; keyboards call it actuation force.</source>
         <translation>Kraft des Drucks am Schaltpunkt; bei Tastaturen Betätigungskraft.</translation>
     </message>
@@ -5632,10 +5711,6 @@ Lizenz: %3</translation>
         <translation>Weg des Fußes der Wand; wo keine ist, das Ende des Wegs.</translation>
     </message>
     <message>
-        <source>From the start to the end of the press (TT).</source>
-        <translation>Vom Anfang bis zum Ende des Drucks (TT).</translation>
-    </message>
-    <message>
         <source>Force at the end of the press.</source>
         <translation>Kraft am Ende des Drucks.</translation>
     </message>
@@ -5690,6 +5765,38 @@ Lizenz: %3</translation>
     <message>
         <source>Set: %1</source>
         <translation>Setzen: %1</translation>
+    </message>
+    <message>
+        <source>Displacement of the operating point (PT).</source>
+        <translation>Weg am Schaltpunkt (PT).</translation>
+    </message>
+    <message>
+        <source>Displacement of the end of the press (TT).</source>
+        <translation>Weg am Ende des Drucks (TT).</translation>
+    </message>
+    <message>
+        <source>No operating point is set. Set it in Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Es ist kein Schaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>No reset point is set. Set it in Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Es ist kein Rückschaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>Needs an operating point and a reset point: Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Braucht Schalt- und Rückschaltpunkt: Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>The button has no release curve. Add one with Edit &gt; Mirror press to release.</source>
+        <translation>Der Taster hat keinen Rückweg. Fügen Sie ihn mit Bearbeiten &gt; Drücken zum Rückweg spiegeln hinzu.</translation>
+    </message>
+    <message>
+        <source>The press has no tactile point. Add one with Edit &gt; Add jump (Ctrl+Shift+J).</source>
+        <translation>Das Drücken hat keinen Druckpunkt. Fügen Sie ihn mit Bearbeiten &gt; Sprung hinzufügen (Strg+Umschalt+J) hinzu.</translation>
+    </message>
+    <message>
+        <source>The curve is too short there for a slope or ratio.</source>
+        <translation>Die Kurve ist dort zu kurz für eine Steigung oder ein Verhältnis.</translation>
     </message>
 </context>
 <context>
@@ -6398,10 +6505,6 @@ Lizenz: %3</translation>
         <translation>Einen Taster auf dem Weg von einem offenen Taster zu einem anderen machen</translation>
     </message>
     <message>
-        <source>&amp;Average of the open buttons</source>
-        <translation>&amp;Mittel der offenen Taster</translation>
-    </message>
-    <message>
         <source>Make one button of several samples of it, and say how far they scatter</source>
         <translation>Aus mehreren Exemplaren einen Taster machen und sagen, wie weit sie streuen</translation>
     </message>
@@ -6472,6 +6575,14 @@ Lizenz: %3</translation>
     <message>
         <source>List the measured switches nearest to this button</source>
         <translation>Die gemessenen Schalter nennen, die diesem Taster am nächsten sind</translation>
+    </message>
+    <message>
+        <source>Open a second button: an average needs two.</source>
+        <translation>Öffnen Sie einen zweiten Taster: Ein Mittel braucht zwei.</translation>
+    </message>
+    <message>
+        <source>&amp;Average open buttons…</source>
+        <translation>&amp;Mittel der offenen Taster …</translation>
     </message>
 </context>
 <context>
@@ -7443,10 +7554,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>, kein Druckpunkt</translation>
     </message>
     <message>
-        <source>Travel %1</source>
-        <translation>Weg %1</translation>
-    </message>
-    <message>
         <source>Press</source>
         <translation>Drücken</translation>
     </message>
@@ -7478,6 +7585,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>On the page these points can be dragged, deleted, and added by a right click on the curve.</source>
         <translation>Auf der Seite lassen sich diese Punkte ziehen, löschen und per Rechtsklick auf die Kurve hinzufügen.</translation>
     </message>
+    <message>
+        <source>Total travel %1</source>
+        <translation>Gesamtweg %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ScaleTool</name>
@@ -7495,10 +7606,6 @@ oder öffnen Sie eine Datei (%2).</translation>
 </context>
 <context>
     <name>detent::editor::SelectTool</name>
-    <message>
-        <source>Drag points, slope handles and sections; drag on the ground to select several. Shift keeps to one axis, Ctrl does not snap, Escape cancels.</source>
-        <translation>Ziehen Sie Punkte, Steigungsgriffe und Abschnitte; auf dem Grund ziehen wählt mehrere. Umschalt hält eine Achse, Strg fängt nicht, Esc bricht ab.</translation>
-    </message>
     <message>
         <source>No knot stands here. Add one (K) to select it with others.</source>
         <translation>Hier steht kein Knoten. Fügen Sie einen hinzu (K), um ihn mit anderen auszuwählen.</translation>
@@ -7524,6 +7631,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Add knot</source>
         <translation>Knoten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Drag points and slope handles; drag the line to bend it between two points; drag on empty space to select several. Shift: one axis, Ctrl: no snapping, Escape: cancel.</source>
+        <translation>Punkte und Steigungsgriffe ziehen; an der Linie ziehen biegt sie zwischen zwei Punkten; auf freier Fläche ziehen wählt mehrere. Umschalt: eine Achse, Strg: kein Fangen, Esc: abbrechen.</translation>
     </message>
 </context>
 <context>
@@ -9180,24 +9291,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Kurve endet, wo eine eines anderen Tasters sie verdeckt</translation>
     </message>
     <message>
-        <source>Draw the whole curve by hand: --press-line</source>
-        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
-    </message>
-    <message>
-        <source>Choose one by its name or number: --curve NAME|N</source>
-        <translation>Einen nach Name oder Nummer wählen: --curve NAME|N</translation>
-    </message>
-    <message>
         <source>no one curve in it is &quot;%1&quot;; it shows %2</source>
         <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
-    </message>
-    <message>
-        <source>the SVG cannot be drawn: %1</source>
-        <translation type="vanished">die SVG-Datei lässt sich nicht zeichnen: %1</translation>
-    </message>
-    <message>
-        <source>Export the drawing as a PDF or as a picture of at least 300 dpi and import that</source>
-        <translation type="vanished">Exportieren Sie die Zeichnung als PDF oder als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
     </message>
     <message>
         <source>the file has %1, more than the limit of %2</source>
@@ -9516,10 +9611,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Rahmen ist kleiner als 16 Pixel</translation>
     </message>
     <message>
-        <source>Where the overlay shows that it is right, take it as it is: --sure 0</source>
-        <translation>Wo das Bild darüber zeigt, dass es stimmt, so nehmen, wie es ist: --sure 0</translation>
-    </message>
-    <message>
         <source>it is a WebPlotDigitizer project of a version other than 3 and 4</source>
         <translation>es ist ein Projekt des WebPlotDigitizers in einer anderen Fassung als 3 und 4</translation>
     </message>
@@ -9572,30 +9663,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Archiv enthält kein Projekt (wpd.json)</translation>
     </message>
     <message>
-        <source>it is missing or no file</source>
-        <translation type="vanished">sie fehlt oder ist keine Datei</translation>
-    </message>
-    <message>
-        <source>it is larger than 32 MB</source>
-        <translation type="vanished">sie ist größer als 32 MB</translation>
-    </message>
-    <message>
-        <source>Export fewer switches into one file</source>
-        <translation type="vanished">Weniger Schalter in eine Datei exportieren</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation type="vanished">sie ist nicht lesbar</translation>
-    </message>
-    <message>
-        <source>no columns are headed as a switch&apos;s downstroke</source>
-        <translation type="vanished">keine Spalten sind als Hinweg eines Schalters überschrieben (downstroke)</translation>
-    </message>
-    <message>
-        <source>Export the columns of one switch as CSV: &quot;displacement_mm,force_N&quot;</source>
-        <translation type="vanished">Die Spalten eines Schalters als CSV exportieren: &quot;displacement_mm,force_N&quot;</translation>
-    </message>
-    <message>
         <source>it is no JSON</source>
         <translation>es ist kein JSON</translation>
     </message>
@@ -9624,36 +9691,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ihre Listen enthalten kein Drücken</translation>
     </message>
     <message>
-        <source>the sheet holds no table of numbers</source>
-        <translation type="vanished">das Blatt enthält keine Tabelle mit Zahlen</translation>
-    </message>
-    <message>
-        <source>Give a sheet with a column of displacement and one of force</source>
-        <translation type="vanished">Ein Blatt mit einer Spalte für den Weg und einer für die Kraft angeben</translation>
-    </message>
-    <message>
-        <source>Save the spreadsheet again</source>
-        <translation type="vanished">Die Tabelle noch einmal speichern</translation>
-    </message>
-    <message>
         <source>it is no spreadsheet, or a damaged one</source>
         <translation>es ist keine Tabelle, oder eine beschädigte</translation>
-    </message>
-    <message>
-        <source>it is encrypted</source>
-        <translation type="vanished">sie ist verschlüsselt</translation>
-    </message>
-    <message>
-        <source>it is damaged</source>
-        <translation type="vanished">sie ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it is cut short</source>
-        <translation type="vanished">sie ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>its content is damaged, or too large when unpacked</source>
-        <translation type="vanished">ihr Inhalt ist beschädigt, oder ausgepackt zu groß</translation>
     </message>
     <message>
         <source>the import %1</source>
@@ -9747,6 +9786,22 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>only the heading names the units: &quot;%1&quot;</source>
         <translation>nur die Überschrift nennt die Einheiten: „%1“</translation>
     </message>
+    <message>
+        <source>operating point</source>
+        <translation>Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>reset point</source>
+        <translation>Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>printed but not placed: %1</source>
+        <translation>gedruckt, aber nicht gesetzt: %1</translation>
+    </message>
+    <message>
+        <source>only the press was drawn by hand: the button has no release</source>
+        <translation>nur das Drücken wurde von Hand gezeichnet: Der Taster hat keinen Rückweg</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -9770,16 +9825,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::importer::Doubts</name>
     <message>
-        <source>Draw the whole curve by hand: --press-line</source>
-        <translation>Die ganze Kurve von Hand ziehen: --press-line</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; and &quot;%2&quot; are taken for press and release, as they end in one point</source>
         <translation>„%1“ und „%2“ sind für Drücken und Rückweg genommen, da sie in einem Punkt enden</translation>
-    </message>
-    <message>
-        <source>Choose it by its number: --curve N</source>
-        <translation>Ihn nach seiner Nummer wählen: --curve N</translation>
     </message>
     <message>
         <source>Use the whole picture</source>
@@ -9872,78 +9919,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::importer::LineReader</name>
-    <message>
-        <source>is a folder</source>
-        <translation type="vanished">ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>Give a force meter&apos;s CSV file</source>
-        <translation type="vanished">Geben Sie die CSV-Datei eines Kraftmessgeräts an</translation>
-    </message>
-    <message>
-        <source>cannot be opened: %1</source>
-        <translation type="vanished">lässt sich nicht öffnen: %1</translation>
-    </message>
-    <message>
-        <source>Check the path and its rights</source>
-        <translation type="vanished">Prüfen Sie den Pfad und seine Zugriffsrechte</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation type="vanished">ist leer</translation>
-    </message>
-    <message>
-        <source>Export the measurement again</source>
-        <translation type="vanished">Exportieren Sie die Messung noch einmal</translation>
-    </message>
-    <message>
-        <source>is not a text file</source>
-        <translation type="vanished">ist keine Textdatei</translation>
-    </message>
-    <message>
-        <source>Give a force meter&apos;s CSV file, or a picture or PDF by its right name</source>
-        <translation type="vanished">Geben Sie die CSV-Datei eines Kraftmessgeräts an, oder ein Bild oder PDF unter seinem richtigen Namen</translation>
-    </message>
-</context>
-<context>
     <name>detent::importer::LogReader</name>
-    <message>
-        <source>it holds %1 switches: %2</source>
-        <translation type="vanished">es enthält %1 Schalter: %2</translation>
-    </message>
-    <message>
-        <source>Pass --curve NAME|N for one of them</source>
-        <translation type="vanished">Mit --curve NAME|N einen davon wählen</translation>
-    </message>
-    <message>
-        <source>the line does not end</source>
-        <translation type="vanished">die Zeile endet nicht</translation>
-    </message>
-    <message>
-        <source>Give a force meter&apos;s CSV file with one sample per line</source>
-        <translation type="vanished">Die CSV-Datei eines Kraftmessers mit einem Messwert je Zeile angeben</translation>
-    </message>
-    <message>
-        <source>no two columns of numbers were found</source>
-        <translation type="vanished">zwei Spalten mit Zahlen wurden nicht gefunden</translation>
-    </message>
-    <message>
-        <source>Give a CSV with a displacement and a force column, for example &quot;displacement_mm,force_N&quot;</source>
-        <translation type="vanished">Eine CSV mit einer Spalte für den Weg und einer für die Kraft angeben, etwa &quot;displacement_mm,force_N&quot;</translation>
-    </message>
-    <message>
-        <source>the file cannot be read further</source>
-        <translation type="vanished">die Datei ist ab hier nicht lesbar</translation>
-    </message>
-    <message>
-        <source>no row holds a finite displacement and force</source>
-        <translation type="vanished">keine Zeile hat einen endlichen Weg und eine endliche Kraft</translation>
-    </message>
-    <message>
-        <source>Check the export: each row needs two numbers</source>
-        <translation type="vanished">Den Export prüfen: jede Zeile braucht zwei Zahlen</translation>
-    </message>
     <message>
         <source>it has no sample</source>
         <translation>er hat keinen Messwert</translation>
@@ -9963,14 +9939,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Check which column holds the displacement</source>
         <translation>Prüfen, in welcher Spalte der Weg steht</translation>
-    </message>
-    <message>
-        <source>it holds a release stroke but no press</source>
-        <translation type="vanished">sie enthält einen Rückweg, aber kein Drücken</translation>
-    </message>
-    <message>
-        <source>Else record the press too</source>
-        <translation type="vanished">Sonst auch das Drücken aufzeichnen</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -10322,10 +10290,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no curve runs through the plot frame in this ink</source>
         <translation>keine Kurve dieser Farbe läuft durch den Rahmen</translation>
-    </message>
-    <message>
-        <source>Draw the whole curve by hand: --press-line</source>
-        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
     </message>
 </context>
 <context>
@@ -10795,10 +10759,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>antwortet nach %1 ms: Die Kraft käme %2 ms zu spät, und stabil sind dann höchstens %3 N/mm; dieser Taster braucht %4 N/mm</translation>
     </message>
     <message>
-        <source>Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or --upload, so that the device runs the law</source>
-        <translation type="vanished">Machen Sie die Verbindung schneller: direktes USB, mehr --baud, ein FTDI-Latenzzähler von 1 ms; oder --upload, damit das Gerät die Kraft selbst rechnet</translation>
-    </message>
-    <message>
         <source>does not take limits for a slow link</source>
         <translation>nimmt keine Grenzen für eine langsame Verbindung an</translation>
     </message>
@@ -10873,10 +10833,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the parameter curve %1 is left out</source>
         <translation>die Parameterkurve %1 wird weggelassen</translation>
-    </message>
-    <message>
-        <source>control points behind the %1th of a curve are left out, as Core Haptics does</source>
-        <translation type="vanished">Stützpunkte hinter dem %1. einer Kurve werden weggelassen, wie Core Haptics es tut</translation>
     </message>
     <message>
         <source>lies before the control point it follows</source>
@@ -10989,10 +10945,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1 channels are played together</source>
         <translation>%1 Kanäle werden zusammen wiedergegeben</translation>
-    </message>
-    <message>
-        <source>Give an AHAP, .haptic or HJIF file, or a WAV</source>
-        <translation type="vanished">Geben Sie eine AHAP-, .haptic- oder HJIF-Datei oder eine WAV an</translation>
     </message>
     <message>
         <source>it passes full scale by a factor of %1 and is turned down</source>
@@ -11569,10 +11521,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Go on with that program, or begin a new study</source>
         <translation>Machen Sie mit jenem Programm weiter oder beginnen Sie eine neue Studie</translation>
-    </message>
-    <message>
-        <source>has a participant already: lists made now could not be kept to</source>
-        <translation type="vanished">hat schon eine Teilnehmerin oder einen Teilnehmer: Listen, die erst jetzt gemacht werden, ließen sich nicht einhalten</translation>
     </message>
     <message>
         <source>Plan before the first person comes, or make a new study</source>
