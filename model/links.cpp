@@ -73,19 +73,29 @@ Result<Button> allEndingAt(Button button, double end_mm) {
   return button;
 }
 
-// Where an edit of a curve took each displacement: knot by knot, or end to end if their number changed.
+// Where an edit of a curve took each displacement: knot by knot. If their number changed, by the knots that kept
+// their force, and end to end.
 class MovedDisplacements {
  public:
   MovedDisplacements(const StrokeCurve& before, const StrokeCurve& after) {
-    const bool sameKnots = before.knots().size() == after.knots().size();
-    for (std::size_t i = 0; i < before.knots().size(); ++i) {
-      const double was_mm = before.knots()[i].displacement_mm;
+    const std::vector<Knot>&from = before.knots(), &to = after.knots();
+    std::size_t next = 1;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const double was_mm = from[i].displacement_mm;
       if (!was_.empty() && !(was_mm > was_.back())) continue;  // a vertical piece
-      if (!sameKnots && i > 0 && i + 1 < before.knots().size()) continue;
+      std::size_t is = i;
+      if (from.size() != to.size()) {
+        if (i == 0 || i + 1 == from.size()) {
+          is = i == 0 ? 0 : to.size() - 1;
+        } else {
+          for (is = next; is + 1 < to.size(); ++is)
+            if (std::abs(to[is].force_N - from[i].force_N) <= rounding) break;
+          if (is + 1 >= to.size()) continue;  // changed or removed
+          next = is + 1;
+        }
+      }
       was_.push_back(was_mm);
-      is_.push_back(sameKnots ? after.knots()[i].displacement_mm
-                    : i == 0  ? after.start_mm()
-                              : after.end_mm());
+      is_.push_back(to[is].displacement_mm);
     }
   }
   double of(double at_mm) const {
