@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "model/edits.h"
 
@@ -72,22 +73,85 @@ Result<Button> allEndingAt(Button button, double end_mm) {
   return button;
 }
 
-Result<Button> onOneEnd(const Button& before, const Button& after) {
-  const auto end_mm = newEnd_mm(before, after);
-  if (!end_mm) return end_mm.failure();
-  return *end_mm ? allEndingAt(after, **end_mm) : Result<Button>(after);
+// Where an edit of a curve took each displacement: knot by knot. If their number changed, by the knots that kept
+// their force, and end to end.
+class MovedDisplacements {
+ public:
+  MovedDisplacements(const StrokeCurve& before, const StrokeCurve& after) {
+    const std::vector<Knot>&from = before.knots(), &to = after.knots();
+    std::size_t next = 1;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const double was_mm = from[i].displacement_mm;
+      if (!was_.empty() && !(was_mm > was_.back())) continue;  // a vertical piece
+      std::size_t is = i;
+      if (from.size() != to.size()) {
+        if (i == 0 || i + 1 == from.size()) {
+          is = i == 0 ? 0 : to.size() - 1;
+        } else {
+          for (is = next; is + 1 < to.size(); ++is)
+            if (std::abs(to[is].force_N - from[i].force_N) <= rounding) break;
+          if (is + 1 >= to.size()) continue;  // changed or removed
+          next = is + 1;
+        }
+      }
+      was_.push_back(was_mm);
+      is_.push_back(to[is].displacement_mm);
+    }
+  }
+  double of(double at_mm) const {
+    const std::size_t i = pieceOf(at_mm, false);
+    return is_[i] + (at_mm - was_[i]) * stretchOf(at_mm, false);
+  }
+  /// Derivative of `of` on one side of a place; outside the curve 1.
+  double stretchOf(double at_mm, bool before) const {
+    if (before ? at_mm <= was_.front() : at_mm < was_.front()) return 1;
+    if (before ? at_mm > was_.back() : at_mm >= was_.back()) return 1;
+    const std::size_t i = pieceOf(at_mm, before);
+    return (is_[i + 1] - is_[i]) / (was_[i + 1] - was_[i]);
+  }
+
+ private:
+  std::size_t pieceOf(double at_mm, bool before) const {
+    const auto next = before ? std::lower_bound(was_.begin(), was_.end(), at_mm)
+                             : std::upper_bound(was_.begin(), was_.end(), at_mm);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, next - was_.begin() - 1));
+  }
+  std::vector<double> was_, is_;
+};
+
+// Moves each knot of the release as the press moved at its displacement, and adds the press's change of slope.
+Result<StrokeCurve> movedAlong(const StrokeCurve& release, const StrokeCurve& before,
+                               const StrokeCurve& after) {
+  const MovedDisplacements moved(before, after);
+  const auto slopeOf = [&](double slope, double was, double is, double stretch) {
+    return stretch > 0 ? (slope - was) / stretch + is : slope;
+  };
+  std::vector<Knot> knots = release.knots();
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    Knot& knot = knots[i];
+    const double was_mm = knot.displacement_mm, is_mm = moved.of(was_mm);
+    const bool belowStep = i + 1 < knots.size() && release.knots()[i + 1].displacement_mm == was_mm;
+    const double by_N = belowStep ? after.forceBefore_N(is_mm) - before.forceBefore_N(was_mm)
+                                  : after.force_N(is_mm) - before.force_N(was_mm);
+    knot.displacement_mm = is_mm;
+    knot.force_N += by_N;
+    knot.slopeBefore_N_per_mm = slopeOf(knot.slopeBefore_N_per_mm, before.slopeBefore_N_per_mm(was_mm),
+                                        after.slopeBefore_N_per_mm(is_mm), moved.stretchOf(was_mm, true));
+    knot.slopeAfter_N_per_mm = slopeOf(knot.slopeAfter_N_per_mm, before.slope_N_per_mm(was_mm),
+                                       after.slope_N_per_mm(is_mm), moved.stretchOf(was_mm, false));
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
 }
 
-Result<Button> withReleaseBelow(const Button& before, Button after, double offset_N) {
-  for (std::size_t i = 0; i < after.states().size(); ++i) {
-    const ForceGraph& graph = after.states()[i].graph;
-    if (!graph.release()) continue;
-    const ForceGraph* was = i < before.states().size() ? &before.states()[i].graph : nullptr;
-    if (was && was->press() == graph.press() && was->release() && !(was->release() == graph.release()))
-      return linkRefusal(nameOf(Stroke::release), Message("follows its press"),
-                         Message("Edit the press, or loosen the link"));
-    auto next =
-        editGraph(after, i, [&](const ForceGraph& one) { return mirrorPressToRelease(one, offset_N); });
+// Moves releases along with their presses; an edit that changed a release itself is left as it is.
+Result<Button> withReleasesMoved(const Button& before, Button after) {
+  for (std::size_t i = 0; i < std::min(before.states().size(), after.states().size()); ++i) {
+    const ForceGraph &was = before.states()[i].graph, &is = after.states()[i].graph;
+    if (was.press() == is.press() || !was.release() || was.release() != is.release()) continue;
+    auto release = movedAlong(*was.release(), was.press(), is.press());
+    if (!release) return release.failure();
+    auto next = editGraph(
+        after, i, [&](const ForceGraph& graph) { return ForceGraph::fromCurves(graph.press(), *release); });
     if (!next) return next;
     after = *std::move(next);
   }
@@ -117,18 +181,33 @@ std::optional<Failure> movedPin(const Button& before, const Button& after, const
 Result<Button> keptLinks(const Button& before, const Button& after, const EditLinks& links) {
   if (links.empty()) return after;
   Result<Button> next = after;
-  if (links.oneTravelEnd) next = onOneEnd(before, *next);
-  if (next && links.releaseBelowPress_N) next = withReleaseBelow(before, *next, *links.releaseBelowPress_N);
+  std::optional<double> end_mm;
+  if (links.oneTravelEnd) {
+    const auto moved = newEnd_mm(before, after);
+    if (!moved) return moved.failure();
+    end_mm = *moved;
+  }
+  if (links.releaseBelowPress_N) next = withReleasesMoved(before, after);
+  if (next && end_mm) next = allEndingAt(*next, *end_mm);
   if (!next) return next;
   if (auto pin = movedPin(before, *next, links)) return *std::move(pin);
   return next;
 }
 
-Result<Button> linkedTo(const Button& button, std::size_t state, const EditLinks& links) {
-  Result<Button> next = button;
-  if (links.oneTravelEnd) next = allEndingAt(button, button.states()[state].graph.press().end_mm());
-  if (next && links.releaseBelowPress_N) next = withReleaseBelow(*next, *next, *links.releaseBelowPress_N);
-  return next;
+Result<Button> lowerReleases(Button button, double by_N) {
+  for (std::size_t i = 0; i < button.states().size(); ++i) {
+    if (!button.states()[i].graph.release()) continue;
+    auto next = editGraph(button, i, [&](const ForceGraph& graph) {
+      return editStroke(graph, Stroke::release, [&](const StrokeCurve& curve) {
+        std::vector<Knot> knots = curve.knots();
+        for (Knot& knot : knots) knot.force_N -= by_N;
+        return StrokeCurve::fromKnots(std::move(knots));
+      });
+    });
+    if (!next) return next;
+    button = *std::move(next);
+  }
+  return button;
 }
 
 }  // namespace detent

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <QPushButton>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "editor/document/graph_colors.h"
 #include "editor/importing/axis_quantity.h"
@@ -95,9 +97,12 @@ void AxisBox::build() {
 
 QHBoxLayout* AxisBox::rangeRow() {
   auto* row = new QHBoxLayout;
-  auto* to = new QLabel(tr("to"));
-  for (QWidget* each : std::initializer_list<QWidget*>{min_, to, max_, unit_}) row->addWidget(each);
-  ofPage_.insert(ofPage_.end(), {min_, to, max_});
+  const bool isX = axis_ == GraphAxis::x;
+  auto* first = new QLabel(isX ? tr("Left") : tr("Bottom"));
+  auto* last = new QLabel(isX ? tr("Right") : tr("Top"));
+  first->setBuddy(min_), last->setBuddy(max_);
+  for (QWidget* each : std::initializer_list<QWidget*>{first, min_, last, max_, unit_}) row->addWidget(each);
+  ofPage_.insert(ofPage_.end(), {first, min_, last, max_});
   return row;
 }
 
@@ -149,8 +154,16 @@ void AxisBox::takeEnd(bool isMax) {
   if (!value.value && takeWithUnit(*edit, isMax)) return;
   showRefusal(*edit, value.value ? QString() : refusalOf(value, asked.quantity, asked.units));
   if (!value.value) return;  // as typed, so that it can be mended
+  if (other.value && other.shown == value.shown) return showRefusal(*edit, noLength());
   edit->setModified(false);
   setEnd(isMax, value.shown, other.value ? std::optional(other.shown) : std::nullopt, {});
+  takeEnd(!isMax);  // it may have waited for this end
+}
+
+QString AxisBox::noLength() const {
+  return axis_ == GraphAxis::x
+             ? tr("Left and right have the same value. Type the value printed at each end.")
+             : tr("Bottom and top have the same value. Type the value printed at each end.");
 }
 
 // "60 gf" where no unit is known yet: the number and the unit of the axis in one.
@@ -161,6 +174,8 @@ bool AxisBox::takeWithUnit(QLineEdit& edit, bool isMax) {
     if (!edit.text().trimmed().endsWith(unit_->itemText(i))) continue;
     const QuantityReading value = readQuantity(edit.text(), asked.quantity, asked.units);
     if (!value.value) continue;
+    const QuantityReading other = readQuantity((isMax ? min_ : max_)->text(), asked.quantity, asked.units);
+    if (other.value && other.shown == value.shown) return false;
     showRefusal(edit, {});
     edit.setModified(false);
     setEnd(isMax, value.shown, {}, static_cast<std::size_t>(i));
@@ -205,12 +220,15 @@ void AxisBox::follow(bool ofLog) {
   const Corrections none;
   const Corrections& given = graph ? graph->history.now() : none;
   const importer::AxisReading* reading = nullptr;
+  std::optional<AxisEnds> onPage;
   if (shown && shown->evidence) {
     const auto& calibration = shown->evidence->axes.calibration.value;
     reading = isX ? &calibration.x : &calibration.y;
+    onPage = AxisEnds{reading->min, reading->max};
+    if (fallsOnPage(axis_, *shown->evidence)) std::swap(onPage->min, onPage->max);
   }
   const AxisCorrection& correction = given.axis(axis_);
-  showEnds(correction, reading);
+  showEnds(correction, onPage);
   showUnit(given, reading);
   range_->setOrigin(!correction.empty(),
                     shown ? confidenceOf(shown->evidence, importer::ImportStep::axes) : std::nullopt);
@@ -233,13 +251,14 @@ void AxisBox::followExtension(const importer::GraphEvidence* evidence, const imp
   });
 }
 
-void AxisBox::showEnds(const AxisCorrection& given, const importer::AxisReading* found) {
+// Given ends and those found are named by their place on the page, whichever way the values run.
+void AxisBox::showEnds(const AxisCorrection& given, const std::optional<AxisEnds>& found) {
   const auto show = [&](QLineEdit& edit, std::optional<double>& now, std::optional<double> givenEnd,
                         double foundEnd) {
     now = givenEnd ? givenEnd : found ? std::optional(foundEnd) : std::nullopt;
     if (edit.isModified()) return;
     const QString text = givenEnd ? numberText(*givenEnd, 5)
-                         : found  ? endText(foundEnd, found->max - found->min)
+                         : found  ? endText(foundEnd, std::abs(found->max - found->min))
                                   : QString();
     if (text == edit.text()) return;  // what is selected there stays selected
     edit.setText(text);

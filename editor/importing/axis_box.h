@@ -45,7 +45,8 @@ class AxisBox : public QGroupBox {
   bool takeWithUnit(QLineEdit& edit, bool isMax);
   void setEnd(bool isMax, double value, std::optional<double> other, std::optional<std::size_t> unit);
   void takeUnit(std::size_t index);
-  void showEnds(const AxisCorrection& given, const importer::AxisReading* found);
+  void showEnds(const AxisCorrection& given, const std::optional<AxisEnds>& found);
+  QString noLength() const;
   void showUnit(const Corrections& given, const importer::AxisReading* found);
   QString detailsOf(const AxisCorrection& given, const importer::AxisReading* found) const;
   void followExtension(const importer::GraphEvidence* evidence, const importer::AxisReading* reading);

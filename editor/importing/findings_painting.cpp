@@ -119,9 +119,13 @@ void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& pictur
               tick.used ? shortNumber(tick.value) : QStringLiteral("(%1)").arg(shortNumber(tick.value)),
               tick.used ? used : unused, false, taken);
   }
-  for (const AxisTick& tick : given)
-    paintTick(painter, axis, picture, toWidget(picture, tick.at), shortNumber(tick.value), ink().release,
-              true, taken);
+  const auto paintGiven = [&](importer::Point at, double value) {
+    paintTick(painter, axis, picture, toWidget(picture, at), shortNumber(value), ink().release, true, taken);
+  };
+  for (const AxisTick& tick : given) paintGiven(tick.at, tick.value);
+  const AxisCorrection& ends = picture.given.axis(axis);
+  if (ends.min) paintGiven(placeAlong(axis, *picture.corners, 0), *ends.min);
+  if (ends.max) paintGiven(placeAlong(axis, *picture.corners, 1), *ends.max);
 }
 
 void paintStroke(QPainter& painter, const FindingsPicture& picture, const DrawnStroke& stroke,

@@ -142,7 +142,7 @@ std::vector<DifferenceRow> differencesOf(const std::vector<const ButtonState*>& 
     releases.push_back(each.release ? &*each.release : nullptr);
   }
   Rows rows;
-  rows.add(Differences::tr("Travel"), Measure::length, figures,
+  rows.add(Differences::tr("Total travel"), Measure::length, figures,
            [](const StateMetrics& s) { return Value(s.travel_mm); });
   rows.add(Differences::tr("Operating point"), Measure::length, figures,
            [](const StateMetrics& s) { return place(s.operatingPoint); });

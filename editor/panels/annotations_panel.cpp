@@ -79,11 +79,13 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
                              tr("Name of the version"))),
       oneEnd_(
           described(new QCheckBox(tr("&One end of the travel")), "linkOneEnd",
-                    tr("Press and release of all states end at one displacement: where one goes, all go"))),
-      releaseFollows_(described(new QCheckBox(tr("&Release follows, lower by")), "linkRelease",
-                                tr("While the press is edited, the release is the press less this force"))),
+                    tr("From now on, where one end of press or release goes, the ends of all states go"))),
+      releaseFollows_(described(
+          new QCheckBox(tr("&Release follows the press, lower by")), "linkRelease",
+          tr("From now on, edits of the press move the release along. The release keeps its shape."))),
       offset_(described(new QuantityField(Quantity::force, settings.units()), "linkOffset",
-                        tr("How far the release lies below the press"))),
+                        tr("Mean distance of the release below the press. Another value lowers or raises the "
+                           "whole release."))),
       pins_(described(new QLabel, "linkPins")) {
   setObjectName("annotationsPanel");
   auto* inside = new QWidget;
@@ -201,15 +203,14 @@ QWidget* AnnotationsPanel::linksBox() {
     if (filling_) return;
     EditLinks links = document_.annotations().links;
     links.oneTravelEnd = oneEnd_->isChecked();
+    const auto before_N = links.releaseBelowPress_N;
     links.releaseBelowPress_N = releaseFollows_->isChecked() ? std::optional(offset_->value()) : std::nullopt;
-    link(links, tr("Keep together"));
+    const double lower_N = before_N && links.releaseBelowPress_N ? *links.releaseBelowPress_N - *before_N : 0;
+    link(links, lower_N != 0 ? tr("Lower the release") : tr("Change links"), lower_N);
   };
   connect(oneEnd_, &QCheckBox::toggled, this, changed);
   connect(releaseFollows_, &QCheckBox::toggled, this, changed);
-  connect(offset_, &QuantityField::valueChanged, this, [this, changed] {
-    offsetTyped_ = offsetTyped_ || !filling_;
-    changed();
-  });
+  connect(offset_, &QuantityField::valueChanged, this, changed);
   connect(unpin_, &QPushButton::clicked, this, [this] {
     EditLinks links = document_.annotations().links;
     links.pinned.clear();
@@ -223,13 +224,14 @@ int AnnotationsPanel::chosen(const QTreeWidget& list) {
   return items.isEmpty() ? -1 : list.indexOfTopLevelItem(items.front());
 }
 
-// Changes links and applies them at once, in one step. If impossible, both stay unchanged.
-void AnnotationsPanel::link(const EditLinks& links, const QString& label) {
+// Changes links, which act on later edits, and lowers the releases in the same step. If impossible, both stay.
+void AnnotationsPanel::link(const EditLinks& links, const QString& label, double lower_N) {
   EditHistory& history = document_.history();
   if (history.dragging()) return follow();
-  const auto linked = linkedTo(history.committed(), document_.activeState(), links);
-  if (!linked) {
-    emit said(sentenceOf(linked.failure(), settings_.units()));
+  const Result<Button> lowered =
+      lower_N == 0 ? Result<Button>(history.committed()) : lowerReleases(history.committed(), lower_N);
+  if (!lowered) {
+    emit said(sentenceOf(lowered.failure(), settings_.units()));
     return follow();
   }
   Annotations next = document_.annotations();
@@ -237,7 +239,7 @@ void AnnotationsPanel::link(const EditLinks& links, const QString& label) {
   if (next == document_.annotations()) return;
   history.stack().beginMacro(label);
   document_.annotate(std::move(next), label);
-  history.replace(*linked, label);
+  history.replace(*lowered, label);
   history.stack().endMacro();
 }
 
@@ -341,9 +343,9 @@ void AnnotationsPanel::fillVersions() {
   for (QPushButton* button : {goBack_, openVersion_, removeVersion_}) button->setEnabled(false);
 }
 
-// Offers the current distance of the strokes until the user types another one.
+// Shows the current distance of the strokes until the release follows.
 void AnnotationsPanel::offerOffset() {
-  if (offsetTyped_ || document_.annotations().links.releaseBelowPress_N) return;
+  if (document_.annotations().links.releaseBelowPress_N) return;
   const QScopedValueRollback filling(filling_, true);
   const DisplayUnits& units = settings_.units();
   const double now_N = offsetOf_N(document_.button().states()[document_.activeState()].graph);
@@ -355,6 +357,7 @@ void AnnotationsPanel::followLinks() {
   oneEnd_->setChecked(links.oneTravelEnd);
   releaseFollows_->setChecked(links.releaseBelowPress_N.has_value());
   offset_->setUnits(settings_.units());
+  offset_->setEnabled(links.releaseBelowPress_N.has_value());
   if (links.releaseBelowPress_N) offset_->setValue(*links.releaseBelowPress_N);
   offerOffset();
   pins_->setText(links.pinned.empty() ? tr("No point is pinned. P pins the selected one.")

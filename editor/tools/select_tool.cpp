@@ -44,8 +44,9 @@ bool isPoint(MarkKind kind) {
 
 QString SelectTool::hint() const {
   return tr(
-      "Drag points, slope handles and sections; drag on the ground to select several. Shift keeps to one "
-      "axis, Ctrl does not snap, Escape cancels.");
+      "Drag points and slope handles; drag the line to bend it between two points; drag on empty space to "
+      "select "
+      "several. Shift: one axis, Ctrl: no snapping, Escape: cancel.");
 }
 
 void SelectTool::leave() {
@@ -67,7 +68,7 @@ void SelectTool::hover(const PointerInput& input) {
   if (mark) feedback.hovered = mark->id;
   context_.canvas.setFeedback(feedback);
   if (mark)
-    context_.canvas.setCursor(mark->id.kind == MarkKind::section ? Qt::SizeAllCursor : Qt::OpenHandCursor);
+    context_.canvas.setCursor(mark->id.kind == MarkKind::section ? Qt::SizeVerCursor : Qt::OpenHandCursor);
   else
     context_.canvas.unsetCursor();
 }

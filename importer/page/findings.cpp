@@ -211,6 +211,10 @@ Wording wordingOf(RemarkCode code) {
       return {"doubted", words("not beyond doubt: %1")};
     case RemarkCode::printedValueDiffers:
       return {"printed-value-differs", words("%1")};
+    case RemarkCode::calloutNotPlaced:
+      return {"callout-not-placed", words("printed but not placed: %1")};
+    case RemarkCode::releaseNotDrawn:
+      return {"release-not-drawn", words("only the press was drawn by hand: the button has no release")};
     case RemarkCode::secondReadingTaken:
       return {"second-reading-taken", words("as it stands the page is not read for certain (%1): taken as "
                                             "two looks in other sizes read it")};

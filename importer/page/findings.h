@@ -135,7 +135,10 @@ enum class RemarkCode {
   printedValueDiffers,    ///< message of the comparison
   // levels that read twice, limits on time
   secondReadingTaken,  ///< message: what the first look read, or why it read nothing
-  endedByTimeLimit     ///< seconds
+  endedByTimeLimit,    ///< seconds
+  // what the page shows beyond what was read
+  calloutNotPlaced,  ///< message: which point the plot names
+  releaseNotDrawn
 };
 
 struct Remark {

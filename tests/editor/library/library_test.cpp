@@ -157,7 +157,7 @@ class LibraryTest : public QObject {
   void differencesAreThoseOfTheButtons() {
     const Button a = *tactileButton(), b = *scaleForce(a, 2);
     const auto rows = differencesOf({&a.states()[0], &b.states()[0]});
-    const DifferenceRow* travel = rowNamed(rows, "Travel");
+    const DifferenceRow* travel = rowNamed(rows, "Total travel");
     QVERIFY(travel && *travel->values[0] == *travel->values[1]);
     const DifferenceRow* force = rowNamed(rows, "Press: tactile point, force");
     QVERIFY(force);

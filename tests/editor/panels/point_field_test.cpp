@@ -47,7 +47,7 @@ class PointFieldTest : public QObject {
   void scrubbingALabelChangesTheNumber();
   void aPinnedPointIsMovedByNothing();
   void notesStandOnTheCurveAndVersionsComeBack();
-  void linksHoldFromTheMomentTheyAreMade();
+  void linksActOnLaterEditsOnly();
   void theOffsetOfferedIsThatOfTheStrokes();
   void undoInAnEmptyFieldIsTheButtons();
 };
@@ -154,22 +154,38 @@ void PointFieldTest::notesStandOnTheCurveAndVersionsComeBack() {
   QVERIFY(rig.document.annotations().empty());
 }
 
-void PointFieldTest::linksHoldFromTheMomentTheyAreMade() {
-  WorkspaceRig rig(require(tactileButton()));
+void PointFieldTest::linksActOnLaterEditsOnly() {
+  const Button measured = require(tactileButton());
+  WorkspaceRig rig(measured);
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
-  panel.findChild<QuantityField*>("linkOffset")->setValue(0.05);
+  auto* const offset = panel.findChild<QuantityField*>("linkOffset");
+  QVERIFY(!offset->isEnabled());
+  for (const char* name : {"linkRelease", "linkOneEnd"}) {
+    auto* const box = panel.findChild<QCheckBox*>(name);
+    box->click();
+    QVERIFY(rig.button() == measured);
+    box->click();
+    QVERIFY(rig.button() == measured);
+    QVERIFY(rig.document.annotations().empty());
+  }
+  rig.document.history().stack().setIndex(0);
   panel.findChild<QCheckBox*>("linkRelease")->click();
   QCOMPARE(rig.steps(), 1);
-  const auto below_N = [&](double at_mm) {
-    return rig.press().force_N(at_mm) - rig.document.graph().release()->force_N(at_mm);
-  };
-  QVERIFY(std::abs(below_N(2) - 0.05) < 1e-9);
+  QVERIFY(offset->isEnabled());
+  // A typed distance is an edit of its own: the whole release goes down.
+  offset->setValue(offset->value() + 0.02);
+  QCOMPARE(rig.steps(), 2);
+  const auto release_N = [&](double at_mm) { return rig.document.graph().release()->force_N(at_mm); };
+  const double lowered_N = release_N(2);
+  QVERIFY(std::abs(lowered_N - measured.states()[0].graph.release()->force_N(2) + 0.02) < 1e-9);
+  QVERIFY(rig.press() == measured.states()[0].graph.press());
+  const StrokeCurve before = *rig.document.graph().release();
   rig.drag(rig.pixel(tactile), rig.pixel(tactile) + QPointF(10, -30));
   QVERIFY(peakOf(rig).force_N > 0.56);
-  QVERIFY(std::abs(below_N(1.3) - 0.05) < 1e-9);
-  rig.document.history().stack().undo();
-  rig.document.history().stack().undo();
-  QVERIFY(rig.document.annotations().empty());
+  QVERIFY(!(*rig.document.graph().release() == before));
+  QCOMPARE(rig.document.graph().release()->knots().size(), before.knots().size());
+  while (rig.document.history().stack().canUndo()) rig.document.history().stack().undo();
+  QVERIFY(rig.button() == measured && rig.document.annotations().empty());
   QVERIFY(!panel.findChild<QCheckBox*>("linkRelease")->isChecked());
 }
 
@@ -194,17 +210,6 @@ void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
   rig.canvas().setSelected(tactile);
   for (int i = 0; i < 40; ++i) rig.key(Qt::Key_Up);
   QVERIFY(offset->value() > offered_N);  // of the strokes as they are now
-  type(offset, "20 gf");
-  QTest::keyClick(offset, Qt::Key_Return);
-  const double typed_N = 20 * 0.00980665;
-  QCOMPARE(offset->value(), typed_N);
-  Annotations noted = rig.document.annotations();
-  noted.notes.push_back({0, Stroke::press, 0.5, "soft"});
-  rig.document.setAnnotations(noted);
-  QCOMPARE(offset->value(), typed_N);  // what was typed stays
-  rig.canvas().setSelected(tactile);
-  rig.key(Qt::Key_Up);
-  QCOMPARE(offset->value(), typed_N);
 }
 
 // Undo in a field that holds nothing to take back is meant for the button.

@@ -639,6 +639,12 @@ void give(RemedyKind kind, ImportHints& hints) {
     case RemedyKind::setResolution:
       hints.dpi = 300;
       break;
+    case RemedyKind::drawPress:
+      hints.drawn.press = {{0, 0}, {1, 1}};
+      break;
+    case RemedyKind::chooseSwitch:
+      hints.strokes.curve = "1";
+      break;
     default:
       break;
   }
