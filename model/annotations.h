@@ -42,7 +42,8 @@ struct PinnedPoint {
 struct EditLinks {
   bool oneTravelEnd = false;  ///< where one stroke's end goes, the ends of all strokes of all states go
   std::optional<double>
-      releaseBelowPress_N;  ///< >= 0: each release moves along with edits of its press; mean distance of both
+      releaseBelowPress_N;  ///< >= 0: each release moves along with edits of its press; their mean distance when
+                            ///< the link was last set
   std::vector<PinnedPoint> pinned;
   bool empty() const { return !oneTravelEnd && !releaseBelowPress_N && pinned.empty(); }
   friend bool operator==(const EditLinks&, const EditLinks&) = default;

@@ -42,7 +42,8 @@ class AnnotationsPanel : public QWidget {
   void fillNotes();
   void fillVersions();
   void followLinks();
-  void offerOffset();
+  double offset_N() const;
+  void showOffset();
   void addNote();
   void keepVersion();
   void goBack();

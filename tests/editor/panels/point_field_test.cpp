@@ -36,6 +36,13 @@ TactilePoint peakOf(const WorkspaceRig& rig) {
   return tactilePoints(rig.document.graph().press(), Stroke::press).front();
 }
 
+double meanDistance_N(const WorkspaceRig& rig) {
+  const StrokeCurve &press = rig.document.graph().press(), &release = *rig.document.graph().release();
+  const double from_mm = std::max(press.start_mm(), release.start_mm()),
+               to_mm = std::min(press.end_mm(), release.end_mm());
+  return (press.area_mJ(from_mm, to_mm) - release.area_mJ(from_mm, to_mm)) / (to_mm - from_mm);
+}
+
 }  // namespace
 
 class PointFieldTest : public QObject {
@@ -172,12 +179,18 @@ void PointFieldTest::linksActOnLaterEditsOnly() {
   panel.findChild<QCheckBox*>("linkRelease")->click();
   QCOMPARE(rig.steps(), 1);
   QVERIFY(offset->isEnabled());
-  // A typed distance is an edit of its own: the whole release goes down.
-  offset->setValue(offset->value() + 0.02);
+  // What is shown, typed again, changes nothing.
+  type(offset, qPrintable(offset->text()));
+  QTest::keyClick(offset, Qt::Key_Return);
+  QVERIFY(rig.button() == measured);
+  // Another distance is an edit of its own: the whole release goes down by the difference.
+  const double now_N = meanDistance_N(rig), by_N = 0.12 - now_N;
+  type(offset, "0.12 N");
+  QTest::keyClick(offset, Qt::Key_Return);
   QCOMPARE(rig.steps(), 2);
   const auto release_N = [&](double at_mm) { return rig.document.graph().release()->force_N(at_mm); };
-  const double lowered_N = release_N(2);
-  QVERIFY(std::abs(lowered_N - measured.states()[0].graph.release()->force_N(2) + 0.02) < 1e-9);
+  QVERIFY(std::abs(release_N(2) - measured.states()[0].graph.release()->force_N(2) + by_N) < 1e-9);
+  QVERIFY(std::abs(meanDistance_N(rig) - 0.12) < 1e-9);
   QVERIFY(rig.press() == measured.states()[0].graph.press());
   const StrokeCurve before = *rig.document.graph().release();
   rig.drag(rig.pixel(tactile), rig.pixel(tactile) + QPointF(10, -30));
@@ -196,20 +209,24 @@ void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
   const AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
   auto* const offset = panel.findChild<QuantityField*>("linkOffset");
   const double offered_N = offset->value();
-  const StrokeCurve& release = *rig.document.graph().release();
-  double sum_N = 0;
-  constexpr int samples = 1000;
-  for (int i = 0; i < samples; ++i) {
-    const double at_mm = rig.press().end_mm() * (i + 0.5) / samples;
-    sum_N += rig.press().force_N(at_mm) - release.force_N(at_mm);
-  }
-  QVERIFY2(std::abs(offered_N / (sum_N / samples) - 1) < 0.1, qPrintable(QString::number(offered_N)));
-  const double offered_gf = offered_N / 0.00980665, step = offered_gf < 10 ? 0.1 : 1;
+  QVERIFY2(std::abs(offered_N - meanDistance_N(rig)) < 1e-3 * offered_N,
+           qPrintable(QString::number(offered_N)));
+  const double offered_gf = offered_N / 0.00980665, step = offered_gf < 10 ? 0.001 : 0.01;
   QVERIFY(std::abs(offered_gf / step - std::round(offered_gf / step)) < 1e-6);
 
   rig.canvas().setSelected(tactile);
   for (int i = 0; i < 40; ++i) rig.key(Qt::Key_Up);
   QVERIFY(offset->value() > offered_N);  // of the strokes as they are now
+  panel.findChild<QCheckBox*>("linkRelease")->click();
+  const double linked_N = offset->value();
+  rig.document.history().apply(
+      require(editGraph(rig.button(), 0,
+                        [](const ForceGraph& graph) {
+                          return editStroke(graph, Stroke::release,
+                                            [](const StrokeCurve& curve) { return scaleForce(curve, 0.9); });
+                        })),
+      "Scale");
+  QVERIFY(offset->value() > linked_N);  // an edit of the release itself shows, too
 }
 
 // Undo in a field that holds nothing to take back is meant for the button.
