@@ -107,7 +107,11 @@ void paintTick(QPainter& painter, GraphAxis axis, const FindingsPicture& picture
 void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& picture,
                 std::vector<QRectF>& taken) {
   const auto& found = axis == GraphAxis::x ? picture.drawn.xTicks : picture.drawn.yTicks;
-  const auto& given = picture.given.axis(axis).ticks;
+  std::vector<AxisTick> given = picture.given.axis(axis).ticks;
+  if (const auto& min = picture.given.axis(axis).min)
+    given.push_back({placeAlong(axis, *picture.corners, 0), *min});
+  if (const auto& max = picture.given.axis(axis).max)
+    given.push_back({placeAlong(axis, *picture.corners, 1), *max});
   const QColor used("#8a3a86"), unused("#8d949d");
   for (const DrawnTick& tick : found) {
     const bool isGiven = std::any_of(given.begin(), given.end(), [&](const AxisTick& t) {
@@ -119,13 +123,9 @@ void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& pictur
               tick.used ? shortNumber(tick.value) : QStringLiteral("(%1)").arg(shortNumber(tick.value)),
               tick.used ? used : unused, false, taken);
   }
-  const auto paintGiven = [&](importer::Point at, double value) {
-    paintTick(painter, axis, picture, toWidget(picture, at), shortNumber(value), ink().release, true, taken);
-  };
-  for (const AxisTick& tick : given) paintGiven(tick.at, tick.value);
-  const AxisCorrection& ends = picture.given.axis(axis);
-  if (ends.min) paintGiven(placeAlong(axis, *picture.corners, 0), *ends.min);
-  if (ends.max) paintGiven(placeAlong(axis, *picture.corners, 1), *ends.max);
+  for (const AxisTick& tick : given)
+    paintTick(painter, axis, picture, toWidget(picture, tick.at), shortNumber(tick.value), ink().release,
+              true, taken);
 }
 
 void paintStroke(QPainter& painter, const FindingsPicture& picture, const DrawnStroke& stroke,

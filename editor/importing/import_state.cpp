@@ -44,10 +44,6 @@ bool wasCancelled(const ImportedGraph& imported) {
   return imported.failure && imported.failure->code == FailureCode::cancelled;
 }
 
-}  // namespace
-
-namespace {
-
 // As the plot was read: on the page, the corners of a mirrored plot run the other way round.
 FrameCorners cornersInView(const importer::GraphEvidence& evidence) {
   FrameCorners corners;

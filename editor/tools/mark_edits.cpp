@@ -73,20 +73,21 @@ bool bend(std::array<BentSlope, 2>& slopes, double by_N) {
   return std::abs(by_N) <= bendRounding_N;
 }
 
-// Bends the segment between two knots so that it passes `by_N` higher at a displacement; the knots stay, and so
-// does everything outside. A segment that only rises or only falls does so afterwards, too.
+// Bends the segment between two knots so that it passes `by_N` higher at a displacement, at a knot in the middle of
+// the segment beside it; the knots stay, and so does everything outside. A segment that only rises or only falls does so afterwards, too.
 Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double by_N) {
   std::vector<Knot> knots = curve.knots();
   std::size_t right = 1;
   while (right + 1 < knots.size() && knots[right].displacement_mm <= at_mm) ++right;
   Knot &from = knots[right - 1], &to = knots[right];
   const double width_mm = to.displacement_mm - from.displacement_mm;
-  const double share = (at_mm - from.displacement_mm) / width_mm;
+  double share = (at_mm - from.displacement_mm) / width_mm;
+  if (!(share > 0 && share < 1)) share = 0.5;  // on a knot, as the middle of a section may be
   const auto cannot = [&](Message problem) {
     return markRefusal(Message("segment between knots %1 and %2", right, right + 1), std::move(problem),
                        Message("Add a knot there (K) and move that"));
   };
-  if (!(width_mm > 0) || !(share > 0 && share < 1)) return cannot(Message("cannot be bent at its end"));
+  if (!(width_mm > 0)) return cannot(Message("is vertical"));
   const double chord = (to.force_N - from.force_N) / width_mm;
   constexpr double steepest = 3;  // times the chord: up to there a cubic stays monotone (Fritsch and Carlson)
   const bool monotone = !turnsWithin(curve, from.displacement_mm, to.displacement_mm);

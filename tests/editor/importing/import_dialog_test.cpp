@@ -184,6 +184,7 @@ class ImportDialogTest : public QObject {
   void thePageLiesStillUnderAGesture();
   void aFieldInHandKeepsItsSelection();
   void theFieldsOfAFallingAxisNameItsEndsByPlace();
+  void theDirectionOfAnAxisWithoutNumbersIsAsked();
   void findingsEndWithTheirLastBox();
   void aFrameBesideTheShownOneAddsAGraph();
   void aMissingUnitIsAskedForInTheBanner();
@@ -866,9 +867,10 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
   QVERIFY(QLineF(onDialog(), before).length() > 1);  // fits its new room
 }
 
-// Force drawn downwards, 0 at the top: 50 cN at 1.5 mm. The fields show what stands at each end; typing that again
-// changes nothing, and an axis of no length is refused.
-void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
+namespace {
+
+// Force drawn downwards, 0 at the top: 50 cN at 1.5 mm. `numbered`: with labels along the force axis.
+QString plotOfFallingForce(bool numbered) {
   const auto x = [](double mm) { return 80 + 140 * mm; };
   const auto y = [](double cN) { return 60 + 4 * cN; };
   QString svg =
@@ -880,7 +882,7 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
                "text-anchor=\"middle\">%2</text>")
                .arg(x(i))
                .arg(i);
-  for (int cN = 0; cN <= 100; cN += 20)
+  for (int cN = 0; cN <= 100 && numbered; cN += 20)
     svg += QStringLiteral(
                "<path d=\"M80 %1h6\" stroke=\"black\"/><text x=\"72\" y=\"%2\" text-anchor=\"end\">%3</text>")
                .arg(y(cN))
@@ -910,6 +912,21 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
              .arg(y(60))
              .arg(x(3.95))
              .arg(y(95));
+  return svg;
+}
+
+void typeInto(QLineEdit* edit, const char* text) {
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, text);
+  QTest::keyClick(edit, Qt::Key_Return);
+}
+
+}  // namespace
+
+// The fields show what stands at each end; typing that again changes nothing, and an axis of no length is refused.
+void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
+  const QString svg = plotOfFallingForce(true);
   const QTemporaryDir folder;
   QFile file(folder.filePath("down.svg"));
   QVERIFY(file.open(QIODevice::WriteOnly) && file.write(svg.toUtf8()) > 0);
@@ -922,17 +939,11 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
   QTRY_COMPARE(bottom->text(), QStringLiteral("100"));
   QCOMPARE(top->text(), QStringLiteral("0"));
   keepPicture(dialog, "axis-falls");
-  const auto type = [](QLineEdit* field, const char* text) {
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, text);
-    QTest::keyClick(field, Qt::Key_Return);
-  };
-  type(top, "100");
+  typeInto(top, "100");
   QVERIFY2(top->accessibleDescription().contains("same value"), qPrintable(top->accessibleDescription()));
-  type(top, "0");
+  typeInto(top, "0");
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
-  type(bottom, "100");
+  typeInto(bottom, "100");
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   QCOMPARE(bottom->text(), QStringLiteral("100"));
   QCOMPARE(top->text(), QStringLiteral("0"));
@@ -946,6 +957,47 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
   QVERIFY2(std::abs(peaks[0].force_N - 0.50) < 0.005, qPrintable(QString::number(peaks[0].force_N)));
   QVERIFY2(std::abs(peaks[0].displacement_mm - 1.5) < 0.05,
            qPrintable(QString::number(peaks[0].displacement_mm)));
+}
+
+// Nothing printed tells which way the force grows: the dialogue says how it takes it, and a click turns it round. Ends
+// that are typed in the other order wait for each other and are one step.
+void ImportDialogTest::theDirectionOfAnAxisWithoutNumbersIsAsked() {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("down.svg"));
+  QVERIFY(file.open(QIODevice::WriteOnly) && file.write(plotOfFallingForce(false).toUtf8()) > 0);
+  file.close();
+  ShownDialog dialog;
+  dialog.openFile(file.fileName());
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
+  QVERIFY(!dialog.accept->isEnabled());
+  auto* bottom = dialog.findChild<QLineEdit*>("yMin");
+  auto* top = dialog.findChild<QLineEdit*>("yMax");
+  auto* falls = dialog.findChild<QToolButton*>("yFalls");
+  QVERIFY(!falls->isVisible());
+  typeInto(bottom, "0");
+  typeInto(top, "100");
+  QTRY_VERIFY_WITH_TIMEOUT(falls->isVisible(), patience_ms);
+  QVERIFY(!falls->isChecked());
+  falls->click();
+  QVERIFY(falls->isChecked());
+  QCOMPARE(bottom->text(), QStringLiteral("100"));
+  QCOMPARE(top->text(), QStringLiteral("0"));
+  keepPicture(dialog, "axis-direction");
+  typeInto(bottom, "0");  // as the other end: refused, and taken once that differs
+  QCOMPARE(top->text(), QStringLiteral("0"));
+  QVERIFY(bottom->accessibleDescription().contains("same value"));
+  typeInto(top, "100");
+  QVERIFY(bottom->accessibleDescription().isEmpty());
+  QVERIFY(!falls->isChecked());
+  falls->click();
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, patience_ms);
+  const auto result = imported.front().front().value<Report>();
+  const auto peaks = tactilePoints(result->button.states()[0].graph.press(), Stroke::press);
+  QCOMPARE(peaks.size(), std::size_t(1));
+  QVERIFY2(std::abs(peaks[0].force_N - 0.50) < 0.005, qPrintable(QString::number(peaks[0].force_N)));
 }
 
 // An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old value.
