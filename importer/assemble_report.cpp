@@ -254,9 +254,8 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   report.specChecks = checks;
   for (const CalloutKind kind : printedCallouts(findings.graph.frame.value, findings.graph.axes))
     if (std::ranges::none_of(report.callouts, [&](const Callout& each) { return each.kind == kind; }))
-      report.remarks.push_back(
-          {RemarkCode::calloutNotPlaced,
-           {kind == CalloutKind::operatingPoint ? Message("operating point") : Message("reset point")}});
+      report.remarks.push_back({kind == CalloutKind::operatingPoint ? RemarkCode::operatingPointNotPlaced
+                                                                    : RemarkCode::resetPointNotPlaced});
   if (!request.hints.drawn.press.empty() && !report.release)
     report.remarks.push_back({RemarkCode::releaseNotDrawn});
   auto steps = findings.graph.findings();

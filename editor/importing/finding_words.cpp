@@ -106,7 +106,8 @@ Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& co
 
 QString inWords(const importer::Remark& remark, const DisplayUnits& units) {
   QString text = asSentence(inWords(messageOf(remark), units));
-  if (remark.code == importer::RemarkCode::calloutNotPlaced)
+  if (remark.code == importer::RemarkCode::operatingPointNotPlaced ||
+      remark.code == importer::RemarkCode::resetPointNotPlaced)
     text += ' ' + tr("Right-click the curve at that place to set it.");
   if (remark.code == importer::RemarkCode::releaseNotDrawn)
     text += ' ' + tr("Use “Draw release” if the page shows one.");

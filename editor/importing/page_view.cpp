@@ -345,6 +345,11 @@ bool PageView::closeEditor() {
 
 // ---- painting
 
+DisplayUnits PageView::units() const {
+  const ImportGraph* graph = state_.current();
+  return graph ? unitsOfPage(*graph, settings_.units()) : settings_.units();
+}
+
 void PageView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const bool dark = isDark(palette());
@@ -359,8 +364,7 @@ void PageView::paintEvent(QPaintEvent*) {
   const ImportGraph* graph = state_.current();
   if (graph) {
     const bool stale = !graph->upToDate(state_.quality()) || hasPreview();
-    paintFindings(painter, {drawn_, shown(), shownCorners(), pageToWidget_,
-                            unitsOfPage(*graph, settings_.units()), stale});
+    paintFindings(painter, {drawn_, shown(), shownCorners(), pageToWidget_, units(), stale});
   }
   tool_->paint(painter);
   drawMagnifier(painter);

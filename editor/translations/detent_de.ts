@@ -172,20 +172,8 @@
         <translation>Druckpunkte</translation>
     </message>
     <message>
-        <source>bottom-out begins at</source>
-        <translation>Anschlag beginnt bei</translation>
-    </message>
-    <message>
         <source>work</source>
         <translation>Arbeit</translation>
-    </message>
-    <message>
-        <source>Operating point</source>
-        <translation>Schaltpunkt</translation>
-    </message>
-    <message>
-        <source>Reset point</source>
-        <translation>Rückschaltpunkt</translation>
     </message>
     <message>
         <source>Press</source>
@@ -196,16 +184,8 @@
         <translation>Rückweg</translation>
     </message>
     <message>
-        <source>Work lost between the strokes</source>
-        <translation>Zwischen den Wegen verlorene Arbeit</translation>
-    </message>
-    <message>
         <source>%1: mean %2 % of the first one&apos;s range, largest %3 % (up to %4 %5, %6 %7)</source>
         <translation>%1: im Mittel %2 % vom Bereich des ersten, höchstens %3 % (bis %4 %5, %6 %7)</translation>
-    </message>
-    <message>
-        <source>Total travel</source>
-        <translation>Gesamtweg</translation>
     </message>
 </context>
 <context>
@@ -2887,16 +2867,16 @@ Lizenz: %3</translation>
         <translation>Fügen Sie dort einen Knoten hinzu (K) und ziehen Sie diesen</translation>
     </message>
     <message>
-        <source>cannot be bent at its end</source>
-        <translation>lässt sich an seinem Ende nicht biegen</translation>
-    </message>
-    <message>
         <source>would get a hump or a dip</source>
         <translation>bekäme einen Buckel oder eine Delle</translation>
     </message>
     <message>
         <source>Draw press curve</source>
         <translation>Kurve des Drückens zeichnen</translation>
+    </message>
+    <message>
+        <source>is vertical</source>
+        <translation>ist senkrecht</translation>
     </message>
 </context>
 <context>
@@ -3362,6 +3342,34 @@ Lizenz: %3</translation>
     <message>
         <source>Bottom and top have the same value. Type the value printed at each end.</source>
         <translation>Unten und oben steht derselbe Wert. Geben Sie den Wert ein, der an jedem Ende gedruckt ist.</translation>
+    </message>
+    <message>
+        <source>Displacement grows:</source>
+        <translation>Der Weg wächst:</translation>
+    </message>
+    <message>
+        <source>Force grows:</source>
+        <translation>Die Kraft wächst:</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>downwards</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>Direction of the axis</source>
+        <translation>Richtung der Achse</translation>
     </message>
 </context>
 <context>
@@ -9791,20 +9799,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Sie installieren (unter Debian: libzip4) oder die Tabelle als CSV speichern</translation>
     </message>
     <message>
-        <source>operating point</source>
-        <translation>Schaltpunkt</translation>
-    </message>
-    <message>
-        <source>reset point</source>
-        <translation>Rückschaltpunkt</translation>
-    </message>
-    <message>
-        <source>printed but not placed: %1</source>
-        <translation>gedruckt, aber nicht gesetzt: %1</translation>
-    </message>
-    <message>
         <source>only the press was drawn by hand: the button has no release</source>
         <translation>nur das Drücken wurde von Hand gezeichnet: Der Taster hat keinen Rückweg</translation>
+    </message>
+    <message>
+        <source>an operating point is printed, but was not placed</source>
+        <translation>ein Schaltpunkt ist gedruckt, wurde aber nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>a reset point is printed, but was not placed</source>
+        <translation>ein Rückschaltpunkt ist gedruckt, wurde aber nicht gesetzt</translation>
     </message>
 </context>
 <context>

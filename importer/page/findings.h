@@ -137,8 +137,9 @@ enum class RemarkCode {
   secondReadingTaken,  ///< message: what the first look read, or why it read nothing
   endedByTimeLimit,    ///< seconds
   // what the page shows beyond what was read
-  calloutNotPlaced,  ///< message: which point the plot names
-  releaseNotDrawn
+  operatingPointNotPlaced,  ///< the plot names one
+  resetPointNotPlaced,      ///< the same
+  releaseNotDrawn           ///< the press was drawn by hand, its release was not
 };
 
 struct Remark {

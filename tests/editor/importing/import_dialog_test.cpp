@@ -185,6 +185,7 @@ class ImportDialogTest : public QObject {
   void aFieldInHandKeepsItsSelection();
   void theFieldsOfAFallingAxisNameItsEndsByPlace();
   void theDirectionOfAnAxisWithoutNumbersIsAsked();
+  void whatIsShownGivenAgainChangesNothing();
   void findingsEndWithTheirLastBox();
   void aFrameBesideTheShownOneAddsAGraph();
   void aMissingUnitIsAskedForInTheBanner();
@@ -1055,16 +1056,63 @@ void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
   QTest::qWait(50);
   QVERIFY(!dialog.accept->isEnabled());
   keepPicture(dialog, "missing-unit");
+  for (const ForceUnit unit :
+       {ForceUnit::newton, ForceUnit::centinewton, ForceUnit::millinewton, ForceUnit::gramForce,
+        ForceUnit::kilogramForce, ForceUnit::ounceForce, ForceUnit::poundForce}) {
+    const auto* offered =
+        dialog.findChild<QPushButton*>(QStringLiteral("forceUnit_") + DisplayUnits{{}, unit}.forceSymbol());
+    QVERIFY(offered && offered->isVisible());
+    QVERIFY2(dialog.banner->rect().contains(QRect(offered->mapTo(dialog.banner, QPoint()), offered->size())),
+             qPrintable(offered->text()));
+  }
   auto* inGram = dialog.findChild<QPushButton*>("forceUnit_gf");
   QVERIFY(inGram && inGram->isVisible());
   QSignalSpy imported(&dialog, &ImportDialog::imported);
   QTest::mouseClick(inGram, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QVERIFY(dialog.view->units().force == ForceUnit::gramForce);  // labels are in the page's unit
   QTest::mouseClick(dialog.accept, Qt::LeftButton);
   QCOMPARE(imported.count(), 1);
   const auto result = imported.front().front().value<Report>();
   QCOMPARE(result->y->unit, std::string("gf"));
   QCOMPARE(result->y->unitBy, DecidedBy::given);
+}
+
+// What the dialogue shows of each axis, typed or chosen again, gives the same button.
+void ImportDialogTest::whatIsShownGivenAgainChangesNothing() {
+  for (const char* plot : {"white-vector.pdf", "brown-german-comma.png"}) {
+    ShownDialog dialog;
+    dialog.openFile(sample(plot));
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+    ImportState& state = dialog.view->state();
+    const Button before = report(state).button;
+    const auto& was = before.states()[0].graph.press();
+    const double span_N = was.forceRange_N().second - was.forceRange_N().first;
+    const auto isSame = [&](const QString& what) {
+      QVERIFY(again(state));
+      QVERIFY2(dialog.accept->isEnabled(), qPrintable(what));
+      const StrokeCurve& is = report(state).button.states()[0].graph.press();
+      QVERIFY2(std::abs(is.end_mm() - was.end_mm()) < 0.005 * was.end_mm(), qPrintable(what));
+      for (int i = 0; i <= 20; ++i) {
+        const double at_mm = was.start_mm() + 0.9 * i / 20 * was.travel_mm();  // the wall is steep
+        QVERIFY2(std::abs(is.force_N(at_mm) - was.force_N(at_mm)) < 0.02 * span_N,
+                 qPrintable(QString("%1 at %2 mm").arg(what).arg(at_mm)));
+      }
+      QCOMPARE(tactilePoints(is, Stroke::press).size(), tactilePoints(was, Stroke::press).size());
+    };
+    for (const char* name : {"xMin", "xMax", "yMin", "yMax"}) {
+      auto* edit = dialog.findChild<QLineEdit*>(name);
+      typeInto(edit, qPrintable(edit->text()));
+      isSame(QString("%1: %2").arg(plot, name));
+      if (QTest::currentTestFailed()) return;
+    }
+    for (const char* name : {"xUnit", "yUnit"}) {
+      auto* box = dialog.findChild<QComboBox*>(name);
+      emit box->activated(box->currentIndex());
+      isSame(QString("%1: %2").arg(plot, name));
+      if (QTest::currentTestFailed()) return;
+    }
+  }
 }
 
 void ImportDialogTest::axisEndsAreTypedAlikeInEveryLanguage() {
