@@ -12,8 +12,6 @@
 namespace detent::editor {
 namespace {
 
-constexpr double stillWithin = 1e-12;  // mm, N: rounding of a pointer that is back
-
 constexpr int limitSteps = 14;  // halvings: a 16,000th of the way, less than a pixel
 constexpr double clearance_px =
     4;  // px before the limit, so that a flank does not become a step, nor a point a corner
@@ -83,10 +81,6 @@ void GraphDrag::preview(const Button& next, CurvePoint to, CanvasFeedback& feedb
 
 Result<Button> GraphDrag::edited(CurvePoint to) const {
   const EditHistory& history = document_.history();
-  // Back at its start a drag leaves no knot that an edit on the way would have added.
-  const CurvePoint way{to.displacement_mm - task_->from.displacement_mm, to.force_N - task_->from.force_N};
-  if (std::abs(way.displacement_mm) <= stillWithin && std::abs(way.force_N) <= stillWithin)
-    return history.committed();
   auto next = task_->edit(history.committed(), to);
   return next ? history.ruled(*next) : next;
 }

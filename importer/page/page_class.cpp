@@ -75,7 +75,7 @@ bool isBilevel(const Raster& raster) {
 /// Whether the paper is exactly one of a few levels where nothing is drawn, as programs fill windows and plots; light and paper
 /// never are.
 bool isFilledEvenly(const std::vector<Tile>& paper) {
-  constexpr std::size_t mostLevels = 6, fewestTiles = 50;
+  constexpr std::size_t mostLevels = 3, fewestTiles = 50;
   constexpr double leastBare = 0.6, leastShare = 0.95;  // of the tiles, of those that nothing is drawn in
   std::array<std::size_t, 256> counts{};
   for (const Tile& tile : paper)

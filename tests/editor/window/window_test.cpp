@@ -62,7 +62,6 @@
 #include "editor/window/main_window.h"
 #include "editor/window/stored_view.h"
 #include "editor/window/translation.h"
-#include "importer/page/page_class.h"
 #include "model/edits.h"
 #include "model/file/graph_program.h"
 #include "model/file/traced_project.h"
@@ -711,24 +710,6 @@ class WindowTest : public QObject {
     QVERIFY(rig.document().history().modified());
     QVERIFY(rig.notices().join("").contains("Mean of 3"));
     QVERIFY(rig.document().title().contains("Mean of 3"));  // not the name of one of them
-  }
-
-  // The exported picture of the window: its fills are even, as no scanner leaves paper.
-  void itsOwnPictureIsNoScan() {
-    for (const char* name : {"B", "C", "D", "E"}) {
-      Rig rig(folder_->path());
-      rig.window->files().open({sample((std::string("buttons/") + name + ".button.json").c_str())});
-      const QImage image = rig.window->tabs()
-                               .current()
-                               ->workspace()
-                               .renderImage({2400, 1600}, 2)
-                               .convertToFormat(QImage::Format_RGB888);
-      importer::Raster raster{image.width(), image.height(), {}};
-      for (int y = 0; y < image.height(); ++y)
-        raster.rgb.insert(raster.rgb.end(), image.constScanLine(y),
-                          image.constScanLine(y) + 3 * image.width());
-      QVERIFY2(importer::classOfPixels(raster) == importer::PageClass::picture, name);
-    }
   }
 
   // Presets fill in, changes stay, and what cannot be drawn cannot be exported.
