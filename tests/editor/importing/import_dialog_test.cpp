@@ -184,7 +184,6 @@ class ImportDialogTest : public QObject {
   void thePageLiesStillUnderAGesture();
   void aFieldInHandKeepsItsSelection();
   void theFieldsOfAFallingAxisNameItsEndsByPlace();
-  void theDirectionOfAnAxisWithoutNumbersIsAsked();
   void whatIsShownGivenAgainChangesNothing();
   void findingsEndWithTheirLastBox();
   void aFrameBesideTheShownOneAddsAGraph();
@@ -870,8 +869,8 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
 
 namespace {
 
-// Force drawn downwards, 0 at the top: 50 cN at 1.5 mm.
-QString plotOfFallingForce() {
+// Force drawn downwards, 0 at the top: 50 cN at 1.5 mm. `numbered`: with labels along the force axis.
+QString plotOfFallingForce(bool numbered) {
   const auto x = [](double mm) { return 80 + 140 * mm; };
   const auto y = [](double cN) { return 60 + 4 * cN; };
   QString svg =
@@ -883,7 +882,7 @@ QString plotOfFallingForce() {
                "text-anchor=\"middle\">%2</text>")
                .arg(x(i))
                .arg(i);
-  for (int cN = 0; cN <= 100; cN += 20)
+  for (int cN = 0; cN <= 100 && numbered; cN += 20)
     svg += QStringLiteral(
                "<path d=\"M80 %1h6\" stroke=\"black\"/><text x=\"72\" y=\"%2\" text-anchor=\"end\">%3</text>")
                .arg(y(cN))
@@ -927,7 +926,7 @@ void typeInto(QLineEdit* edit, const char* text) {
 
 // The fields show what stands at each end; typing that again changes nothing, and an axis of no length is refused.
 void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
-  const QString svg = plotOfFallingForce();
+  const QString svg = plotOfFallingForce(true);
   const QTemporaryDir folder;
   QFile file(folder.filePath("down.svg"));
   QVERIFY(file.open(QIODevice::WriteOnly) && file.write(svg.toUtf8()) > 0);
@@ -960,33 +959,81 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
            qPrintable(QString::number(peaks[0].displacement_mm)));
 }
 
-// Nothing printed tells which way the force grows: the dialogue says how it takes it, and a click turns it round. Ends
-// that are typed in the other order wait for each other and are one step.
-void ImportDialogTest::theDirectionOfAnAxisWithoutNumbersIsAsked() {
+// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old value.
+void ImportDialogTest::aFieldInHandKeepsItsSelection() {
+  ViewSettings settings;
+  ImportState state;
+  FindingsPanel panel(state, settings);
+  panel.show();
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  auto* max = panel.findChild<QLineEdit*>("yMax");
+  max->selectAll();
+  const QString all = max->selectedText();
+  QVERIFY(!all.isEmpty());
+  emit state.resultChanged();
+  QTest::qWait(1);
+  QCOMPARE(max->selectedText(), all);
+}
+
+// Behind the last box nothing is left to scroll to, and nothing is squeezed for that.
+void ImportDialogTest::findingsEndWithTheirLastBox() {
+  ViewSettings settings;
+  ImportState state;
+  FindingsPanel panel(state, settings);
+  panel.resize(300, 300);
+  panel.show();
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  const QWidget* box = panel.findChild<QLabel*>("seconds")->parentWidget();
+  QTRY_VERIFY(box->geometry().bottom() > panel.viewport()->height());
+  constexpr int margins_px = 20;
+  QTRY_VERIFY2(panel.widget()->height() - box->geometry().bottom() <= margins_px,
+               qPrintable(QString::number(panel.widget()->height() - box->geometry().bottom())));
+  const auto squeezed = [&] {
+    QStringList texts;
+    for (const auto* label : panel.findChildren<QLabel*>())
+      if (label->wordWrap() && label->isVisible() && label->height() < label->heightForWidth(label->width()))
+        texts << QString("%1 of %2: %3")
+                     .arg(label->height())
+                     .arg(label->heightForWidth(label->width()))
+                     .arg(label->text());
+    return texts.join('\n');
+  };
+  QTRY_VERIFY2(squeezed().isEmpty(), qPrintable(squeezed()));
+}
+
+// The sheet names no unit of force: nothing is guessed quietly, and one click in the banner settles it.
+void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
+  QImage page(sample("brown-one-ink.png"));
+  {
+    QPainter painter(&page);
+    painter.fillRect(0, 160, 38, 150, Qt::white);  // "force (cN)"
+  }
   ShownDialog dialog;
-  dialog.openPicture(pictureWithoutNumbers());
+  dialog.openPicture(page);
   QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
+  QTest::qWait(50);
   QVERIFY(!dialog.accept->isEnabled());
-  drawFrame(*dialog.view, {100, 100}, {700, 500});
-  auto* bottom = dialog.findChild<QLineEdit*>("yMin");
-  auto* top = dialog.findChild<QLineEdit*>("yMax");
-  auto* falls = dialog.findChild<QToolButton*>("yFalls");
-  QVERIFY(!falls->isVisible());
-  typeInto(bottom, "0");
-  typeInto(top, "100");
-  QTRY_VERIFY_WITH_TIMEOUT(falls->isVisible(), patience_ms);
-  QVERIFY(!falls->isChecked());
-  falls->click();
-  QVERIFY(falls->isChecked());
-  QCOMPARE(bottom->text(), QStringLiteral("100"));
-  QCOMPARE(top->text(), QStringLiteral("0"));
-  keepPicture(dialog, "axis-direction");
-  typeInto(bottom, "0");  // as the other end: refused, and taken once that differs
-  QCOMPARE(top->text(), QStringLiteral("0"));
-  QVERIFY(bottom->accessibleDescription().contains("same value"));
-  typeInto(top, "100");
-  QVERIFY(bottom->accessibleDescription().isEmpty());
-  QVERIFY(!falls->isChecked());
+  keepPicture(dialog, "missing-unit");
+  for (const ForceUnit unit :
+       {ForceUnit::newton, ForceUnit::centinewton, ForceUnit::millinewton, ForceUnit::gramForce,
+        ForceUnit::kilogramForce, ForceUnit::ounceForce, ForceUnit::poundForce}) {
+    const auto* offered =
+        dialog.findChild<QPushButton*>(QStringLiteral("forceUnit_") + DisplayUnits{{}, unit}.forceSymbol());
+    QVERIFY(offered && offered->isVisible());
+    QVERIFY2(dialog.banner->rect().contains(QRect(offered->mapTo(dialog.banner, QPoint()), offered->size())),
+             qPrintable(offered->text()));
+  }
+  auto* inGram = dialog.findChild<QPushButton*>("forceUnit_gf");
+  QVERIFY(inGram && inGram->isVisible());
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  QTest::mouseClick(inGram, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QVERIFY(dialog.view->units().force == ForceUnit::gramForce);  // labels are in the page's unit
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
+  QCOMPARE(imported.count(), 1);
+  const auto result = imported.front().front().value<Report>();
+  QCOMPARE(result->y->unit, std::string("gf"));
+  QCOMPARE(result->y->unitBy, DecidedBy::given);
 }
 
 // What the dialogue shows of each axis, typed or chosen again, gives the same button.
