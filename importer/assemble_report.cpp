@@ -252,6 +252,12 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
     if (!check.agrees) report.remarks.push_back({RemarkCode::printedValueDiffers, {messageOf(check)}});
   }
   report.specChecks = checks;
+  for (const CalloutKind kind : printedCallouts(findings.graph.frame.value, findings.graph.axes))
+    if (std::ranges::none_of(report.callouts, [&](const Callout& each) { return each.kind == kind; }))
+      report.remarks.push_back({kind == CalloutKind::operatingPoint ? RemarkCode::operatingPointNotPlaced
+                                                                    : RemarkCode::resetPointNotPlaced});
+  if (!request.hints.drawn.press.empty() && !report.release)
+    report.remarks.push_back({RemarkCode::releaseNotDrawn});
   auto steps = findings.graph.findings();
   steps.push_back(
       {ImportStep::strokes, findings.strokes.confidence, findings.strokes.by, findings.strokes.evidence});

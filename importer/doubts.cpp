@@ -443,8 +443,7 @@ class Doubts {
   void sayAt(Point at_px, DoubtCode code, double share) {
     const Point at = findings_.graph.axes.calibration.value.toUnits(at_px);
     add(code, share, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}},
-        {{RemedyKind::addMask, "over what is not a curve"},
-         {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}});
+        {{RemedyKind::addMask, "over what is not a curve"}, {RemedyKind::drawPress, {}}});
   }
 
   /// A line through a good part of the plot that is of neither stroke, however straight: the loop of another
@@ -635,11 +634,9 @@ class Doubts {
   void assumed() {
     for (const EvidenceItem& item : findings_.strokes.evidence)
       if (item.code == EvidenceCode::nameNearly)
-        add(DoubtCode::assumed, inPart, {messageOf(item)},
-            {{RemedyKind::advice, Message("Choose it by its number: --curve N")}});
+        add(DoubtCode::assumed, inPart, {messageOf(item)}, {{RemedyKind::chooseSwitch, {}}});
       else if (item.code == EvidenceCode::footUnderAnother)
-        add(DoubtCode::assumed, inPart, {messageOf(item)},
-            {{RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}});
+        add(DoubtCode::assumed, inPart, {messageOf(item)}, {{RemedyKind::drawPress, {}}});
     for (const EvidenceItem& item : findings_.graph.axes.calibration.evidence)
       if (item.code == EvidenceCode::unitsOfHeading)
         add(DoubtCode::assumed, inPart, {messageOf(item)},

@@ -54,6 +54,10 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
       return hints.trace.releaseColor.has_value();
     case RemedyKind::setResolution:
       return hints.dpi.has_value();
+    case RemedyKind::drawPress:
+      return !hints.drawn.press.empty();
+    case RemedyKind::chooseSwitch:
+      return !hints.strokes.curve.empty();
     default:
       return false;  // masks and words can be given again
   }
@@ -64,8 +68,8 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints) {
   Remedies left = remedies.without([&](RemedyKind kind) { return isGiven(hints, kind); });
   if (!left.empty() || remedies.empty()) return left;
-  if (hints.drawn.press.empty()) return Message("Draw the whole curve by hand: --press-line");
-  return Message("Where the overlay shows that it is right, take it as it is: --sure 0");
+  if (hints.drawn.press.empty()) return RemedyKind::drawPress;
+  return Remedy{RemedyKind::acceptAsIs, "where the overlay shows that it is right"};
 }
 
 }  // namespace detent::importer

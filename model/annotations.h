@@ -38,11 +38,12 @@ struct PinnedPoint {
   friend bool operator==(const PinnedPoint&, const PinnedPoint&) = default;
 };
 
-/// Constraints that every edit keeps.
+/// Constraints that later edits keep.
 struct EditLinks {
-  bool oneTravelEnd = false;  ///< both strokes of all states end at one displacement
+  bool oneTravelEnd = false;  ///< where one stroke's end goes, the ends of all strokes of all states go
   std::optional<double>
-      releaseBelowPress_N;  ///< >= 0: each release equals its press less this force (mirrorPressToRelease)
+      releaseBelowPress_N;  ///< >= 0: each release moves along with edits of its press; their mean distance when
+                            ///< the link was last set
   std::vector<PinnedPoint> pinned;
   bool empty() const { return !oneTravelEnd && !releaseBelowPress_N && pinned.empty(); }
   friend bool operator==(const EditLinks&, const EditLinks&) = default;

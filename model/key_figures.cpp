@@ -30,11 +30,11 @@ std::optional<double> meanSlope(const CurvePoint& from, const CurvePoint& to) {
   return (to.force_N - from.force_N) / run_mm;
 }
 
-void fillContacts(KeyFigures& figures, const StateMetrics& state, double start_mm) {
+void fillContacts(KeyFigures& figures, const StateMetrics& state) {
   if (const auto& operating = state.operatingPoint) {
-    figures[KeyFigure::preTravel] = operating->displacement_mm - start_mm;
+    figures[KeyFigure::preTravel] = operating->displacement_mm;
     figures[KeyFigure::operatingForce] = operating->force_N;
-    figures[KeyFigure::overTravel] = start_mm + state.travel_mm - operating->displacement_mm;
+    figures[KeyFigure::overTravel] = state.travel_mm - operating->displacement_mm;
     if (state.resetPoint)
       figures[KeyFigure::differentialTravel] = operating->displacement_mm - state.resetPoint->displacement_mm;
   }
@@ -116,7 +116,6 @@ const std::array<KeyFigureName, keyFigureCount>& keyFigureNames() {
 
 KeyFigures keyFiguresOf(const ButtonState& state, const SectionSettings& settings) {
   const StateMetrics metrics = metricsOf(state, settings);
-  const double start_mm = state.graph.press().start_mm();
   KeyFigures figures;
   figures[KeyFigure::initialForce] = metrics.press.startForce_N;
   figures[KeyFigure::endForce] = metrics.press.endForce_N;
@@ -124,7 +123,7 @@ KeyFigures keyFiguresOf(const ButtonState& state, const SectionSettings& setting
   figures[KeyFigure::pressWork] = metrics.press.work_mJ;
   figures[KeyFigure::hysteresis] = metrics.hysteresisArea_mJ;
   fillShape(figures, placesOf(metrics.press, startOf(state)));
-  fillContacts(figures, metrics, start_mm);
+  fillContacts(figures, metrics);
   return figures;
 }
 

@@ -16,7 +16,7 @@ namespace detent {
 /// lowest force between it and the next tactile point (or the end of the press).
 enum class KeyFigure {
   initialForce,        ///< N, press, at the start of its curve
-  preTravel,           ///< mm, start of the press to the operating point (PT)
+  preTravel,           ///< mm, displacement of the operating point (PT)
   operatingForce,      ///< N, press, at the operating point
   peakForce,           ///< N
   peakTravel,          ///< mm, displacement of the peak
@@ -33,7 +33,7 @@ enum class KeyFigure {
   overTravel,          ///< mm, operating point to the end of the press (OT)
   bottomOutForce,      ///< N, press, where the bottom-out begins
   bottomOutTravel,     ///< mm, displacement where the bottom-out begins
-  totalTravel,         ///< mm, start to end of the press (TT)
+  totalTravel,         ///< mm, displacement of the end of the press (TT)
   endForce,            ///< N, press, at its end
   pressWork,           ///< mJ, area under the press curve
   hysteresis           ///< mJ, press minus release where both exist: energy lost in one actuation; signed

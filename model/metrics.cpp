@@ -71,7 +71,7 @@ StrokeMetrics metricsOf(const StrokeCurve& curve, Stroke stroke, const SectionSe
 StateMetrics metricsOf(const ButtonState& state, const SectionSettings& settings) {
   StateMetrics metrics;
   const StrokeCurve& press = state.graph.press();
-  metrics.travel_mm = press.travel_mm();
+  metrics.travel_mm = state.graph.travel_mm();
   metrics.press = metricsOf(press, Stroke::press, settings);
   if (const auto& release = state.graph.release()) {
     metrics.release = metricsOf(*release, Stroke::release, settings);

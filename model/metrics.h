@@ -30,7 +30,7 @@ struct StrokeMetrics {
 };
 
 struct StateMetrics {
-  double travel_mm = 0;  ///< of the press curve
+  double travel_mm = 0;  ///< from displacement zero to the end of the press
   StrokeMetrics press;
   std::optional<StrokeMetrics> release;
   std::optional<double> hysteresisArea_mJ;  ///< press minus release over the displacements both cover; signed

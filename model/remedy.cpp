@@ -35,6 +35,12 @@ RemedyNames namesOf(RemedyKind kind) {
       return {"set-resolution", "--dpi"};
     case RemedyKind::swapStrokes:
       return {"swap-strokes", "--swap-strokes"};
+    case RemedyKind::drawPress:
+      return {"draw-press", "--press-line X0,Y0,X1,Y1,... along the whole curve"};
+    case RemedyKind::chooseSwitch:
+      return {"choose-switch", "--curve NAME|N"};
+    case RemedyKind::acceptAsIs:
+      return {"accept-as-is", "--sure 0"};
     case RemedyKind::choosePage:
       return {"choose-page", "--page"};
     case RemedyKind::chooseGraph:

@@ -31,6 +31,10 @@ enum class RemedyKind {
   importAll,      ///< every graph
   // Limits:
   raiseLimit,  ///< the limit named in the problem
+  // Import hints that only a person can give:
+  drawPress,     ///< points along the whole press curve
+  chooseSwitch,  ///< one of the switches that the plot shows
+  acceptAsIs,    ///< the word that the doubtful result is right
 };
 
 /// "give-frame": name for scripts.

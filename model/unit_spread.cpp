@@ -60,14 +60,18 @@ double displacementIn(Range_mm range, std::size_t i) {
   return range.from + (range.to - range.from) * static_cast<double>(i) / double(bandPoints - 1);
 }
 
-ToleranceBand bandOf(const Curves& curves) {
+// About the mean curve, which is aligned by features: the mean of the forces at one displacement is another
+// curve, and the mean would leave a band around that.
+ToleranceBand bandOf(const Curves& curves, const StrokeCurve& mean) {
   const Range_mm range = commonRange(curves);
   ToleranceBand band;
   if (!(range.from < range.to)) return band;
   for (std::size_t i = 0; i < bandPoints; ++i) {
     const double at_mm = displacementIn(range, i);
-    const Moments moments = momentsOf(forcesAt(curves, at_mm));
-    band.push_back({at_mm, moments.mean, moments.sd.value_or(0)});
+    const double mean_N = mean.forceBefore_N(at_mm);
+    double squares = 0;
+    for (const double force_N : forcesAt(curves, at_mm)) squares += (force_N - mean_N) * (force_N - mean_N);
+    band.push_back({at_mm, mean_N, std::sqrt(squares / static_cast<double>(curves.size() - 1))});
   }
   return band;
 }
@@ -169,9 +173,11 @@ Result<UnitSpread> spreadOf(const std::vector<Button>& units, const SectionSetti
   UnitSpread spread{std::move(*mean), {}, distancesOf(presses, settings), {}};
   spread.outliers = outliersOf(spread.distance_N);
   for (std::size_t state = 0; state < units.front().states().size(); ++state) {
-    StateSpread each{figuresOf(units, state, settings), bandOf(curvesOf(units, state, Stroke::press)), {}};
-    if (const Curves releases = curvesOf(units, state, Stroke::release); !releases.empty())
-      each.release = bandOf(releases);
+    const ForceGraph& graph = spread.mean.states()[state].graph;
+    StateSpread each{
+        figuresOf(units, state, settings), bandOf(curvesOf(units, state, Stroke::press), graph.press()), {}};
+    const Curves releases = curvesOf(units, state, Stroke::release);
+    if (!releases.empty() && graph.release()) each.release = bandOf(releases, *graph.release());
     spread.states.push_back(std::move(each));
   }
   return spread;

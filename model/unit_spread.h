@@ -23,10 +23,10 @@ struct FigureSpread {
 /// Forces of the units at one displacement.
 struct BandPoint {
   double displacement_mm = 0;
-  double mean_N = 0, sd_N = 0;  ///< sd of a unit, n - 1
+  double mean_N = 0, sd_N = 0;  ///< of the mean button; deviation of a unit from it, n - 1
 };
 
-/// Mean and deviation of forces at each displacement, over the common travel.
+/// The mean button's force, and the units' deviation from it, at each displacement of the common travel.
 using ToleranceBand = std::vector<BandPoint>;
 
 struct StateSpread {

@@ -2,6 +2,7 @@
 #include "editor/document/message_words.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include "editor/document/number_text.h"
@@ -109,6 +110,11 @@ QString shortened(const QString& text, int longest) {
   return text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026);
 }
 
+bool namesAnOption(const QString& text) {
+  static const QRegularExpression option(QStringLiteral("(^|[\\s(:])--[a-z]"));
+  return option.match(text).hasMatch();
+}
+
 QString sentenceOf(const Failure& failure, const DisplayUnits& units) {
   QStringList where;
   if (!failure.subject.empty()) where << inWords(failure.subject.name, units);
@@ -117,7 +123,8 @@ QString sentenceOf(const Failure& failure, const DisplayUnits& units) {
   if (!text.isEmpty()) text += QStringLiteral(": ");
   text += inWords(failure.problem, units) + '.';
   for (const Remedy& remedy : failure.remedies)
-    if (remedy.kind == RemedyKind::advice) text += ' ' + asSentence(inWords(remedy.words, units));
+    if (remedy.kind == RemedyKind::advice && !namesAnOption(inWords(remedy.words, units)))
+      text += ' ' + asSentence(inWords(remedy.words, units));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/graph_colors.h"
+#include "editor/quantity/offered_units.h"
 
 namespace detent::editor {
 
@@ -60,8 +61,14 @@ void AdviceBar::addButtons(const std::vector<RemedyKind>& remedies) {
     const QString name = textOnButton(remedy);
     if (made.contains(name)) continue;
     made << name;
-    if (remedy == RemedyKind::giveXUnit) addLengthUnits();
-    if (remedy == RemedyKind::giveYUnit) addForceUnits();
+    if (remedy == RemedyKind::giveXUnit) {
+      addLengthUnits();
+      continue;
+    }
+    if (remedy == RemedyKind::giveYUnit) {
+      addForceUnits();
+      continue;
+    }
     connect(addButton(name), &QPushButton::clicked, this, [this, remedy] { emit remedyChosen(remedy); });
   }
   buttons_->addStretch();
@@ -74,18 +81,18 @@ QPushButton* AdviceBar::addButton(const QString& text) {
   return button;
 }
 
-// The usual ones are a click away; the others stand in the list beside the axis.
+// Every unit is a click away: the printed one is never missing.
 void AdviceBar::addLengthUnits() {
-  for (const LengthUnit unit : {LengthUnit::millimetre, LengthUnit::micrometre, LengthUnit::inch}) {
-    QPushButton* button = addButton(tr("in %1").arg(DisplayUnits{unit, {}}.lengthSymbol()));
+  for (const LengthUnit unit : offeredLengthUnits) {
+    QPushButton* button = addButton(DisplayUnits{unit, {}}.lengthSymbol());
     button->setObjectName(QStringLiteral("lengthUnit_") + DisplayUnits{unit, {}}.lengthSymbol());
     connect(button, &QPushButton::clicked, this, [this, unit] { emit lengthUnitChosen(unit); });
   }
 }
 
 void AdviceBar::addForceUnits() {
-  for (const ForceUnit unit : {ForceUnit::newton, ForceUnit::centinewton, ForceUnit::gramForce}) {
-    QPushButton* button = addButton(tr("in %1").arg(DisplayUnits{{}, unit}.forceSymbol()));
+  for (const ForceUnit unit : offeredForceUnits) {
+    QPushButton* button = addButton(DisplayUnits{{}, unit}.forceSymbol());
     button->setObjectName(QStringLiteral("forceUnit_") + DisplayUnits{{}, unit}.forceSymbol());
     connect(button, &QPushButton::clicked, this, [this, unit] { emit forceUnitChosen(unit); });
   }

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <QPushButton>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "editor/document/graph_colors.h"
 #include "editor/importing/axis_quantity.h"
@@ -83,6 +85,7 @@ void AxisBox::build() {
           [this](int index) { takeUnit(static_cast<std::size_t>(index)); });
   auto* column = new QVBoxLayout(this);
   column->addLayout(rangeRow());
+  column->addWidget(directionRow());
   column->addLayout(originRow());
   column->addLayout(unitRow());
   column->addWidget(details_);
@@ -95,10 +98,36 @@ void AxisBox::build() {
 
 QHBoxLayout* AxisBox::rangeRow() {
   auto* row = new QHBoxLayout;
-  auto* to = new QLabel(tr("to"));
-  for (QWidget* each : std::initializer_list<QWidget*>{min_, to, max_, unit_}) row->addWidget(each);
-  ofPage_.insert(ofPage_.end(), {min_, to, max_});
+  const bool isX = axis_ == GraphAxis::x;
+  auto* first = new QLabel(isX ? tr("Left") : tr("Bottom"));
+  auto* last = new QLabel(isX ? tr("Right") : tr("Top"));
+  first->setBuddy(min_), last->setBuddy(max_);
+  for (QWidget* each : std::initializer_list<QWidget*>{first, min_, last, max_, unit_}) row->addWidget(each);
+  ofPage_.insert(ofPage_.end(), {first, min_, last, max_});
   return row;
+}
+
+// Where no printed number tells which way the values run, it is said, and a click turns the axis round.
+QWidget* AxisBox::directionRow() {
+  const bool isX = axis_ == GraphAxis::x;
+  direction_ = new QWidget;
+  auto* row = new QHBoxLayout(direction_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel(isX ? tr("Displacement grows:") : tr("Force grows:")));
+  rises_ = new QToolButton, falls_ = new QToolButton;
+  rises_->setText(isX ? tr("to the right") : tr("upwards"));
+  falls_->setText(isX ? tr("to the left") : tr("downwards"));
+  rises_->setObjectName(isX ? QStringLiteral("xRises") : QStringLiteral("yRises"));
+  falls_->setObjectName(isX ? QStringLiteral("xFalls") : QStringLiteral("yFalls"));
+  for (QToolButton* button : {rises_, falls_}) {
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    row->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, button] { turn(button == falls_); });
+  }
+  row->addStretch();
+  direction_->hide();
+  return direction_;
 }
 
 QHBoxLayout* AxisBox::originRow() {
@@ -142,15 +171,28 @@ QuantityReading AxisBox::typedIn(const QLineEdit& field) const {
 }
 
 void AxisBox::takeEnd(bool isMax) {
-  QLineEdit* edit = isMax ? max_ : min_;
+  QLineEdit *edit = isMax ? max_ : min_, *otherEdit = isMax ? min_ : max_;
   if (!edit->isModified()) return;
-  const QuantityReading value = typedIn(*edit), other = typedIn(isMax ? *min_ : *max_);
+  const QuantityReading value = typedIn(*edit), other = typedIn(*otherEdit);
   const AxisQuantity asked = axisQuantity(axis_, unit_->currentText().toStdString());
   if (!value.value && takeWithUnit(*edit, isMax)) return;
   showRefusal(*edit, value.value ? QString() : refusalOf(value, asked.quantity, asked.units));
   if (!value.value) return;  // as typed, so that it can be mended
+  if (other.value && other.shown == value.shown) return showRefusal(*edit, noLength());
   edit->setModified(false);
-  setEnd(isMax, value.shown, other.value ? std::optional(other.shown) : std::nullopt, {});
+  const std::optional<double> otherShown = other.value ? std::optional(other.shown) : std::nullopt;
+  const bool bothTyped = otherShown && otherEdit->isModified();  // the other end waited for this one
+  if (bothTyped) {
+    otherEdit->setModified(false);
+    showRefusal(*otherEdit, {});
+  }
+  setEnd(isMax, value.shown, otherShown, bothTyped, {});
+}
+
+QString AxisBox::noLength() const {
+  return axis_ == GraphAxis::x
+             ? tr("Left and right have the same value. Type the value printed at each end.")
+             : tr("Bottom and top have the same value. Type the value printed at each end.");
 }
 
 // "60 gf" where no unit is known yet: the number and the unit of the axis in one.
@@ -161,25 +203,36 @@ bool AxisBox::takeWithUnit(QLineEdit& edit, bool isMax) {
     if (!edit.text().trimmed().endsWith(unit_->itemText(i))) continue;
     const QuantityReading value = readQuantity(edit.text(), asked.quantity, asked.units);
     if (!value.value) continue;
+    const QuantityReading other = readQuantity((isMax ? min_ : max_)->text(), asked.quantity, asked.units);
+    if (other.value && other.shown == value.shown) return false;
     showRefusal(edit, {});
     edit.setModified(false);
-    setEnd(isMax, value.shown, {}, static_cast<std::size_t>(i));
+    setEnd(isMax, value.shown, {}, false, static_cast<std::size_t>(i));
     return true;
   }
   return false;
 }
 
-void AxisBox::setEnd(bool isMax, double value, std::optional<double> other, std::optional<std::size_t> unit) {
+void AxisBox::setEnd(bool isMax, double value, std::optional<double> other, bool otherToo,
+                     std::optional<std::size_t> unit) {
   const bool isX = axis_ == GraphAxis::x;
   state_.correct(isX ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
     AxisCorrection& correction = c.axis(axis_);
     // Ticks given before say where the other end is; from now on the ends are given.
-    if (!correction.ticks.empty()) (isMax ? correction.min : correction.max) = other;
+    if (otherToo || !correction.ticks.empty()) (isMax ? correction.min : correction.max) = other;
     correction.ticks.clear();
     (isMax ? correction.max : correction.min) = value;
     if (unit && isX) c.xUnit = offeredLengthUnits[*unit];
     if (unit && !isX) c.yUnit = offeredForceUnits[*unit];
   });
+}
+
+void AxisBox::turn(bool falls) {
+  state_.correct(tr("Direction of the axis"), [&](Corrections& c) {
+    AxisCorrection& ends = c.axis(axis_);
+    if (ends.min && ends.max && (*ends.min > *ends.max) != falls) std::swap(ends.min, ends.max);
+  });
+  follow(false);  // the button that was clicked shows the axis as it is
 }
 
 QLineEdit* AxisBox::refusedField() {
@@ -205,18 +258,25 @@ void AxisBox::follow(bool ofLog) {
   const Corrections none;
   const Corrections& given = graph ? graph->history.now() : none;
   const importer::AxisReading* reading = nullptr;
+  std::optional<AxisEnds> onPage;
   if (shown && shown->evidence) {
     const auto& calibration = shown->evidence->axes.calibration.value;
     reading = isX ? &calibration.x : &calibration.y;
+    onPage = AxisEnds{reading->min, reading->max};
+    if (fallsOnPage(axis_, *shown->evidence)) std::swap(onPage->min, onPage->max);
   }
   const AxisCorrection& correction = given.axis(axis_);
-  showEnds(correction, reading);
+  showEnds(correction, onPage);
   showUnit(given, reading);
   range_->setOrigin(!correction.empty(),
                     shown ? confidenceOf(shown->evidence, importer::ImportStep::axes) : std::nullopt);
   const QString details = detailsOf(correction, reading);
   details_->setText(details);
   details_->setVisible(!details.isEmpty());
+  const bool bothGiven = correction.min && correction.max;
+  direction_->setVisible(!ofLog && bothGiven && (!reading || reading->ticks.size() < 2));
+  falls_->setChecked(bothGiven && *correction.min > *correction.max);
+  rises_->setChecked(!falls_->isChecked());
   followExtension(shown && !given.frame ? shown->evidence.get() : nullptr, reading);
 }
 
@@ -233,13 +293,14 @@ void AxisBox::followExtension(const importer::GraphEvidence* evidence, const imp
   });
 }
 
-void AxisBox::showEnds(const AxisCorrection& given, const importer::AxisReading* found) {
+// Given ends and those found are named by their place on the page, whichever way the values run.
+void AxisBox::showEnds(const AxisCorrection& given, const std::optional<AxisEnds>& found) {
   const auto show = [&](QLineEdit& edit, std::optional<double>& now, std::optional<double> givenEnd,
                         double foundEnd) {
     now = givenEnd ? givenEnd : found ? std::optional(foundEnd) : std::nullopt;
     if (edit.isModified()) return;
     const QString text = givenEnd ? numberText(*givenEnd, 5)
-                         : found  ? endText(foundEnd, found->max - found->min)
+                         : found  ? endText(foundEnd, std::abs(found->max - found->min))
                                   : QString();
     if (text == edit.text()) return;  // what is selected there stays selected
     edit.setText(text);

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <vector>
 
 #include "editor/importing/origin_mark.h"
@@ -38,14 +39,20 @@ class AxisBox : public QGroupBox {
  private:
   void build();
   QHBoxLayout* rangeRow();
+  QWidget* directionRow();
   QHBoxLayout* originRow();
   QHBoxLayout* unitRow();
   void nameFields();
   void takeEnd(bool isMax);
   bool takeWithUnit(QLineEdit& edit, bool isMax);
-  void setEnd(bool isMax, double value, std::optional<double> other, std::optional<std::size_t> unit);
+  /// `otherToo`: the other end was typed as well, and both are one step.
+  void setEnd(bool isMax, double value, std::optional<double> other, bool otherToo,
+              std::optional<std::size_t> unit);
   void takeUnit(std::size_t index);
-  void showEnds(const AxisCorrection& given, const importer::AxisReading* found);
+  /// Puts the larger of the two given ends where the axis begins (`falls`) or ends.
+  void turn(bool falls);
+  void showEnds(const AxisCorrection& given, const std::optional<AxisEnds>& found);
+  QString noLength() const;
   void showUnit(const Corrections& given, const importer::AxisReading* found);
   QString detailsOf(const AxisCorrection& given, const importer::AxisReading* found) const;
   void followExtension(const importer::GraphEvidence* evidence, const importer::AxisReading* reading);
@@ -58,6 +65,8 @@ class AxisBox : public QGroupBox {
   OriginMark *range_, *unitOrigin_;
   QLabel* details_;
   QPushButton* extend_;
+  QWidget* direction_ = nullptr;
+  QToolButton *rises_ = nullptr, *falls_ = nullptr;
   std::optional<GraphId> shownGraph_;
   std::vector<QWidget*> ofPage_;               ///< what a force meter's log has no use for
   std::optional<double> minShown_, maxShown_;  ///< as they stand, in the printed unit

@@ -44,6 +44,10 @@ std::optional<CorrectionWords> wordsOf(RemedyKind kind) {
       return {{words("set a resolution, so that a picture of the page is traced"), words("Resolution")}};
     case RemedyKind::swapStrokes:
       return {{words("exchange press and release"), words("Exchange strokes")}};
+    case RemedyKind::drawPress:
+      return {{words("draw along the whole press curve"), words("Draw press curve")}};
+    case RemedyKind::chooseSwitch:
+      return {{words("choose a switch in the list"), words("Choose switch")}};
     default:
       return {};
   }
@@ -90,7 +94,7 @@ Advice adviceFor(const Failure& failure, const QString& documentName, const Disp
   advice.remedies = correctionsAmong(failure.remedies);
   if (!advice.remedies.empty()) advice.remedy = joined(advice.remedies);
   for (const Remedy& remedy : failure.remedies)
-    if (remedy.kind == RemedyKind::advice)
+    if (remedy.kind == RemedyKind::advice && !namesAnOption(inWords(remedy.words, units)))
       advice.remedy += (advice.remedy.isEmpty() ? "" : " ") + asSentence(inWords(remedy.words, units));
   return advice;
 }
@@ -102,6 +106,11 @@ Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& co
 
 QString inWords(const importer::Remark& remark, const DisplayUnits& units) {
   QString text = asSentence(inWords(messageOf(remark), units));
+  if (remark.code == importer::RemarkCode::operatingPointNotPlaced ||
+      remark.code == importer::RemarkCode::resetPointNotPlaced)
+    text += ' ' + tr("Right-click the curve at that place to set it.");
+  if (remark.code == importer::RemarkCode::releaseNotDrawn)
+    text += ' ' + tr("Use “Draw release” if the page shows one.");
   QStringList advised;
   for (const RemedyKind each : correctionsAmong(remark.remedies)) advised << instruction(each);
   if (!advised.isEmpty()) text += ' ' + asSentence(tr("If that is wrong, ") + advised.join(tr(", or ")));

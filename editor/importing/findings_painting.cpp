@@ -107,7 +107,11 @@ void paintTick(QPainter& painter, GraphAxis axis, const FindingsPicture& picture
 void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& picture,
                 std::vector<QRectF>& taken) {
   const auto& found = axis == GraphAxis::x ? picture.drawn.xTicks : picture.drawn.yTicks;
-  const auto& given = picture.given.axis(axis).ticks;
+  std::vector<AxisTick> given = picture.given.axis(axis).ticks;
+  if (const auto& min = picture.given.axis(axis).min)
+    given.push_back({placeAlong(axis, *picture.corners, 0), *min});
+  if (const auto& max = picture.given.axis(axis).max)
+    given.push_back({placeAlong(axis, *picture.corners, 1), *max});
   const QColor used("#8a3a86"), unused("#8d949d");
   for (const DrawnTick& tick : found) {
     const bool isGiven = std::any_of(given.begin(), given.end(), [&](const AxisTick& t) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScrollBar>
 #include <utility>
@@ -211,6 +212,11 @@ void FindingsPanel::focusUnit(GraphAxis which) {
 void FindingsPanel::focusDpi() {
   ensureWidgetVisible(curves_->resolutionField());
   curves_->resolutionField()->setFocus();
+}
+
+void FindingsPanel::focusSwitches() {
+  ensureWidgetVisible(switches_);
+  if (auto* list = switches_->findChild<QListWidget*>()) list->setFocus();
 }
 
 bool FindingsPanel::acceptable() {

@@ -30,6 +30,7 @@ class FindingsPanel : public QScrollArea {
   void focusField(GraphAxis axis);
   void focusUnit(GraphAxis axis);
   void focusDpi();
+  void focusSwitches();
   /// Whether all that is typed can be read. Where not, puts the keyboard on the first such field, which says why.
   bool acceptable();
 

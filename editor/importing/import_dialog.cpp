@@ -65,6 +65,10 @@ bool isGiven(RemedyKind correction, const Corrections& given) {
       return given.pressColor.has_value();
     case RemedyKind::pickRelease:
       return given.releaseColor.has_value();
+    case RemedyKind::drawPress:
+      return !given.drawn.press.empty();
+    case RemedyKind::chooseSwitch:
+      return !given.curve.empty();
     default:  // may be given again
       return false;
   }
@@ -510,6 +514,10 @@ void ImportDialog::Impl::follow(RemedyKind correction) {
       return view->setTool(PageToolKind::maskBrush);
     case RemedyKind::setResolution:
       return findings->focusDpi();
+    case RemedyKind::drawPress:
+      return view->setTool(PageToolKind::drawPress);
+    case RemedyKind::chooseSwitch:
+      return findings->focusSwitches();
     case RemedyKind::swapStrokes:
       return state.correct(tr("Exchange strokes"), [](Corrections& c) { c.swapStrokes = !c.swapStrokes; });
     default:

@@ -44,6 +44,21 @@ bool wasCancelled(const ImportedGraph& imported) {
   return imported.failure && imported.failure->code == FailureCode::cancelled;
 }
 
+// As the plot was read: on the page, the corners of a mirrored plot run the other way round.
+FrameCorners cornersInView(const importer::GraphEvidence& evidence) {
+  FrameCorners corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = evidence.view.viewToPage(evidence.frame.corners[i]);
+  return corners;
+}
+
+FrameCorners uprightCorners(const importer::GraphEvidence& evidence, FrameCorners corners) {
+  if (fallsOnPage(GraphAxis::x, evidence))
+    std::swap(corners[0], corners[1]), std::swap(corners[3], corners[2]);
+  if (fallsOnPage(GraphAxis::y, evidence))
+    std::swap(corners[0], corners[3]), std::swap(corners[1], corners[2]);
+  return corners;
+}
+
 }  // namespace
 
 importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evidence, double position_px) {
@@ -54,10 +69,14 @@ importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evide
   return evidence.view.viewToPage({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
 }
 
+bool fallsOnPage(GraphAxis axis, const importer::GraphEvidence& evidence) {
+  const auto& m = evidence.view.viewToPage.m;
+  if (m[0] * m[4] - m[1] * m[3] >= 0) return false;  // not seen in a mirror
+  return axis == GraphAxis::x ? m[0] < 0 : m[4] < 0;
+}
+
 FrameCorners cornersOf(const importer::GraphEvidence& evidence) {
-  FrameCorners corners;
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = evidence.view.viewToPage(evidence.frame.corners[i]);
-  return corners;
+  return uprightCorners(evidence, cornersInView(evidence));
 }
 
 namespace {
@@ -91,7 +110,7 @@ std::optional<double> valueBeyond(GraphAxis axis, const importer::SeenText& text
 
 std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::GraphEvidence& evidence) {
   constexpr double leastShare = 1.02;  // of the axis' length: nearer, it is the frame's own end
-  const FrameCorners corners = cornersOf(evidence);
+  const FrameCorners corners = cornersInView(evidence);
   const auto& calibration = evidence.axes.calibration.value;
   std::optional<ExtendedFrame> extended;
   double furthest = leastShare;
@@ -116,6 +135,7 @@ std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::Graph
   };
   axis == GraphAxis::x ? onwards(1, 0) : onwards(0, 3);
   axis == GraphAxis::x ? onwards(2, 3) : onwards(1, 2);
+  extended->corners = uprightCorners(evidence, extended->corners);
   return extended;
 }
 

@@ -121,6 +121,9 @@ void placeCallout(importer::ImportReport& report, const MarkCorrection& mark, co
   const auto kind = mark.kind == CorrectionKind::operating ? importer::CalloutKind::operatingPoint
                                                            : importer::CalloutKind::resetPoint;
   std::erase_if(report.callouts, [&](const importer::Callout& callout) { return callout.kind == kind; });
+  const auto said = mark.kind == CorrectionKind::operating ? importer::RemarkCode::operatingPointNotPlaced
+                                                           : importer::RemarkCode::resetPointNotPlaced;
+  std::erase_if(report.remarks, [&](const importer::Remark& remark) { return remark.code == said; });
   if (!mark.to) return;
   const Stroke stroke = mark.kind == CorrectionKind::operating ? Stroke::press : Stroke::release;
   const CurvePoint at = units.at(*mark.to);

@@ -15,6 +15,7 @@
 #include "editor/importing/finding_words.h"
 #include "editor/importing/findings_painting.h"
 #include "editor/importing/page_tool.h"
+#include "editor/quantity/offered_units.h"
 #include "editor/quantity/quantity.h"
 
 namespace detent::editor {
@@ -34,6 +35,22 @@ void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size
     axis.ticks.push_back(tick);
   else
     same->value = tick.value;
+}
+
+// The units printed at the axes, or given for them: the person compares labels with the page. Others: as shown.
+DisplayUnits unitsOfPage(const ImportGraph& graph, DisplayUnits units) {
+  const Corrections& given = graph.history.now();
+  const auto& result = graph.good ? graph.good : graph.last;
+  if (result && result->evidence) {
+    const importer::AxisCalibration& axes = result->evidence->axes.calibration.value;
+    for (const LengthUnit unit : offeredLengthUnits)
+      if (symbolOf(unit) == axes.x.unit) units.length = unit;
+    for (const ForceUnit unit : offeredForceUnits)
+      if (symbolOf(unit) == axes.y.unit) units.force = unit;
+  }
+  if (given.xUnit) units.length = *given.xUnit;
+  if (given.yUnit) units.force = *given.yUnit;
+  return units;
 }
 
 QRectF rectOf(const importer::Box& box) { return {QPointF(box.x0, box.y0), QPointF(box.x1, box.y1)}; }
@@ -328,6 +345,11 @@ bool PageView::closeEditor() {
 
 // ---- painting
 
+DisplayUnits PageView::units() const {
+  const ImportGraph* graph = state_.current();
+  return graph ? unitsOfPage(*graph, settings_.units()) : settings_.units();
+}
+
 void PageView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const bool dark = isDark(palette());
@@ -342,7 +364,7 @@ void PageView::paintEvent(QPaintEvent*) {
   const ImportGraph* graph = state_.current();
   if (graph) {
     const bool stale = !graph->upToDate(state_.quality()) || hasPreview();
-    paintFindings(painter, {drawn_, shown(), shownCorners(), pageToWidget_, settings_.units(), stale});
+    paintFindings(painter, {drawn_, shown(), shownCorners(), pageToWidget_, units(), stale});
   }
   tool_->paint(painter);
   drawMagnifier(painter);

@@ -84,7 +84,7 @@ QString ResultBox::textOf(const importer::ImportReport& report) const {
   const auto length = [&](double mm) {
     return quantityWithUnit(mm, Quantity::length, settings_.units(), digits);
   };
-  QStringList lines{tr("Travel %1").arg(length(report.button.states().front().graph.travel_mm()))};
+  QStringList lines{tr("Total travel %1").arg(length(report.button.states().front().graph.travel_mm()))};
   lines << strokeText(tr("Press"), report.press);
   lines << (report.release ? strokeText(tr("Release"), *report.release) : tr("No release curve"));
   for (const auto& callout : report.callouts) {

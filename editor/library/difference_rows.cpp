@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "editor/quantity/quantity.h"
+#include "model/key_figures.h"
 #include "model/metrics.h"
 
 namespace detent::editor {
@@ -14,6 +15,11 @@ namespace {
 struct Differences {
   Q_DECLARE_TR_FUNCTIONS(Differences)
 };
+
+/// Named as in the panel of key figures: one figure has one name.
+QString nameOfFigure(KeyFigure figure) {
+  return QCoreApplication::translate("detent", keyFigureNames()[static_cast<std::size_t>(figure)].term);
+}
 
 using Value = std::optional<double>;
 
@@ -88,16 +94,20 @@ void addStroke(Rows& rows, const QString& name, bool press, const Strokes& strok
   const auto add = [&](const QString& figure, Measure measure, auto get) {
     rows.add(name + ": " + figure, measure, strokes, ifThere<StrokeMetrics>(get));
   };
-  add(Differences::tr("force at the start of the travel"), Measure::force,
-      [](const StrokeMetrics& s) { return s.startForce_N; });
+  const auto startForce = [](const StrokeMetrics& s) { return s.startForce_N; };
+  if (press)
+    rows.add(nameOfFigure(KeyFigure::initialForce), Measure::force, strokes,
+             ifThere<StrokeMetrics>(startForce));
+  else
+    add(Differences::tr("force at the start of the travel"), Measure::force, startForce);
   add(Differences::tr("largest force"), Measure::force, [](const StrokeMetrics& s) { return s.maxForce_N; });
   add(Differences::tr("first slope"), Measure::slope, firstSlope);
   add(Differences::tr("tactile points"), Measure::count,
       [](const StrokeMetrics& s) { return static_cast<double>(s.tactile.size()); });
   addTactilePoints(rows, name, press, strokes);
   if (press)
-    add(Differences::tr("bottom-out begins at"), Measure::length,
-        [](const StrokeMetrics& s) { return s.bottomOut.displacement_mm; });
+    rows.add(nameOfFigure(KeyFigure::bottomOutTravel), Measure::length, strokes,
+             ifThere<StrokeMetrics>([](const StrokeMetrics& s) { return s.bottomOut.displacement_mm; }));
   add(Differences::tr("work"), Measure::work, [](const StrokeMetrics& s) { return s.work_mJ; });
 }
 
@@ -142,15 +152,15 @@ std::vector<DifferenceRow> differencesOf(const std::vector<const ButtonState*>& 
     releases.push_back(each.release ? &*each.release : nullptr);
   }
   Rows rows;
-  rows.add(Differences::tr("Travel"), Measure::length, figures,
+  rows.add(nameOfFigure(KeyFigure::totalTravel), Measure::length, figures,
            [](const StateMetrics& s) { return Value(s.travel_mm); });
-  rows.add(Differences::tr("Operating point"), Measure::length, figures,
+  rows.add(nameOfFigure(KeyFigure::preTravel), Measure::length, figures,
            [](const StateMetrics& s) { return place(s.operatingPoint); });
-  rows.add(Differences::tr("Reset point"), Measure::length, figures,
+  rows.add(nameOfFigure(KeyFigure::resetTravel), Measure::length, figures,
            [](const StateMetrics& s) { return place(s.resetPoint); });
   addStroke(rows, Differences::tr("Press"), true, presses);
   addStroke(rows, Differences::tr("Release"), false, releases);
-  rows.add(Differences::tr("Work lost between the strokes"), Measure::work, figures,
+  rows.add(nameOfFigure(KeyFigure::hysteresis), Measure::work, figures,
            [](const StateMetrics& s) { return s.hysteresisArea_mJ; });
   return rows.take();
 }

@@ -22,9 +22,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr double firstOffset_N = 0.05;  // used without a release
-constexpr int offsetSamples = 64;
-constexpr int margin_px = 3;  // small, because German texts need the space on small screens
+constexpr double firstOffset_N = 0.05;  // used without a release beside the press
+constexpr int margin_px = 3;            // small, because German texts need the space on small screens
 constexpr QuantityRange offsets_N{0, ForceGraph::maxForce_N};
 constexpr int listRows = 3;
 
@@ -40,23 +39,19 @@ QTreeWidget* listOf(const char* name, const QString& accessible, const QStringLi
   return list;
 }
 
-/// Mean distance of the release below the press.
+/// Mean distance of the release below the press; below 0 if it lies above.
 double offsetOf_N(const ForceGraph& graph) {
   if (!graph.release()) return firstOffset_N;
   const double from = std::max(graph.press().start_mm(), graph.release()->start_mm()),
                to = std::min(graph.press().end_mm(), graph.release()->end_mm());
-  double sum = 0;
-  for (int i = 0; i < offsetSamples; ++i) {
-    const double at_mm = from + (i + 0.5) / offsetSamples * (to - from);
-    sum += graph.press().force_N(at_mm) - graph.release()->force_N(at_mm);
-  }
-  return std::max(0.0, sum / offsetSamples);
+  if (!(from < to)) return firstOffset_N;
+  return (graph.press().area_mJ(from, to) - graph.release()->area_mJ(from, to)) / (to - from);
 }
 
-/// Rounded to two digits, so that the user recognises typed numbers.
+/// Rounded to four digits, so that the user recognises typed numbers.
 double rounded(double value) {
   if (!(value > 0)) return 0;
-  const double step = std::pow(10, std::floor(std::log10(value)) - 1);
+  const double step = std::pow(10, std::floor(std::log10(value)) - 3);
   return std::round(value / step) * step;
 }
 
@@ -79,11 +74,13 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
                              tr("Name of the version"))),
       oneEnd_(
           described(new QCheckBox(tr("&One end of the travel")), "linkOneEnd",
-                    tr("Press and release of all states end at one displacement: where one goes, all go"))),
-      releaseFollows_(described(new QCheckBox(tr("&Release follows, lower by")), "linkRelease",
-                                tr("While the press is edited, the release is the press less this force"))),
+                    tr("From now on, where one end of press or release goes, the ends of all states go"))),
+      releaseFollows_(described(
+          new QCheckBox(tr("&Release follows the press, lower by")), "linkRelease",
+          tr("From now on, edits of the press move the release along. The release keeps its shape."))),
       offset_(described(new QuantityField(Quantity::force, settings.units()), "linkOffset",
-                        tr("How far the release lies below the press"))),
+                        tr("Mean distance of the release below the press. Another value lowers or raises the "
+                           "whole release."))),
       pins_(described(new QLabel, "linkPins")) {
   setObjectName("annotationsPanel");
   auto* inside = new QWidget;
@@ -105,8 +102,8 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
   for (QLineEdit* field : {noteText_, versionName_}) field->installEventFilter(this);
   connect(&document_, &ButtonDocument::annotationsChanged, this, &AnnotationsPanel::follow);
   connect(&settings_, &ViewSettings::changed, this, &AnnotationsPanel::follow);
-  connect(&document_, &ButtonDocument::changed, this, &AnnotationsPanel::offerOffset);
-  connect(&document_, &ButtonDocument::activeStateChanged, this, &AnnotationsPanel::offerOffset);
+  connect(&document_, &ButtonDocument::changed, this, &AnnotationsPanel::showOffset);
+  connect(&document_, &ButtonDocument::activeStateChanged, this, &AnnotationsPanel::showOffset);
   follow();
 }
 
@@ -201,14 +198,19 @@ QWidget* AnnotationsPanel::linksBox() {
     if (filling_) return;
     EditLinks links = document_.annotations().links;
     links.oneTravelEnd = oneEnd_->isChecked();
-    links.releaseBelowPress_N = releaseFollows_->isChecked() ? std::optional(offset_->value()) : std::nullopt;
-    link(links, tr("Keep together"));
+    const bool follows = releaseFollows_->isChecked();
+    if (follows != links.releaseBelowPress_N.has_value())
+      links.releaseBelowPress_N = follows ? std::optional(std::max(0.0, offset_N())) : std::nullopt;
+    link(links, tr("Change links"));
   };
   connect(oneEnd_, &QCheckBox::toggled, this, changed);
   connect(releaseFollows_, &QCheckBox::toggled, this, changed);
-  connect(offset_, &QuantityField::valueChanged, this, [this, changed] {
-    offsetTyped_ = offsetTyped_ || !filling_;
-    changed();
+  connect(offset_, &QuantityField::valueChanged, this, [this](double typed_N) {
+    EditLinks links = document_.annotations().links;
+    if (filling_ || !links.releaseBelowPress_N) return;
+    const double lower_N = typed_N - offset_N();  // before the link changes what is shown
+    links.releaseBelowPress_N = typed_N;
+    link(links, tr("Lower the release"), lower_N);
   });
   connect(unpin_, &QPushButton::clicked, this, [this] {
     EditLinks links = document_.annotations().links;
@@ -223,21 +225,23 @@ int AnnotationsPanel::chosen(const QTreeWidget& list) {
   return items.isEmpty() ? -1 : list.indexOfTopLevelItem(items.front());
 }
 
-// Changes links and applies them at once, in one step. If impossible, both stay unchanged.
-void AnnotationsPanel::link(const EditLinks& links, const QString& label) {
+// Changes links, which act on later edits, and lowers the releases in the same step. If impossible, both stay.
+void AnnotationsPanel::link(const EditLinks& links, const QString& label, double lower_N) {
   EditHistory& history = document_.history();
   if (history.dragging()) return follow();
-  const auto linked = linkedTo(history.committed(), document_.activeState(), links);
-  if (!linked) {
-    emit said(sentenceOf(linked.failure(), settings_.units()));
+  Result<Button> lowered = history.committed();
+  if (lower_N != 0) lowered = lowerReleases(*lowered, lower_N);
+  if (lowered) lowered = history.ruled(*lowered);
+  if (!lowered) {
+    emit said(sentenceOf(lowered.failure(), settings_.units()));
     return follow();
   }
   Annotations next = document_.annotations();
   next.links = links;
-  if (next == document_.annotations()) return;
+  if (next == document_.annotations() && *lowered == history.committed()) return;
   history.stack().beginMacro(label);
   document_.annotate(std::move(next), label);
-  history.replace(*linked, label);
+  history.replace(*lowered, label);
   history.stack().endMacro();
 }
 
@@ -341,13 +345,17 @@ void AnnotationsPanel::fillVersions() {
   for (QPushButton* button : {goBack_, openVersion_, removeVersion_}) button->setEnabled(false);
 }
 
-// Offers the current distance of the strokes until the user types another one.
-void AnnotationsPanel::offerOffset() {
-  if (offsetTyped_ || document_.annotations().links.releaseBelowPress_N) return;
+double AnnotationsPanel::offset_N() const {
+  return offsetOf_N(document_.button().states()[document_.activeState()].graph);
+}
+
+// Shows the current distance of the strokes, also after an edit of the release itself.
+void AnnotationsPanel::showOffset() {
   const QScopedValueRollback filling(filling_, true);
   const DisplayUnits& units = settings_.units();
-  const double now_N = offsetOf_N(document_.button().states()[document_.activeState()].graph);
-  offset_->setValue(rounded(units.forceFrom(now_N)) / units.forceFrom(1));
+  const bool hasRelease = document_.button().states()[document_.activeState()].graph.release().has_value();
+  offset_->setEnabled(hasRelease && document_.annotations().links.releaseBelowPress_N);
+  offset_->setValue(rounded(units.forceFrom(std::max(0.0, offset_N()))) / units.forceFrom(1));
 }
 
 void AnnotationsPanel::followLinks() {
@@ -355,8 +363,7 @@ void AnnotationsPanel::followLinks() {
   oneEnd_->setChecked(links.oneTravelEnd);
   releaseFollows_->setChecked(links.releaseBelowPress_N.has_value());
   offset_->setUnits(settings_.units());
-  if (links.releaseBelowPress_N) offset_->setValue(*links.releaseBelowPress_N);
-  offerOffset();
+  showOffset();
   pins_->setText(links.pinned.empty() ? tr("No point is pinned. P pins the selected one.")
                                       : tr("Pinned points: %1").arg(links.pinned.size()));
   pins_->setWordWrap(true);

@@ -42,13 +42,14 @@ class AnnotationsPanel : public QWidget {
   void fillNotes();
   void fillVersions();
   void followLinks();
-  void offerOffset();
+  double offset_N() const;
+  void showOffset();
   void addNote();
   void keepVersion();
   void goBack();
   void openVersion();
   void renamed(QTreeWidgetItem* item);
-  void link(const EditLinks& links, const QString& label);
+  void link(const EditLinks& links, const QString& label, double lower_N = 0);
   /// -1: none.
   static int chosen(const QTreeWidget& list);
 
@@ -63,7 +64,6 @@ class AnnotationsPanel : public QWidget {
   QuantityField* offset_;
   QLabel* pins_;
   bool filling_ = false;
-  bool offsetTyped_ = false;
 };
 
 }  // namespace detent::editor

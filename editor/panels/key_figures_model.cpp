@@ -49,7 +49,7 @@ QString definitionOf(KeyFigure figure) {
     case initialForce:
       return KeyFiguresModel::tr("Force at the start of the press; with a preload, the preload.");
     case preTravel:
-      return KeyFiguresModel::tr("From the start of the press to the operating point (PT).");
+      return KeyFiguresModel::tr("Displacement of the operating point (PT).");
     case operatingForce:
       return KeyFiguresModel::tr(
           "Force of the press at the operating point; keyboards call it actuation force.");
@@ -87,7 +87,7 @@ QString definitionOf(KeyFigure figure) {
       return KeyFiguresModel::tr(
           "Displacement at the start of the bottom-out; without one, the end of the travel.");
     case totalTravel:
-      return KeyFiguresModel::tr("From the start to the end of the press (TT).");
+      return KeyFiguresModel::tr("Displacement of the end of the press (TT).");
     case endForce:
       return KeyFiguresModel::tr("Force at the end of the press.");
     case pressWork:

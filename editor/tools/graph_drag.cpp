@@ -64,7 +64,7 @@ void GraphDrag::moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers) {
     if (refused_) say_({});
   } else if (task_->snaps) {
     stopAtLimit(to, next.failure(), feedback);
-  } else {  // a handle's limit is vertical, and a section's is not unique, so the last shape stays
+  } else {  // the limit of a handle or a segment is vertical, so the last shape stays
     feedback.refused = RefusedMove{to, sentenceOf(next.failure(), canvas_.settings().units())};
     say_(feedback.refused->why);
   }

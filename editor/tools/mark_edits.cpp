@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/mark_edits.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <QCoreApplication>
+#include <utility>
 
 namespace detent::editor {
 namespace {
+
+constexpr double bendRounding_N = 1e-9;
 
 QString tr(const char* text) { return QCoreApplication::translate("MarkEdits", text); }
 
@@ -32,6 +39,76 @@ Result<StrokeCurve> withSlope(const StrokeCurve& curve, MarkId handle, double sl
                                               : setSlopeAfter(curve, handle.index, slope);
 }
 
+std::size_t turnsOf(const StrokeCurve& curve) {
+  return curve.localMaxima().size() + curve.localMinima().size();
+}
+
+bool turnsWithin(const StrokeCurve& curve, double from_mm, double to_mm) {
+  for (const auto& turns : {curve.localMaxima(), curve.localMinima()})
+    for (const CurvePoint& turn : turns)
+      if (turn.displacement_mm > from_mm && turn.displacement_mm < to_mm) return true;
+  return false;
+}
+
+// Changes two slopes by the least amount that adds `by_N` = weights[0] * d0 + weights[1] * d1, within their ranges.
+struct BentSlope {
+  double slope, weight, least, most;
+};
+bool bend(std::array<BentSlope, 2>& slopes, double by_N) {
+  for (int pass = 0; pass < 2; ++pass) {
+    double squares = 0;
+    for (const BentSlope& s : slopes) squares += s.weight * s.weight;
+    double done_N = 0;
+    for (BentSlope& s : slopes) {
+      const double to = std::clamp(s.slope + by_N * s.weight / squares, s.least, s.most);
+      done_N += s.weight * (to - s.slope);
+      s.slope = to;
+    }
+    by_N -= done_N;
+    // What one slope could not take, the other takes.
+    for (BentSlope& s : slopes)
+      if (by_N * s.weight > 0 ? s.slope == s.most : s.slope == s.least) s.weight = 0;
+    if (by_N == 0 || (slopes[0].weight == 0 && slopes[1].weight == 0)) break;
+  }
+  return std::abs(by_N) <= bendRounding_N;
+}
+
+// Bends the segment between two knots so that it passes `by_N` higher at a displacement, at a knot in the middle of
+// the segment beside it; the knots stay, and so does everything outside. A segment that only rises or only falls does so afterwards, too.
+Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double by_N) {
+  std::vector<Knot> knots = curve.knots();
+  std::size_t right = 1;
+  while (right + 1 < knots.size() && knots[right].displacement_mm <= at_mm) ++right;
+  Knot &from = knots[right - 1], &to = knots[right];
+  const double width_mm = to.displacement_mm - from.displacement_mm;
+  double share = (at_mm - from.displacement_mm) / width_mm;
+  if (!(share > 0 && share < 1)) share = 0.5;  // on a knot, as the middle of a section may be
+  const auto cannot = [&](Message problem) {
+    return markRefusal(Message("segment between knots %1 and %2", right, right + 1), std::move(problem),
+                       Message("Add a knot there (K) and move that"));
+  };
+  if (!(width_mm > 0)) return cannot(Message("is vertical"));
+  const double chord = (to.force_N - from.force_N) / width_mm;
+  constexpr double steepest = 3;  // times the chord: up to there a cubic stays monotone (Fritsch and Carlson)
+  const bool monotone = !turnsWithin(curve, from.displacement_mm, to.displacement_mm);
+  const double free = std::numeric_limits<double>::max();
+  const auto range = [&](double slope, double weight) {
+    if (!monotone) return BentSlope{slope, weight, -free, free};
+    return BentSlope{slope, weight, std::min({slope, 0.0, steepest * chord}),
+                     std::max({slope, 0.0, steepest * chord})};
+  };
+  std::array<BentSlope, 2> slopes{
+      range(from.slopeAfter_N_per_mm, width_mm * share * (1 - share) * (1 - share)),
+      range(to.slopeBefore_N_per_mm, -width_mm * share * share * (1 - share))};
+  if (!bend(slopes, by_N)) return cannot(Message("would get a hump or a dip"));
+  from.slopeAfter_N_per_mm = slopes[0].slope;
+  to.slopeBefore_N_per_mm = slopes[1].slope;
+  auto bent = StrokeCurve::fromKnots(std::move(knots));
+  if (!bent) return bent;
+  if (turnsOf(*bent) != turnsOf(curve)) return cannot(Message("would get a hump or a dip"));
+  return bent;
+}
+
 Result<StrokeCurve> moveOnStroke(const StrokeCurve& curve, const Mark& mark, CurvePoint to,
                                  SlopeSides sides) {
   const MarkId id = mark.id;
@@ -41,8 +118,7 @@ Result<StrokeCurve> moveOnStroke(const StrokeCurve& curve, const Mark& mark, Cur
     case MarkKind::turn:
       return moveTurn(curve, mark.at, to);
     case MarkKind::section:
-      return moveSection(curve, id.stroke, id.index, to.displacement_mm - mark.at.displacement_mm,
-                         to.force_N - mark.at.force_N);
+      return bendSegment(curve, mark.at.displacement_mm, to.force_N - mark.at.force_N);
     case MarkKind::slopeBefore:
     case MarkKind::slopeAfter: {
       // reports which index is missing

@@ -15,8 +15,8 @@ enum class SlopeSides {
   one      ///< the handle's own; a smooth knot becomes a corner
 };
 
-/// Moves a mark to another place. Knots, tactile points and turns go there; a section moves by the
-/// difference; operating and reset points take the displacement; a slope handle's knot gets the slope towards
+/// Moves a mark to another place. Knots, tactile points and turns go there; of a section, the segment at
+/// `mark.at` is bent between its two knots by the difference of force; operating and reset points take the displacement; a slope handle's knot gets the slope towards
 /// `to`, which must lie on the handle's side. Failures: as in model/edits.h.
 Result<Button> moveMark(const Button& button, std::size_t state, const Mark& mark, CurvePoint to,
                         SlopeSides sides = SlopeSides::asItIs);

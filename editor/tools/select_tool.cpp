@@ -36,6 +36,13 @@ std::optional<Mark> takenAt(const GraphCanvas& canvas, const PointerInput& input
   return Mark{{MarkKind::section, hit->stroke, *section}, hit->at};
 }
 
+// Back at its start a drag leaves no knot that an edit on the way would have added.
+bool isBack(CurvePoint from, CurvePoint to) {
+  constexpr double rounding = 1e-12;  // mm, N
+  return std::abs(to.displacement_mm - from.displacement_mm) <= rounding &&
+         std::abs(to.force_N - from.force_N) <= rounding;
+}
+
 bool isPoint(MarkKind kind) {
   return kind != MarkKind::section && kind != MarkKind::slopeBefore && kind != MarkKind::slopeAfter;
 }
@@ -44,8 +51,9 @@ bool isPoint(MarkKind kind) {
 
 QString SelectTool::hint() const {
   return tr(
-      "Drag points, slope handles and sections; drag on the ground to select several. Shift keeps to one "
-      "axis, Ctrl does not snap, Escape cancels.");
+      "Drag points and slope handles; drag the line to bend it between two points; drag on empty space to "
+      "select "
+      "several. Shift: one axis, Ctrl: no snapping, Escape: cancel.");
 }
 
 void SelectTool::leave() {
@@ -67,7 +75,7 @@ void SelectTool::hover(const PointerInput& input) {
   if (mark) feedback.hovered = mark->id;
   context_.canvas.setFeedback(feedback);
   if (mark)
-    context_.canvas.setCursor(mark->id.kind == MarkKind::section ? Qt::SizeAllCursor : Qt::OpenHandCursor);
+    context_.canvas.setCursor(mark->id.kind == MarkKind::section ? Qt::SizeVerCursor : Qt::OpenHandCursor);
   else
     context_.canvas.unsetCursor();
 }
@@ -165,7 +173,9 @@ void SelectTool::beginDrag(const PointerInput&) {
   task.stroke = mark.id.stroke;
   task.snaps = isPoint(mark.id.kind);
   if (isPoint(mark.id.kind) && mark.id.kind != MarkKind::turn) task.mark = mark.id;
-  task.edit = [mark, state](const Button& start, CurvePoint to) { return moveMark(start, state, mark, to); };
+  task.edit = [mark, state](const Button& start, CurvePoint to) {
+    return isBack(mark.at, to) ? Result<Button>(start) : moveMark(start, state, mark, to);
+  };
   context_.drag.begin(std::move(task), pressedAt_);
 }
 

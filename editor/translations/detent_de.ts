@@ -172,24 +172,8 @@
         <translation>Druckpunkte</translation>
     </message>
     <message>
-        <source>bottom-out begins at</source>
-        <translation>Anschlag beginnt bei</translation>
-    </message>
-    <message>
         <source>work</source>
         <translation>Arbeit</translation>
-    </message>
-    <message>
-        <source>Travel</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
-        <source>Operating point</source>
-        <translation>Schaltpunkt</translation>
-    </message>
-    <message>
-        <source>Reset point</source>
-        <translation>Rückschaltpunkt</translation>
     </message>
     <message>
         <source>Press</source>
@@ -198,10 +182,6 @@
     <message>
         <source>Release</source>
         <translation>Rückweg</translation>
-    </message>
-    <message>
-        <source>Work lost between the strokes</source>
-        <translation>Zwischen den Wegen verlorene Arbeit</translation>
     </message>
     <message>
         <source>%1: mean %2 % of the first one&apos;s range, largest %3 % (up to %4 %5, %6 %7)</source>
@@ -1305,14 +1285,6 @@ Lizenz: %3</translation>
     <message>
         <source>Move one end alone, or loosen the link</source>
         <translation>Bewegen Sie nur ein Ende, oder lösen Sie die Verknüpfung</translation>
-    </message>
-    <message>
-        <source>follows its press</source>
-        <translation>folgt dem Drücken</translation>
-    </message>
-    <message>
-        <source>Edit the press, or loosen the link</source>
-        <translation>Bearbeiten Sie das Drücken, oder lösen Sie die Verknüpfung</translation>
     </message>
     <message>
         <source>would leave its pinned point at %1</source>
@@ -2710,6 +2682,46 @@ Lizenz: %3</translation>
         <source>%1 is less than a hundredth. Meant: %2? Press Enter once more if not.</source>
         <translation>%1 ist weniger als ein Hundertstel. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
     </message>
+    <message>
+        <source>draw along the whole press curve</source>
+        <translation>die ganze Kurve des Drückens nachziehen</translation>
+    </message>
+    <message>
+        <source>choose a switch in the list</source>
+        <translation>einen Schalter in der Liste wählen</translation>
+    </message>
+    <message>
+        <source>Choose switch</source>
+        <translation>Taster wählen</translation>
+    </message>
+    <message>
+        <source>Right-click the curve at that place to set it.</source>
+        <translation>Klicken Sie dort mit der rechten Maustaste auf die Kurve, um ihn zu setzen.</translation>
+    </message>
+    <message>
+        <source>Use “Draw release” if the page shows one.</source>
+        <translation>Nehmen Sie „Rückweg zeichnen“, wenn die Seite einen zeigt.</translation>
+    </message>
+    <message>
+        <source>segment between knots %1 and %2</source>
+        <translation>Abschnitt zwischen Knoten %1 und %2</translation>
+    </message>
+    <message>
+        <source>Add a knot there (K) and move that</source>
+        <translation>Fügen Sie dort einen Knoten hinzu (K) und ziehen Sie diesen</translation>
+    </message>
+    <message>
+        <source>would get a hump or a dip</source>
+        <translation>bekäme einen Buckel oder eine Delle</translation>
+    </message>
+    <message>
+        <source>Draw press curve</source>
+        <translation>Kurve des Drückens zeichnen</translation>
+    </message>
+    <message>
+        <source>is vertical</source>
+        <translation>ist senkrecht</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -2814,10 +2826,6 @@ Lizenz: %3</translation>
         <source>Message about the import</source>
         <translation>Meldung zum Import</translation>
     </message>
-    <message>
-        <source>in %1</source>
-        <translation>in %1</translation>
-    </message>
 </context>
 <context>
     <name>detent::editor::AnnotationsPanel</name>
@@ -2864,18 +2872,6 @@ Lizenz: %3</translation>
     <message>
         <source>&amp;One end of the travel</source>
         <translation>&amp;Ein Ende des Wegs</translation>
-    </message>
-    <message>
-        <source>Press and release of all states end at one displacement: where one goes, all go</source>
-        <translation>Drücken und Rückweg aller Zustände enden an einer Stelle: wohin eines geht, gehen alle</translation>
-    </message>
-    <message>
-        <source>While the press is edited, the release is the press less this force</source>
-        <translation>Während das Drücken bearbeitet wird, ist der Rückweg das Drücken weniger diese Kraft</translation>
-    </message>
-    <message>
-        <source>How far the release lies below the press</source>
-        <translation>Wie weit der Rückweg unter dem Drücken liegt</translation>
     </message>
     <message>
         <source>New note at the selected point</source>
@@ -2934,10 +2930,6 @@ Lizenz: %3</translation>
         <translation>Alle Punkte lassen sich wieder bewegen</translation>
     </message>
     <message>
-        <source>Keep together</source>
-        <translation>Zusammenhalten</translation>
-    </message>
-    <message>
         <source>Select a point or section in the graph first; the note is placed there.</source>
         <translation>Wählen Sie zuerst einen Punkt oder Abschnitt im Graphen; die Notiz kommt dorthin.</translation>
     </message>
@@ -2978,12 +2970,63 @@ Lizenz: %3</translation>
         <translation>Kein Punkt ist angeheftet. P heftet den gewählten an.</translation>
     </message>
     <message>
-        <source>&amp;Release follows, lower by</source>
-        <translation>&amp;Rückweg folgt, tiefer um</translation>
-    </message>
-    <message>
         <source>Pinned points: %1</source>
         <translation>Angeheftete Punkte: %1</translation>
+    </message>
+    <message>
+        <source>From now on, where one end of press or release goes, the ends of all states go</source>
+        <translation>Ab jetzt gehen die Enden aller Zustände dorthin, wohin ein Ende von Drücken oder Rückweg geht</translation>
+    </message>
+    <message>
+        <source>&amp;Release follows the press, lower by</source>
+        <translation>&amp;Rückweg folgt dem Drücken, tiefer um</translation>
+    </message>
+    <message>
+        <source>From now on, edits of the press move the release along. The release keeps its shape.</source>
+        <translation>Ab jetzt nehmen Änderungen des Drückens den Rückweg mit. Der Rückweg behält seine Form.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the release below the press. Another value lowers or raises the whole release.</source>
+        <translation>Mittlerer Abstand des Rückwegs unter dem Drücken. Ein anderer Wert senkt oder hebt den ganzen Rückweg.</translation>
+    </message>
+    <message>
+        <source>Lower the release</source>
+        <translation>Rückweg senken</translation>
+    </message>
+    <message>
+        <source>Change links</source>
+        <translation>Verknüpfungen ändern</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AverageDialog</name>
+    <message>
+        <source>Buttons to average</source>
+        <translation>Taster für das Mittel</translation>
+    </message>
+    <message>
+        <source>Average buttons</source>
+        <translation>Taster mitteln</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>&amp;Erstellen</translation>
+    </message>
+    <message>
+        <source>Opens the average in a tab of its own</source>
+        <translation>Öffnet das Mittel in einem eigenen Reiter</translation>
+    </message>
+    <message>
+        <source>Average which buttons?</source>
+        <translation>Welche Taster mitteln?</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” differ in states or tactile points. Average buttons of one kind.</source>
+        <translation>„%1“ und „%2“ haben verschieden viele Zustände oder Druckpunkte. Mitteln Sie Taster einer Art.</translation>
+    </message>
+    <message>
+        <source>Tick two or more buttons.</source>
+        <translation>Haken Sie zwei oder mehr Taster an.</translation>
     </message>
 </context>
 <context>
@@ -3035,10 +3078,6 @@ Lizenz: %3</translation>
     <message>
         <source>as found</source>
         <translation>gefunden</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>bis</translation>
     </message>
     <message>
         <source>Set on page…</source>
@@ -3123,6 +3162,58 @@ Lizenz: %3</translation>
     <message>
         <source>Extend plot frame</source>
         <translation>Rahmen erweitern</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Left and right have the same value. Type the value printed at each end.</source>
+        <translation>Links und rechts steht derselbe Wert. Geben Sie den Wert ein, der an jedem Ende gedruckt ist.</translation>
+    </message>
+    <message>
+        <source>Bottom and top have the same value. Type the value printed at each end.</source>
+        <translation>Unten und oben steht derselbe Wert. Geben Sie den Wert ein, der an jedem Ende gedruckt ist.</translation>
+    </message>
+    <message>
+        <source>Displacement grows:</source>
+        <translation>Der Weg wächst:</translation>
+    </message>
+    <message>
+        <source>Force grows:</source>
+        <translation>Die Kraft wächst:</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>downwards</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>Direction of the axis</source>
+        <translation>Richtung der Achse</translation>
     </message>
 </context>
 <context>
@@ -5393,10 +5484,6 @@ Lizenz: %3</translation>
         <translation>Kraft am Anfang des Drucks; mit Vorspannung die Vorspannung.</translation>
     </message>
     <message>
-        <source>From the start of the press to the operating point (PT).</source>
-        <translation>Vom Anfang des Drucks bis zum Schaltpunkt (PT).</translation>
-    </message>
-    <message>
         <source>Force of the press at the operating point; keyboards call it actuation force.</source>
         <translation>Kraft des Drucks am Schaltpunkt; bei Tastaturen Betätigungskraft.</translation>
     </message>
@@ -5459,10 +5546,6 @@ Lizenz: %3</translation>
     <message>
         <source>Displacement at the start of the bottom-out; without one, the end of the travel.</source>
         <translation>Weg am Beginn des Anschlags; ohne Anschlag das Ende des Wegs.</translation>
-    </message>
-    <message>
-        <source>From the start to the end of the press (TT).</source>
-        <translation>Vom Anfang bis zum Ende des Drucks (TT).</translation>
     </message>
     <message>
         <source>Force at the end of the press.</source>
@@ -5543,6 +5626,14 @@ Lizenz: %3</translation>
     <message>
         <source>The curve is too short there for a slope or ratio.</source>
         <translation>Die Kurve ist dort zu kurz für eine Steigung oder ein Verhältnis.</translation>
+    </message>
+    <message>
+        <source>Displacement of the operating point (PT).</source>
+        <translation>Weg am Schaltpunkt (PT).</translation>
+    </message>
+    <message>
+        <source>Displacement of the end of the press (TT).</source>
+        <translation>Weg am Ende des Drucks (TT).</translation>
     </message>
 </context>
 <context>
@@ -6251,10 +6342,6 @@ Lizenz: %3</translation>
         <translation>Einen Taster auf dem Weg von einem offenen Taster zu einem anderen machen</translation>
     </message>
     <message>
-        <source>&amp;Average of the open buttons</source>
-        <translation>&amp;Mittel der offenen Taster</translation>
-    </message>
-    <message>
         <source>Make one button of several samples of it, and say how far they scatter</source>
         <translation>Aus mehreren Exemplaren einen Taster machen und sagen, wie weit sie streuen</translation>
     </message>
@@ -6325,6 +6412,14 @@ Lizenz: %3</translation>
     <message>
         <source>List the measured switches nearest to this button</source>
         <translation>Die gemessenen Schalter nennen, die diesem Taster am nächsten sind</translation>
+    </message>
+    <message>
+        <source>Open a second button: an average needs two.</source>
+        <translation>Öffnen Sie einen zweiten Taster: Ein Mittel braucht zwei.</translation>
+    </message>
+    <message>
+        <source>&amp;Average open buttons…</source>
+        <translation>&amp;Mittel der offenen Taster …</translation>
     </message>
 </context>
 <context>
@@ -7237,10 +7332,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>, kein Druckpunkt</translation>
     </message>
     <message>
-        <source>Travel %1</source>
-        <translation>Weg %1</translation>
-    </message>
-    <message>
         <source>Press</source>
         <translation>Drücken</translation>
     </message>
@@ -7272,6 +7363,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>On the page these points can be dragged, deleted, and added by a right click on the curve.</source>
         <translation>Auf der Seite lassen sich diese Punkte ziehen, löschen und per Rechtsklick auf die Kurve hinzufügen.</translation>
     </message>
+    <message>
+        <source>Total travel %1</source>
+        <translation>Gesamtweg %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ScaleTool</name>
@@ -7289,10 +7384,6 @@ oder öffnen Sie eine Datei (%2).</translation>
 </context>
 <context>
     <name>detent::editor::SelectTool</name>
-    <message>
-        <source>Drag points, slope handles and sections; drag on the ground to select several. Shift keeps to one axis, Ctrl does not snap, Escape cancels.</source>
-        <translation>Ziehen Sie Punkte, Steigungsgriffe und Abschnitte; auf dem Grund ziehen wählt mehrere. Umschalt hält eine Achse, Strg fängt nicht, Esc bricht ab.</translation>
-    </message>
     <message>
         <source>There is no knot here. Add one (K) to select it with others.</source>
         <translation>Hier ist kein Knoten. Fügen Sie einen hinzu (K), um ihn mit anderen auszuwählen.</translation>
@@ -7318,6 +7409,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Add knot</source>
         <translation>Knoten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Drag points and slope handles; drag the line to bend it between two points; drag on empty space to select several. Shift: one axis, Ctrl: no snapping, Escape: cancel.</source>
+        <translation>Punkte und Steigungsgriffe ziehen; an der Linie ziehen biegt sie zwischen zwei Punkten; auf freier Fläche ziehen wählt mehrere. Umschalt: eine Achse, Strg: kein Fangen, Esc: abbrechen.</translation>
     </message>
 </context>
 <context>
@@ -8970,14 +9065,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Kurve endet, wo eine eines anderen Tasters sie verdeckt</translation>
     </message>
     <message>
-        <source>Draw the whole curve by hand: --press-line</source>
-        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
-    </message>
-    <message>
-        <source>Choose one by its name or number: --curve NAME|N</source>
-        <translation>Einen nach Name oder Nummer wählen: --curve NAME|N</translation>
-    </message>
-    <message>
         <source>no one curve in it is &quot;%1&quot;; it shows %2</source>
         <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
     </message>
@@ -9298,10 +9385,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Rahmen ist kleiner als 16 Pixel</translation>
     </message>
     <message>
-        <source>Where the overlay shows that it is right, take it as it is: --sure 0</source>
-        <translation>Wo das Bild darüber zeigt, dass es stimmt, so nehmen, wie es ist: --sure 0</translation>
-    </message>
-    <message>
         <source>it is a WebPlotDigitizer project of a version other than 3 and 4</source>
         <translation>es ist ein Projekt des WebPlotDigitizers in einer anderen Fassung als 3 und 4</translation>
     </message>
@@ -9485,6 +9568,18 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Install it (on Debian: libzip4), or save the sheet as CSV</source>
         <translation>Sie installieren (unter Debian: libzip4) oder die Tabelle als CSV speichern</translation>
     </message>
+    <message>
+        <source>only the press was drawn by hand: the button has no release</source>
+        <translation>nur das Drücken wurde von Hand gezeichnet: Der Taster hat keinen Rückweg</translation>
+    </message>
+    <message>
+        <source>an operating point is printed, but was not placed</source>
+        <translation>ein Schaltpunkt ist gedruckt, wurde aber nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>a reset point is printed, but was not placed</source>
+        <translation>ein Rückschaltpunkt ist gedruckt, wurde aber nicht gesetzt</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -9508,16 +9603,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::importer::Doubts</name>
     <message>
-        <source>Draw the whole curve by hand: --press-line</source>
-        <translation>Die ganze Kurve von Hand ziehen: --press-line</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; and &quot;%2&quot; are taken for press and release, as they end in one point</source>
         <translation>„%1“ und „%2“ sind für Drücken und Rückweg genommen, da sie in einem Punkt enden</translation>
-    </message>
-    <message>
-        <source>Choose it by its number: --curve N</source>
-        <translation>Ihn nach seiner Nummer wählen: --curve N</translation>
     </message>
     <message>
         <source>Use the whole picture</source>
@@ -10009,10 +10096,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no curve of this colour runs through the plot frame</source>
         <translation>keine Kurve dieser Farbe läuft durch den Rahmen</translation>
-    </message>
-    <message>
-        <source>Draw the whole curve by hand: --press-line</source>
-        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,7 @@
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
 #include "editor/forecast/forecast_matrix.h"
+#include "editor/library/average_dialog.h"
 #include "editor/library/compare_panel.h"
 #include "editor/library/library_panel.h"
 #include "editor/library/morph_dialog.h"
@@ -536,26 +537,43 @@ void MainWindow::morph(DocumentTab& tab) {
   auto* dialog = new MorphDialog(std::move(buttons), shown, at_.view.units(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
-    if (dialog->between()) tabs_->add(std::make_unique<ButtonDocument>(*dialog->between()));
+    if (dialog->between()) addComputed(*dialog->between());
   });
   dialog->open();
 }
 
-void MainWindow::average() {
+// A computed button exists nowhere else: it is unsaved work from the start.
+DocumentTab& MainWindow::addComputed(const Button& button) {
+  auto document = std::make_unique<ButtonDocument>(button);
+  document->history().stack().resetClean();
+  return tabs_->add(std::move(document));
+}
+
+void MainWindow::average(DocumentTab& tab) {
   std::vector<Button> units;
   QStringList titles;
+  std::size_t current = 0;
   for (ButtonDocument* document : tabs_->documents()) {
+    if (document == &tab.document()) current = units.size();
     units.push_back(document->history().committed());
     titles << document->title();
   }
-  const auto spread = spreadOf(units);
-  if (!spread)
-    return statusBar()->showMessage(sentenceOf(spread.failure(), at_.view.units()), messageTime_ms);
-  const QString name = AverageWords::tr("Mean of %n buttons", nullptr, static_cast<int>(units.size()));
-  const auto named = rename(spread->mean, name.toStdString());
-  DocumentTab& tab = tabs_->add(std::make_unique<ButtonDocument>(named ? *named : spread->mean));
-  tab.workspace().canvas().showSpread(spread->states);
-  tab.notices().say("average", NoticeBar::Kind::information, averageWords(*spread, titles, at_.view.units()));
+  if (units.size() < 2)
+    return statusBar()->showMessage(tr("Open a second button: an average needs two."), messageTime_ms);
+  auto* dialog = new AverageDialog(std::move(units), titles, current, at_.view.units(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    if (dialog->spread()) openAverage(*dialog->spread(), dialog->titles());
+  });
+  dialog->open();
+}
+
+void MainWindow::openAverage(const UnitSpread& spread, const QStringList& titles) {
+  const QString name = AverageWords::tr("Mean of %n buttons", nullptr, static_cast<int>(titles.size()));
+  const auto named = rename(spread.mean, name.toStdString());
+  DocumentTab& tab = addComputed(named ? *named : spread.mean);
+  tab.workspace().canvas().showSpread(spread.states);
+  tab.notices().say("average", NoticeBar::Kind::information, averageWords(spread, titles, at_.view.units()));
 }
 
 // Participants feel with the devices that were chosen for the feel panel.

@@ -14,6 +14,7 @@
 #include "editor/window/prompts.h"
 #include "editor/window/shortcut_list.h"
 #include "editor/window/tab_area.h"
+#include "model/unit_spread.h"
 
 namespace detent::editor {
 
@@ -62,7 +63,9 @@ class MainWindow : public QMainWindow {
   /// The same of files, which are opened where they are not yet.
   void compareFiles(const QStringList& paths);
   void morph(DocumentTab& tab);
-  void average();
+  DocumentTab& addComputed(const Button& button);
+  void average(DocumentTab& tab);
+  void openAverage(const UnitSpread& spread, const QStringList& titles);
   void showForecasts();
   void showStudy();
   /// Thousands of measured switches; made when it is first needed.

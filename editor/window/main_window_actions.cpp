@@ -252,9 +252,9 @@ void MainWindow::makeWindowActions() {
   menu->addAction(tabAction("morph", tr("&Between two buttons…"),
                             tr("Make a button on the way from one open button to another"),
                             QKeySequence("Ctrl+Alt+B"), [this](DocumentTab& tab) { morph(tab); }));
-  menu->addAction(tabAction("average", tr("&Average of the open buttons"),
+  menu->addAction(tabAction("average", tr("&Average open buttons…"),
                             tr("Make one button of several samples of it, and say how far they scatter"),
-                            QKeySequence("Ctrl+Alt+A"), [this](DocumentTab&) { average(); }));
+                            QKeySequence("Ctrl+Alt+A"), [this](DocumentTab& tab) { average(tab); }));
   menu->addAction(action("forecasts", tr("&Who will be taken for whom?…"),
                          tr("Predict for all open buttons which of them people will confuse"),
                          QKeySequence("Ctrl+Shift+K"), [this] { showForecasts(); }));

@@ -528,6 +528,12 @@ double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach
   return 1000;
 }
 
+/// Returns true if both ends have one value, up to the rounding of a label: a given end beside a found one.
+bool isEmptyRange(const EndValues& ends) {
+  constexpr double rounding = 1e-3;  // of the larger end
+  return std::abs(ends.last - ends.first) <= rounding * std::max(std::abs(ends.first), std::abs(ends.last));
+}
+
 }  // namespace
 
 void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
@@ -574,8 +580,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   for (auto& c : corners) c = {c.x - frame.drawnOffset_px.x, c.y - frame.drawnOffset_px.y};
   const EndValues x = valuesAtEnds(xLabels, corners[3].x, corners[2].x, xGiven.min, xGiven.max);
   const EndValues y = valuesAtEnds(yLabels, corners[0].y, corners[3].y, yGiven.max, yGiven.min);
-  if (x.first == x.last || y.first == y.last)
-    return Failure{FailureCode::wrongUsage, "plot frame", placeOf(x.first == x.last ? Axis::x : Axis::y),
+  if (isEmptyRange(x) || isEmptyRange(y))
+    return Failure{FailureCode::wrongUsage, "plot frame", placeOf(isEmptyRange(x) ? Axis::x : Axis::y),
                    Message("its range is empty"), Message("Give two different values")};
 
   AxesFound found;

@@ -197,4 +197,19 @@ std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, 
   return callouts;
 }
 
+std::vector<CalloutKind> printedCallouts(const PlotFrame& frame, const AxesFound& axes) {
+  std::vector<CalloutKind> kinds;
+  for (const Phrase& phrase : phrasesInside(axes, frame.box())) {
+    const bool aPoint = std::ranges::any_of(axes.texts, [&](const SeenText& text) {
+      static constexpr std::array<std::string_view, 5> pointWords{"point", "position", "punkt", "点",
+                                                                  "ポイント"};
+      const std::string low = lowered(text.utf8);
+      return phrase.box.contains(text.box.middle()) &&
+             std::ranges::any_of(pointWords, [&](std::string_view word) { return holds(low, word); });
+    });
+    if (aPoint && std::ranges::find(kinds, phrase.kind) == kinds.end()) kinds.push_back(phrase.kind);
+  }
+  return kinds;
+}
+
 }  // namespace detent::importer

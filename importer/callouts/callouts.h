@@ -29,4 +29,7 @@ struct Callout {
 std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
                                   const StrokePair& strokes);
 
+/// Kinds that a text inside the plot names as a point or position, placed or not; each once.
+std::vector<CalloutKind> printedCallouts(const PlotFrame& frame, const AxesFound& axes);
+
 }  // namespace detent::importer

@@ -192,13 +192,12 @@ class Measured {
 
   /// The travel ends anywhere within a step, at the force that was read there.
   void measureEnds() {
-    const double start_mm = std::max(0.0, down_.first().displacement_mm);
-    figures_[KeyFigure::totalTravel] = down_.last().displacement_mm - start_mm;
+    figures_[KeyFigure::totalTravel] = down_.last().displacement_mm;
     errorOf(KeyFigure::totalTravel).addBound(halfStep_mm_);
     figures_[KeyFigure::endForce] = down_.last().force_N;
     errorOf(KeyFigure::endForce).variance = std::pow(down_.noise_N(), 2);
     if (const auto& operating_mm = state_.operatingPoint_mm) {
-      figures_[KeyFigure::preTravel] = *operating_mm - start_mm;
+      figures_[KeyFigure::preTravel] = *operating_mm;
       figures_[KeyFigure::overTravel] = down_.last().displacement_mm - *operating_mm;
       errorOf(KeyFigure::overTravel).addBound(halfStep_mm_);
     }

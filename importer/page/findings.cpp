@@ -211,6 +211,12 @@ Wording wordingOf(RemarkCode code) {
       return {"doubted", words("not beyond doubt: %1")};
     case RemarkCode::printedValueDiffers:
       return {"printed-value-differs", words("%1")};
+    case RemarkCode::operatingPointNotPlaced:
+      return {"operating-point-not-placed", words("an operating point is printed, but was not placed")};
+    case RemarkCode::resetPointNotPlaced:
+      return {"reset-point-not-placed", words("a reset point is printed, but was not placed")};
+    case RemarkCode::releaseNotDrawn:
+      return {"release-not-drawn", words("only the press was drawn by hand: the button has no release")};
     case RemarkCode::secondReadingTaken:
       return {"second-reading-taken", words("as it stands the page is not read for certain (%1): taken as "
                                             "two looks in other sizes read it")};

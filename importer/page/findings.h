@@ -135,7 +135,11 @@ enum class RemarkCode {
   printedValueDiffers,    ///< message of the comparison
   // levels that read twice, limits on time
   secondReadingTaken,  ///< message: what the first look read, or why it read nothing
-  endedByTimeLimit     ///< seconds
+  endedByTimeLimit,    ///< seconds
+  // what the page shows beyond what was read
+  operatingPointNotPlaced,  ///< the plot names one
+  resetPointNotPlaced,      ///< the same
+  releaseNotDrawn           ///< the press was drawn by hand, its release was not
 };
 
 struct Remark {

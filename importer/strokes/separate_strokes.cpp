@@ -160,8 +160,7 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
 /// Two colours separate curves that are drawn in two; curves in one colour are separated by hand.
 Remedies remediesFor(bool oneInk, const Message& with) {
   if (oneInk)
-    return {{RemedyKind::addMask, "over the curves of other switches"},
-            {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}};
+    return {{RemedyKind::addMask, "over the curves of other switches"}, {RemedyKind::drawPress, {}}};
   return {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, with}};
 }
 
@@ -566,8 +565,7 @@ bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
 
 Failure hiddenEnd() {
   return {FailureCode::notCertain, "plot frame", "",
-          Message("the curve ends where one of another switch covers it"),
-          Message("Draw the whole curve by hand: --press-line")};
+          Message("the curve ends where one of another switch covers it"), RemedyKind::drawPress};
 }
 
 }  // namespace

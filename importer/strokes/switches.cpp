@@ -312,7 +312,7 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
 
 Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
                                  const std::vector<CurveTrace>& traces, const std::string& asked) {
-  const Message choose = Message("Choose one by its name or number: --curve NAME|N");
+  const Remedies choose = RemedyKind::chooseSwitch;
   if (asked.empty()) {
     if (switches.size() == 1) return std::size_t{0};
     return failureOf({DoubtCode::severalSwitches, {switches.size(), listOf(switches)}, choose}, kPlace);

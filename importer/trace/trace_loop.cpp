@@ -42,11 +42,11 @@ Failure doubtfulFailure(double confidence) {
 constexpr double kAnotherCurve = 0.41;
 
 Failure severalLoopsFailure(Rgb color) {
-  return failureOf({DoubtCode::tooManyCurves,
-                    {"two or more", nameOf(color)},
-                    {{RemedyKind::addMask, "over the curves of other switches"},
-                     {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}}},
-                   "curves");
+  return failureOf(
+      {DoubtCode::tooManyCurves,
+       {"two or more", nameOf(color)},
+       {{RemedyKind::addMask, "over the curves of other switches"}, {RemedyKind::drawPress, {}}}},
+      "curves");
 }
 
 /// On the plane, from area pixels.

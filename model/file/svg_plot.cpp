@@ -290,8 +290,7 @@ class Plot {
   // curves leave more space.
   void drawDimensions(std::string& out) {
     if (!metrics_.operatingPoint) return;
-    const double start_mm = state_.graph.press().start_mm(),
-                 closes_mm = metrics_.operatingPoint->displacement_mm;
+    const double closes_mm = metrics_.operatingPoint->displacement_mm;
     const double height = sized(2 * dimensionRow_px + 8), end = spot(closes_mm, 0).x;
     const auto inkBetween = [&](double top, double bottom) {
       return std::ranges::count_if(ink_,
@@ -300,7 +299,7 @@ class Plot {
     const bool above = inkBetween(frame_.y0, frame_.y0 + height) <= inkBetween(frame_.y1 - height, frame_.y1);
     const double first = above ? frame_.y0 + sized(dimensionRow_px) : frame_.y1 - sized(8);
     const double step = sized(dimensionRow_px) * (above ? 1 : -1);
-    dimension(out, start_mm, closes_mm, style_.words.preTravel, first);
+    dimension(out, 0, closes_mm, style_.words.preTravel, first);
     if (metrics_.resetPoint)
       dimension(out, metrics_.resetPoint->displacement_mm, closes_mm, style_.words.differentialTravel,
                 first + step);

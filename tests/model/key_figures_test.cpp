@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/edits.h"
+#include "model/metrics.h"
 #include "model/templates.h"
 
 using namespace detent;
@@ -61,6 +62,21 @@ TEST_CASE("key figures of a button drawn with straight lines") {
                                                  {pressWork, 0.35 + 0.45 + 1 + 0.17},
                                                  {hysteresis, 1.97 - (0.2 + 0.125 + 0.75 + 0.15)}})
     checkFigure(figures, figure, expected);
+}
+
+TEST_CASE("every length counts from displacement zero, so that no part is longer than the whole") {
+  ButtonState late = drawn();
+  late.graph = *ForceGraph::fromCurves(straight({{0.2, 0.2}, {1, 0.6}, {2, 0.3}, {4, 0.7}, {4.1, 2.7}}), {});
+  late.resetPoint_mm.reset();
+  const KeyFigures figures = keyFiguresOf(late);
+  using enum KeyFigure;
+  checkFigure(figures, totalTravel, 4.1);
+  checkFigure(figures, totalTravel, late.graph.travel_mm());
+  checkFigure(figures, totalTravel, metricsOf(late).travel_mm);
+  checkFigure(figures, preTravel, 1.5);
+  checkFigure(figures, overTravel, 2.6);
+  for (const KeyFigure part : {peakTravel, valleyTravel, bottomOutTravel, preTravel, overTravel})
+    CHECK(*figures[part] <= *figures[totalTravel]);
 }
 
 TEST_CASE("a figure the button does not have is empty") {

@@ -58,33 +58,57 @@ TEST_CASE("One end of the travel: every stroke of every state goes to where one 
   }
 }
 
-TEST_CASE("A release that follows its press lies below it by the offset, and is not edited itself") {
-  const Button before = *tactileButton();
+TEST_CASE("A release that follows its press keeps its shape and moves along") {
+  const Button before = *tactileButton(), after = withPeakAt(before, {1.4, 0.62});
   EditLinks links;
   links.releaseBelowPress_N = 0.07;
-  const auto kept = keptLinks(before, withPeakAt(before, {1.4, 0.62}), links);
+  const auto kept = keptLinks(before, after, links);
   REQUIRE(kept.ok());
-  const ForceGraph& graph = kept->states()[0].graph;
-  for (const double at_mm : {0.2, 1.4, 2.6, 3.9})
-    CHECK(graph.release()->force_N(at_mm) == Approx(graph.press().force_N(at_mm) - 0.07).margin(1e-12));
-  const auto edited = editGraph(*kept, 0, [](const ForceGraph& g) {
-    return editStroke(g, Stroke::release, [](const StrokeCurve& c) { return scaleForce(c, 1.1); });
-  });
-  const auto refused = keptLinks(*kept, *edited, links);
-  REQUIRE_FALSE(refused.ok());
-  CHECK_THAT(refused.failure().sentence(), Catch::Contains("release: follows its press"));
+  const ForceGraph &was = before.states()[0].graph, &is = kept->states()[0].graph;
+  CHECK(is.press() == after.states()[0].graph.press());
+  REQUIRE(is.release()->knots().size() == was.release()->knots().size());
+  // Beyond the flanks of the peak nothing moved; inside, each knot rose as the press did there.
+  for (std::size_t i = 0; i < was.release()->knots().size(); ++i) {
+    const Knot &from = was.release()->knots()[i], &to = is.release()->knots()[i];
+    CHECK(to.force_N - from.force_N ==
+          Approx(is.press().force_N(to.displacement_mm) - was.press().force_N(from.displacement_mm))
+              .margin(1e-12));
+  }
+  CHECK(is.release()->start_mm() == was.release()->start_mm());
+  CHECK(is.release()->end_mm() == was.release()->end_mm());
+  CHECK(is.release()->knots() != was.release()->knots());
 }
 
-TEST_CASE("Switched on, the links hold at once") {
-  const Button before = withPressEndAt(*tactileButton(), 4.2);
+TEST_CASE("A mirrored release that follows stays at its distance, whatever moves") {
+  const Button mirrored = *editGraph(
+      *tactileButton(), 0, [](const ForceGraph& graph) { return mirrorPressToRelease(graph, 0.05); });
   EditLinks links;
-  links.oneTravelEnd = true;
   links.releaseBelowPress_N = 0.05;
-  const auto linked = linkedTo(before, 0, links);
-  REQUIRE(linked.ok());
-  const ForceGraph& graph = linked->states()[0].graph;
-  CHECK(graph.release()->end_mm() == Approx(4.2));
-  CHECK(graph.release()->force_N(2) == Approx(graph.press().force_N(2) - 0.05));
+  for (const Button& after : {withPeakAt(mirrored, {1.5, 0.62}), withPressEndAt(mirrored, 4.3)}) {
+    const auto kept = keptLinks(mirrored, after, links);
+    REQUIRE(kept.ok());
+    const ForceGraph& graph = kept->states()[0].graph;
+    CHECK(graph.release()->end_mm() == Approx(graph.press().end_mm()).margin(1e-9));
+    for (const double at_mm : {1.0, 1.4, 1.5, 2.6, 3.9})
+      CHECK(graph.press().force_N(at_mm) - graph.release()->force_N(at_mm) == Approx(0.05).margin(1e-9));
+  }
+  // The release can be edited by itself, and a button as a whole.
+  const auto edited = editGraph(mirrored, 0, [](const ForceGraph& g) {
+    return editStroke(g, Stroke::release, [](const StrokeCurve& c) { return scaleForce(c, 1.1); });
+  });
+  CHECK(*keptLinks(mirrored, *edited, links) == *edited);
+  const auto scaled = scaleForce(mirrored, 1.2);
+  CHECK(*keptLinks(mirrored, *scaled, links) == *scaled);
+}
+
+TEST_CASE("Lowering the releases moves every force by the same, and nothing else") {
+  const Button before = *tactileButton();
+  const auto lowered = lowerReleases(before, 0.02);
+  REQUIRE(lowered.ok());
+  CHECK(lowered->states()[0].graph.press() == before.states()[0].graph.press());
+  for (const double at_mm : {0.2, 1.3, 3.0})
+    CHECK(lowered->states()[0].graph.release()->force_N(at_mm) ==
+          Approx(before.states()[0].graph.release()->force_N(at_mm) - 0.02));
 }
 
 TEST_CASE("A pinned point stays, whatever else moves") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/unit_spread.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -70,6 +71,20 @@ TEST_CASE("units become their mean, with the spread of each figure and a band") 
   CHECK(spread.states.front().press.front().sd_N == Approx(0).margin(1e-12));
   CHECK(spread.states.front().press.back().sd_N == Approx(0.05).margin(1e-6));
   CHECK(spread.mean.states().front().graph.press().knots().size() < 40);
+}
+
+TEST_CASE(
+    "the band stands about the mean button, whose peak is not flattened where the units' peaks stand apart") {
+  const UnitSpread spread = require(spreadOf({unit(0, 0), unit(0, 0.3), unit(0, -0.3)}));
+  const ForceGraph& mean = spread.mean.states().front().graph;
+  double highest_N = 0;
+  for (const BandPoint& point : spread.states.front().press) {
+    CHECK(point.mean_N == Approx(mean.press().force_N(point.displacement_mm)).margin(1e-12));
+    if (point.displacement_mm < 1.6) highest_N = std::max(highest_N, point.mean_N);
+  }
+  CHECK(highest_N == Approx(0.55).margin(2e-3));
+  for (const BandPoint& point : spread.states.front().release)
+    CHECK(point.mean_N == Approx(mean.release()->force_N(point.displacement_mm)).margin(1e-12));
 }
 
 TEST_CASE("a unit far from the others is marked; units that scatter alike hardly ever are") {

@@ -162,7 +162,7 @@ TEST_CASE("Findings are told in the units shown and in the person's number style
 
 TEST_CASE("Every finding has words at the editor, and none names an option of a program") {
   using namespace importer;
-  for (int code = 0; code <= static_cast<int>(RemarkCode::printedValueDiffers); ++code) {
+  for (int code = 0; code <= static_cast<int>(RemarkCode::releaseNotDrawn); ++code) {
     const Remark remark{static_cast<RemarkCode>(code), {"a", "b", "c", "d"}, RemedyKind::giveXUnit};
     const QString words = inWords(remark, modelUnits);
     INFO(words.toStdString());
@@ -170,6 +170,17 @@ TEST_CASE("Every finding has words at the editor, and none names an option of a 
     CHECK_FALSE(words.contains("--"));
     CHECK_FALSE(nameOf(remark.code).empty());
   }
+  for (int kind = 0; kind <= static_cast<int>(RemedyKind::acceptAsIs); ++kind) {
+    const Remedies remedies{Remedy{static_cast<RemedyKind>(kind), {}},
+                            Remedy{RemedyKind::advice, Message("Draw the curve: --press-line")},
+                            Remedy{RemedyKind::advice, Message("Look at the page")}};
+    const Advice advice = adviceFor(
+        Failure{FailureCode::notCertain, "plot frame", "", Message("unclear"), remedies}, {}, modelUnits);
+    CHECK_FALSE(advice.remedy.contains("--"));
+    CHECK(advice.remedy.contains("Look at the page"));
+    for (const RemedyKind each : advice.remedies) CHECK_FALSE(textOnButton(each).isEmpty());
+  }
+  CHECK(textOnButton(RemedyKind::drawPress) == "Draw press curve");
   for (int step = 0; step <= static_cast<int>(ImportStep::callouts); ++step) {
     CHECK_FALSE(inProgress(static_cast<ImportStep>(step)).isEmpty());
     CHECK_FALSE(nameOfWork(static_cast<ImportStep>(step)).isEmpty());

@@ -183,6 +183,8 @@ class ImportDialogTest : public QObject {
   void aCurveIsDrawnByHand();
   void thePageLiesStillUnderAGesture();
   void aFieldInHandKeepsItsSelection();
+  void theFieldsOfAFallingAxisNameItsEndsByPlace();
+  void whatIsShownGivenAgainChangesNothing();
   void findingsEndWithTheirLastBox();
   void aFrameBesideTheShownOneAddsAGraph();
   void aMissingUnitIsAskedForInTheBanner();
@@ -865,6 +867,98 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
   QVERIFY(QLineF(onDialog(), before).length() > 1);  // fits its new room
 }
 
+namespace {
+
+// Force drawn downwards, 0 at the top: 50 cN at 1.5 mm. `numbered`: with labels along the force axis.
+QString plotOfFallingForce(bool numbered) {
+  const auto x = [](double mm) { return 80 + 140 * mm; };
+  const auto y = [](double cN) { return 60 + 4 * cN; };
+  QString svg =
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="720" height="540" font-family="sans-serif" font-size="14">
+<rect width="720" height="540" fill="white"/><rect x="80" y="60" width="560" height="400" fill="none" stroke="black"/>)";
+  for (int i = 0; i <= 4; ++i)
+    svg += QStringLiteral(
+               "<path d=\"M%1 460v-6\" stroke=\"black\"/><text x=\"%1\" y=\"482\" "
+               "text-anchor=\"middle\">%2</text>")
+               .arg(x(i))
+               .arg(i);
+  for (int cN = 0; cN <= 100 && numbered; cN += 20)
+    svg += QStringLiteral(
+               "<path d=\"M80 %1h6\" stroke=\"black\"/><text x=\"72\" y=\"%2\" text-anchor=\"end\">%3</text>")
+               .arg(y(cN))
+               .arg(y(cN) + 5)
+               .arg(cN);
+  svg += QStringLiteral(
+             "<text x=\"360\" y=\"515\" text-anchor=\"middle\">Displacement (mm)</text>"
+             "<text transform=\"translate(30 260) rotate(-90)\" text-anchor=\"middle\">Force (cN)</text>"
+             "<path fill=\"none\" stroke=\"#c00000\" stroke-width=\"2\" d=\"M%1 %2C%3 %4 %5 %4 %6 %4C%7 %4 "
+             "%8 %9 %10 %9C")
+             .arg(x(0))
+             .arg(y(2))
+             .arg(x(0.5))
+             .arg(y(50))
+             .arg(x(1))
+             .arg(x(1.5))
+             .arg(x(1.8))
+             .arg(x(1.9))
+             .arg(y(30))
+             .arg(x(2.2));
+  svg += QStringLiteral("%1 %2 %3 %4 %5 %6L%7 %8\"/></svg>")
+             .arg(x(2.6))
+             .arg(y(30))
+             .arg(x(3.2))
+             .arg(y(50))
+             .arg(x(3.7))
+             .arg(y(60))
+             .arg(x(3.95))
+             .arg(y(95));
+  return svg;
+}
+
+void typeInto(QLineEdit* edit, const char* text) {
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, text);
+  QTest::keyClick(edit, Qt::Key_Return);
+}
+
+}  // namespace
+
+// The fields show what stands at each end; typing that again changes nothing, and an axis of no length is refused.
+void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
+  const QString svg = plotOfFallingForce(true);
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("down.svg"));
+  QVERIFY(file.open(QIODevice::WriteOnly) && file.write(svg.toUtf8()) > 0);
+  file.close();
+  ShownDialog dialog;
+  dialog.openFile(file.fileName());
+  auto* bottom = dialog.findChild<QLineEdit*>("yMin");
+  auto* top = dialog.findChild<QLineEdit*>("yMax");
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QTRY_COMPARE(bottom->text(), QStringLiteral("100"));
+  QCOMPARE(top->text(), QStringLiteral("0"));
+  keepPicture(dialog, "axis-falls");
+  typeInto(top, "100");
+  QVERIFY2(top->accessibleDescription().contains("same value"), qPrintable(top->accessibleDescription()));
+  typeInto(top, "0");
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  typeInto(bottom, "100");
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QCOMPARE(bottom->text(), QStringLiteral("100"));
+  QCOMPARE(top->text(), QStringLiteral("0"));
+  keepPicture(dialog, "axis-falls-given");
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, patience_ms);
+  const auto result = imported.front().front().value<Report>();
+  const auto peaks = tactilePoints(result->button.states()[0].graph.press(), Stroke::press);
+  QCOMPARE(peaks.size(), std::size_t(1));
+  QVERIFY2(std::abs(peaks[0].force_N - 0.50) < 0.005, qPrintable(QString::number(peaks[0].force_N)));
+  QVERIFY2(std::abs(peaks[0].displacement_mm - 1.5) < 0.05,
+           qPrintable(QString::number(peaks[0].displacement_mm)));
+}
+
 // An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old value.
 void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   ViewSettings settings;
@@ -920,16 +1014,63 @@ void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
   QTest::qWait(50);
   QVERIFY(!dialog.accept->isEnabled());
   keepPicture(dialog, "missing-unit");
+  for (const ForceUnit unit :
+       {ForceUnit::newton, ForceUnit::centinewton, ForceUnit::millinewton, ForceUnit::gramForce,
+        ForceUnit::kilogramForce, ForceUnit::ounceForce, ForceUnit::poundForce}) {
+    const auto* offered =
+        dialog.findChild<QPushButton*>(QStringLiteral("forceUnit_") + DisplayUnits{{}, unit}.forceSymbol());
+    QVERIFY(offered && offered->isVisible());
+    QVERIFY2(dialog.banner->rect().contains(QRect(offered->mapTo(dialog.banner, QPoint()), offered->size())),
+             qPrintable(offered->text()));
+  }
   auto* inGram = dialog.findChild<QPushButton*>("forceUnit_gf");
   QVERIFY(inGram && inGram->isVisible());
   QSignalSpy imported(&dialog, &ImportDialog::imported);
   QTest::mouseClick(inGram, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QVERIFY(dialog.view->units().force == ForceUnit::gramForce);  // labels are in the page's unit
   QTest::mouseClick(dialog.accept, Qt::LeftButton);
   QCOMPARE(imported.count(), 1);
   const auto result = imported.front().front().value<Report>();
   QCOMPARE(result->y->unit, std::string("gf"));
   QCOMPARE(result->y->unitBy, DecidedBy::given);
+}
+
+// What the dialogue shows of each axis, typed or chosen again, gives the same button.
+void ImportDialogTest::whatIsShownGivenAgainChangesNothing() {
+  for (const char* plot : {"white-vector.pdf", "brown-german-comma.png"}) {
+    ShownDialog dialog;
+    dialog.openFile(sample(plot));
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+    ImportState& state = dialog.view->state();
+    const Button before = report(state).button;
+    const auto& was = before.states()[0].graph.press();
+    const double span_N = was.forceRange_N().second - was.forceRange_N().first;
+    const auto isSame = [&](const QString& what) {
+      QVERIFY(again(state));
+      QVERIFY2(dialog.accept->isEnabled(), qPrintable(what));
+      const StrokeCurve& is = report(state).button.states()[0].graph.press();
+      QVERIFY2(std::abs(is.end_mm() - was.end_mm()) < 0.005 * was.end_mm(), qPrintable(what));
+      for (int i = 0; i <= 20; ++i) {
+        const double at_mm = was.start_mm() + 0.9 * i / 20 * was.travel_mm();  // the wall is steep
+        QVERIFY2(std::abs(is.force_N(at_mm) - was.force_N(at_mm)) < 0.02 * span_N,
+                 qPrintable(QString("%1 at %2 mm").arg(what).arg(at_mm)));
+      }
+      QCOMPARE(tactilePoints(is, Stroke::press).size(), tactilePoints(was, Stroke::press).size());
+    };
+    for (const char* name : {"xMin", "xMax", "yMin", "yMax"}) {
+      auto* edit = dialog.findChild<QLineEdit*>(name);
+      typeInto(edit, qPrintable(edit->text()));
+      isSame(QString("%1: %2").arg(plot, name));
+      if (QTest::currentTestFailed()) return;
+    }
+    for (const char* name : {"xUnit", "yUnit"}) {
+      auto* box = dialog.findChild<QComboBox*>(name);
+      emit box->activated(box->currentIndex());
+      isSame(QString("%1: %2").arg(plot, name));
+      if (QTest::currentTestFailed()) return;
+    }
+  }
 }
 
 void ImportDialogTest::axisEndsAreTypedAlikeInEveryLanguage() {

@@ -26,6 +26,7 @@
 #include "editor/library/template_dialog.h"
 #include "editor/quantity/quantity.h"
 #include "model/edits.h"
+#include "model/key_figures.h"
 #include "model/templates.h"
 #include "tests/editor/window_tests.h"
 
@@ -157,7 +158,19 @@ class LibraryTest : public QObject {
   void differencesAreThoseOfTheButtons() {
     const Button a = *tactileButton(), b = *scaleForce(a, 2);
     const auto rows = differencesOf({&a.states()[0], &b.states()[0]});
-    const DifferenceRow* travel = rowNamed(rows, "Travel");
+    // Every figure that the panel of key figures has as well has its name and value.
+    const KeyFigures figures = keyFiguresOf(a.states()[0]);
+    for (const auto& [figure, name] : std::initializer_list<std::pair<KeyFigure, const char*>>{
+             {KeyFigure::totalTravel, "Total travel"},
+             {KeyFigure::preTravel, "Pre-travel"},
+             {KeyFigure::resetTravel, "Reset point"},
+             {KeyFigure::bottomOutTravel, "Travel to the bottom-out"},
+             {KeyFigure::initialForce, "Initial force"},
+             {KeyFigure::hysteresis, "Hysteresis"}}) {
+      const DifferenceRow* row = rowNamed(rows, name);
+      if (figures[figure].has_value()) QVERIFY2(row && row->values[0] == figures[figure], name);
+    }
+    const DifferenceRow* travel = rowNamed(rows, "Total travel");
     QVERIFY(travel && *travel->values[0] == *travel->values[1]);
     const DifferenceRow* force = rowNamed(rows, "Press: tactile point, force");
     QVERIFY(force);

@@ -37,7 +37,8 @@ class ToolsTest : public QObject {
   void clickSelectsAndASecondClickTakesWhatLiesBeneath();
   void valleyFollowsTheHand();
   void slopeHandleTurnsBothSidesOfASmoothKnot();
-  void sectionMovesAsAWhole();
+  void aDragOnASegmentBendsItBetweenItsKnots();
+  void nudgingTheCurveAddsNoPoint();
   void contactPointsKeepToTheTravel();
   void shiftKeepsToOneAxis();
   void snapsToGridAndShowsIt();
@@ -208,19 +209,72 @@ void ToolsTest::slopeHandleTurnsBothSidesOfASmoothKnot() {
   QVERIFY(rig.button() == before);
 }
 
-void ToolsTest::sectionMovesAsAWhole() {
+// On every segment of both strokes, in all directions: the pointer's curve passes through it or stops, and all
+// knots and every other segment stay.
+void ToolsTest::aDragOnASegmentBendsItBetweenItsKnots() {
+  const Button before = require(tactileButton());
+  WorkspaceRig rig(before);
+  rig.settings.setSnap({});
+  int bent = 0;
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    const StrokeCurve curve = before.states()[0].graph.curve(stroke);
+    for (std::size_t i = 0; i + 1 < curve.knots().size(); ++i) {
+      const Knot &from = curve.knots()[i], &to = curve.knots()[i + 1];
+      const double at_mm = 0.5 * (from.displacement_mm + to.displacement_mm);
+      const QPointF grab = rig.pixel(at_mm, curve.force_N(at_mm));
+      for (const QPointF by : {QPointF(15, 33), QPointF(-15, -33), QPointF(0, 4), QPointF(0, -4)}) {
+        rig.canvas().setSelected({});
+        rig.press(grab);
+        const auto held = rig.canvas().selected();
+        if (!held || held->kind != MarkKind::section || held->stroke != stroke) {  // a mark lies above it
+          rig.release(grab);
+          continue;
+        }
+        rig.move(grab + by);
+        const StrokeCurve& now = rig.document.graph().curve(stroke);
+        QCOMPARE(now.knots().size(), curve.knots().size());
+        for (std::size_t k = 0; k < now.knots().size(); ++k) {
+          QCOMPARE(now.knots()[k].displacement_mm, curve.knots()[k].displacement_mm);
+          QCOMPARE(now.knots()[k].force_N, curve.knots()[k].force_N);
+          if (k != i) QCOMPARE(now.knots()[k].slopeAfter_N_per_mm, curve.knots()[k].slopeAfter_N_per_mm);
+          if (k != i + 1)
+            QCOMPARE(now.knots()[k].slopeBefore_N_per_mm, curve.knots()[k].slopeBefore_N_per_mm);
+        }
+        QCOMPARE(now.localMaxima().size() + now.localMinima().size(),
+                 curve.localMaxima().size() + curve.localMinima().size());
+        if (!rig.canvas().feedback().refused) {
+          ++bent;
+          const double by_N = -by.y() / rig.canvas().mapping().pxPerY;
+          // The grabbed place is the nearest on the curve, not exactly the one below the pointer.
+          QVERIFY2(near(now.force_N(at_mm), curve.force_N(at_mm) + by_N, 0.1 * std::abs(by_N)),
+                   qPrintable(QString("%1 mm: %2 N, not %3 N more")
+                                  .arg(at_mm)
+                                  .arg(now.force_N(at_mm) - curve.force_N(at_mm))
+                                  .arg(by_N)));
+        }
+        rig.release(grab + by);
+        rig.document.history().stack().setIndex(0);
+        QVERIFY(rig.button() == before);
+      }
+    }
+  }
+  QVERIFY2(bent >= 6, qPrintable(QString::number(bent)));
+}
+
+void ToolsTest::nudgingTheCurveAddsNoPoint() {
   WorkspaceRig rig(require(tactileButton()));
-  // On the falling flank inside the jump, away from its points.
-  const QPointF grab = rig.pixel(1.6, rig.press().force_N(1.6));
-  rig.click(grab);
-  QVERIFY(rig.canvas().selected().has_value());
-  QCOMPARE(rig.canvas().selected()->kind, MarkKind::section);
-  const double was = rig.canvas().values().press.tactile.at(0).force_N;
-  const double up_px = 20;
-  rig.drag(grab, grab - QPointF(0, up_px));
-  QCOMPARE(rig.steps(), 1);
-  const double by_N = up_px / rig.canvas().mapping().pxPerY;
-  QVERIFY(near(rig.canvas().values().press.tactile.at(0).force_N, was + by_N, 1e-9));
+  const std::size_t knots = rig.press().knots().size();
+  const double end_mm = rig.press().end_mm(), peak_N = rig.canvas().values().press.tactile.at(0).force_N;
+  for (std::size_t section = 0; section < rig.canvas().values().press.sections.size(); ++section) {
+    rig.canvas().setSelected(MarkId{MarkKind::section, Stroke::press, section});
+    for (const int key : {Qt::Key_Up, Qt::Key_Right, Qt::Key_Down, Qt::Key_Left})
+      for (int i = 0; i < 15; ++i) rig.key(key, Qt::ShiftModifier);
+  }
+  QCOMPARE(rig.press().knots().size(), knots);
+  QCOMPARE(rig.press().start_mm(), 0.0);
+  QCOMPARE(rig.press().end_mm(), end_mm);
+  QCOMPARE(rig.canvas().values().press.tactile.size(), std::size_t(1));
+  QCOMPARE(rig.canvas().values().press.tactile[0].force_N, peak_N);
 }
 
 void ToolsTest::contactPointsKeepToTheTravel() {

@@ -49,6 +49,7 @@
 #include "editor/importing/import_state.h"
 #include "editor/importing/page_view.h"
 #include "editor/importing/placed_page.h"
+#include "editor/library/average_dialog.h"
 #include "editor/library/compare_panel.h"
 #include "editor/library/morph_dialog.h"
 #include "editor/panels/checks_panel.h"
@@ -688,8 +689,25 @@ class WindowTest : public QObject {
     const double made_mm =
         metricsOf(rig.document().button().states()[0]).press.tactile[0].point.displacement_mm;
     QVERIFY(std::abs(made_mm - (0.75 * c_mm + 0.25 * b_mm)) < 0.01);
+    QVERIFY(rig.document().history().modified());  // it exists nowhere else
+    // A two-level button is another kind: it is not ticked, and refused where it is.
+    rig.window->files().open({sample("buttons/D.button.json")});
+    rig.window->tabs().show(rig.window->tabs().all()[0]->document());
     rig.action("average")->trigger();
-    QCOMPARE(rig.window->tabs().all().size(), std::size_t(4));
+    auto* which = rig.window->findChild<AverageDialog*>();
+    QVERIFY(which);
+    auto* list = which->findChild<QListWidget*>("averageButtons");
+    auto* create = which->findChild<QPushButton*>("averageCreate");
+    QCOMPARE(which->titles().size(), 3);
+    QCOMPARE(list->item(3)->checkState(), Qt::Unchecked);
+    list->item(3)->setCheckState(Qt::Checked);
+    QVERIFY(!create->isEnabled() && !which->spread());
+    QVERIFY(which->findChild<QLabel*>("averageRefusal")->text().contains("of one kind"));
+    list->item(3)->setCheckState(Qt::Unchecked);
+    QVERIFY(create->isEnabled());
+    create->click();
+    QCOMPARE(rig.window->tabs().all().size(), std::size_t(5));
+    QVERIFY(rig.document().history().modified());
     QVERIFY(rig.notices().join("").contains("Mean of 3"));
     QVERIFY(rig.document().title().contains("Mean of 3"));  // not the name of one of them
   }

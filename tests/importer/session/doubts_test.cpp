@@ -112,6 +112,43 @@ TEST_CASE("a press and a release that nothing speaks against") {
   CHECK(import.doubts().empty());
 }
 
+TEST_CASE("a point that the plot names and that was not placed is remarked") {
+  Import import;
+  auto& texts = import.graph.axes.texts;
+  texts = {{"operating", {200, 150, 260, 165}, 1, 0}, {"position", {266, 150, 320, 165}, 1, 0}};
+  const auto remarked = [&](RemarkCode code, GraphFindings findings, const ImportRequest& request = {}) {
+    const auto report = assembleReport(std::move(findings), {}, request);
+    REQUIRE(report.ok());
+    return std::ranges::any_of(report->remarks, [&](const Remark& remark) { return remark.code == code; });
+  };
+  CHECK(remarked(RemarkCode::operatingPointNotPlaced, import.findings()));
+  CHECK_FALSE(remarked(RemarkCode::resetPointNotPlaced, import.findings()));
+  GraphFindings placed = import.findings();
+  placed.callouts = {{CalloutKind::operatingPoint, {0.5, 0.5}, {}, 1, {}}};
+  CHECK_FALSE(remarked(RemarkCode::operatingPointNotPlaced, placed));
+  texts[1].utf8 = "force";  // a figure of the switch
+  CHECK_FALSE(remarked(RemarkCode::operatingPointNotPlaced, import.findings()));
+  texts = {{"Reset point", {200, 150, 290, 165}, 1, 0}, {"operating point", {200, 540, 320, 555}, 1, 0}};
+  CHECK(remarked(RemarkCode::resetPointNotPlaced, import.findings()));
+  CHECK_FALSE(remarked(RemarkCode::operatingPointNotPlaced, import.findings()));  // below the plot
+}
+
+TEST_CASE("a press drawn by hand without its release is remarked") {
+  Import import;
+  ImportRequest request;
+  const auto remarked = [&] {
+    const auto report = assembleReport(import.findings(), {}, request);
+    REQUIRE(report.ok());
+    return std::ranges::any_of(
+        report->remarks, [](const Remark& remark) { return remark.code == RemarkCode::releaseNotDrawn; });
+  };
+  CHECK_FALSE(remarked());
+  request.hints.drawn.press = import.hints.drawn.press = {{100, 400}, {400, 200}};
+  CHECK(remarked());
+  import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
+  CHECK_FALSE(remarked());
+}
+
 TEST_CASE("a unit that no title names is doubted, unless the page confirms it or it is given") {
   Import import;
   import.graph.axes.calibration.value.y.unitFound = false;
@@ -639,6 +676,12 @@ void give(RemedyKind kind, ImportHints& hints) {
       break;
     case RemedyKind::setResolution:
       hints.dpi = 300;
+      break;
+    case RemedyKind::drawPress:
+      hints.drawn.press = {{0, 0}, {1, 1}};
+      break;
+    case RemedyKind::chooseSwitch:
+      hints.strokes.curve = "1";
       break;
     default:
       break;

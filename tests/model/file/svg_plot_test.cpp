@@ -9,7 +9,6 @@
 #include <catch2/catch.hpp>
 
 #include "model/edits.h"
-#include "model/links.h"
 #include "model/sections.h"
 #include "model/templates.h"
 
@@ -108,9 +107,8 @@ TEST_CASE("no leader crosses a name") {
 }
 
 TEST_CASE("no leader runs under the name of another point, where points are close together") {
-  EditLinks links;
-  links.releaseBelowPress_N = 0.05;
-  const auto follows = linkedTo(*tactileButton(), 0, links);
+  const auto follows = editGraph(*tactileButton(), 0,
+                                 [](const ForceGraph& graph) { return mirrorPressToRelease(graph, 0.05); });
   REQUIRE(follows);
   const double valley_mm =
       tactilePoints(*follows->states()[0].graph.release(), Stroke::release).front().displacement_mm;
