@@ -47,7 +47,7 @@ struct ForceStep {
   double time_s =
       0;  ///< of the reading, on that clock (playback/device/steady_clock.h); 0: the loop keeps none
   double asked_s = 0;  ///< when the device was asked for it, on that clock; the last force went along
-  bool good = true;  ///< the reading was believed; else the position is the last that was
+  bool good = true;    ///< the reading was believed; else the position is the last that was
   bool proving =
       false;  ///< motor and encoder are being checked (direction_proof.h): the button's force has not begun
   double position_mm = 0, velocity_mm_per_s = 0, force_N = 0;

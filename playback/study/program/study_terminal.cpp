@@ -13,8 +13,8 @@
 #include "playback/device/steady_clock.h"
 #include "playback/device/terminal.h"
 #include "playback/study.h"
-#include "playback/study/trials/participant_words.h"
 #include "playback/study/program/timed_trial.h"
+#include "playback/study/trials/participant_words.h"
 
 namespace detent::playback {
 

@@ -9,10 +9,9 @@
 #include <random>
 #include <string>
 
+#include <catch2/catch.hpp>
 #include <pthread.h>
 #include <sched.h>
-
-#include <catch2/catch.hpp>
 
 #include "playback/device/round_trips.h"
 #include "playback/open_force_device.h"
