@@ -67,11 +67,13 @@ void AxisBox::nameFields() {
   unit_->setAccessibleName(isX ? tr("Unit of the displacement axis as printed")
                                : tr("Unit of the force axis as printed"));
   for (QLineEdit* edit : {min_, max_}) {
-    edit->setMinimumWidth(56);
+    edit->setMinimumWidth(40);
     edit->setToolTip(edit->accessibleName() + tr(", in the printed unit"));
   }
   unit_->setPlaceholderText(tr("as found"));
   unit_->setToolTip(unit_->accessibleName());
+  unit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  unit_->setMinimumContentsLength(4);  // "ozf", so that the row fits into a narrow window
 }
 
 void AxisBox::build() {
@@ -98,6 +100,7 @@ void AxisBox::build() {
 
 QHBoxLayout* AxisBox::rangeRow() {
   auto* row = new QHBoxLayout;
+  row->setSpacing(3);
   const bool isX = axis_ == GraphAxis::x;
   auto* first = new QLabel(isX ? tr("Left") : tr("Bottom"));
   auto* last = new QLabel(isX ? tr("Right") : tr("Top"));
