@@ -24,8 +24,10 @@ using StationJson = nlohmann::ordered_json;
 
 constexpr std::size_t mostPeople = 200;
 
+constexpr const char* command = "study station";  // in every language
+
 Failure noStation(Message problem, const Message& remedy) {
-  return {FailureCode::wrongUsage, "study station", "", std::move(problem), remedy};
+  return {FailureCode::wrongUsage, command, "", std::move(problem), remedy};
 }
 
 Result<Done> checkForBrowsers(const Study& study) {

@@ -197,6 +197,7 @@ class FieldsTest : public QObject {
       QVERIFY2(qobject_cast<const QuantityField*>(box),
                qPrintable(QString("%1 in %2 is a field of another kind").arg(box->objectName(), where)));
     for (auto* field : window.findChildren<QuantityField*>()) {
+      if (!field->isEnabledTo(&window)) continue;  // the offset of a release that does not follow
       ++fields_;
       for (const char* language : {"de_DE", "en_US", "fr_FR"}) {
         QLocale::setDefault(QLocale(language));
