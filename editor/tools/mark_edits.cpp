@@ -81,13 +81,13 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
   while (right + 1 < knots.size() && knots[right].displacement_mm <= at_mm) ++right;
   Knot &from = knots[right - 1], &to = knots[right];
   const double width_mm = to.displacement_mm - from.displacement_mm;
-  double share = (at_mm - from.displacement_mm) / width_mm;
-  if (!(share > 0 && share < 1)) share = 0.5;  // on a knot, as the middle of a section may be
   const auto cannot = [&](Message problem) {
     return markRefusal(Message("segment between knots %1 and %2", right, right + 1), std::move(problem),
                        Message("Add a knot there (K) and move that"));
   };
   if (!(width_mm > 0)) return cannot(Message("is vertical"));
+  double share = (at_mm - from.displacement_mm) / width_mm;
+  if (!(share > 0 && share < 1)) share = 0.5;  // on a knot, as the middle of a section may be
   const double chord = (to.force_N - from.force_N) / width_mm;
   constexpr double steepest = 3;  // times the chord: up to there a cubic stays monotone (Fritsch and Carlson)
   const bool monotone = !turnsWithin(curve, from.displacement_mm, to.displacement_mm);
