@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 
 namespace detent::importer {
 namespace {
@@ -35,8 +36,9 @@ Question whichIsPress(const std::vector<CurveTrace>& traces) {
   for (const auto& [press, release] : {std::pair(0, 1), std::pair(1, 0)}) {
     const std::string pressColor = nameOf(traces[static_cast<std::size_t>(press)].color),
                       releaseColor = nameOf(traces[static_cast<std::size_t>(release)].color);
-    question.choices.push_back(
-        {pressColor, "--press-color " + pressColor + " --release-color " + releaseColor});
+    Choice choice{pressColor, "--press-color "};
+    choice.option.append(pressColor).append(" --release-color ").append(releaseColor);
+    question.choices.push_back(std::move(choice));
   }
   return question;
 }
