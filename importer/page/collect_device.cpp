@@ -174,9 +174,10 @@ class Collector {
     pushUnknownClip();
   }
 
-  /// Cells of one step each that begin within an extent, and one more; without end where the step is none.
+  /// Cells of one step each that begin within an extent, and one more; without end where the step is none. An
+  /// area turned inside out has no extent.
   static double cellsAlong(double extent, double step) {
-    return step != 0 ? extent / std::abs(step) + 1 : std::numeric_limits<double>::infinity();
+    return step != 0 ? std::max(0.0, extent) / std::abs(step) + 1 : std::numeric_limits<double>::infinity();
   }
 
   /// False: more cells than a page may draw objects. They are one object to MuPDF, which does not ask its cookie between them.
