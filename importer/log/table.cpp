@@ -508,7 +508,7 @@ std::optional<std::string> decoded(std::string_view bytes, const char* charset) 
 /// Text in a charset of one country: the charset in which the most text beyond ASCII is words of tables.
 /// nullopt: none has one.
 std::optional<std::string> decodedByWords(const std::string& bytes) {
-  constexpr std::size_t head_bytes = 16384;
+  constexpr std::size_t head_bytes = 4096;
   const char* best = nullptr;
   std::size_t most = 0;
   for (const char* charset : {"CP1252", "CP932", "CP949", "GB18030", "BIG5", "CP1251", "CP1250"}) {
