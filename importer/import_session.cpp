@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <list>
 #include <sstream>
 #include <tuple>
@@ -699,7 +700,10 @@ struct ImportSession::Impl {
   Result<ImportReport> reportOfLog(Result<ForceLog> log, const std::optional<Question>& question,
                                    const ImportRequest& request);
   std::optional<Question> tried(const Question& question, const ImportRequest& request,
-                                const Progress& progress);
+                                const Progress& progress,
+                                const std::function<bool(const ImportRequest&)>& isAccepted);
+  std::optional<Question> triedOnLog(const Question& question, const ImportRequest& request,
+                                     const Progress& progress);
   std::optional<Question> askedOf(const ImportAttempt& attempt, const ImportRequest& request,
                                   const Progress& progress);
 };
@@ -1007,44 +1011,48 @@ ImportAttempt ImportSession::Impl::importLog(const ImportRequest& request, const
   const bool unsettled = attempt.report ? attempt.report->doubt.has_value()
                                         : attempt.report.failure().code == FailureCode::notCertain;
   if (unsettled && reading.question && !progress.isCancelled())
-    attempt.question = tried(*reading.question, request, progress);
+    attempt.question = triedOnLog(*reading.question, request, progress);
   return attempt;
 }
 
-/// The choices of a question that lead to an accepted result; nullopt: none does.
-std::optional<Question> ImportSession::Impl::tried(const Question& question, const ImportRequest& request,
-                                                   const Progress& progress) {
+/// The choices of a question that lead to an accepted result, each tried by `isAccepted` with its hints; nullopt:
+/// none does.
+std::optional<Question> ImportSession::Impl::tried(
+    const Question& question, const ImportRequest& request, const Progress& progress,
+    const std::function<bool(const ImportRequest&)>& isAccepted) {
   Question left{question.what, {}};
   const std::map<ImportStep, double> before = seconds;
   for (const auto& choice : question.choices) {
     ImportRequest answered = request;
-    answered.acceptDoubt = false, answered.quality = Quality::draft;
+    answered.acceptDoubt = false;
     if (progress.isCancelled()) return {};
-    if (!takeUp(choice, answered.hints)) continue;
-    LogReading reading = readLog(path, logHintsOf(answered.hints), progress);
-    if (reportOfLog(std::move(reading.log), reading.question, answered)) left.choices.push_back(choice);
+    if (takeUp(choice, answered.hints) && isAccepted(answered)) left.choices.push_back(choice);
   }
   seconds = before;
   return left.choices.empty() ? std::nullopt : std::optional(std::move(left));
 }
 
-/// The question about a refused graph with the choices that lead to an accepted result.
+/// The question about a refused log. Tried as drafts: the level changes how a log is fitted, not how it is read.
+std::optional<Question> ImportSession::Impl::triedOnLog(const Question& question,
+                                                        const ImportRequest& request,
+                                                        const Progress& progress) {
+  return tried(question, request, progress, [&](ImportRequest answered) {
+    answered.quality = Quality::draft;
+    LogReading reading = readLog(path, logHintsOf(answered.hints), progress);
+    return reportOfLog(std::move(reading.log), reading.question, answered).ok();
+  });
+}
+
+/// The question about a refused graph.
 std::optional<Question> ImportSession::Impl::askedOf(const ImportAttempt& attempt,
                                                      const ImportRequest& request, const Progress& progress) {
   if (attempt.report) return {};
   const auto question = questionAbout(attempt.report.failure(), attempt.evidence.get());
   if (!question) return {};
-  Question left{question->what, {}};
-  const std::map<ImportStep, double> before = seconds;
   Progress silent;
   silent.cancelled = progress.cancelled;
-  for (const auto& choice : question->choices) {
-    ImportRequest answered = request;
-    if (progress.isCancelled()) return {};
-    if (takeUp(choice, answered.hints) && importPlot(answered, silent).report) left.choices.push_back(choice);
-  }
-  seconds = before;
-  return left.choices.empty() ? std::nullopt : std::optional(std::move(left));
+  return tried(*question, request, progress,
+               [&](const ImportRequest& answered) { return importPlot(answered, silent).report.ok(); });
 }
 
 Result<ImportReport> ImportSession::Impl::reportOfLog(Result<ForceLog> log,

@@ -8,8 +8,8 @@
 namespace detent::editor {
 
 /// Text of a number with at most `significant` digits, with the locale's decimal sign, without group
-/// separators and trailing zeros; powers of ten only beyond 1e9 and below 1e-5. All digits before the decimal
-/// sign are shown.
+/// separators and trailing zeros; powers of ten only beyond 1e9 and below 1e-5. All digits before the
+/// decimal sign are shown.
 QString numberText(double value, int significant = 5);
 /// Exactly `decimals` digits after the decimal sign; never "-0".
 QString fixedText(double value, int decimals);

@@ -13,7 +13,7 @@
 namespace detent::editor {
 
 /// One worker thread, begun with the first request. At most one request waits while one is computed, so an
-/// answer is never older than two computations. Its end waits for the running computation, some milliseconds.
+/// answer is never older than two computations. Its end waits some milliseconds for the running computation.
 /// GUI thread, except where said.
 class PressSignalSource : public QObject {
   Q_OBJECT

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Exports beside button files: samples, drawings, pictures, sound. Every file is written whole or not at all.
+// Exports beside button files: samples, drawings, pictures, sound. A file is written whole or not at all.
 
 #include <functional>
 #include <QImage>

@@ -110,7 +110,7 @@ QHBoxLayout* AxisBox::rangeRow() {
   return row;
 }
 
-// Where no printed number tells which way the values run, it is said, and a click turns the axis round.
+// Shown where the printed numbers do not give the direction: two buttons name it, and a click reverses it.
 QWidget* AxisBox::directionRow() {
   const bool isX = axis_ == GraphAxis::x;
   direction_ = new QWidget;

@@ -65,7 +65,7 @@ bool bend(std::array<BentSlope, 2>& slopes, double by_N) {
       s.slope = to;
     }
     by_N -= done_N;
-    // What one slope could not take, the other takes.
+    // A slope at its limit leaves the rest of the change to the other one.
     for (BentSlope& s : slopes)
       if (by_N * s.weight > 0 ? s.slope == s.most : s.slope == s.least) s.weight = 0;
     if (by_N == 0 || (slopes[0].weight == 0 && slopes[1].weight == 0)) break;

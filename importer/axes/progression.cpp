@@ -283,9 +283,8 @@ double unevenness_px(const std::vector<std::pair<double, double>>& centres, cons
   return std::sqrt(std::max(0.0, squares / n - std::pow(sum / n, 2)));
 }
 
-/// Where few labels have a line within reach and the scale through those few leaves the even row that all
-/// labels stand in, one of the lines is something else's, a curve's turn or a leader's end: then the scale of
-/// the row.
+/// Returns the scale of the evenly spaced row of labels if only few labels have a line within reach and the
+/// scale through those few leaves the row: then one of the lines belongs to a curve or a leader.
 std::optional<Progression> scaleOfRow(const std::vector<LabelPlace>& labels, const Progression& p,
                                       int withTick) {
   constexpr int fewest = 5;

@@ -75,9 +75,9 @@ struct Inked {
   const cv::Mat& ink;
 };
 
-/// Whether a mark beside a letter is a legend's sample: a dash too long for writing, or in another ink than
-/// the letter a shorter one, a filled square or disc, a line with its marker. `usual_px`: height of the
-/// letters.
+/// Returns true if a mark beside a letter is a legend's sample: a dash too long for writing, or, in another
+/// colour than the letter, a shorter dash, a filled square or disc, a line with its marker. `usual_px`: height
+/// of the letters.
 bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& on) {
   constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wide = 0.6,
                    highest = 3.2;  // of a letter's height

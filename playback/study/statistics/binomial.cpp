@@ -71,4 +71,13 @@ std::vector<double> holm(const std::vector<double>& p) {
   return adjusted;
 }
 
+Count sumOf(const std::vector<Count>& counts) {
+  Count sum;
+  for (const Count& c : counts) {
+    sum.errors += c.errors;
+    sum.trials += c.trials;
+  }
+  return sum;
+}
+
 }  // namespace detent::playback

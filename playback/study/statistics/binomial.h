@@ -13,6 +13,9 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
+/// Errors and trials of all counts together; none of an empty list.
+Count sumOf(const std::vector<Count>& counts);
+
 /// A rate with its interval, all in [0, 1].
 struct Interval {
   double low = 0, high = 1;

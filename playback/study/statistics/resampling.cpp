@@ -16,15 +16,6 @@ namespace {
 // 90 and more.
 constexpr std::size_t fewestParticipants = 6;
 
-Count sumOf(const std::vector<Count>& counts) {
-  Count sum;
-  for (const Count& c : counts) {
-    sum.errors += c.errors;
-    sum.trials += c.trials;
-  }
-  return sum;
-}
-
 double rateWithout(const std::vector<Count>& counts, const Count& sum, std::size_t leftOut) {
   return rateOf({sum.errors - counts[leftOut].errors, sum.trials - counts[leftOut].trials});
 }

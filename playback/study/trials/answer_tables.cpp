@@ -418,15 +418,6 @@ MatchCounts matchesIn(const std::vector<Counted>& answers, std::size_t buttons) 
   return counts;
 }
 
-Count sumOf(const std::vector<Count>& persons) {
-  Count all;
-  for (const Count& person : persons) {
-    all.errors += person.errors;
-    all.trials += person.trials;
-  }
-  return all;
-}
-
 /// A share of each person's trials with its two intervals, behind the row's first cells.
 std::vector<FigureCell> shareCells(std::vector<FigureCell> row, const std::vector<Count>& persons) {
   const Count all = sumOf(persons);
