@@ -278,7 +278,7 @@ class Reader {
     if (drawing_.undrawn.empty()) drawing_.undrawn = what;
   }
 
-  /// What begins by itself and changes what is seen; what waits for a click is drawn as it stands.
+  /// Animations that begin by themselves; one that waits for a click leaves the drawing as it stands.
   void noteAnimation(xmlNode* node) {
     const std::string_view name = viewOf(node->name);
     if (name != "set" && !name.starts_with("animate")) return;

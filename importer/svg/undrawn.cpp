@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array drawnFunctions{"matrix", "translate", "translatex", "translatey", "scale", "scalex",
                                     "scaley", "rotate",    "skewx",      "skewy",      "skew"};
-// What these do to a curve is not checked: they are only named.
+// They move a curve or replace it.
 constexpr std::array movingProperties{"translate", "rotate", "scale",      "offset-path",
                                       "offset",    "d",      "perspective"};
 constexpr std::array colourFunctions{"oklch(", "lch(", "oklab(", "lab(", "color(", "color-mix("};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What browsers show and librsvg 2.54 does not: a drawing that uses it is refused instead of read wrongly.
+// CSS and SVG that browsers show and librsvg 2.54 does not: such a drawing is refused instead of read wrongly.
 
 #include <set>
 #include <string>
