@@ -325,17 +325,48 @@ Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, Lett
   }
 }
 
+/// Levels between the darkest and the brightest pixel of a box, of the channel where they are most.
+int contrastIn(const Raster& picture, const Box& box) {
+  std::array<int, 3> darkest{255, 255, 255}, brightest{};
+  for (int y = std::max(0, static_cast<int>(box.y0)); y <= box.y1 && y < picture.height_px; ++y)
+    for (int x = std::max(0, static_cast<int>(box.x0)); x <= box.x1 && x < picture.width_px; ++x)
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const int level = picture.at(x, y)[channel];
+        darkest[channel] = std::min(darkest[channel], level);
+        brightest[channel] = std::max(brightest[channel], level);
+      }
+  int most = 0;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    most = std::max(most, brightest[channel] - darkest[channel]);
+  return most;
+}
+
 /// Returns true if something is drawn in a box of a picture.
 bool hasContrast(const Raster& picture, const Box& box) {
-  constexpr int leastContrast = 60;  // levels of green, which is most of brightness
-  int darkest = 255, brightest = 0;
-  for (int y = std::max(0, static_cast<int>(box.y0)); y <= box.y1 && y < picture.height_px; ++y)
-    for (int x = std::max(0, static_cast<int>(box.x0)); x <= box.x1 && x < picture.width_px; ++x) {
-      const int level = picture.at(x, y)[1];
-      darkest = std::min(darkest, level);
-      brightest = std::max(brightest, level);
+  constexpr int leastContrast = 60;  // levels
+  return contrastIn(picture, box) >= leastContrast;
+}
+
+/// Returns true if a line has the colour of what it is drawn on, or is blended into it: nobody sees it.
+bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPicture) {
+  if (!path.stroke) return false;
+  constexpr int leastContrast = 2;   // levels: thin grey lines are seen
+  constexpr double leastSeen = 0.2;  // of the samples: unseen lines cross seen ones
+  constexpr std::size_t samplesOfLine = 32;
+  const double reach = path.strokeWidth / 2 * std::hypot(toPicture.a, toPicture.b) + 1.5;
+  std::size_t samples = 0, seen = 0;
+  for (const auto& line : path.polylines) {
+    const std::size_t step = std::max<std::size_t>(1, line.size() / samplesOfLine);
+    for (std::size_t i = step; i < line.size(); i += step) {
+      for (const double along : {0.2, 0.5, 0.8}) {
+        const Point at = toPicture(line[i - 1] + along * (line[i] - line[i - 1]));
+        ++samples;
+        seen += contrastIn(picture, Box{at.x, at.y, at.x, at.y}.grown(reach, reach)) >= leastContrast;
+      }
+      if (seen >= samplesOfLine) return false;
     }
-  return brightest - darkest >= leastContrast;
+  }
+  return samples > 0 && static_cast<double>(seen) < leastSeen * static_cast<double>(samples);
 }
 
 /// MuPDF's rows may be padded and its pixels may have other channels; the renders here are plain RGB.
@@ -416,13 +447,15 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
   page.unit = PageUnit::point;
   page.width = source.width;
   page.height = source.height;
+  page.overview = std::move(overview.value());
+  page.overviewToPage = grid.viewToPage(0);
   page.texts = std::move(texts.value());
   page.paths = std::move(source.collected.paths);
+  std::erase_if(page.paths,
+                [&](const VectorPath& path) { return isUnseen(path, page.overview, toOverview); });
   source.pathsHandedOut = true;
   for (const ImagePlacement& placement : source.collected.images) page.images.push_back(placement.image);
   page.remarks = remarksFor(number);
-  page.overview = std::move(overview.value());
-  page.overviewToPage = grid.viewToPage(0);
   return page;
 }
 

@@ -16,6 +16,7 @@
 #include <libxml/tree.h>
 
 #include "importer/svg/plain_styles.h"
+#include "importer/svg/undrawn.h"
 #include "model/text.h"
 
 namespace detent::importer::svg {
@@ -205,6 +206,7 @@ class Reader {
       PlainStyles plain;
       if (mediaApply(media)) plain = plainStyles(takeText(xmlNodeGetContent(node)));
       drawing_.leftOut += plain.imports;
+      animates_ = animates_ || plain.animates;
       addVariables(plain.css, variables_);
       noteRasters(plain.css);
       setContent(node, plain.css);
@@ -213,6 +215,14 @@ class Reader {
     if (!isElement(node)) return false;
     if (const std::string style = takeText(xmlGetNoNsProp(node, xmlText("style"))); !style.empty())
       addVariables(style, variables_);
+    names_.emplace(viewOf(node->name));
+    names_.insert("#" + takeText(xmlGetNoNsProp(node, xmlText("id"))));
+    const std::string classes = takeText(xmlGetNoNsProp(node, xmlText("class")));
+    for (std::string_view rest = trimmed(classes); !rest.empty();) {
+      const auto end = static_cast<std::size_t>(std::ranges::find_if(rest, isBlank) - rest.begin());
+      names_.insert("." + std::string(rest.substr(0, end)));
+      rest = trimmed(rest.substr(end));
+    }
     return true;
   }
 
@@ -224,9 +234,12 @@ class Reader {
     if (!isElement(node)) return false;
     const std::string_view name = viewOf(node->name);
     if (name == "style") {
-      setContent(node, withoutFilters(withValues(takeText(xmlNodeGetContent(node)), variables_)));
+      const std::string css = withValues(takeText(xmlNodeGetContent(node)), variables_);
+      noteUndrawn(undrawnRule(css, animates_, names_));
+      setContent(node, withoutFilters(css));
       return false;
     }
+    noteAnimation(node);
     if (name == "foreignObject" && !isNamed(node->parent, "switch")) ++drawing_.leftOut;
     if (name == "a") dropAttributes(node, "href");
     dropAttributes(node, "filter");
@@ -261,6 +274,20 @@ class Reader {
     return css;
   }
 
+  void noteUndrawn(const std::string& what) {
+    if (drawing_.undrawn.empty()) drawing_.undrawn = what;
+  }
+
+  /// Animations that begin by themselves; one that waits for a click leaves the drawing as it stands.
+  void noteAnimation(xmlNode* node) {
+    const std::string_view name = viewOf(node->name);
+    if (name != "set" && !name.starts_with("animate")) return;
+    const std::string begin = takeText(xmlGetNoNsProp(node, xmlText("begin")));
+    const bool byItself =
+        begin.empty() || std::string_view("0123456789+.").find(begin.front()) != std::string_view::npos;
+    if (byItself) noteUndrawn("<" + std::string(name) + ">");
+  }
+
   void rewriteAttribute(xmlNode* node, xmlAttr* attribute) {
     const std::string value = takeText(xmlNodeListGetString(document_, attribute->children, 1));
     if (viewOf(attribute->name) == "href") {
@@ -274,7 +301,11 @@ class Reader {
     if (viewOf(attribute->name) == "mask")
       drawing_.rasters = drawing_.rasters || value.find("url(") != std::string::npos;
     if (viewOf(attribute->name) == "style") noteRasters(value);
-    std::string plain = withoutFilters(withValues(value, variables_));
+    const std::string known = withValues(value, variables_);
+    if (viewOf(attribute->name) == "style") noteUndrawn(undrawnProperty(known, animates_));
+    if (viewOf(attribute->name) == "pathLength" && !propertyOf(node, "stroke-dasharray").empty())
+      noteUndrawn("pathLength");
+    const std::string plain = withoutFilters(known);
     if (plain != value) setAttribute(node, attribute, plain);
   }
 
@@ -379,6 +410,8 @@ class Reader {
   Drawing& drawing_;
   const std::function<bool(char32_t)>& hasFont_;
   Variables variables_;
+  ElementNames names_;
+  bool animates_ = false;
   std::set<int> named_;
 };
 

@@ -12,9 +12,10 @@ struct Drawing {
   std::string xml;          ///< UTF-8, without a document type; empty if refused
   int leftOut = 0;          ///< references to other files, and HTML: neither is drawn
   std::string withoutFont;  ///< letters that no font has, once each, UTF-8; boxes stand for them
-  bool rasters = false;     ///< uses masks
-  bool truncated = false;   ///< refused: it ends too early
-  std::string problem;      ///< refused: why
+  std::string undrawn;     ///< the first thing that browsers show otherwise: "translate", ":has", "<animate>"
+  bool rasters = false;    ///< uses masks
+  bool truncated = false;  ///< refused: it ends too early
+  std::string problem;     ///< refused: why
 };
 
 /// Any bytes. `hasFont`: returns true if the letter can be drawn.

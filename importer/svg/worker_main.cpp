@@ -45,6 +45,8 @@ std::string answerTo(const std::string& bytes) {
   const Drawing drawing = readDrawing(bytes, fontsHave);
   if (drawing.truncated) return line(truncatedKey, "");
   if (!drawing.problem.empty()) return line(problemKey, drawing.problem);
+  if (!drawing.undrawn.empty())
+    return line(problemKey, "it uses " + drawing.undrawn + ", which only browsers draw");
   const DrawnPdf drawn = drawPdf(drawing.xml, drawing.rasters);
   if (!drawn.problem.empty()) return line(problemKey, drawn.problem);
   std::string answer = line(scaleKey, std::to_string(drawn.scale));

@@ -463,6 +463,17 @@ TEST_CASE("SVG is drawn as browsers draw it") {
       {"a link",
        "<a href='http://example.org/?a=(1)&amp;b'><path stroke='red' stroke-width='2' d='M10 20L30 "
        "40'/></a>"},
+      {"nested rules, lists of selectors, layers, supported features",
+       "<style>@layer late, early;@layer early{path{stroke:lime}}@layer late{path{stroke:blue}}"
+       ".plot{&amp; :is(path, line):where(.c){stroke:red} path{stroke-width:2}}"
+       "@supports (stroke:red){.old:hover{display:inline} .old{display:none}}</style>"
+       "<g class='plot'><path class='c' d='M10 20L30 40'/><path class='old c' d='M1 1L9 9'/></g>"},
+      {"a colour by lightness, chroma and hue",
+       "<path style='stroke:oklch(62.796% .25768 29.2339deg);stroke-width:2' d='M10 20L30 40'/>"},
+      {"what no element can show",
+       "<style>@keyframes in{from{opacity:0}} .absent{animation:in 1s} "
+       ".absent:has(path){display:none}</style>"
+       "<path stroke='red' stroke-width='2' style='rotate:none;filter:none' d='M10 20L30 40'/>"},
       {"a switch",
        "<switch><foreignObject requiredFeatures='x'/><g><path stroke='red' stroke-width='2' d='M10 20L30 "
        "40'/></g></switch>"},
@@ -480,6 +491,10 @@ TEST_CASE("SVG is drawn as browsers draw it") {
        "<g style='display:none'><path stroke='red' d='M1 1L9 9'/></g><path visibility='hidden' stroke='red' "
        "d='M1 1L9 9'/>"
        "<g opacity='0'><path stroke='red' d='M1 1L9 9'/></g><path stroke='red' d='M-90 1L-9 9'/>"
+       "<path stroke='red' stroke-width='2' d='M10 20L30 40'/>"},
+      {"lines that have the colour of what they are drawn on",
+       "<rect width='200' height='100' fill='#eee'/><path stroke='#eee' d='M60 60L90 90'/>"
+       "<path style='mix-blend-mode:lighten' stroke='#080' d='M40 10L90 30'/>"
        "<path stroke='red' stroke-width='2' d='M10 20L30 40'/>"},
       {"a line under a white box",
        "<path stroke='red' d='M60 60L90 90'/><rect x='50' y='50' width='50' height='45' fill='white' "
@@ -518,6 +533,45 @@ TEST_CASE("SVG is drawn as browsers draw it") {
   CHECK(line[0].y == Approx(20).margin(0.005));
   CHECK(line[1].x == Approx(30).margin(0.005));
   CHECK(line[1].y == Approx(40).margin(0.005));
+}
+
+TEST_CASE("an SVG that only a browser draws rightly is refused and says what it uses") {
+  struct Undrawn {
+    const char *body, *what;
+  };
+  const Undrawn drawing = GENERATE(values<Undrawn>({
+      {"<path class='p' style='translate:60px 4px' d='M10 20L30 40'/>", "it uses translate,"},
+      {"<path class='p' style='rotate:180deg' d='M10 20L30 40'/>", "it uses rotate,"},
+      {"<path class='p' style='transform:translate3d(0,-40px,0)' d='M10 20L30 40'/>",
+       "it uses transform: translate3d(),"},
+      {"<path class='p' style='transform:translate(10%,0)' d='M10 20L30 40'/>", "it uses transform: %,"},
+      {"<path class='p' style='transform:rotate(.5turn)' d='M10 20L30 40'/>", "it uses transform: turn,"},
+      {"<path class='p' style='clip-path:inset(50%)' d='M10 20L30 40'/>", "it uses clip-path,"},
+      {"<path class='p' style='mask-image:linear-gradient(#000,#0000)' d='M10 20L30 40'/>",
+       "it uses mask-image,"},
+      {"<path class='p' style='filter:opacity(0)' d='M10 20L30 40'/>", "it uses filter,"},
+      {"<path class='p' style='opacity:calc(1 - 1)' d='M10 20L30 40'/>", "it uses opacity,"},
+      {"<path class='p' style='stroke:color-mix(in srgb, red, blue)' d='M10 20L30 40'/>",
+       "it uses stroke: color-mix(),"},
+      {"<g class='p' style='content-visibility:hidden'><path d='M10 20L30 40'/></g>",
+       "it uses content-visibility,"},
+      {"<style>.p{d:path('M10 20L30 40')}</style><path class='p' stroke='red'/>", "it uses d,"},
+      {"<style>g:has(.p){display:none}</style><g><path class='p' d='M10 20L30 40'/></g>", "it uses :has,"},
+      {"<style>@keyframes in{from{opacity:0}} .p{animation:in 1s infinite}</style><path class='p' d='M10 "
+       "20L30 40'/>",
+       "it uses animation,"},
+      {"<path class='p' pathLength='1' stroke-dasharray='1' stroke-dashoffset='1' d='M10 20L30 40'/>",
+       "it uses pathLength,"},
+      {"<path class='p' d='M10 20L30 40'><set attributeName='visibility' to='hidden'/></path>",
+       "it uses <set>,"},
+  }));
+  INFO(drawing.body);
+  const Failure failure =
+      documentRefusal(std::string("<svg xmlns='http://www.w3.org/2000/svg' width='200' height='100'>") +
+                          drawing.body + "</svg>",
+                      "plot.svg");
+  CHECK(failure.code == FailureCode::unreadableInput);
+  CHECK(english(failure.problem).find(drawing.what) != std::string::npos);
 }
 
 TEST_CASE("the background of an SVG's root fills its page") {
