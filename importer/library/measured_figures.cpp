@@ -43,7 +43,7 @@ double halfOf68(double variance, double a, double b) {
 
 /// The errors of one figure.
 struct Error {
-  bool isTold = true;
+  bool isReported = true;
   double variance = 0;
   std::array<double, 2> bounds{};  ///< of what may lie anywhere within a step
 
@@ -74,7 +74,7 @@ class Measured {
     MeasuredFigures measured{figures_, {}};
     for (std::size_t i = 0; i < keyFigureCount; ++i) {
       const double sigma = halfOf68(errors_[i].variance, errors_[i].bounds[0], errors_[i].bounds[1]);
-      if (figures_.values[i] && errors_[i].isTold && sigma > 0) measured.sigmas.values[i] = sigma;
+      if (figures_.values[i] && errors_[i].isReported && sigma > 0) measured.sigmas.values[i] = sigma;
     }
     return measured;
   }
@@ -85,9 +85,9 @@ class Measured {
   /// Start, peak, valley and start of the bottom-out by the models of the samples around each, and the
   /// figures that are made of them.
   void measurePlaces() {
-    constexpr double depth = 0.25;      // of what an extremum stands out, down to which its samples count
-    constexpr double leastNoises = 3;   // that its samples reach down at least
-    constexpr double footReach = 0.12;  // of the travel, below a bottom-out
+    constexpr double depth = 0.25;     // of what an extremum stands out, down to which its samples count
+    constexpr double leastNoises = 3;  // that its samples reach down at least
+    constexpr double bottomOutReach = 0.12;  // of the travel, below a bottom-out
     const StrokeCurve& press = state_.graph.press();
     const double end_mm = down_.last().displacement_mm;
     const BottomOut bottom = bottomOutOf(press);
@@ -115,7 +115,7 @@ class Measured {
     }
     if (bottom.wall)
       found[3] = cornerIn(
-          down_.between(std::max(gentleFrom_mm, bottom.displacement_mm - footReach * press.travel_mm()),
+          down_.between(std::max(gentleFrom_mm, bottom.displacement_mm - bottomOutReach * press.travel_mm()),
                         end_mm),
           bottom.displacement_mm);
     else
@@ -178,7 +178,7 @@ class Measured {
         errors_[i].variance += per_mm * per_mm * found->variance_mm2 + per_N * per_N * found->variance_N2 +
                                2 * per_mm * per_N * found->covariance_mmN;
       else
-        errors_[i].isTold = false;
+        errors_[i].isReported = false;
     }
   }
 
@@ -186,8 +186,8 @@ class Measured {
     for (int i = 0; i <= static_cast<int>(KeyFigure::slopeToBottomOut); ++i)
       if (const auto figure = static_cast<KeyFigure>(i);
           figure != KeyFigure::preTravel && figure != KeyFigure::operatingForce)
-        errorOf(figure).isTold = false;
-    errorOf(KeyFigure::bottomOutForce).isTold = errorOf(KeyFigure::bottomOutTravel).isTold = false;
+        errorOf(figure).isReported = false;
+    errorOf(KeyFigure::bottomOutForce).isReported = errorOf(KeyFigure::bottomOutTravel).isReported = false;
   }
 
   /// The travel ends anywhere within a step, at the force that was read there.
@@ -226,7 +226,7 @@ class Measured {
       figures_[force] = found->force_N;
       errorOf(force).variance = found->variance_N2;
     } else {
-      errorOf(force).isTold = false;
+      errorOf(force).isReported = false;
     }
     ButtonState away = state_;
     std::optional<double>& moved_mm =

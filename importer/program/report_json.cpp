@@ -53,7 +53,7 @@ Json curvesJson(const std::vector<PlotSwitch>& switches) {
   return curves;
 }
 
-Json looksJson(const std::vector<PageLook>& looks) {
+Json readingsJson(const std::vector<PageLook>& looks) {
   Json all = Json::array();
   for (const PageLook& look : looks) {
     Json each = {
@@ -122,7 +122,7 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   if (report.pageClass) json["page_class"] = nameOf(*report.pageClass);
   json["seconds"] = Json::object();
   for (const auto& [step, seconds] : report.seconds) json["seconds"][std::string(nameOf(step))] = seconds;
-  if (!report.looks.empty()) json["looks"] = looksJson(report.looks);
+  if (!report.looks.empty()) json["looks"] = readingsJson(report.looks);
   if (report.endedByTimeLimit) json["ended_by_time_limit"] = true;
   addRemarks(json, report.remarks);
   if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);

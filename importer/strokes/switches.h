@@ -15,16 +15,16 @@ namespace detent::importer {
 
 /// One of the switches (springs, samples) that a plot shows.
 struct PlotSwitch {
-  std::string name;  ///< as the legend calls it, empty where it does not
-  Rgb pressColor;    ///< of the stroke that is taken for the press as far as names and heights say
+  std::string name;                 ///< as the legend calls it, empty where it does not
+  Rgb pressColor;                   ///< of the press, as far as names and heights decide
   std::optional<Rgb> releaseColor;  ///< empty: press only
   std::vector<std::size_t>
       traces;  ///< one or two of the traces it was found among, in the order of the colours
 };
 
-/// The switches in the order of the legend (from its top, row by row), without one from the highest curve to
-/// the lowest: this is what numbers them from 1. A plot of one switch gives one; nothing where it is not
-/// clear which curves belong together. Traces of less than two points are none.
+/// Switches of a plot, numbered from 1 in the order of the legend (row by row from its top), without a legend from
+/// the highest curve to the lowest. Empty if it is not clear which curves belong together. Traces of less than
+/// two points are ignored.
 std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces);
 
 /// Index of the requested switch: its name or the legend's words of one of its strokes, or its number from 1.

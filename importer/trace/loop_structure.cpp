@@ -254,9 +254,9 @@ struct Components {
   int count = 0;
 };
 
-Components componentsOf(Plane& ink, float above) {
+Components componentsOf(Plane& coverage, float above) {
   Components c;
-  const cv::Mat binary = matOf(ink) > above;
+  const cv::Mat binary = matOf(coverage) > above;
   cv::Mat centroids;
   c.count = cv::connectedComponentsWithStats(binary, c.labels, c.stats, centroids, 8, CV_32S);
   return c;
@@ -291,30 +291,30 @@ float curveLevelOf(Plane& left, const WorkPlane& plane) {
 }
 
 /// Line width: the median over pixels of the shorter run through them, summing coverage.
-double strokeWidthOf(const Plane& ink) {
-  Plane across(ink.width, ink.height, 0), down(ink.width, ink.height, 0);
-  constexpr float kInk = 0.3F;  // coverage
-  for (int y = 0; y < ink.height; ++y) {
-    for (int x = 0; x < ink.width;) {
+double strokeWidthOf(const Plane& coverage) {
+  Plane across(coverage.width, coverage.height, 0), down(coverage.width, coverage.height, 0);
+  constexpr float kCovered = 0.3F;  // coverage
+  for (int y = 0; y < coverage.height; ++y) {
+    for (int x = 0; x < coverage.width;) {
       int end = x;
       float sum = 0;
-      while (end < ink.width && ink.at(end, y) > kInk) sum += ink.at(end++, y);
+      while (end < coverage.width && coverage.at(end, y) > kCovered) sum += coverage.at(end++, y);
       for (int i = x; i < end; ++i) across.at(i, y) = sum;
       x = end + 1;
     }
   }
-  for (int x = 0; x < ink.width; ++x) {
-    for (int y = 0; y < ink.height;) {
+  for (int x = 0; x < coverage.width; ++x) {
+    for (int y = 0; y < coverage.height;) {
       int end = y;
       float sum = 0;
-      while (end < ink.height && ink.at(x, end) > kInk) sum += ink.at(x, end++);
+      while (end < coverage.height && coverage.at(x, end) > kCovered) sum += coverage.at(x, end++);
       for (int i = y; i < end; ++i) down.at(x, i) = sum;
       y = end + 1;
     }
   }
   std::vector<float> widths;
-  for (std::size_t i = 0; i < ink.values.size(); ++i) {
-    if (ink.values[i] > 0.5F) widths.push_back(std::min(across.values[i], down.values[i]));
+  for (std::size_t i = 0; i < coverage.values.size(); ++i) {
+    if (coverage.values[i] > 0.5F) widths.push_back(std::min(across.values[i], down.values[i]));
   }
   return widths.empty() ? 1.0 : std::max(1.0, double(quantileOf(widths, 0.5)));
 }
@@ -456,17 +456,17 @@ void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
 }
 
 /// Returns true for an isolated arrow: a straight shaft as thin as a line, and a head that widens at one end.
-bool isArrow(const std::vector<Point>& ink, double strokeWidth, const Box& frame) {
+bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& frame) {
   constexpr double shortest = 4, longest = 0.2;  // stroke widths; of the frame's width
   constexpr double headShare = 0.35;             // of its length, at most
   constexpr double headTimes = 1.8;              // of the shaft's thickness, at least
-  const Scatter scatter(ink);
+  const Scatter scatter(pixels);
   const Point along = scatter.along(), middle = scatter.middle();
-  const auto [first, last] = std::ranges::minmax(ink, {}, [&](Point p) { return dot(p - middle, along); });
+  const auto [first, last] = std::ranges::minmax(pixels, {}, [&](Point p) { return dot(p - middle, along); });
   const double from = dot(first - middle, along), length = dot(last - middle, along) - from;
   if (length < shortest * strokeWidth || length > longest * frame.width()) return false;
   std::vector<double> across(static_cast<std::size_t>(length) + 1, 0);  // by pixels of its length
-  for (const Point& p : ink) {
+  for (const Point& p : pixels) {
     double& most = across[static_cast<std::size_t>(std::max(0.0, dot(p - middle, along) - from))];
     most = std::max(most, 2 * std::abs(cross(along, p - middle)) + 1);
   }
