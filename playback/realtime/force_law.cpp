@@ -8,8 +8,8 @@ namespace detent::playback {
 
 namespace {
 
-// A finger that makes less than one step in this time counts as slow: half a step of lag is then not led
-// away, so that a tremor across one step's edge moves no force.
+// A finger that moves less than one step in this time counts as slow. Then half a step of lag is not
+// compensated, so that a tremor across the edge of a step does not change the force.
 constexpr double slowStep_s = 0.02;
 constexpr double faded_N = 1e-4;
 constexpr double sameForce = 1.1;  // a rise of less is hardly felt, and waits for no lead
