@@ -276,8 +276,8 @@ bool touchesPictureEdge(const std::vector<Point>& line, const Raster& picture) {
 double sharedTravel(const StrokePair& strokes) {
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
   const double either = std::max(press.high, release.high) - std::min(press.low, release.low);
-  const double both = std::min(press.high, release.high) - std::max(press.low, release.low);
-  return either > 0 ? std::max(0.0, both / either) : 1;
+  const double common = std::min(press.high, release.high) - std::max(press.low, release.low);
+  return either > 0 ? std::max(0.0, common / either) : 1;
 }
 
 /// Returns true if the press begins far to the right of the release's end, and not near zero. A press must

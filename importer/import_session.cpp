@@ -682,7 +682,8 @@ struct ImportSession::Impl {
   };
   ImportAttempt importPlot(const ImportRequest& request, const Progress& progress);
   ImportAttempt readAgain(const ImportRequest& request, const Progress& progress);
-  ImportAttempt readPlot(const ImportRequest& request, const PlotSettings& look, const Progress& progress);
+  ImportAttempt readPlot(const ImportRequest& request, const PlotSettings& plotSettings,
+                         const Progress& progress);
   /// A graph whose curves leave its frame, read once more in a wider one.
   struct Wider {
     LocatedGraph graph;
@@ -693,7 +694,8 @@ struct ImportSession::Impl {
   std::optional<Wider> readWider(const LocatedGraph& graph, const std::vector<CurveTrace>& curves,
                                  const ImportRequest& request, const TraceOptions& options,
                                  const Progress& progress);
-  Result<Choice> chosen(const ImportRequest& request, const PlotSettings& look, const Progress& progress);
+  Result<Choice> chosen(const ImportRequest& request, const PlotSettings& plotSettings,
+                        const Progress& progress);
   Failure tookTooLong(const TimeLimit& limit) const;
   ImportAttempt withDoubtsJudged(ImportAttempt attempt, const ImportRequest& request) const;
   ImportAttempt importLog(const ImportRequest& request, const Progress& progress);
@@ -704,8 +706,8 @@ struct ImportSession::Impl {
                                 const std::function<bool(const ImportRequest&)>& isAccepted);
   std::optional<Question> triedOnLog(const Question& question, const ImportRequest& request,
                                      const Progress& progress);
-  std::optional<Question> askedOf(const ImportAttempt& attempt, const ImportRequest& request,
-                                  const Progress& progress);
+  std::optional<Question> openQuestion(const ImportAttempt& attempt, const ImportRequest& request,
+                                       const Progress& progress);
 };
 
 Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportRequest& request,
@@ -742,11 +744,11 @@ QualitySettings cutShort(QualitySettings settings) {
 }
 
 Result<ImportSession::Impl::Choice> ImportSession::Impl::chosen(const ImportRequest& request,
-                                                                const PlotSettings& look,
+                                                                const PlotSettings& plotSettings,
                                                                 const Progress& progress) {
-  const LocateKey key = locateKeyOf(request, look.magnification);
-  if (look.place) {
-    auto choice = chooseAt(*look.place, key, progress);
+  const LocateKey key = locateKeyOf(request, plotSettings.magnification);
+  if (plotSettings.place) {
+    auto choice = chooseAt(*plotSettings.place, key, progress);
     if (!choice) return failure(FailureCode::noForceGraph, {}, "no force graph found", {});
     return std::move(*choice);
   }
@@ -831,7 +833,7 @@ std::optional<ImportSession::Impl::Wider> ImportSession::Impl::readWider(
   return Wider{std::move(*widened), std::move(*followed), std::move(strokes), std::move(explanation)};
 }
 
-ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const PlotSettings& look,
+ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const PlotSettings& plotSettings,
                                             const Progress& untimed) {
   QualitySettings settings = settingsFor(request.quality);
   const Progress progress = limited(untimed, request.timeLimit);
@@ -840,7 +842,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   };
 
   step(0.05, ImportStep::locate);
-  auto choice = chosen(request, look, progress);
+  auto choice = chosen(request, plotSettings, progress);
   if (!choice) return {choice.failure(), {}};
   lastRead = {choice->page, choice->graph, choice->located().candidate.value.pageBox, choice->remarks};
   letViewsGo(&choice->asRead());
@@ -896,9 +898,9 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
   const AxisCalibration& calibration = seen->axes.calibration.value;
-  const double press_px = noisePx(pair.press, graph, settings, look.magnification);
+  const double press_px = noisePx(pair.press, graph, settings, plotSettings.magnification);
   const double release_px =
-      pair.release ? noisePx(*pair.release, graph, settings, look.magnification) : press_px;
+      pair.release ? noisePx(*pair.release, graph, settings, plotSettings.magnification) : press_px;
   auto fitted = [&] {
     StepClock time(seconds, ImportStep::fit);
     return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
@@ -1045,8 +1047,9 @@ std::optional<Question> ImportSession::Impl::triedOnLog(const Question& question
 }
 
 /// The question about a refused graph.
-std::optional<Question> ImportSession::Impl::askedOf(const ImportAttempt& attempt,
-                                                     const ImportRequest& request, const Progress& progress) {
+std::optional<Question> ImportSession::Impl::openQuestion(const ImportAttempt& attempt,
+                                                          const ImportRequest& request,
+                                                          const Progress& progress) {
   if (attempt.report) return {};
   const auto question = questionAbout(attempt.report.failure(), attempt.evidence.get());
   if (!question) return {};
@@ -1212,7 +1215,7 @@ ImportAttempt ImportSession::attempt(const ImportRequest& request, const Progres
   ImportAttempt made =
       isForceLog() ? impl_->importLog(request, progress) : impl_->importPlot(request, progress);
   if (request.asks && !isForceLog() && !request.acceptDoubt)
-    made.question = impl_->askedOf(made, request, progress);
+    made.question = impl_->openQuestion(made, request, progress);
   const auto restOf = [&](Remedies& remedies) { remedies = leftToTry(remedies, request.hints); };
   if (!made.report && !made.report.failure().reason.empty()) {
     Failure doubted = made.report.failure();

@@ -110,10 +110,10 @@ ImportReport readAlike(ImportReport report, double sure) {
   return withProvenance(std::move(report));
 }
 
-ImportAttempt taken(PageReading chosen, std::vector<PageLook> looks) {
+ImportAttempt taken(PageReading chosen, std::vector<PageLook> summaries) {
   if (!chosen.attempt.report) return std::move(chosen.attempt);
-  for (PageLook& summary : looks) summary.taken = summary.magnification == chosen.magnification;
-  chosen.attempt.report->looks = std::move(looks);
+  for (PageLook& summary : summaries) summary.taken = summary.magnification == chosen.magnification;
+  chosen.attempt.report->looks = std::move(summaries);
   return std::move(chosen.attempt);
 }
 
@@ -150,21 +150,21 @@ bool anotherMaySettle(const ImportAttempt& attempt) {
 
 ImportAttempt settled(PageReading first, PageReading second, const std::function<PageReading()>& third,
                       double sure) {
-  std::vector<PageLook> looks{summaryOf(first), summaryOf(second)};
+  std::vector<PageLook> summaries{summaryOf(first), summaryOf(second)};
   const auto& report = first.attempt.report;
   const auto& other = second.attempt.report;
   if (isCertain(first.attempt)) {
     if (isCertain(second.attempt) && !sameButton(*report, *other))
       first.attempt.report = reportContradicted(std::move(*first.attempt.report), *other, sure);
-    return taken(std::move(first), std::move(looks));
+    return taken(std::move(first), std::move(summaries));
   }
   const bool alike = agreesOnPhoto(report, second.attempt);
   if (!anotherMaySettle(first.attempt) || (!alike && !isCertain(second.attempt)))
-    return taken(std::move(first), std::move(looks));
+    return taken(std::move(first), std::move(summaries));
   const Message firstSaid =
       report ? Message("a travel of %1", inShort(*report)) : first.attempt.report.failure().problem;
   const PageReading witness = third();
-  looks.push_back(summaryOf(witness));
+  summaries.push_back(summaryOf(witness));
   if (alike && agreesOnPhoto(report, witness.attempt)) {
     first.attempt.report = readAlike(std::move(*first.attempt.report), sure);
   } else if (sure <= takenAtMost && isCertain(second.attempt) && isCertain(witness.attempt) &&
@@ -172,9 +172,9 @@ ImportAttempt settled(PageReading first, PageReading second, const std::function
     ImportReport& agreed = *second.attempt.report;
     agreed.confidence = std::min({agreed.confidence, witness.attempt.report->confidence, takenAtMost});
     agreed = withRemark(std::move(agreed), {RemarkCode::secondReadingTaken, {firstSaid}});
-    return taken(std::move(second), std::move(looks));
+    return taken(std::move(second), std::move(summaries));
   }
-  return taken(std::move(first), std::move(looks));
+  return taken(std::move(first), std::move(summaries));
 }
 
 }  // namespace detent::importer

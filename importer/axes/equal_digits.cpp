@@ -41,9 +41,9 @@ bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<s
     for (std::size_t k = 0; k < texts[i].size(); ++k) {
       const std::size_t shape = shapes[i][k];
       signOf.resize(std::max(signOf.size(), shape + 1), 0);
-      std::size_t& its = shapeOf[static_cast<unsigned char>(texts[i][k])];
-      if (its == none && signOf[shape] == 0) its = shape, signOf[shape] = texts[i][k];
-      if (its != shape || signOf[shape] != texts[i][k]) return false;
+      std::size_t& ownShape = shapeOf[static_cast<unsigned char>(texts[i][k])];
+      if (ownShape == none && signOf[shape] == 0) ownShape = shape, signOf[shape] = texts[i][k];
+      if (ownShape != shape || signOf[shape] != texts[i][k]) return false;
     }
   }
   return true;

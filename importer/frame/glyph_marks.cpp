@@ -173,12 +173,12 @@ cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vecto
 
 cv::Mat inkOf(const cv::Mat& darkness) {
   // Dense text darkens its surroundings, but not above its own darkness.
-  cv::Mat around, ink;
+  cv::Mat around, marks;
   cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
            cv::BORDER_REPLICATE);
-  cv::subtract(darkness, around, ink);
-  cv::threshold(ink, ink, markContrast, 255, cv::THRESH_BINARY);
-  return ink;
+  cv::subtract(darkness, around, marks);
+  cv::threshold(marks, marks, markContrast, 255, cv::THRESH_BINARY);
+  return marks;
 }
 
 cv::Mat inkAbove(const cv::Mat& darkness, int threshold) {

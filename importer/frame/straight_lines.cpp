@@ -39,7 +39,7 @@ cv::Mat horizontalCrests(const cv::Mat& darkness) {
 
 /// A run of crest pixels in one row.
 struct Run {
-  int y = 0, from = 0, to = 0, darkness_ = 0;
+  int y = 0, from = 0, to = 0, lineDarkness = 0;
 };
 
 std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
@@ -48,14 +48,15 @@ std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
     const auto* row = crests.ptr<std::uint8_t>(y);
     Run run{y, -1, -1, 0};
     const auto close = [&] {
-      if (run.from >= 0 && run.to - run.from + 1 >= minLength && 2 * run.darkness_ >= run.to - run.from + 1)
+      if (run.from >= 0 && run.to - run.from + 1 >= minLength &&
+          2 * run.lineDarkness >= run.to - run.from + 1)
         runs.push_back(run);
     };
     for (int x = 0; x < crests.cols; ++x) {
       if (!row[x]) continue;
       if (run.from >= 0 && x - run.to <= maxGap + 1) {
         run.to = x;
-        ++run.darkness_;
+        ++run.lineDarkness;
       } else {
         close();
         run = Run{y, x, x, 1};
@@ -69,7 +70,7 @@ std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
 /// Runs joined end to end: a line that changes its row now and then.
 struct Chain {
   std::vector<Run> runs;
-  double darkness_ = 0;
+  double lineDarkness = 0;
   int from() const { return runs.front().from; }
   int to = 0;
 };
@@ -104,7 +105,7 @@ std::vector<Chain> chainsOf(std::vector<Run> runs, int maxGap) {
     }
     auto& chain = chains[static_cast<std::size_t>(best)];
     chain.runs.push_back(run);
-    chain.darkness_ += run.darkness_;
+    chain.lineDarkness += run.lineDarkness;
     chain.to = std::max(chain.to, run.to);
     lastInRow[static_cast<std::size_t>(run.y)] = best;
   }
@@ -142,16 +143,16 @@ StraightLine leastSquares(const std::vector<Run>& runs, double& worst) {
 /// 0 if it bends.
 StraightLine straightened(const Chain& chain) {
   auto runs = chain.runs;
-  double darkness_ = chain.darkness_, worst = 0;
+  double lineDarkness = chain.lineDarkness, worst = 0;
   auto line = leastSquares(runs, worst);
-  while (worst > maxResidual_px && runs.size() > 1 && darkness_ > 0.6 * chain.darkness_) {
-    const auto drop = runs.front().darkness_ < runs.back().darkness_ ? runs.begin() : runs.end() - 1;
-    darkness_ -= drop->darkness_;
+  while (worst > maxResidual_px && runs.size() > 1 && lineDarkness > 0.6 * chain.lineDarkness) {
+    const auto drop = runs.front().lineDarkness < runs.back().lineDarkness ? runs.begin() : runs.end() - 1;
+    lineDarkness -= drop->lineDarkness;
     runs.erase(drop);
     line = leastSquares(runs, worst);
   }
   line.fill = worst <= maxResidual_px && std::abs(line.slope()) <= maxSlope
-                  ? std::min(1.0, darkness_ / (line.length() + 1))
+                  ? std::min(1.0, lineDarkness / (line.length() + 1))
                   : 0;
   return line;
 }

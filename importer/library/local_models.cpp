@@ -79,7 +79,7 @@ struct Columns {
     t.resize(count), perSigma.resize(count), gain.resize(count);
     VectorXd force_N(count);
     share = window.share;
-    double known = window.carried;  // variance of what is carried on, by the readings so far
+    double known = window.carried;  // variance of the correlated noise that the previous readings leave
     for (Index i = 0; i < count; ++i) {
       const auto k = static_cast<std::size_t>(i);
       t[i] = this->at(points[k].displacement_mm);

@@ -53,17 +53,18 @@ Json curvesJson(const std::vector<PlotSwitch>& switches) {
   return curves;
 }
 
-Json readingsJson(const std::vector<PageLook>& looks) {
+Json readingsJson(const std::vector<PageLook>& readings) {
   Json all = Json::array();
-  for (const PageLook& look : looks) {
-    Json each = {
-        {"magnification", look.magnification}, {"confidence", look.confidence}, {"taken", look.taken}};
-    if (look.travel_mm) {
-      each["travel_mm"] = *look.travel_mm;
-      each["highest_force_N"] = *look.highest_N;
-      each["release"] = look.release;
+  for (const PageLook& pageReading : readings) {
+    Json each = {{"magnification", pageReading.magnification},
+                 {"confidence", pageReading.confidence},
+                 {"taken", pageReading.taken}};
+    if (pageReading.travel_mm) {
+      each["travel_mm"] = *pageReading.travel_mm;
+      each["highest_force_N"] = *pageReading.highest_N;
+      each["release"] = pageReading.release;
     }
-    if (!look.problem.empty()) each["problem"] = english(look.problem);
+    if (!pageReading.problem.empty()) each["problem"] = english(pageReading.problem);
     all.push_back(std::move(each));
   }
   return all;

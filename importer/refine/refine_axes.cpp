@@ -233,13 +233,13 @@ struct LineMap {
 };
 
 LineMap mapBy(const std::vector<SightedLine>& lines, bool ofForce) {
-  LineMap told;
+  LineMap lineMap;
   for (const SightedLine& line : lines) {
     if (line.ofForce != ofForce) continue;
-    told.lengthwise += line.points_px.size() > 1;
-    told.known += line.value.has_value();
+    lineMap.lengthwise += line.points_px.size() > 1;
+    lineMap.known += line.value.has_value();
   }
-  return told;
+  return lineMap;
 }
 
 /// Returns true if the lower cost is worth the additional unknowns (Schwarz 1978), counting independent

@@ -65,8 +65,8 @@ std::optional<double> centreOf(const std::vector<double>& profile, int crest) {
   double mass = 0, moment = 0;
   for (int i = left; i <= right; ++i) {
     const double background = at(left) + (at(right) - at(left)) * (i - left) / std::max(1, right - left);
-    const double ink = std::max(0.0, at(i) - background);
-    mass += ink, moment += ink * i;
+    const double above = std::max(0.0, at(i) - background);
+    mass += above, moment += above * i;
   }
   return moment / mass;
 }

@@ -50,10 +50,10 @@ struct Apart {
 
 /// Returns true if both run over the same columns and up to the same tip.
 bool endTogether(const CurvePath& a, const CurvePath& b, Apart most) {
-  const Box both = a.room_px.joined(b.room_px);
+  const Box joinedRoom = a.room_px.joined(b.room_px);
   const Point tipA = tipOf(a), tipB = tipOf(b);
-  const double across_px = most.across * both.width(), along_px = most.along * both.height();
-  return std::abs(a.room_px.x0 - b.room_px.x0) <= most.atRest * both.width() &&
+  const double across_px = most.across * joinedRoom.width(), along_px = most.along * joinedRoom.height();
+  return std::abs(a.room_px.x0 - b.room_px.x0) <= most.atRest * joinedRoom.width() &&
          std::abs(a.room_px.x1 - b.room_px.x1) <= across_px && std::abs(tipA.x - tipB.x) <= across_px &&
          std::abs(tipA.y - tipB.y) <= along_px;
 }
@@ -62,11 +62,11 @@ bool endTogether(const CurvePath& a, const CurvePath& b, Apart most) {
 bool enclose(const CurvePath& upper, const CurvePath& lower) {
   constexpr int columns = 100;
   constexpr double clear = 0.01, mostBelow = 0.02, leastAbove = 0.5;  // the first of the height
-  const Box both = upper.room_px.joined(lower.room_px);
-  const double clear_px = std::max(1.0, clear * both.height());
+  const Box joinedRoom = upper.room_px.joined(lower.room_px);
+  const double clear_px = std::max(1.0, clear * joinedRoom.height());
   int above = 0, below = 0;
   for (int i = 0; i < columns; ++i) {
-    const double column_px = both.x0 + (i + 0.5) / columns * both.width();
+    const double column_px = joinedRoom.x0 + (i + 0.5) / columns * joinedRoom.width();
     const double apart_px = rowAt(lower, column_px) - rowAt(upper, column_px);
     above += apart_px > clear_px;
     below += apart_px < -clear_px;
@@ -101,13 +101,14 @@ double crossedShare(const CurvePath& a, const CurvePath& b) {
 /// bounding box: of measured switches no release begins farther than 0.007 from its press
 /// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
-  const Box both = a.room_px.joined(b.room_px);
+  const Box joinedRoom = a.room_px.joined(b.room_px);
   const auto inShares = [&](const CurvePath& path) {
     Polyline shares;
-    for (const Point& p : path.points_px) shares.push_back({p.x / both.width(), p.y / both.height()});
+    for (const Point& p : path.points_px)
+      shares.push_back({p.x / joinedRoom.width(), p.y / joinedRoom.height()});
     return shares;
   };
-  if (both.width() <= 0 || both.height() <= 0) return 0;
+  if (joinedRoom.width() <= 0 || joinedRoom.height() <= 0) return 0;
   const Polyline ofA = inShares(a), ofB = inShares(b);
   const auto gap = [](const Polyline& from, const Polyline& to) {
     return distance(from.back(), nearestOn(to, from.back()));

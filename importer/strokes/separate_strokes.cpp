@@ -444,7 +444,7 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   // Two tints that the legend names separately and the tracer saw as one colour: the owner of each line is
   // not known.
   constexpr double ofMergedTints = 0.45;
-  constexpr double ofApart = 0.45;  // credit, as above
+  constexpr double ofApart = 0.45;  // largest credit for the common travel of two curves whose ends lie apart
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
@@ -517,8 +517,9 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   constexpr double least = 0.05,
                    most = 0.1;     // smallest and largest hidden part: of the other's height; of its width
   constexpr double onwards = 0.7;  // cosine
-  constexpr std::size_t lookBack = 8;  // points
-  if (own.fromVector || own.points_px.size() <= lookBack || other.points_px.size() <= lookBack) return false;
+  constexpr std::size_t stepsBack = 8;  // points
+  if (own.fromVector || own.points_px.size() <= stepsBack || other.points_px.size() <= stepsBack)
+    return false;
   orient(own), orient(other);
   const auto [top, lowest] = std::ranges::minmax(own.points_px, {}, &Point::y);
   const Point end = own.points_px.back(), tip = other.points_px.back();
@@ -528,8 +529,8 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   if (near + 1 >= other.points_px.end() || end.y - tip.y <= least * (lowest.y - top.y)) return false;
   if (tip.x - end.x > most * (end.x - own.points_px.front().x)) return false;
   const auto at = static_cast<std::size_t>(near - other.points_px.begin());
-  const Point ownStep = end - own.points_px[own.points_px.size() - 1 - lookBack],
-              others = other.points_px[std::min(at + lookBack, other.points_px.size() - 1)] - *near;
+  const Point ownStep = end - own.points_px[own.points_px.size() - 1 - stepsBack],
+              others = other.points_px[std::min(at + stepsBack, other.points_px.size() - 1)] - *near;
   if (dot(ownStep, others) < onwards * norm(ownStep) * norm(others)) return false;
   // The tip itself stays the other's: by their ends strokes are known to be of their traces.
   own.points_px.insert(own.points_px.end(), near + 1, other.points_px.end() - 1);
@@ -541,7 +542,7 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
 /// more: the rest of it lies under the other. A line that crosses the end hides nothing of it.
 bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
   constexpr double goesOnShare = 0.05, sameWay = 0.7;  // of the height that `own` spans; cosine
-  constexpr std::size_t lookBack = 8;                  // points to either side
+  constexpr std::size_t stepsBack = 8;                 // points to either side
   constexpr double most_px = 3;                        // between the middles of both lines
   orient(own), orient(other);
   const auto [top, lowest] = std::ranges::minmax(own.points_px, {}, &Point::y);
@@ -551,7 +552,7 @@ bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
   const double touching_px = std::min(most_px, 0.5 * (widthOf(own) + widthOf(other) + 1));
   const auto wayAt = [&](const Polyline& points, Polyline::const_iterator at) {
     const auto i = static_cast<std::size_t>(at - points.begin());
-    return points[std::min(i + lookBack, points.size() - 1)] - points[i - std::min(i, lookBack)];
+    return points[std::min(i + stepsBack, points.size() - 1)] - points[i - std::min(i, stepsBack)];
   };
   const auto covers = [&](Polyline::const_iterator end) {
     const auto near =
@@ -586,9 +587,9 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   if (switches.empty()) return tooMany(traces);
   const auto chosen = chosenSwitch(switches, traces, hints.curve);
   if (!chosen) return chosen.failure();
-  const std::vector<std::size_t>& its = switches[*chosen].traces;
+  const std::vector<std::size_t>& chosenTraces = switches[*chosen].traces;
   std::vector<CurveTrace> strokes;
-  for (const std::size_t t : its) strokes.push_back(traces[t]);
+  for (const std::size_t t : chosenTraces) strokes.push_back(traces[t]);
   std::vector<EvidenceItem> assumed;
   if (!hints.curve.empty() && !isNamed(switches, *chosen, traces, hints.curve))
     assumed.push_back({EvidenceCode::nameNearly, {hints.curve, switches[*chosen].name}});
@@ -604,15 +605,15 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();
   // Two entries of the legend in one colour are two strokes that were not separated.
-  if (its.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
+  if (chosenTraces.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
       strokes.front().label.find(kLabelParting) != std::string::npos)
     return tooMany(traces);
-  auto found =
-      its.size() == 1 ? pressAlone(strokes.front(), axes) : pairOf(strokes[0], strokes[1], axes, hints.swap);
+  auto found = chosenTraces.size() == 1 ? pressAlone(strokes.front(), axes)
+                                        : pairOf(strokes[0], strokes[1], axes, hints.swap);
   if (!found) return found;
   // One of several that no legend distinguishes: its release may lie under another one.
   constexpr double ofOneOfSeveral = 0.6;
-  if (its.size() == 1 && switches.size() > 1 && traces[its.front()].label.empty())
+  if (chosenTraces.size() == 1 && switches.size() > 1 && traces[chosenTraces.front()].label.empty())
     found->confidence = std::min(found->confidence, ofOneOfSeveral);
   std::ranges::move(assumed, std::back_inserter(found->evidence));
   return found;

@@ -32,11 +32,11 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces);
 /// as one switch alone fits. An empty request: the only one. Failure notCertain if there are several and none
 /// is requested, wrongUsage if no or more than one fits; both name all switches.
 Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
-                                 const std::vector<CurveTrace>& traces, const std::string& asked);
+                                 const std::vector<CurveTrace>& traces, const std::string& requested);
 
 /// Returns true if the request is this switch's number or name, except for letters that a text engine
 /// confuses: an exact match, not a similar one.
-bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t its, const std::vector<CurveTrace>& traces,
-             const std::string& asked);
+bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t partner,
+             const std::vector<CurveTrace>& traces, const std::string& requested);
 
 }  // namespace detent::importer

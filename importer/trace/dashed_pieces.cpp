@@ -190,7 +190,7 @@ std::optional<DashPiece> dashOfOutline(const std::vector<Point>& outline, double
   const double area_px = 0.5 * std::abs(twiceAreaOf(ring)), side_px = std::sqrt(area_px);
   const double width_px = std::min(high - low, area_px / length_px);
   if (!(width_px > 0) || length_px > dashLength * width_px) return {};
-  // The same distance across its corners.
+  // A dot has no direction: its piece is the centre of its box.
   if (length_px < dotLength * side_px)
     return DashPiece{{middle + 0.5 * (first + last) * along + 0.5 * (low + high) * Point{-along.y, along.x}},
                      side_px};

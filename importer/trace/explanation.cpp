@@ -123,27 +123,27 @@ class ExplainedPlot {
   bool isGap(Point p, const Drawn& curve) const {
     constexpr double reach_px = 0.6, mostOfColour = 0.4;  // px; share of the line's own colour levels
     if (mayBeHidden(p)) return false;
-    const double ink = norm(color3Of(curve.color) - scene_.paper());
+    const double colourLevels = norm(color3Of(curve.color) - scene_.paper());
     for (const Point off : {Point{0, 0}, {reach_px, 0}, {-reach_px, 0}, {0, reach_px}, {0, -reach_px}})
-      if (drawnAt(p + off) > mostOfColour * ink) return false;
+      if (drawnAt(p + off) > mostOfColour * colourLevels) return false;
     // A line thinner than a pixel is paler between two pixels; between dashes there is nothing in either
     // direction.
     return std::min(drawnAcross(p, {1, 0}), drawnAcross(p, {0, 1})) <=
-           mostOfColour * ink * curve.colourAcross_px;
+           mostOfColour * colourLevels * curve.colourAcross_px;
   }
 
   /// 255 where a colour is not explained, without the plot's own lines.
   cv::Mat inked(Rgb color, const cv::Mat& explained) const {
-    const InkOnArea& ink = scene_.inkOf(color);
+    const InkOnArea& coverage = scene_.inkOf(color);
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
-    if (!ink.distinct()) return mask;
+    if (!coverage.distinct()) return mask;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kLineCoverage)
+        if (!explained.at<std::uint8_t>(y, x) && coverage.at(x, y) > kLineCoverage)
           mask.at<std::uint8_t>(y, x) = 255;
-    for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
-    for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
-    for (const PixelAt p : dottedLines(ink, scene_)) mask.at<std::uint8_t>(p.y, p.x) = 0;
+    for (const double column : area_.columns_px) takeLine(mask, coverage, column, true);
+    for (const double row : area_.rows_px) takeLine(mask, coverage, row, false);
+    for (const PixelAt p : dottedLines(coverage, scene_)) mask.at<std::uint8_t>(p.y, p.x) = 0;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
         if (mask.at<std::uint8_t>(y, x) && scene_.onLine(x, y) &&
@@ -184,8 +184,8 @@ class ExplainedPlot {
   }
 
   /// Clears a line of the plot where it is not thicker than usual.
-  void takeLine(cv::Mat& mask, const InkOnArea& ink, double at, bool plumb) const {
-    const std::vector<double> runs = runsAlong(ink, area_, at, plumb);
+  void takeLine(cv::Mat& mask, const InkOnArea& coverage, double at, bool plumb) const {
+    const std::vector<double> runs = runsAlong(coverage, area_, at, plumb);
     const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (runs[i] <= most)
@@ -372,14 +372,14 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
 /// jump.
 bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_t to, double thickness_px) {
   constexpr double mostCosine = 0.5;  // turned by 60 degrees
-  const auto rim = static_cast<std::size_t>(thickness_px + 4), look = 3 * rim;
+  const auto rim = static_cast<std::size_t>(thickness_px + 4), farRim = 3 * rim;
   const Point across = points[to] - points[from];
   const auto turned = [&](Point along) {
     return norm(along) > 0 && dot(along, across) < mostCosine * norm(along) * norm(across);
   };
   const auto before = [&](std::size_t by) { return points[from > by ? from - by : 0]; };
   const auto behind = [&](std::size_t by) { return points[std::min(to + by, points.size() - 1)]; };
-  return turned(before(rim) - before(look)) || turned(behind(look) - behind(rim));
+  return turned(before(rim) - before(farRim)) || turned(behind(farRim) - behind(rim));
 }
 
 /// Returns true if a curve is solid over a good part of its path where no other runs and no word hides it:
@@ -417,7 +417,7 @@ std::vector<Leap> overDashes(const ExplainedPlot& plot) {
   constexpr double leastShare = 0.08;  // of the diagonal
   const Box& frame = plot.area().frame;
   const double diagonal_px = std::hypot(frame.width(), frame.height());
-  std::vector<Leap> leaps;
+  std::vector<Leap> jumps;
   for (const Drawn& each : plot.drawn()) {
     if (each.fromVector) continue;  // its own pieces show what belongs together
     const std::vector<Point> points = densified(each.points, 1);
@@ -427,16 +427,16 @@ std::vector<Leap> overDashes(const ExplainedPlot& plot) {
     for (const Stretch& s : dashed)
       if (const double length_px = distance(points[s.from], points[s.to]);
           length_px > leastShare * diagonal_px)
-        leaps.push_back(
+        jumps.push_back(
             {plot.area().toView(points[s.from]), plot.area().toView(points[s.to]), length_px / diagonal_px});
   }
-  return leaps;
+  return jumps;
 }
 
 std::vector<Leap> jumpsOf(const ExplainedPlot& plot) {
   constexpr double kLeastThicknesses = 2, kLeastHeight = 0.03;  // of the frame's
   const Box& frame = plot.area().frame;
-  std::vector<Leap> leaps = overDashes(plot);
+  std::vector<Leap> jumps = overDashes(plot);
   for (const Drawn& each : plot.drawn()) {
     const std::vector<Point> points = densified(each.points, 1);
     const double least_px = std::max(kLeastThicknesses * each.thickness_px, kLeastHeight * frame.height());
@@ -446,13 +446,13 @@ std::vector<Leap> jumpsOf(const ExplainedPlot& plot) {
       while (to + 1 < points.size() && plot.isBare(points[to])) ++to;
       const double length_px = distance(points[i - 1], points[to]);
       if (length_px >= least_px && turnsSharply(points, i - 1, to, each.thickness_px))
-        leaps.push_back({plot.area().toView(points[i - 1]), plot.area().toView(points[to]),
+        jumps.push_back({plot.area().toView(points[i - 1]), plot.area().toView(points[to]),
                          length_px / std::hypot(frame.width(), frame.height())});
       i = to;
     }
   }
-  std::ranges::sort(leaps, std::greater<>{}, &Leap::length);
-  return leaps;
+  std::ranges::sort(jumps, std::greater<>{}, &Leap::length);
+  return jumps;
 }
 
 /// Returns true for a legend key: horizontal, beside a curve's name, in its row.

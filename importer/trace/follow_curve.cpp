@@ -190,12 +190,12 @@ class CurveSearch {
     curve.gain_px = static_cast<double>(bestGain_);
     int x = endX_, stage = endStage_;
     std::size_t row = endRow_;
-    double ink = 0, visible = 0, inColumn = 0;
+    double covered = 0, visible = 0, inColumn = 0;
     for (;;) {
       const int y = y0_ + static_cast<int>(row);
       curve.points.push_back({static_cast<double>(x), static_cast<double>(y)});
       const double share = static_cast<double>(coverageAt(x, y));
-      ink += share;
+      covered += share;
       inColumn = std::max(inColumn, share);
       visible += std::max(share, static_cast<double>(visibleAt(x, y)));
       const ColumnStep step = stepsAt(x, stage)[row];
@@ -215,7 +215,7 @@ class CurveSearch {
       }
     }
     std::reverse(curve.points.begin(), curve.points.end());
-    curve.inkShare = visible > 0 ? ink / visible : 0;
+    curve.inkShare = visible > 0 ? covered / visible : 0;
     curve.span_px = curve.points.back().x - curve.points.front().x;
     const auto [low, high] = std::minmax_element(curve.points.begin(), curve.points.end(),
                                                  [](Point a, Point b) { return a.y < b.y; });

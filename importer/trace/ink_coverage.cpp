@@ -24,10 +24,10 @@ struct Mixture {
 
 class PixelUnmixer {
  public:
-  PixelUnmixer(const std::vector<Ink>& inks, Color3 paper) {
-    for (const Ink& ink : inks) {
-      full_.push_back(paper + ink.difference());
-      isCurve_.push_back(ink.isCurve ? 1 : 0);
+  PixelUnmixer(const std::vector<Ink>& colours, Color3 paper) {
+    for (const Ink& colour : colours) {
+      full_.push_back(paper + colour.difference());
+      isCurve_.push_back(colour.isCurve ? 1 : 0);
     }
   }
 

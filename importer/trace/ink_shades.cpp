@@ -40,13 +40,13 @@ cv::Mat linesReaching(const cv::Mat& marks, float level) {
 /// Extends the last point of `line` beside `other`, whose last point is its end on this side.
 void leadOn(std::vector<Point>& line, std::vector<double>& widths, const std::vector<Point>& other,
             double within_px) {
-  constexpr std::size_t look = 6;   // points back, a pixel apart
-  constexpr double sameWay = 0.85;  // cosine
+  constexpr std::size_t stepsBack = 6;  // points back, a pixel apart
+  constexpr double sameWay = 0.85;      // cosine
   const Point end = line.back();
   const auto nearest = std::ranges::min_element(other, {}, [&](Point p) { return distance(p, end); });
   const auto left = static_cast<std::size_t>(other.end() - nearest);
-  if (distance(*nearest, end) > within_px || left <= look || line.size() <= look) return;
-  const Point own = end - line[line.size() - 1 - look], nearestStep = *(nearest + look) - *nearest;
+  if (distance(*nearest, end) > within_px || left <= stepsBack || line.size() <= stepsBack) return;
+  const Point own = end - line[line.size() - 1 - stepsBack], nearestStep = *(nearest + stepsBack) - *nearest;
   if (dot(own, nearestStep) < sameWay * norm(own) * norm(nearestStep)) return;
   const Point beside = end - *nearest;
   for (std::size_t i = 1; i < left; ++i) {

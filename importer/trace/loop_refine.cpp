@@ -47,8 +47,9 @@ struct Profile {
 
 class Profiler {
  public:
-  Profiler(const Plane& ink, const WorkPlane& plane, const std::vector<StraightLine>& lines, double level)
-      : ink_(ink), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
+  Profiler(const Plane& coverage, const WorkPlane& plane, const std::vector<StraightLine>& lines,
+           double level)
+      : ink_(coverage), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
 
   Profile across(Point p, Point normal, double from, double to, double step) const {
     Profile out;
@@ -262,11 +263,12 @@ StrokeProfile measureStrokeProfile(const Working& stroke, const Profiler& plain,
     peaks.push_back(peak);
   }
   if (coverages.size() < 10) return guess;
-  StrokeProfile look;
-  look.level = std::clamp(quantileOf(peaks, 0.5), 0.05, 1.0);
+  StrokeProfile strokeProfile;
+  strokeProfile.level = std::clamp(quantileOf(peaks, 0.5), 0.05, 1.0);
   // Blends of two lines are wider, never narrower: the single line is below the median.
-  look.width_px = std::clamp(quantileOf(coverages, 0.4) / look.level, 0.9, 2.5 * guess.width_px + 1);
-  return look;
+  strokeProfile.width_px =
+      std::clamp(quantileOf(coverages, 0.4) / strokeProfile.level, 0.9, 2.5 * guess.width_px + 1);
+  return strokeProfile;
 }
 
 Working start(const std::vector<Point>& planePoints, const WorkPlane& plane) {
@@ -291,7 +293,7 @@ RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plan
   const Profiler plain(coverage, plane, lines, 1);
   Working press = start(pair.press, plane), release;
   if (!pair.release.empty()) release = start(pair.release, plane);
-  StrokeProfile look{structure.curveLevel, structure.strokeWidth_px * plane.scale};
+  StrokeProfile strokeProfile{structure.curveLevel, structure.strokeWidth_px * plane.scale};
   const std::array<Pass, 2> passes{
       Pass{1.2 * plane.scale + 1, std::max(0.6, plane.scale / 3), 4 * plane.scale}, Pass{1.5, 0.5, 3}};
   for (std::size_t k = 0; k < passes.size(); ++k) {
@@ -299,13 +301,15 @@ RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plan
       renew(press);
       if (!release.points.empty()) renew(release);
     }
-    look = measureStrokeProfile(press, plain, look);
-    const Profiler profiler(coverage, plane, lines, look.level);
+    strokeProfile = measureStrokeProfile(press, plain, strokeProfile);
+    const Profiler profiler(coverage, plane, lines, strokeProfile.level);
     const Working pressBefore = press;
-    refineOnce(press, release, 1, profiler, look.width_px, passes[k]);
-    if (!release.points.empty()) refineOnce(release, pressBefore, -1, profiler, look.width_px, passes[k]);
+    refineOnce(press, release, 1, profiler, strokeProfile.width_px, passes[k]);
+    if (!release.points.empty())
+      refineOnce(release, pressBefore, -1, profiler, strokeProfile.width_px, passes[k]);
   }
-  return {{press.points, look.width_px, press.trust}, {release.points, look.width_px, release.trust}};
+  return {{press.points, strokeProfile.width_px, press.trust},
+          {release.points, strokeProfile.width_px, release.trust}};
 }
 
 }  // namespace detent::importer::trace

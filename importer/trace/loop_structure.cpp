@@ -416,13 +416,13 @@ std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob
 
 /// Weakens marker lines from an axis to the curve: exactly straight, isolated, starting at the frame's left
 /// or lower edge. They can still be followed (a curve may begin flat), but lose against a curve beside them.
-void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
+void weakenGuides(Plane& curveCoverage, const Box& frame, double strokeWidth) {
   constexpr float kWeak = 0.62F;  // of the curves' coverage; a curve beside a marker line is worth more
   const int clear = static_cast<int>(std::ceil(strokeWidth / 2)) + 2;
   const auto along = [&](bool row, int lane, int start, int end, int step, int shortest) {
     const auto at = [&](int l, int i) {
       const int x = row ? i : l, y = row ? l : i;
-      return curveInk.inside(x, y) ? curveInk.at(x, y) : 0.0F;
+      return curveCoverage.inside(x, y) ? curveCoverage.at(x, y) : 0.0F;
     };
     int inked = 0, alone = 0, gap = 0, last = start;
     for (int i = start; i != end && gap <= 12; i += step) {
@@ -443,7 +443,8 @@ void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
     for (int i = start; i != last; i += step) {
       for (int l = lane - clear + 1; l < lane + clear; ++l) {
         const int x = row ? i : l, y = row ? l : i;
-        if (curveInk.inside(x, y)) curveInk.at(x, y) = std::min(curveInk.at(x, y), kWeak * 0.65F);
+        if (curveCoverage.inside(x, y))
+          curveCoverage.at(x, y) = std::min(curveCoverage.at(x, y), kWeak * 0.65F);
       }
     }
   };
@@ -483,27 +484,27 @@ bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& fr
 }
 
 /// Removes arrows that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
-void fadeArrows(Plane& curveInk, Plane& explained, float level, double strokeWidth, const Box& frame) {
-  const Components c = componentsOf(curveInk, 0.3F);
+void fadeArrows(Plane& curveCoverage, Plane& explained, float level, double strokeWidth, const Box& frame) {
+  const Components c = componentsOf(curveCoverage, 0.3F);
   cv::Mat lines = matOf(explained) > 0.3F * level;
   cv::dilate(lines, lines, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   const auto touchesLine = [&](Point p) {
     return lines.at<std::uint8_t>(static_cast<int>(p.y), static_cast<int>(p.x)) != 0;
   };
   std::vector<std::vector<Point>> pieces(static_cast<std::size_t>(c.count));
-  for (int y = 0; y < curveInk.height; ++y)
-    for (int x = 0; x < curveInk.width; ++x)
+  for (int y = 0; y < curveCoverage.height; ++y)
+    for (int x = 0; x < curveCoverage.width; ++x)
       if (const int label = c.labels.at<int>(y, x); label > 0)
         pieces[static_cast<std::size_t>(label)].push_back({static_cast<double>(x), static_cast<double>(y)});
   for (const std::vector<Point>& piece : pieces)
     if (piece.size() > 1 && isArrow(piece, strokeWidth, frame) && std::ranges::none_of(piece, touchesLine))
-      for (const Point& p : piece) curveInk.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 0;
+      for (const Point& p : piece) curveCoverage.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 0;
 }
 
 /// Removes text: marks completely inside a box of read text, and rows of glyph-sized blobs.
-void fadeLettering(Plane& curveInk, const Plane& explained, float level, const std::vector<Box>& lettering,
-                   double strokeWidth, const Box& frame) {
-  const Components c = componentsOf(curveInk, 0.3F);
+void fadeLettering(Plane& curveCoverage, const Plane& explained, float level,
+                   const std::vector<Box>& lettering, double strokeWidth, const Box& frame) {
+  const Components c = componentsOf(curveCoverage, 0.3F);
   std::vector<Blob> blobs(static_cast<std::size_t>(c.count));
   for (int i = 1; i < c.count; ++i) {
     blobs[static_cast<std::size_t>(i)] = {
@@ -524,10 +525,10 @@ void fadeLettering(Plane& curveInk, const Plane& explained, float level, const s
              o.y + o.height - 1 <= b.y1 + 1.5;
     });
   }
-  for (int y = 0; y < curveInk.height; ++y) {
-    for (int x = 0; x < curveInk.width; ++x) {
+  for (int y = 0; y < curveCoverage.height; ++y) {
+    for (int x = 0; x < curveCoverage.width; ++x) {
       const auto label = static_cast<std::size_t>(c.labels.at<int>(y, x));
-      if (label > 0 && isText[label]) curveInk.at(x, y) = 0;
+      if (label > 0 && isText[label]) curveCoverage.at(x, y) = 0;
     }
   }
 }

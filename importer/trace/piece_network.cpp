@@ -89,7 +89,7 @@ class EndGrid {
 struct Touch {
   std::size_t segment = 0;
   double along = 0;  ///< 0..1 on the segment
-  Point foot;
+  Point baselinePoint;
 };
 
 /// Nearest inner point of the line; nullopt if an end is nearer.
@@ -119,7 +119,7 @@ std::vector<std::vector<Point>> cutAt(const std::vector<Point>& line, std::vecto
   std::size_t next = 0;
   for (std::size_t segment = 0; segment + 1 < line.size(); ++segment) {
     for (; next < touches.size() && touches[next].segment == segment; ++next) {
-      const Point lowest = touches[next].foot;
+      const Point lowest = touches[next].baselinePoint;
       if (distance(parts.back().back(), lowest) > 1e-9) parts.back().push_back(lowest);
       if (parts.back().size() > 1) parts.push_back({lowest});
     }

@@ -533,15 +533,16 @@ void labelDrawn(std::vector<CurveTrace>& traces, const AxesFound& axes, const Pa
                 const PlotScene& scene) {
   if (scene.empty() || std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); }))
     return;
-  std::vector<CurveTrace> inks;
+  std::vector<CurveTrace> firstOfColours;
   for (const CurveTrace& trace : traces) {
-    const bool isNew = std::ranges::find(inks, trace.color, &CurveTrace::color) == inks.end();
+    const bool isNew =
+        std::ranges::find(firstOfColours, trace.color, &CurveTrace::color) == firstOfColours.end();
     if (!isNew && !trace.stroke) return;  // the dash pattern distinguishes a line from another of its colour
-    if (isNew) inks.push_back(trace);
+    if (isNew) firstOfColours.push_back(trace);
   }
-  labelTraces(inks, axes, view, scene);
+  labelTraces(firstOfColours, axes, view, scene);
   for (CurveTrace& trace : traces) {
-    const CurveTrace& ownTrace = *std::ranges::find(inks, trace.color, &CurveTrace::color);
+    const CurveTrace& ownTrace = *std::ranges::find(firstOfColours, trace.color, &CurveTrace::color);
     trace.label = ownTrace.label, trace.labelBox_px = ownTrace.labelBox_px;
   }
 }

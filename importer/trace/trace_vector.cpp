@@ -285,10 +285,11 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     trace.color = stroke.style.color;
     trace.fromVector = true;
     trace.confidence = stroke.confidence;
-    LegendWords its;
+    LegendWords legendWords;
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (isOf(samples[i], stroke.style) && words[i].gap_px < its.gap_px) its = words[i];
-    if (its.text != nullptr) trace.label = its.text->utf8, trace.labelBox_px = its.text->box;
+      if (isOf(samples[i], stroke.style) && words[i].gap_px < legendWords.gap_px) legendWords = words[i];
+    if (legendWords.text != nullptr)
+      trace.label = legendWords.text->utf8, trace.labelBox_px = legendWords.text->box;
     traces.push_back(std::move(trace));
   }
   if (!hasAllGiven(traces, hints)) return {};
