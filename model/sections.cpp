@@ -243,8 +243,10 @@ BottomOut bottomOutOf(const StrokeCurve& curve, const SectionSettings& settings)
   const Chord& rise = chords[first];
   if (first == 0) return {rise.from_mm, rise.fromForce_N, true};
   const double range = rangesBefore(chords)[first];
-  const double foot = startBefore(curve, chords[first - 1], rise, settings.bottomOutSlopeRatio, range);
-  return {foot, foot == rise.from_mm ? rise.fromForce_N : curve.force_N(foot), true};
+  const double bottomOutStart_mm =
+      startBefore(curve, chords[first - 1], rise, settings.bottomOutSlopeRatio, range);
+  return {bottomOutStart_mm,
+          bottomOutStart_mm == rise.from_mm ? rise.fromForce_N : curve.force_N(bottomOutStart_mm), true};
 }
 
 std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke,

@@ -432,9 +432,9 @@ class Plot {
 
   // Returns true if a leader would run under another callout's text.
   bool underAnother(Spot at, Spot edge) const {
-    constexpr int places = 16;
-    for (int i = 0; i <= places; ++i) {
-      const double share = static_cast<double>(i) / places;
+    constexpr int positions = 16;
+    for (int i = 0; i <= positions; ++i) {
+      const double share = static_cast<double>(i) / positions;
       const Spot there{at.x + share * (edge.x - at.x), at.y + share * (edge.y - at.y)};
       if (std::ranges::any_of(taken_, [there](const Box& other) { return other.contains(there); }))
         return true;

@@ -116,11 +116,12 @@ std::vector<double> climbed(const std::vector<Knot>& knots, std::size_t first, s
   std::vector<double> way{0};
   double whole = 0;
   for (std::size_t i = first; i < last; ++i) whole += std::abs(knots[i + 1].force_N - knots[i].force_N);
-  const double wide = knots[last].displacement_mm - knots[first].displacement_mm;
+  const double width_mm = knots[last].displacement_mm - knots[first].displacement_mm;
   double height = 0;
   for (std::size_t i = first + 1; i <= last; ++i) {
     height += std::abs(knots[i].force_N - knots[i - 1].force_N);
-    const double across = wide > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / wide : 1;
+    const double across =
+        width_mm > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / width_mm : 1;
     way.push_back(whole > 0 ? height / whole : across);
   }
   way.back() = 1;
@@ -129,9 +130,9 @@ std::vector<double> climbed(const std::vector<Knot>& knots, std::size_t first, s
 
 std::vector<double> crossed(const std::vector<Knot>& knots, std::size_t first, std::size_t last) {
   std::vector<double> way;
-  const double wide = knots[last].displacement_mm - knots[first].displacement_mm;
+  const double width_mm = knots[last].displacement_mm - knots[first].displacement_mm;
   for (std::size_t i = first; i <= last; ++i)
-    way.push_back(wide > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / wide : 0);
+    way.push_back(width_mm > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / width_mm : 0);
   return way;
 }
 
@@ -345,8 +346,9 @@ void BendableState::addRulesOf(const Line& line) {
     if (positive) addRule(ShapeRule::noPull, line.N.row(row), -at.force_N / range_N_);
     if (i == 0) continue;
     const Knot& before = line.knots[line.handles[i - 1].knot];
-    const double wide = (at.displacement_mm - before.displacement_mm) / travel_mm_;
-    if (wide > 0) addRule(ShapeRule::width, line.mm.row(row) - line.mm.row(row - 1), (narrowest - 1) * wide);
+    const double widthShare = (at.displacement_mm - before.displacement_mm) / travel_mm_;
+    if (widthShare > 0)
+      addRule(ShapeRule::width, line.mm.row(row) - line.mm.row(row - 1), (narrowest - 1) * widthShare);
     const double rise = (at.force_N - before.force_N) / range_N_;
     if (std::abs(rise) < same) continue;
     const double sign = rise > 0 ? 1 : -1;
