@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ForcePlayer: the front door's way to prepare/, realtime/ and device/.
+// ForcePlayer: runs prepare/, realtime/ and device/ for the public header.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

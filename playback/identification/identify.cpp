@@ -22,7 +22,8 @@ constexpr double movingShare = 0.1;    // of the fastest: slower samples tell no
 constexpr double standsOut = 3;        // standard errors
 constexpr double slidingShare = 0.02;  // of the fastest: from here on friction has its whole size
 constexpr double mmPerM = 1000;
-constexpr double leastNoiseShare = 0.05;  // of the residual's squares is never taken for rounding
+constexpr double leastNoiseShare =
+    0.05;  // of the squared residual: at least this share counts as noise, not as rounding of positions
 
 /// Columns of the fit, in this order: c, k at the knots, b at the knots, f, m.
 struct Columns {
@@ -409,7 +410,7 @@ Failure unusable(Message problem, const std::string& remedy) {
   return {FailureCode::unreadableInput, "record", "", std::move(problem), remedy};
 }
 
-/// The first sample that no button gives.
+/// Failure that names the first sample with a displacement or force that no button can have.
 std::optional<Failure> impossibleSampleOf(const ForceRecord& record) {
   for (std::size_t i = 0; i < record.time_s.size(); ++i) {
     const bool place = std::abs(record.displacement_mm[i]) <= ForceGraph::maxTravel_mm;
