@@ -44,8 +44,8 @@ Provenance provenanceOf(const GraphFindings& findings, const GraphSource& source
   return p;
 }
 
-/// A printed value of one axis that is off by more than a factor of two, while none on that axis comes
-/// closer: then it is the axis that was misread. Null where the page says nothing or agrees in size.
+/// Printed value that differs from the graph by more than a factor of two, if all printed values of its axis do:
+/// the axis was misread. Null if the page prints no value of an axis, or one of them agrees.
 const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
   for (const bool force : {false, true}) {
     const SpecCheck* worst = nullptr;
@@ -65,9 +65,9 @@ const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
 /// Index of the switch taken, where the plot shows several.
 std::optional<std::size_t> chosenAmongSeveral(const std::vector<PlotSwitch>& switches,
                                               const std::vector<CurveTrace>& traces,
-                                              const std::string& asked) {
+                                              const std::string& requestedName) {
   if (switches.size() < 2) return {};
-  const auto chosen = chosenSwitch(switches, traces, asked);
+  const auto chosen = chosenSwitch(switches, traces, requestedName);
   return chosen ? std::optional(*chosen) : std::nullopt;  // drawn by hand instead
 }
 

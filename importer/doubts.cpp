@@ -35,10 +35,10 @@ constexpr double endFallShare = 0.4;                            // of the force 
 constexpr double startShare = 0.1;  // of the travel: where it is largest there, a force pulls
 constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
-// What springs back does so until nothing is left: a release that gives out on the way, near the press, was
-// lost there.
-constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;  // shares of the travel, of the press' force
-// What locks comes to rest on the way, and says by its names in a drawing that this is the whole of it.
+// A button that springs back does so to the end: a release that stops on the way, near the press, was lost.
+// Share of the travel; share of the press' force.
+constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;
+// The release of a locking button ends on the way at rest, and its names in a drawing say so.
 constexpr double atRest = 0.1;  // share of the press' force there
 
 bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
@@ -100,19 +100,19 @@ std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns
   return rows;
 }
 
-/// Returns true if a stroke goes over to the other one, runs on it and steps back: where a third line covered
-/// it, it was led along the visible one. A key that snaps lets one stroke step onto the other, and the other
-/// away from it.
+/// Returns true if a stroke jumps to the other one, runs along it and jumps back: it was traced along the wrong
+/// line where a third line covers its own. On a key that snaps each stroke jumps only once.
 bool stepsOverAndBack(const StrokePair& strokes) {
   constexpr double together_px = 1.5;
-  constexpr double stepShare = 0.04, within = 0.03;  // of the strokes' height, in so much of their travel
-  constexpr double leastShare = 0.05;                // of their travel, on the other
+  // A jump: share of the strokes' height, within a share of the travel.
+  constexpr double stepShare = 0.04, within = 0.03;
+  constexpr double leastShare = 0.05;  // share of the travel that is traced along the other stroke
   const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
   if (press.size() < 2 || release.size() < 2) return false;
   const auto [left, right] = std::ranges::minmax(press, {}, &Point::x);
-  const auto [top, foot] = std::ranges::minmax(press, {}, &Point::y);
+  const auto [top, lowest] = std::ranges::minmax(press, {}, &Point::y);
   const int from = static_cast<int>(left.x), columns = static_cast<int>(right.x) - from + 1;
-  const double step_px = stepShare * (foot.y - top.y);
+  const double step_px = stepShare * (lowest.y - top.y);
   const auto aside = std::max(3, static_cast<int>(within * columns));
   const std::vector<double> ofPress = rowsOf(press, from, columns),
                             ofRelease = rowsOf(release, from, columns);
@@ -189,15 +189,15 @@ double fallAtEnd(const StrokePoints& press) {
 }
 
 /// A stroke up to the start of the bottom-out that ends it.
-StrokePoints withoutEndWall(StrokePoints stroke) {
+StrokePoints withoutBottomOut(StrokePoints stroke) {
   constexpr double plumb = 0.004;  // of the travel
   const double within_mm = plumb * travelOf(stroke).span(), end_mm = stroke.points.back().displacement_mm;
   const auto beside = std::find_if(stroke.points.rbegin(), stroke.points.rend(), [&](const CurvePoint& p) {
     return std::abs(p.displacement_mm - end_mm) > within_mm;
   });
-  const auto foot = std::min_element(beside.base(), stroke.points.end(),
-                                     [](CurvePoint a, CurvePoint b) { return a.force_N < b.force_N; });
-  if (foot != stroke.points.end()) stroke.points.erase(foot + 1, stroke.points.end());
+  const auto lowest = std::min_element(beside.base(), stroke.points.end(),
+                                       [](CurvePoint a, CurvePoint b) { return a.force_N < b.force_N; });
+  if (lowest != stroke.points.end()) stroke.points.erase(lowest + 1, stroke.points.end());
   return stroke;
 }
 
@@ -230,7 +230,7 @@ bool hardestAtItsStart(const StrokePoints& press) {
 bool endsInAFall(const StrokePoints& press) {
   if (fallAtEnd(press) > endFallShare || fallsThroughout(press) || hardestAtItsStart(press)) return true;
   // An edge of the frame, taken for a bottom-out, is higher than the start.
-  const StrokePoints curve = withoutEndWall(press);
+  const StrokePoints curve = withoutBottomOut(press);
   return softestAtItsEnd(curve) && fallsThroughout(curve);
 }
 
@@ -276,8 +276,8 @@ bool touchesPictureEdge(const std::vector<Point>& line, const Raster& picture) {
 double sharedTravel(const StrokePair& strokes) {
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
   const double either = std::max(press.high, release.high) - std::min(press.low, release.low);
-  const double both = std::min(press.high, release.high) - std::max(press.low, release.low);
-  return either > 0 ? std::max(0.0, both / either) : 1;
+  const double common = std::min(press.high, release.high) - std::max(press.low, release.low);
+  return either > 0 ? std::max(0.0, common / either) : 1;
 }
 
 /// Returns true if the press begins far to the right of the release's end, and not near zero. A press must
@@ -293,8 +293,8 @@ bool pressBeginsLate(const StrokePair& strokes) {
   return press.low - release.low > late * travel_mm && begin_N > nothing * forceOf(strokes.press).high;
 }
 
-/// Where a release gives out, the share of the press' force there that it still has; nothing where the press
-/// is not.
+/// Share of the press' force that the release still has at its end; nullopt if the press does not cover that
+/// displacement.
 std::optional<double> forceLeft(const StrokePair& strokes) {
   const auto earlier = [](CurvePoint a, CurvePoint b) { return a.displacement_mm < b.displacement_mm; };
   const auto& release = strokes.release->points;
@@ -311,12 +311,12 @@ std::optional<double> forceLeft(const StrokePair& strokes) {
 }
 
 /// Returns true if the points fall from left to right all the way.
-bool onlyFalls(const std::vector<Point>& ink) {
+bool onlyFalls(const std::vector<Point>& pixels) {
   constexpr std::size_t parts = 10;
   constexpr double unevenness_px = 2;
-  const auto [left, right] = std::ranges::minmax(ink, {}, &Point::x);
+  const auto [left, right] = std::ranges::minmax(pixels, {}, &Point::x);
   std::vector<double> sums(parts, 0), counts(parts, 0), rows;
-  for (const Point p : ink) {
+  for (const Point p : pixels) {
     const auto part =
         static_cast<std::size_t>(std::lround((p.x - left.x) / std::max(1.0, right.x - left.x) * (parts - 1)));
     sums[part] += p.y, counts[part] += 1;
@@ -340,7 +340,7 @@ class Doubts {
     shapes();
     leftOver();
     otherLine();
-    ownInkBeside();
+    ownColourBeside();
     givenAgainstLegend();
     namedAlone();
     otherNamed();
@@ -360,7 +360,7 @@ class Doubts {
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     unit(axes.x, false, hints_.axes.xUnit.has_value());
     unit(axes.y, true, hints_.axes.yUnit.has_value());
-    // A unit says nothing of what a sign in a number is.
+    // A given unit does not resolve whether "," is a decimal or a thousands separator.
     if (axes.x.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"x"}, RemedyKind::giveXAxis);
     if (axes.y.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"y"}, RemedyKind::giveYAxis);
   }
@@ -469,7 +469,7 @@ class Doubts {
 
   /// Of a switch chosen among several a press alone was followed, and pixels of its colour continue above or
   /// below it over a good part of its travel: its release, or its press, is another line.
-  void ownInkBeside() {
+  void ownColourBeside() {
     constexpr double mostShare = 0.25;  // of its columns; a legend key takes less
     constexpr double apart_px = 4;      // from what explains it
     const StrokePair& strokes = findings_.strokes.value;
@@ -517,9 +517,9 @@ class Doubts {
     };
     const auto other = std::ranges::find_if(findings_.traces, contradicts);
     if (other == findings_.traces.end()) return;
-    const auto& its = other->stroke == Stroke::press ? given.pressColor : given.releaseColor;
-    if (its)
-      add(DoubtCode::givenAgainstLegend, inPart, {nameOf(*its), other->label},
+    const auto& givenColour = other->stroke == Stroke::press ? given.pressColor : given.releaseColor;
+    if (givenColour)
+      add(DoubtCode::givenAgainstLegend, inPart, {nameOf(*givenColour), other->label},
           {{RemedyKind::swapStrokes, {}}});
   }
 
@@ -536,10 +536,10 @@ class Doubts {
     if (other.label.empty())
       add(DoubtCode::namesNoStroke, inPart, {named.label}, byColour);
     else if (namesNoStroke(other.label))
-      byCourse(traces, byColour);
+      byPath(traces, byColour);
   }
 
-  void byCourse(const std::vector<CurveTrace>& traces, const Remedies& byColour) {
+  void byPath(const std::vector<CurveTrace>& traces, const Remedies& byColour) {
     const std::size_t press = traceOf(findings_.strokes.value.press) == &traces[1] ? 1 : 0;
     add(DoubtCode::assumed, unconfirmed,
         {Message("\"%1\" and \"%2\" are taken for press and release, as they end in one point",
@@ -553,14 +553,14 @@ class Doubts {
     const CurveTrace* const press = traceOf(findings_.strokes.value.press);
     if (!press || !hints_.strokes.curve.empty() || hints_.trace.pressColor || !hints_.drawn.press.empty())
       return;
-    const std::string its = folded(switchNamedBy(press->label));
-    if (its.empty()) return;
+    const std::string ownSwitch = folded(switchNamedBy(press->label));
+    if (ownSwitch.empty()) return;
     const std::vector<SeenText>& texts = findings_.graph.axes.texts;
     for (const SeenText& text : texts) {
       if (strokeNamedBy(text.utf8, sourceOf(text)) != Stroke::press) continue;
       const std::string other = switchNamedBy(text.utf8, sourceOf(text));
       const auto isPartner = [&](const SeenText& each) { return namesOnePair(text.utf8, each.utf8); };
-      if (countsOnly(other) || folded(other) == its || isTraced(other) ||
+      if (countsOnly(other) || folded(other) == ownSwitch || isTraced(other) ||
           std::ranges::none_of(texts, isPartner))
         continue;
       add(DoubtCode::otherSwitchNamed, unconfirmed, {other},
@@ -613,7 +613,7 @@ class Doubts {
   void leftOver() {
     constexpr double likeACurve = 0.5;  // likeness 0..1, docs/develop/decisions/0810
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
-    const auto& [left, leaps, patches, beside] = findings_.explanation;
+    const auto& [left, jumps, patches, beside] = findings_.explanation;
     const auto ofAStroke = [&](const auto& each) { return isOfAStroke(each); };
     const auto most = std::ranges::find_if(left, ofAStroke);
     if (most != left.end() && most->likeness >= likeACurve)
@@ -626,8 +626,8 @@ class Doubts {
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::inkLeftOver, unconfirmed);
     constexpr double mostBeside = 0.4;  // of a lone curve's travel: dots have half
     if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::inkLeftOver, unconfirmed);
-    if (const auto leap = std::ranges::find_if(leaps, ofAStroke); leap != leaps.end())
-      sayAt(0.5 * (leap->from_px + leap->to_px), DoubtCode::curveWithoutInk, unconfirmed);
+    if (const auto jump = std::ranges::find_if(jumps, ofAStroke); jump != jumps.end())
+      sayAt(0.5 * (jump->from_px + jump->to_px), DoubtCode::curveWithoutInk, unconfirmed);
   }
 
   /// Assumptions of a step that the page does not show.
@@ -729,30 +729,30 @@ class Doubts {
   /// Of a curve from left to right: what an axis that begins above zero hides of it, before its start and
   /// where it dips.
   void belowTheAxis(const std::vector<Point>& line) {
-    constexpr double onFoot_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
-    constexpr double noticeable = 0.03;            // of the axis' range; of the travel
-    constexpr std::ptrdiff_t fewest = 3;           // points along the lower edge, of a curve that dips there
-    constexpr double mostHidden = 0.15;            // of the travel: beyond it another button is felt
+    constexpr double onBaseline_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
+    constexpr double noticeable = 0.03;                // of the axis' range; of the travel
+    constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge, of a curve that dips there
+    constexpr double mostHidden = 0.15;   // of the travel: beyond it another button is felt
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const auto& corners = findings_.graph.frame.value.corners;
-    const Point foot = axes.toUnits(corners[3]);
+    const Point lowest = axes.toUnits(corners[3]);
     const double top_N = axes.toUnits(corners[0]).y;
-    if (foot.y <= noticeable * (top_N - foot.y)) return;
+    if (lowest.y <= noticeable * (top_N - lowest.y)) return;
     const auto isWithin = [&](Point p, double px) {
-      return axes.toUnits(p).y < foot.y + px * std::abs(axes.newtonPerPx());
+      return axes.toUnits(p).y < lowest.y + px * std::abs(axes.newtonPerPx());
     };
-    const auto isOnFoot = [&](Point p) { return isWithin(p, onFoot_px); };
-    const double from_mm = std::max(0.0, foot.x), start_mm = axes.toUnits(line.front()).x,
+    const auto isOnBaseline = [&](Point p) { return isWithin(p, onBaseline_px); };
+    const double from_mm = std::max(0.0, lowest.x), start_mm = axes.toUnits(line.front()).x,
                  travel_mm = axes.toUnits(line.back()).x - from_mm;
-    const bool startsThere = isOnFoot(line.front()) || (isWithin(line.front(), above_px) &&
-                                                        start_mm - from_mm > noticeable * travel_mm);
-    if (!startsThere && std::ranges::count_if(line, isOnFoot) < fewest) return;
+    const bool startsThere = isOnBaseline(line.front()) || (isWithin(line.front(), above_px) &&
+                                                            start_mm - from_mm > noticeable * travel_mm);
+    if (!startsThere && std::ranges::count_if(line, isOnBaseline) < fewest) return;
     double hidden_mm = startsThere ? start_mm - from_mm : 0;
     for (std::size_t i = 1; i < line.size(); ++i)
-      if (isOnFoot(line[i - 1]) && isOnFoot(line[i]))
+      if (isOnBaseline(line[i - 1]) && isOnBaseline(line[i]))
         hidden_mm += axes.toUnits(line[i]).x - axes.toUnits(line[i - 1]).x;
     const bool longWayHidden = !hints_.axes.yMin && hidden_mm > mostHidden * travel_mm;
-    add(DoubtCode::belowTheAxis, longWayHidden ? unconfirmed : inPart, {{foot.y, Measure::force_N}},
+    add(DoubtCode::belowTheAxis, longWayHidden ? unconfirmed : inPart, {{lowest.y, Measure::force_N}},
         {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
 
@@ -865,11 +865,11 @@ class Doubts {
   }
 
   /// Attributes a jump of the trace to the curve it lies on.
-  bool isOfAStroke(const Leap& leap) const {
+  bool isOfAStroke(const Leap& jump) const {
     constexpr double on_px = 1.5;
     bool ofOthers = false;
     for (const CurveTrace& trace : findings_.traces) {
-      if (!liesOn(trace.points_px, leap.from_px, on_px) || !liesOn(trace.points_px, leap.to_px, on_px))
+      if (!liesOn(trace.points_px, jump.from_px, on_px) || !liesOn(trace.points_px, jump.to_px, on_px))
         continue;
       if (isOfAStroke(trace.color)) return true;  // a stroke that strayed onto another curve has its jump too
       ofOthers = true;

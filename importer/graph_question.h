@@ -8,9 +8,9 @@
 
 namespace detent::importer {
 
-/// What a person who sees the page could say where an import was refused: which of several switches, the unit
-/// of an axis that names none, which of two curves is the press. The choices are not tried yet. nullopt: no
-/// single answer is known to settle it. `evidence` may be null.
+/// Question whose answer would let a refused import succeed: which of several switches to take, the unit of an
+/// axis that names none, or which of two curves is the press. The choices have not been tried yet. Returns
+/// nullopt if no single answer is known to settle the failure. `evidence` may be null.
 std::optional<Question> questionAbout(const Failure& failure, const GraphEvidence* evidence);
 
 }  // namespace detent::importer

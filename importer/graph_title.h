@@ -8,8 +8,8 @@
 
 namespace detent::importer {
 
-/// The line of the document's own text that stands nearest above the plot frame, over its middle part; empty
-/// where there is none, where it is as long as a sentence, and on pages whose texts are pixels.
+/// Line of the document's text nearest above the middle part of the plot frame. Empty if there is none, if it
+/// is as long as a sentence, and on pages whose texts are pixels.
 std::string titleAbove(const LocatedGraph& graph);
 
 }  // namespace detent::importer

@@ -150,7 +150,7 @@ void moveTo(const AxisCalibration& to, const AxisCalibration& from, StrokePoints
   }
 }
 
-/// Drawn strokes are the person's: they stand where none was traced, and take the place of what was.
+/// Replaces traced strokes by those that the user has drawn, and adds the ones that were not traced.
 Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const DrawnStrokes& drawn,
                                     const LocatedGraph& graph) {
   const auto strokeOf = [&](const std::vector<Point>& line, Stroke stroke) {
@@ -246,7 +246,7 @@ struct ImportSession::Impl {
   std::map<GraphsKey, PageGraphs> graphs;           // their views within a bound
   std::uint64_t clock = 0;
 
-  /// Where a graph was found, its number there, and what was to say of the choice.
+  /// Page, number and place of the chosen graph, and the remarks on the choice.
   struct GraphPlace {
     int page = 1, graph = 1;
     Box pageBox;
@@ -316,8 +316,8 @@ struct ImportSession::Impl {
     return all;
   }
 
-  /// Lets views go, those of the pages used longest ago first, until the rest is within the bound; never
-  /// `keep`'s. What was found on them stays.
+  /// Frees views, least recently used pages first, until the rest is within the bound; never the view of `keep`.
+  /// Keeps what was found on them.
   void letViewsGo(const LocatedGraph* keep) {
     constexpr std::size_t mostBytes = std::size_t{24} << 20;
     std::vector<PageGraphs*> byAge;
@@ -338,7 +338,7 @@ struct ImportSession::Impl {
     }
   }
 
-  /// Makes the view of a graph again if it was let go.
+  /// Renders the view of a graph again if it was freed.
   Result<Done> restoreView(int number, PageGraphs& onPage, std::size_t index, const Progress& progress) {
     LocatedGraph& graph = onPage.located.graphs[index];
     if (!graph.view.raster.empty()) return Done{};
@@ -609,7 +609,7 @@ struct ImportSession::Impl {
     const auto first = readCopy(choice, request, options, progress);
     if (!first) return;
     CopyReading best = *first;
-    std::vector<std::pair<int, int>> places{{choice.page, choice.graph}};
+    std::vector<std::pair<int, int>> positions{{choice.page, choice.graph}};
     for (std::size_t i = 0; i < std::min(choice.rivals.size(), mostRivals); ++i) {
       const auto [number, index] = choice.rivals[i];
       auto onPage = located(number, key, progress);
@@ -622,16 +622,16 @@ struct ImportSession::Impl {
       if (!reading) continue;
       const auto apart = distanceBetween(first->strokes, reading->strokes);
       if (!apart || *apart > copiesWithin) continue;
-      places.emplace_back(rival.page, rival.graph);
+      positions.emplace_back(rival.page, rival.graph);
       if (isBetterCopy(reading->rank, best.rank)) best = *reading;
     }
-    if (places.size() == 1) return;
-    std::sort(places.begin(), places.end());
+    if (positions.size() == 1) return;
+    std::sort(positions.begin(), positions.end());
     std::vector<Message> all;
-    for (const auto& [number, graph] : places) all.push_back(placeOf(number, graph));
-    best.choice.graphCount -= static_cast<int>(places.size()) - 1;
+    for (const auto& [number, graph] : positions) all.push_back(placeOf(number, graph));
+    best.choice.graphCount -= static_cast<int>(positions.size()) - 1;
     best.choice.remarks.push_back(
-        {RemarkCode::sameGraphSeveralTimes, {places.size(), std::move(all), best.choice.page}});
+        {RemarkCode::sameGraphSeveralTimes, {positions.size(), std::move(all), best.choice.page}});
     choice = std::move(best.choice);
   }
 
@@ -663,8 +663,8 @@ struct ImportSession::Impl {
     return f;
   }
 
-  /// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a
-  /// camera. One whose pixels were averaged shows no grain, the page's own still do.
+  /// Class of the page the choice lies on. A levelled view counts as a photograph: its light was evened, so its
+  /// pixels do not show a camera any more. Averaged views show no grain, so the page's own pixels decide.
   PageClass classOf(const Choice& choice, const StrokePair& strokes, const Progress& progress) {
     const PageView& view = choice.located().view;
     if (strokes.press.fromVector) return PageClass::vector;
@@ -675,14 +675,15 @@ struct ImportSession::Impl {
   }
 
   Result<std::vector<PlotSwitch>> switches(const ImportRequest& request, const Progress& progress);
-  /// One reading of a page: at how many times its size, and of which graph where it is not to be chosen.
-  struct Look {
+  /// Settings of one reading of a page: magnification, and the place of the graph if it is given.
+  struct PlotSettings {
     double magnification = 1;
     std::optional<GraphPlace> place;
   };
   ImportAttempt importPlot(const ImportRequest& request, const Progress& progress);
   ImportAttempt readAgain(const ImportRequest& request, const Progress& progress);
-  ImportAttempt readPlot(const ImportRequest& request, const Look& look, const Progress& progress);
+  ImportAttempt readPlot(const ImportRequest& request, const PlotSettings& plotSettings,
+                         const Progress& progress);
   /// A graph whose curves leave its frame, read once more in a wider one.
   struct Wider {
     LocatedGraph graph;
@@ -693,7 +694,8 @@ struct ImportSession::Impl {
   std::optional<Wider> readWider(const LocatedGraph& graph, const std::vector<CurveTrace>& curves,
                                  const ImportRequest& request, const TraceOptions& options,
                                  const Progress& progress);
-  Result<Choice> chosen(const ImportRequest& request, const Look& look, const Progress& progress);
+  Result<Choice> chosen(const ImportRequest& request, const PlotSettings& plotSettings,
+                        const Progress& progress);
   Failure tookTooLong(const TimeLimit& limit) const;
   ImportAttempt withDoubtsJudged(ImportAttempt attempt, const ImportRequest& request) const;
   ImportAttempt importLog(const ImportRequest& request, const Progress& progress);
@@ -704,8 +706,8 @@ struct ImportSession::Impl {
                                 const std::function<bool(const ImportRequest&)>& isAccepted);
   std::optional<Question> triedOnLog(const Question& question, const ImportRequest& request,
                                      const Progress& progress);
-  std::optional<Question> askedOf(const ImportAttempt& attempt, const ImportRequest& request,
-                                  const Progress& progress);
+  std::optional<Question> openQuestion(const ImportAttempt& attempt, const ImportRequest& request,
+                                       const Progress& progress);
 };
 
 Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportRequest& request,
@@ -722,9 +724,9 @@ Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportReques
 
 /// Steps whose result nothing can replace end once the limit has passed, as if cancelled.
 Progress limited(const Progress& progress, const std::optional<TimeLimit>& limit) {
-  Progress both = progress;
-  if (limit) both.cancelled = [progress, limit] { return progress.isCancelled() || limit->passed(); };
-  return both;
+  Progress bothSteps = progress;
+  if (limit) bothSteps.cancelled = [progress, limit] { return progress.isCancelled() || limit->passed(); };
+  return bothSteps;
 }
 
 Failure ImportSession::Impl::tookTooLong(const TimeLimit& limit) const {
@@ -742,10 +744,11 @@ QualitySettings cutShort(QualitySettings settings) {
 }
 
 Result<ImportSession::Impl::Choice> ImportSession::Impl::chosen(const ImportRequest& request,
-                                                                const Look& look, const Progress& progress) {
-  const LocateKey key = locateKeyOf(request, look.magnification);
-  if (look.place) {
-    auto choice = chooseAt(*look.place, key, progress);
+                                                                const PlotSettings& plotSettings,
+                                                                const Progress& progress) {
+  const LocateKey key = locateKeyOf(request, plotSettings.magnification);
+  if (plotSettings.place) {
+    auto choice = chooseAt(*plotSettings.place, key, progress);
     if (!choice) return failure(FailureCode::noForceGraph, {}, "no force graph found", {});
     return std::move(*choice);
   }
@@ -830,7 +833,7 @@ std::optional<ImportSession::Impl::Wider> ImportSession::Impl::readWider(
   return Wider{std::move(*widened), std::move(*followed), std::move(strokes), std::move(explanation)};
 }
 
-ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const Look& look,
+ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const PlotSettings& plotSettings,
                                             const Progress& untimed) {
   QualitySettings settings = settingsFor(request.quality);
   const Progress progress = limited(untimed, request.timeLimit);
@@ -839,7 +842,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   };
 
   step(0.05, ImportStep::locate);
-  auto choice = chosen(request, look, progress);
+  auto choice = chosen(request, plotSettings, progress);
   if (!choice) return {choice.failure(), {}};
   lastRead = {choice->page, choice->graph, choice->located().candidate.value.pageBox, choice->remarks};
   letViewsGo(&choice->asRead());
@@ -895,9 +898,9 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
   const AxisCalibration& calibration = seen->axes.calibration.value;
-  const double press_px = noisePx(pair.press, graph, settings, look.magnification);
+  const double press_px = noisePx(pair.press, graph, settings, plotSettings.magnification);
   const double release_px =
-      pair.release ? noisePx(*pair.release, graph, settings, look.magnification) : press_px;
+      pair.release ? noisePx(*pair.release, graph, settings, plotSettings.magnification) : press_px;
   auto fitted = [&] {
     StepClock time(seconds, ImportStep::fit);
     return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
@@ -1044,8 +1047,9 @@ std::optional<Question> ImportSession::Impl::triedOnLog(const Question& question
 }
 
 /// The question about a refused graph.
-std::optional<Question> ImportSession::Impl::askedOf(const ImportAttempt& attempt,
-                                                     const ImportRequest& request, const Progress& progress) {
+std::optional<Question> ImportSession::Impl::openQuestion(const ImportAttempt& attempt,
+                                                          const ImportRequest& request,
+                                                          const Progress& progress) {
   if (attempt.report) return {};
   const auto question = questionAbout(attempt.report.failure(), attempt.evidence.get());
   if (!question) return {};
@@ -1085,7 +1089,7 @@ Result<ImportReport> ImportSession::Impl::reportOfLog(Result<ForceLog> log,
       log->remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
     provenance.confidence = std::min(provenance.confidence, each.confidence);
   }
-  // What is wrong with the values says more than that the table is an unlikely log; a question can be answered.
+  // Impossible values are a better reason than an unlikely log. Ambiguity comes first: a user can answer it.
   if (isAmbiguous)
     gravest = Doubt{DoubtCode::assumed,
                     {Message("the table can be read in several ways: %1", question->what)},
@@ -1211,7 +1215,7 @@ ImportAttempt ImportSession::attempt(const ImportRequest& request, const Progres
   ImportAttempt made =
       isForceLog() ? impl_->importLog(request, progress) : impl_->importPlot(request, progress);
   if (request.asks && !isForceLog() && !request.acceptDoubt)
-    made.question = impl_->askedOf(made, request, progress);
+    made.question = impl_->openQuestion(made, request, progress);
   const auto restOf = [&](Remedies& remedies) { remedies = leftToTry(remedies, request.hints); };
   if (!made.report && !made.report.failure().reason.empty()) {
     Failure doubted = made.report.failure();

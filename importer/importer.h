@@ -186,8 +186,7 @@ struct ImportReport {
   std::string brief() const;                            ///< one line for people
 };
 
-/// Takes up a choice of a question: its option as hints. Returns false if the option is none that a question
-/// offers.
+/// Adds the option of a question's choice to the hints. Returns false if no question offers this option.
 bool takeUp(const Choice& choice, ImportHints& hints);
 
 /// An import, and what it looked at even where it failed.

@@ -19,11 +19,11 @@ constexpr double listBar = 0.3;
 /// The graph read again in the frame that its numbers ask for, if that explains more of them.
 std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& page,
                                       const LocateOptions& options, const Progress& progress) {
-  const auto wide = frameByNumbers(graph.view, graph.frame.value, graph.axes.calibration.value);
-  if (!wide) return {};
+  const auto widened = frameByNumbers(graph.view, graph.frame.value, graph.axes.calibration.value);
+  if (!widened) return {};
   LocatedGraph wider = graph;
   const Homography& levelToPage = graph.candidate.value.levelToPage;
-  wider.candidate.value.uprightBox = levelToPage.inverse().after(graph.view.viewToPage).boxOf(*wide);
+  wider.candidate.value.uprightBox = levelToPage.inverse().after(graph.view.viewToPage).boxOf(*widened);
   wider.candidate.value.pageBox = levelToPage.boxOf(wider.candidate.value.uprightBox);
   wider.candidate.value.byNumbers = true;
   wider.candidate.evidence.push_back({EvidenceCode::widenedToNumbers});
@@ -60,8 +60,7 @@ PlotFrame frameInView(const PlotFrame& frame, const Homography& toView) {
 /// of plots.
 constexpr double leastFramePixels = 7e5;
 
-/// A region around the candidate. Of a picture that shows the frame larger than any plot needs pixels are
-/// averaged.
+/// View of a region around the candidate. Averages pixels of a picture whose frame is larger than tracing needs.
 Result<PageView> viewOf(const Document& document, const Page& page, const Box& region,
                         const FrameCandidate& candidate, const ViewOptions& options,
                         const Progress& progress) {
@@ -78,8 +77,8 @@ Result<PageView> viewOf(const Document& document, const Page& page, const Box& r
 }
 
 /// Titles that the plot's own view cuts: units that were not found are looked for farther out.
-void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Page& page,
-                         const LocateOptions& options, const Progress& progress) {
+void searchFartherForUnits(LocatedGraph& graph, const Document& document, const Page& page,
+                           const LocateOptions& options, const Progress& progress) {
   constexpr double farther = 0.4;  // of the region's size, on every side
   const AxisCalibration& cal = graph.axes.calibration.value;
   const FrameCandidate& candidate = graph.candidate.value;
@@ -88,10 +87,10 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
                                                farther * candidate.regionBox.height());
   const Box whole = candidate.levelToPage.inverse().boxOf({-0.5, -0.5, page.width, page.height});
   if (candidate.regionBox.contains(region.common(whole))) return;
-  const auto wide = viewOf(document, page, region.common(whole), candidate, options.view, progress);
-  if (!wide) return;
-  const Homography toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
-  readMissingUnits(graph.axes, *wide, frameInView(graph.frame.value, toWide), toWide);
+  const auto widened = viewOf(document, page, region.common(whole), candidate, options.view, progress);
+  if (!widened) return;
+  const Homography toWide = widened->viewToPage.inverse().after(graph.view.viewToPage);
+  readMissingUnits(graph.axes, *widened, frameInView(graph.frame.value, toWide), toWide);
 }
 
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
@@ -108,7 +107,7 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
   if (graph.candidate.by != DecidedBy::given)
     if (auto wider = readWider(graph, page, options, progress)) graph = std::move(*wider);
   useNoTicksOfGivenRanges(graph.axes.calibration.value, options.axes);
-  lookFartherForUnits(graph, document, page, options, progress);
+  searchFartherForUnits(graph, document, page, options, progress);
   return graph;
 }
 

@@ -52,25 +52,25 @@ Doubt readingsDiffer(const ImportReport& first, const ImportReport& second) {
           {{RemedyKind::giveXAxis, {}}, {RemedyKind::giveYAxis, {}}, {RemedyKind::pickPress, {}}}};
 }
 
-bool looksPhotographed(const ImportReport& report) {
+bool isPhotograph(const ImportReport& report) {
   return report.doubt && report.doubt->code == DoubtCode::pageIsPhoto;
 }
 
 bool isCertain(const ImportAttempt& attempt) { return attempt.report && !attempt.report->doubt; }
 
-PageLook lookOf(const PageReading& reading) {
-  PageLook look;
-  look.magnification = reading.magnification;
+PageLook summaryOf(const PageReading& reading) {
+  PageLook summary;
+  summary.magnification = reading.magnification;
   const auto& report = reading.attempt.report;
   if (!report) {
-    look.problem = report.failure().problem;
-    return look;
+    summary.problem = report.failure().problem;
+    return summary;
   }
-  look.confidence = report->confidence;
-  look.travel_mm = travel_mm(*report), look.highest_N = highest_N(*report);
-  look.release = report->release.has_value();
-  if (report->doubt) look.problem = messageOf(*report->doubt);
-  return look;
+  summary.confidence = report->confidence;
+  summary.travel_mm = travel_mm(*report), summary.highest_N = highest_N(*report);
+  summary.release = report->release.has_value();
+  if (report->doubt) summary.problem = messageOf(*report->doubt);
+  return summary;
 }
 
 /// The report with what it was made with changed: provenance keeps confidence and warnings.
@@ -97,8 +97,8 @@ ImportReport reportContradicted(ImportReport report, const ImportReport& other, 
 
 /// Returns true if another reading of a doubted photograph agrees and doubts nothing else.
 bool agreesOnPhoto(const Result<ImportReport>& report, const ImportAttempt& other) {
-  return report && looksPhotographed(*report) && other.report &&
-         (!other.report->doubt || looksPhotographed(*other.report)) && sameButton(*report, *other.report);
+  return report && isPhotograph(*report) && other.report &&
+         (!other.report->doubt || isPhotograph(*other.report)) && sameButton(*report, *other.report);
 }
 
 /// A photograph that several readings agree on is worth more than one that was read once.
@@ -110,10 +110,10 @@ ImportReport readAlike(ImportReport report, double sure) {
   return withProvenance(std::move(report));
 }
 
-ImportAttempt taken(PageReading chosen, std::vector<PageLook> looks) {
+ImportAttempt taken(PageReading chosen, std::vector<PageLook> summaries) {
   if (!chosen.attempt.report) return std::move(chosen.attempt);
-  for (PageLook& look : looks) look.taken = look.magnification == chosen.magnification;
-  chosen.attempt.report->looks = std::move(looks);
+  for (PageLook& summary : summaries) summary.taken = summary.magnification == chosen.magnification;
+  chosen.attempt.report->looks = std::move(summaries);
   return std::move(chosen.attempt);
 }
 
@@ -150,21 +150,21 @@ bool anotherMaySettle(const ImportAttempt& attempt) {
 
 ImportAttempt settled(PageReading first, PageReading second, const std::function<PageReading()>& third,
                       double sure) {
-  std::vector<PageLook> looks{lookOf(first), lookOf(second)};
+  std::vector<PageLook> summaries{summaryOf(first), summaryOf(second)};
   const auto& report = first.attempt.report;
   const auto& other = second.attempt.report;
   if (isCertain(first.attempt)) {
     if (isCertain(second.attempt) && !sameButton(*report, *other))
       first.attempt.report = reportContradicted(std::move(*first.attempt.report), *other, sure);
-    return taken(std::move(first), std::move(looks));
+    return taken(std::move(first), std::move(summaries));
   }
   const bool alike = agreesOnPhoto(report, second.attempt);
   if (!anotherMaySettle(first.attempt) || (!alike && !isCertain(second.attempt)))
-    return taken(std::move(first), std::move(looks));
+    return taken(std::move(first), std::move(summaries));
   const Message firstSaid =
       report ? Message("a travel of %1", inShort(*report)) : first.attempt.report.failure().problem;
   const PageReading witness = third();
-  looks.push_back(lookOf(witness));
+  summaries.push_back(summaryOf(witness));
   if (alike && agreesOnPhoto(report, witness.attempt)) {
     first.attempt.report = readAlike(std::move(*first.attempt.report), sure);
   } else if (sure <= takenAtMost && isCertain(second.attempt) && isCertain(witness.attempt) &&
@@ -172,9 +172,9 @@ ImportAttempt settled(PageReading first, PageReading second, const std::function
     ImportReport& agreed = *second.attempt.report;
     agreed.confidence = std::min({agreed.confidence, witness.attempt.report->confidence, takenAtMost});
     agreed = withRemark(std::move(agreed), {RemarkCode::secondReadingTaken, {firstSaid}});
-    return taken(std::move(second), std::move(looks));
+    return taken(std::move(second), std::move(summaries));
   }
-  return taken(std::move(first), std::move(looks));
+  return taken(std::move(first), std::move(summaries));
 }
 
 }  // namespace detent::importer

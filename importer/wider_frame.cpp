@@ -21,19 +21,19 @@ struct Reach {
 
 /// End of the pixels that begin on a curve, its own or those of others which cover it, beyond the frame's
 /// right edge, and beyond its upper one if `most_px.y` is above 0; empty if they do not end within `most_px`.
-std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveTrace>& all, const Box& frame,
-                               Point most_px, const Raster& picture) {
+std::optional<Reach> pixelsEndAt(const CurveTrace& curve, const std::vector<CurveTrace>& all,
+                                 const Box& frame, Point most_px, const Raster& picture) {
   constexpr int reach = 2;  // over what a line's edge or a pale gridline takes out of it
   const int last = static_cast<int>(std::min(frame.x1 + most_px.x, picture.width_px - 2.0));
   const int first = static_cast<int>(frame.x1) - 3, below = static_cast<int>(frame.y0) + 3;
   const bool upwards = most_px.y > 0;
   const int top = static_cast<int>(upwards ? std::max(frame.y0 - most_px.y, 1.0) : frame.y0);
-  const int foot = static_cast<int>(frame.y1);
+  const int bottom = static_cast<int>(frame.y1);
   const auto isBeyond = [&](int x, int y) { return x >= first || (upwards && y <= below); };
   std::set<std::pair<int, int>> seen;
   std::vector<std::pair<int, int>> open;
   const auto visit = [&](int x, int y) {
-    if (!isBeyond(x, y) || y < top || y > foot) return;
+    if (!isBeyond(x, y) || y < top || y > bottom) return;
     if (std::ranges::none_of(all, [&](const CurveTrace& each) { return isInkOf(picture, each.color, x, y); }))
       return;
     if (seen.emplace(x, y).second) open.emplace_back(x, y);
@@ -56,19 +56,19 @@ std::optional<Reach> inkEndsAt(const CurveTrace& curve, const std::vector<CurveT
 /// begins just beyond the edge is no straight continuation of the level line that came there.
 bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
   constexpr int nearest_px = 4, farthest_px = 14;  // to the right: a frame's own line ends before
-  constexpr int wallHeight_px = 12;
+  constexpr int riseHeight_px = 12;
   const int x0 = static_cast<int>(std::lround(end.x)), y0 = static_cast<int>(std::lround(end.y));
   std::set<std::pair<int, int>> seen;
   std::vector<std::pair<int, int>> open;
   const auto visit = [&](int x, int y) {
-    if (x < x0 || x > x0 + farthest_px || y > y0 + 2 || y < y0 - wallHeight_px) return;
+    if (x < x0 || x > x0 + farthest_px || y > y0 + 2 || y < y0 - riseHeight_px) return;
     if (isInkOf(picture, color, x, y) && seen.emplace(x, y).second) open.emplace_back(x, y);
   };
   for (int y = y0 - 2; y <= y0 + 2; ++y) visit(x0, y);
   while (!open.empty()) {
     const auto [x, y] = open.back();
     open.pop_back();
-    if (x >= x0 + nearest_px && y <= y0 - wallHeight_px) return true;
+    if (x >= x0 + nearest_px && y <= y0 - riseHeight_px) return true;
     for (int v = y - 1; v <= y + 1; ++v)
       for (int u = x - 1; u <= x + 1; ++u) visit(u, v);
   }
@@ -134,7 +134,7 @@ bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& pict
 std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
                                                const std::vector<CurveTrace>& curves) {
   constexpr double atEdge_px = 2, mostShare = 0.2, roomShare = 0.01, leastRoom_px = 3;  // shares of the width
-  constexpr double wallAlongEdge_px = 5;  // half of the thickest line
+  constexpr double lineAlongEdge_px = 5;  // half of the thickest line
   constexpr double farBeyond_px = 9;
   constexpr double lineEnd_px = 5;  // beyond the line that it ends on
   const PlotFrame& frame = graph.frame.value;
@@ -148,32 +148,32 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
                       std::max(stepOf(axes.y), box.y0 - last_px + lineEnd_px)};
   const double room_px = std::max(leastRoom_px, roomShare * box.width());
   bool leaves = false;
-  Box wide = box;
+  Box widened = box;
   for (const CurveTrace& curve : curves) {
     if (curve.points_px.size() < 2) continue;
     std::vector<Point> line = curve.points_px;
     if (line.front().x > line.back().x) std::ranges::reverse(line);
     const bool atRight = line.back().x >= box.x1 - atEdge_px, atTop = line.back().y <= box.y0 + atEdge_px;
     if (!atRight && !atTop) continue;
-    auto end = inkEndsAt(curve, curves, box, most_px, picture);
-    if (!end && atRight) end = inkEndsAt(curve, curves, box, {most_px.x, 0}, picture);
+    auto end = pixelsEndAt(curve, curves, box, most_px, picture);
+    if (!end && atRight) end = pixelsEndAt(curve, curves, box, {most_px.x, 0}, picture);
     if (!end) return {};
     // A bottom-out along the edge continues upwards, over the frame's own line.
     const double rightwards_px = line.back().x - line[line.size() - std::min(line.size(), tail + 1)].x;
     const bool alongEdge =
-        atRight && rightwards_px < 2 && end->right_px <= box.x1 + wallAlongEdge_px && end->top_px >= box.y0;
+        atRight && rightwards_px < 2 && end->right_px <= box.x1 + lineAlongEdge_px && end->top_px >= box.y0;
     const bool drawnBeyond = line.back().x > box.x1 + farBeyond_px;  // a document's path, whole
     const bool goesOn = !alongEdge && goesOnBeyond(line, curve.color, picture);
     leaves = leaves || drawnBeyond || goesOn;
-    if (atTop && goesOn && last_px < box.y0) wide.y0 = std::min(wide.y0, last_px - leastRoom_px);
-    if (atRight || end->right_px > box.x1) wide.x1 = std::max(wide.x1, end->right_px + room_px);
-    if (end->top_px < box.y0 - atEdge_px) wide.y0 = std::min(wide.y0, end->top_px - room_px);
+    if (atTop && goesOn && last_px < box.y0) widened.y0 = std::min(widened.y0, last_px - leastRoom_px);
+    if (atRight || end->right_px > box.x1) widened.x1 = std::max(widened.x1, end->right_px + room_px);
+    if (end->top_px < box.y0 - atEdge_px) widened.y0 = std::min(widened.y0, end->top_px - room_px);
   }
-  wide.x1 = std::min(wide.x1, picture.width_px - 1.0), wide.y0 = std::max(wide.y0, 0.0);
-  if (!leaves || (wide.x1 <= box.x1 && wide.y0 >= box.y0)) return {};
+  widened.x1 = std::min(widened.x1, picture.width_px - 1.0), widened.y0 = std::max(widened.y0, 0.0);
+  if (!leaves || (widened.x1 <= box.x1 && widened.y0 >= box.y0)) return {};
   LocatedGraph wider = graph;
   auto& [topLeft, topRight, bottomRight, bottomLeft] = wider.frame.value.corners;
-  const double right_px = wide.x1 - box.x1, up_px = box.y0 - wide.y0;
+  const double right_px = widened.x1 - box.x1, up_px = box.y0 - widened.y0;
   topRight.x += right_px, bottomRight.x += right_px;
   topLeft.y -= up_px, topRight.y -= up_px;
   AxisReading &x = wider.axes.calibration.value.x, &y = wider.axes.calibration.value.y;

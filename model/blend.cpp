@@ -92,7 +92,7 @@ std::vector<AlignedCurve> aligned(const std::vector<const StrokeCurve*>& curves,
 struct Joint {
   double place = 0;
   std::vector<std::optional<double>> own_mm;  ///< per curve: displacement of its knot there, if any
-  bool wall = false;                          ///< one of the curves has two knots here
+  bool isVertical = false;                    ///< one of the curves has two knots here
 };
 
 /// Returns the knots of all curves, with those at one place merged.
@@ -119,7 +119,7 @@ std::vector<Joint> jointsOf(const std::vector<AlignedCurve>& curves) {
         joints.back().own_mm[each.curve].value_or(each.displacement_mm) == each.displacement_mm;
     if (!joins) joints.push_back({each.place, std::vector<std::optional<double>>(curves.size()), false});
     std::optional<double>& own = joints.back().own_mm[each.curve];
-    joints.back().wall = joints.back().wall || own.has_value();
+    joints.back().isVertical = joints.back().isVertical || own.has_value();
     own = each.displacement_mm;
   }
   return joints;
@@ -145,12 +145,12 @@ struct Mean {
   }
 };
 
-void appendKnots(const Mean& mean, bool wall, std::vector<Knot>& knots) {
+void appendKnots(const Mean& mean, bool isVertical, std::vector<Knot>& knots) {
   if (!knots.empty() && mean.displacement_mm <= knots.back().displacement_mm)
     return;  // the same place, apart from rounding
   const double before = mean.slopeBefore_N / mean.lengthBefore_mm,
                after = mean.slopeAfter_N / mean.lengthAfter_mm;
-  if (!wall) {
+  if (!isVertical) {
     knots.push_back({mean.displacement_mm, mean.forceAfter_N, before, after});
     return;
   }
@@ -181,7 +181,7 @@ Result<StrokeCurve> blendCurves(const std::vector<AlignedCurve>& curves, const s
     for (std::size_t i = 0; i < curves.size(); ++i)
       mean.add(curves[i], joint.place, joint.own_mm[i].value_or(curves[i].displacementAt(joint.place)),
                weights[i]);
-    appendKnots(mean, joint.wall, knots);
+    appendKnots(mean, joint.isVertical, knots);
   }
   auto mean = StrokeCurve::fromKnots(std::move(knots));
   if (!mean) return mean;

@@ -90,9 +90,9 @@ std::optional<Failure> familyProblem(const Message& place, const ButtonState& st
                                                  : Message("lacks a release, which that at %1 has", own),
                            Message("Give all speeds a release, or none"));
     for (const Stroke stroke : {Stroke::press, Stroke::release}) {
-      const StrokeCurve &mine = state.graph.curve(stroke), &its = other.graph.curve(stroke);
+      const StrokeCurve &mine = state.graph.curve(stroke), &theirCurve = other.graph.curve(stroke);
       for (const auto& [from_mm, to_mm] :
-           {std::pair{its.start_mm(), mine.start_mm()}, std::pair{its.end_mm(), mine.end_mm()}})
+           {std::pair{theirCurve.start_mm(), mine.start_mm()}, std::pair{theirCurve.end_mm(), mine.end_mm()}})
         if (std::abs(from_mm - to_mm) > apart_mm)
           return buttonFailure(at,
                                Message("the %1 has an end at %2, that at %3 at %4: more than %5 apart",

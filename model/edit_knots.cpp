@@ -147,9 +147,9 @@ Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index) {
   return StrokeCurve::fromKnots(std::move(knots));
 }
 
-Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotPlace>& places) {
+Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotPlace>& positions) {
   std::vector<Knot> knots = curve.knots();
-  for (const KnotPlace& place : places) {
+  for (const KnotPlace& place : positions) {
     if (auto problem = noSuchKnot(curve, place.index)) return *problem;
     knots[place.index].displacement_mm = place.to.displacement_mm;
     knots[place.index].force_N = place.to.force_N;

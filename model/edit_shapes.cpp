@@ -96,11 +96,11 @@ Hill hillAt(const StrokeCurve& curve, CurvePoint apex, double reachEnd_mm) {
 std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Message& place) {
   const auto [before, apex, after] = hill;
   // the end of a vertical piece may move along it
-  const bool upWall = to.displacement_mm == apex.displacement_mm;
+  const bool upVertical = to.displacement_mm == apex.displacement_mm;
   const bool between = (to.displacement_mm > before.displacement_mm ||
-                        (upWall && before.displacement_mm == apex.displacement_mm)) &&
+                        (upVertical && before.displacement_mm == apex.displacement_mm)) &&
                        (to.displacement_mm < after.displacement_mm ||
-                        (upWall && after.displacement_mm == apex.displacement_mm));
+                        (upVertical && after.displacement_mm == apex.displacement_mm));
   if (!between)
     return shapeRefusal(
         place,
@@ -287,8 +287,8 @@ Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoi
   if (std::find(turns.begin(), turns.end(), turn) == turns.end())
     return shapeRefusal(place, Message("is not an extremum of the curve"),
                         Message("Choose a valley or a hump"));
-  const double foot_mm = bottomOutOf(curve, settings).displacement_mm;
-  return moveApex(curve, hillAt(curve, turn, foot_mm), to, place);
+  const double bottomOut_mm = bottomOutOf(curve, settings).displacement_mm;
+  return moveApex(curve, hillAt(curve, turn, bottomOut_mm), to, place);
 }
 
 Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIndex, double ratio,
@@ -310,8 +310,8 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
   if (!valley)
     return shapeRefusal(place, Message("has no valley after it"),
                         Message("Add one, or move the end of the stroke above it"));
-  const double foot_mm = bottomOutOf(press, settings).displacement_mm;
-  const Hill hill = hillAt(press, *valley, foot_mm);
+  const double bottomOut_mm = bottomOutOf(press, settings).displacement_mm;
+  const Hill hill = hillAt(press, *valley, bottomOut_mm);
   return moveApex(press, hill, {valley->displacement_mm, tactile.force_N * (1 - ratio)},
                   Message("valley after %1", place));
 }

@@ -44,7 +44,7 @@ struct KnotPlace {
 };
 /// Moves several knots at once and keeps their slopes. The order of knots must not change. Without places,
 /// returns the curve itself.
-Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotPlace>& places);
+Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotPlace>& positions);
 /// Removes several knots at once, as removeKnot does. Indices in any order; duplicates are allowed.
 Result<StrokeCurve> removeKnots(const StrokeCurve& curve, const std::vector<std::size_t>& indices);
 

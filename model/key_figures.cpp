@@ -46,12 +46,12 @@ void fillContacts(KeyFigures& figures, const StateMetrics& state) {
 
 /// Returns start, peak, valley and start of the bottom-out of a press.
 ShapePlaces placesOf(const StrokeMetrics& press, const CurvePoint& start) {
-  ShapePlaces places{start, {}, {}, {press.bottomOut.displacement_mm, press.bottomOut.force_N}};
+  ShapePlaces positions{start, {}, {}, {press.bottomOut.displacement_mm, press.bottomOut.force_N}};
   if (const TactileEvent* event = mainEvent(press)) {
-    places.peak = {event->point.displacement_mm, event->point.force_N};
-    places.valley = *event->following;
+    positions.peak = {event->point.displacement_mm, event->point.force_N};
+    positions.valley = *event->following;
   }
-  return places;
+  return positions;
 }
 
 CurvePoint startOf(const ButtonState& state) {
@@ -65,23 +65,23 @@ ShapePlaces shapePlacesOf(const ButtonState& state, const SectionSettings& setti
   return placesOf(metricsOf(state.graph.press(), Stroke::press, settings), startOf(state));
 }
 
-void fillShape(KeyFigures& figures, const ShapePlaces& places) {
-  figures[KeyFigure::bottomOutForce] = places.bottom.force_N;
-  figures[KeyFigure::bottomOutTravel] = places.bottom.displacement_mm;
-  if (!places.peak) {
-    figures[KeyFigure::slopeToPeak] = meanSlope(places.start, places.bottom);
+void fillShape(KeyFigures& figures, const ShapePlaces& positions) {
+  figures[KeyFigure::bottomOutForce] = positions.bottom.force_N;
+  figures[KeyFigure::bottomOutTravel] = positions.bottom.displacement_mm;
+  if (!positions.peak) {
+    figures[KeyFigure::slopeToPeak] = meanSlope(positions.start, positions.bottom);
     return;
   }
-  const CurvePoint &peak = *places.peak, &valley = *places.valley;
+  const CurvePoint &peak = *positions.peak, &valley = *positions.valley;
   figures[KeyFigure::peakForce] = peak.force_N;
   figures[KeyFigure::peakTravel] = peak.displacement_mm;
   figures[KeyFigure::valleyForce] = valley.force_N;
   figures[KeyFigure::valleyTravel] = valley.displacement_mm;
   figures[KeyFigure::drop] = peak.force_N - valley.force_N;
   if (peak.force_N > 0) figures[KeyFigure::snapRatio] = (peak.force_N - valley.force_N) / peak.force_N;
-  figures[KeyFigure::slopeToPeak] = meanSlope(places.start, peak);
+  figures[KeyFigure::slopeToPeak] = meanSlope(positions.start, peak);
   figures[KeyFigure::slopeOfDrop] = meanSlope(peak, valley);
-  figures[KeyFigure::slopeToBottomOut] = meanSlope(valley, places.bottom);
+  figures[KeyFigure::slopeToBottomOut] = meanSlope(valley, positions.bottom);
 }
 
 const std::array<KeyFigureName, keyFigureCount>& keyFigureNames() {

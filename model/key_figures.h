@@ -76,7 +76,7 @@ ShapePlaces shapePlacesOf(const ButtonState& state, const SectionSettings& setti
 
 /// Sets the figures that depend only on these places: peak, valley, bottom-out, and the spring rates between
 /// them.
-void fillShape(KeyFigures& figures, const ShapePlaces& places);
+void fillShape(KeyFigures& figures, const ShapePlaces& positions);
 
 /// Any thread.
 KeyFigures keyFiguresOf(const ButtonState& state, const SectionSettings& settings = {});

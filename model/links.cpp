@@ -48,11 +48,11 @@ Result<StrokeCurve> endingAt(const StrokeCurve& curve, Stroke stroke, double end
   for (std::size_t i = 0; i < sections.size(); ++i)
     if (sections[i].kind == SectionKind::bottomOut && sections[i].from_mm != sections[i].to_mm)
       return moveSection(curve, stroke, i, by_mm, 0);
-  std::vector<KnotPlace> places;
+  std::vector<KnotPlace> positions;
   for (std::size_t i = 0; i < curve.knots().size(); ++i)
     if (curve.knots()[i].displacement_mm == curve.end_mm())
-      places.push_back({i, {end_mm, curve.knots()[i].force_N}});
-  return placeKnots(curve, places);
+      positions.push_back({i, {end_mm, curve.knots()[i].force_N}});
+  return placeKnots(curve, positions);
 }
 
 Result<ForceGraph> endingAt(const ForceGraph& graph, double end_mm) {

@@ -116,13 +116,13 @@ bool NumberTable::is(std::initializer_list<std::string_view> fields) const {
 
 std::optional<std::vector<std::size_t>> NumberTable::columns(
     const std::vector<std::string_view>& names) const {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> positions;
   for (const std::string_view name : names) {
     const auto at = std::find(fields_.begin(), fields_.end(), name);
     if (at == fields_.end()) return {};
-    places.push_back(static_cast<std::size_t>(at - fields_.begin()));
+    positions.push_back(static_cast<std::size_t>(at - fields_.begin()));
   }
-  return places;
+  return positions;
 }
 
 std::optional<double> NumberTable::finite(std::size_t field) const {

@@ -20,9 +20,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // A short straight part of the curve, for finding the start of the bottom-out.
 struct Chord {
   double from_mm, to_mm, fromForce_N, toForce_N;
-  bool wall() const { return from_mm == to_mm; }
+  bool isVertical() const { return from_mm == to_mm; }
   double slope() const {
-    if (wall()) return toForce_N > fromForce_N ? infinity : toForce_N < fromForce_N ? -infinity : 0;
+    if (isVertical()) return toForce_N > fromForce_N ? infinity : toForce_N < fromForce_N ? -infinity : 0;
     return (toForce_N - fromForce_N) / (to_mm - from_mm);
   }
 };
@@ -69,7 +69,7 @@ std::vector<double> rangesBefore(const std::vector<Chord>& chords) {
 }
 
 // Index of the first chord of the bottom-out, or chords.size() if there is none.
-std::size_t firstWallChord(const std::vector<Chord>& chords, const SectionSettings& settings) {
+std::size_t firstBottomOutChord(const std::vector<Chord>& chords, const SectionSettings& settings) {
   const double start = chords.front().from_mm, end = chords.back().to_mm, travel = end - start;
   const double endForce = chords.back().toForce_N;
   const std::vector<double> ranges = rangesBefore(chords);
@@ -91,11 +91,11 @@ std::size_t firstWallChord(const std::vector<Chord>& chords, const SectionSettin
 
 // Displacement in the chord before the bottom-out where the slope exceeds the limit; the chord's end if it
 // does not.
-double footBefore(const StrokeCurve& curve, const Chord& before, const Chord& wall, double slopeRatio,
-                  double range) {
-  double low = before.from_mm, high = wall.from_mm;
-  const double bar = slopeRatio * range / (wall.from_mm - curve.start_mm());
-  if (before.wall() || curve.slopeBefore_N_per_mm(high) <= bar || curve.slope_N_per_mm(low) > bar)
+double startBefore(const StrokeCurve& curve, const Chord& before, const Chord& rise, double slopeRatio,
+                   double range) {
+  double low = before.from_mm, high = rise.from_mm;
+  const double bar = slopeRatio * range / (rise.from_mm - curve.start_mm());
+  if (before.isVertical() || curve.slopeBefore_N_per_mm(high) <= bar || curve.slope_N_per_mm(low) > bar)
     return high;
   for (int i = 0; i < 60 && low < high; ++i) {
     const double middle = low + 0.5 * (high - low);
@@ -168,12 +168,12 @@ double prominenceBar(const StrokeCurve& curve, const BottomOut& bottomOut, const
   double low = infinity, high = -infinity;
   for (const MonotoneStretch& s : curve.monotoneStretches()) {
     if (s.from_mm > bottomOut.displacement_mm) break;
-    const bool reachesFoot = bottomOut.wall && s.to_mm >= bottomOut.displacement_mm;
-    for (double force : {s.fromForce_N, reachesFoot ? bottomOut.force_N : s.toForce_N}) {
+    const bool reachesBottomOut = bottomOut.wall && s.to_mm >= bottomOut.displacement_mm;
+    for (double force : {s.fromForce_N, reachesBottomOut ? bottomOut.force_N : s.toForce_N}) {
       low = std::min(low, force);
       high = std::max(high, force);
     }
-    if (reachesFoot) break;
+    if (reachesBottomOut) break;
   }
   return std::max(settings.minProminence_N, settings.minProminenceOfSpan * std::max(0.0, high - low));
 }
@@ -238,13 +238,15 @@ void checkSettings(const SectionSettings& settings) {
 BottomOut bottomOutOf(const StrokeCurve& curve, const SectionSettings& settings) {
   checkSettings(settings);
   const std::vector<Chord> chords = chordsOf(curve);
-  const std::size_t first = firstWallChord(chords, settings);
+  const std::size_t first = firstBottomOutChord(chords, settings);
   if (first == chords.size()) return {curve.end_mm(), curve.knots().back().force_N, false};
-  const Chord& wall = chords[first];
-  if (first == 0) return {wall.from_mm, wall.fromForce_N, true};
+  const Chord& rise = chords[first];
+  if (first == 0) return {rise.from_mm, rise.fromForce_N, true};
   const double range = rangesBefore(chords)[first];
-  const double foot = footBefore(curve, chords[first - 1], wall, settings.bottomOutSlopeRatio, range);
-  return {foot, foot == wall.from_mm ? wall.fromForce_N : curve.force_N(foot), true};
+  const double bottomOutStart_mm =
+      startBefore(curve, chords[first - 1], rise, settings.bottomOutSlopeRatio, range);
+  return {bottomOutStart_mm,
+          bottomOutStart_mm == rise.from_mm ? rise.fromForce_N : curve.force_N(bottomOutStart_mm), true};
 }
 
 std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke,
@@ -293,10 +295,10 @@ std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const B
     atForce = toForce;
   }
   if (press) {
-    const bool footAhead =
+    const bool startsAhead =
         bottomOut.wall && (bottomOut.displacement_mm > at_mm ||
                            (bottomOut.displacement_mm == at_mm && bottomOut.force_N >= atForce));
-    if (footAhead)
+    if (startsAhead)
       appendSlope(sections, at_mm, atForce, bottomOut.displacement_mm, bottomOut.force_N);
     else if (!bottomOut.wall)
       appendSlope(sections, at_mm, atForce, last.displacement_mm, last.force_N);

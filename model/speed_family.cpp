@@ -22,13 +22,13 @@ double slopeAfter(const StrokeCurve& curve, double at_mm) {
 
 Result<StrokeCurve> mixed(const StrokeCurve& a, const StrokeCurve& b, double share) {
   if (a == b) return a;
-  std::vector<double> places;
+  std::vector<double> positions;
   for (const StrokeCurve* curve : {&a, &b})
-    for (const Knot& knot : curve->knots()) places.push_back(knot.displacement_mm);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (const Knot& knot : curve->knots()) positions.push_back(knot.displacement_mm);
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
   std::vector<Knot> knots;
-  for (const double at_mm : places) {
+  for (const double at_mm : positions) {
     const double before_N = std::lerp(a.forceBefore_N(at_mm), b.forceBefore_N(at_mm), share);
     const double after_N = std::lerp(a.force_N(at_mm), b.force_N(at_mm), share);
     const double before = std::lerp(slopeBefore(a, at_mm), slopeBefore(b, at_mm), share);

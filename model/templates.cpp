@@ -6,7 +6,7 @@
 namespace detent {
 namespace {
 
-void appendWall(std::vector<CurvePoint>& points, std::optional<double> wallForce_N) {
+void appendBottomOut(std::vector<CurvePoint>& points, std::optional<double> wallForce_N) {
   if (wallForce_N) points.push_back({points.back().displacement_mm, *wallForce_N});
 }
 
@@ -33,7 +33,7 @@ StrokeSketch pressSketch(const TactileTemplate& values) {
     sketch.points.push_back(level.valley);
   }
   sketch.points.push_back({values.travel_mm, values.endForce_N});
-  appendWall(sketch.points, values.wallForce_N);
+  appendBottomOut(sketch.points, values.wallForce_N);
   return sketch;
 }
 
@@ -44,7 +44,7 @@ StrokeSketch releaseSketch(const TactileTemplate& values) {
     sketch.points.push_back(level->tactile);
   }
   sketch.points.push_back({values.travel_mm, values.releaseEndForce_N});
-  appendWall(sketch.points, values.wallForce_N);
+  appendBottomOut(sketch.points, values.wallForce_N);
   return sketch;
 }
 
@@ -72,8 +72,8 @@ Result<Button> linearButton(const LinearTemplate& values) {
   StrokeSketch release{{{0, values.startForce_N - values.hysteresis_N},
                         {values.travel_mm, values.endForce_N - values.hysteresis_N}},
                        {0}};
-  appendWall(press.points, values.wallForce_N);
-  appendWall(release.points, values.wallForce_N);
+  appendBottomOut(press.points, values.wallForce_N);
+  appendBottomOut(release.points, values.wallForce_N);
   return momentary(values.name, press, release, values.operatingPoint_mm, values.resetPoint_mm);
 }
 
@@ -96,8 +96,8 @@ Result<Button> clickyButton(const ClickyTemplate& values) {
         values.valleyForce_N - (values.endForce_N - values.releaseEndForce_N)},
        {values.travel_mm, values.releaseEndForce_N}},
       {0, 1, 3}};
-  appendWall(press.points, values.wallForce_N);
-  appendWall(release.points, values.wallForce_N);
+  appendBottomOut(press.points, values.wallForce_N);
+  appendBottomOut(release.points, values.wallForce_N);
   return momentary(values.name, press, release, values.operatingPoint_mm, values.resetPoint_mm);
 }
 
@@ -142,7 +142,7 @@ Result<Button> selfLockingButton(const SelfLockingTemplate& values) {
                               {values.travel_mm, values.endForce_N - values.hysteresis_N}},
                              {}};
   for (StrokeSketch* sketch : {&unlockedPress, &unlockedRelease, &lockedPress, &lockedRelease})
-    appendWall(sketch->points, values.wallForce_N);
+    appendBottomOut(sketch->points, values.wallForce_N);
   auto unlocked = graphFrom(unlockedPress, unlockedRelease);
   if (!unlocked) return unlocked.failure();
   auto locked = graphFrom(lockedPress, lockedRelease);

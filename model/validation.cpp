@@ -58,11 +58,11 @@ struct Findings {
 };
 
 // Displacement where the first of the two bottom-outs begins; infinity if neither stroke has one.
-double firstWall(const StrokeCurve& press, const StrokeCurve& release, const SectionSettings& settings) {
+double firstBottomOut(const StrokeCurve& press, const StrokeCurve& release, const SectionSettings& settings) {
   double first = std::numeric_limits<double>::infinity();
   for (const StrokeCurve* curve : {&press, &release})
-    if (const BottomOut foot = bottomOutOf(*curve, settings); foot.wall)
-      first = std::min(first, foot.displacement_mm);
+    if (const BottomOut bottomOut = bottomOutOf(*curve, settings); bottomOut.wall)
+      first = std::min(first, bottomOut.displacement_mm);
   return first;
 }
 
@@ -73,10 +73,10 @@ struct Crossing {
 // Largest distance of a release above a press.
 Crossing worstCrossing(const StrokeCurve& press, const StrokeCurve& release,
                        const SectionSettings& settings) {
-  const double wall_mm = firstWall(press, release, settings);
+  const double bottomOut_mm = firstBottomOut(press, release, settings);
   Crossing worst;
   for (double x : sampleDisplacements(press, release)) {
-    if (x >= wall_mm) break;  // in a bottom-out a tiny displacement changes the force by any amount
+    if (x >= bottomOut_mm) break;  // in a bottom-out a tiny displacement changes the force by any amount
     const double above_N = std::max(release.force_N(x), release.forceBefore_N(x)) -
                            std::max(press.force_N(x), press.forceBefore_N(x));
     if (above_N > worst.above_N) worst = {above_N, x};

@@ -33,7 +33,7 @@ double rounded(double value, int digits) {
   return std::round(value / unit) * unit;
 }
 
-/// What is told to carry a button carries a little more than it needs.
+/// Factor on the force or slope that a remedy names, so that the button is then accepted with a margin.
 constexpr double spareOfRemedy = 1.1;
 
 }  // namespace

@@ -23,8 +23,8 @@ struct FittedForce {
 Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace, const MarginPoint& least,
                     double needed_N_per_mm);
 
-/// The nearest button that the margin allows at the device's rate. Failure deviceTrouble where that is none
-/// worth feeling.
+/// The nearest button that the margin allows at the device's rate. Failure deviceTrouble if
+/// that is not worth feeling.
 Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& device,
                              const ForceSettings& settings, const ForceLinkPace& pace);
 

@@ -67,7 +67,7 @@ struct ForcePlayerSettings {
   bool paced = true;         ///< false: a simulated device runs as fast as it can
   bool holdToRun = false;    ///< force only while somebody holds: `hold`, the space bar, OSC /detent/hold
   bool stopKeys = false;     ///< keys of the terminal stop and arm (docs/guide/force-feedback.md)
-  bool stopSignals = false;  ///< SIGUSR1 stops; so does, at once, what ends the program
+  bool stopSignals = false;  ///< SIGUSR1 stops; signals that end the program stop at once, too
   std::optional<std::uint16_t> stopOscPort;  ///< OSC /detent/stop stops; 0: the system chooses
   std::string stopOscAddress = "127.0.0.1";
 };

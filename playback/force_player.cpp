@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ForcePlayer: the front door's way to prepare/, realtime/ and device/.
+// ForcePlayer: runs prepare/, realtime/ and device/ for the public header.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -76,7 +76,7 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   const double slow_s = slowPeriod_s(period_s, *roundTrip_s);
   slower.rate_Hz = 1 / slow_s;
   slower.delay_s = std::max(slower.delay_s, slow_s);
-  // Answers of such a link come when they come: nothing of its delay counts as led away.
+  // Answers of such a link come at any time, so no part of its delay is compensated by prediction.
   slower.jitter_s = 0.5 * slow_s + slower.late_s();
   ForceLinkPace pace;
   pace.roundTrip_s = *roundTrip_s;

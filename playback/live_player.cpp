@@ -481,7 +481,7 @@ class Player : public LivePlayer {
     if (heldByDisplacement_) held_mm_ = value;
     if (kind == CommandKind::resync) {
       follower_.placeAtForce(value);
-      presses_.use(&routeProgram_->program);  // what was done meanwhile is not known
+      presses_.use(&routeProgram_->program);  // the movements in between are not known
       presses_.take(follower_.position());
       followedAt_s_ = time_s;
       return;
@@ -590,7 +590,7 @@ class Player : public LivePlayer {
     return conditionedInputs(trace, routeProgram_->program, session_.sampleRate_Hz(), origin_s, counts);
   }
 
-  // Of the trace before: what was sent ahead never comes, and the finger is where the new one begins.
+  // Drops the inputs of the previous trace that were sent ahead, and places the finger at the new trace's start.
   void dropSentAhead(const EngineInput& first) {
     SessionCommand command;
     command.kind = CommandKind::forget;
@@ -604,7 +604,7 @@ class Player : public LivePlayer {
   void feedTrace(const std::vector<EngineInput>& inputs) {
     const double rate = session_.sampleRate_Hz();
     std::size_t next = 0;
-    // Where the device goes away a trace ends: what was missed of it cannot be made up for.
+    // A lost device ends the trace, because the missed part cannot be played later.
     const auto away = [&] { return output_->state() == StreamState::lost; };
     while (!stopTrace_ && !away() && next < inputs.size()) {
       receive();

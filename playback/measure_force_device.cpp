@@ -26,7 +26,7 @@ constexpr double rampsOver_s = 0.25;
 constexpr double moved_mm = 0.25;
 // After a pause of this length no device still gives the commanded force (docs/reference/force-protocol.md).
 constexpr double longPause_s = 0.01;
-constexpr auto lookEvery = std::chrono::milliseconds(20);
+constexpr auto checkEvery = std::chrono::milliseconds(20);
 
 Failure trouble(const ForceDeviceChoice& device, const std::string& problem, const std::string& remedy) {
   return {FailureCode::deviceTrouble, device.port.empty() ? device.profile.name : device.port, "", problem,
@@ -50,7 +50,7 @@ class Measuring {
     if (Result<Done> relay = record(stepsOf(relayTest_s), false); !relay) return relay.failure();
     if (Result<Done> moved = checkMoved(); !moved) return moved.failure();
     Result<MotionIdentification> roughly = identifyMotion(record_);
-    if (!roughly) return told(roughly.failure());
+    if (!roughly) return reported(roughly.failure());
     program_->excitation =
         chirpTest(*program_, settings_.range_mm, roughly->mass_kg.value, roughly->friction_N.value);
     loop_->setProgram(*program_);
@@ -58,7 +58,7 @@ class Measuring {
     orders_.reset();
     loop_.reset();
     Result<MotionIdentification> motion = identifyMotion(record_);
-    if (!motion) return told(motion.failure());
+    if (!motion) return reported(motion.failure());
     return measured(*motion);
   }
 
@@ -132,7 +132,7 @@ class Measuring {
       if (status.finished) return trouble(device_, "was stopped before it was measured", "Measure it again");
       if (!onward_(std::min(1.0, time_s_ / (relayTest_s + chirpTest_s))))
         return Failure::cancelled(device_.profile.name);
-      std::this_thread::sleep_for(lookEvery);
+      std::this_thread::sleep_for(checkEvery);
     }
   }
 
@@ -205,7 +205,7 @@ class Measuring {
                    "the finger off");
   }
 
-  Failure told(const Failure& failure) const {
+  Failure reported(const Failure& failure) const {
     Failure named = failure;
     named.subject = device_.port.empty() ? device_.profile.name : device_.port;
     return named;

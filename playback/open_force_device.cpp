@@ -58,10 +58,11 @@ Failure unmovedOn(const std::string& port) {
               "take the finger off, and try again")};
 }
 
-Failure irregularOn(const std::string& port, std::uint64_t missed, std::uint64_t asked) {
-  return {FailureCode::deviceTrouble, port, "",
-          Message("%1 of %2 answers were late or lost while the handle was pushed a little", missed, asked),
-          Message("Check the cable, close what else runs on this computer, and try again")};
+Failure irregularOn(const std::string& port, std::uint64_t missed, std::uint64_t requested) {
+  return {
+      FailureCode::deviceTrouble, port, "",
+      Message("%1 of %2 answers were late or lost while the handle was pushed a little", missed, requested),
+      Message("Check the cable, close what else runs on this computer, and try again")};
 }
 
 /// Pushes the handle a little (realtime/direction_proof.h) before a device is given a law that it then runs by itself, as slowly as the

@@ -110,7 +110,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
 /// frame: titles are farther out than labels, and a view made for a plot cuts them. `frame` in that view's
 /// pixels, `toWide` from the pixels that `axes` were read in. A unit that is found replaces the stated
 /// default, in the scale as well.
-void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
+void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFrame& frame,
                       const Homography& toWide);
 
 /// Adds to `axes.texts` what else is written in and beside the frame: callouts, legend, titles over the plot.

@@ -52,19 +52,19 @@ std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis ax
 Box untilAxis(const GraphReading& r, const Box& word) {
   constexpr double apart = 0.45, digit = 0.5;  // of the word's height
   const int top = std::max(0, static_cast<int>(std::ceil(word.y0))),
-            foot = std::min(r.ink.rows - 1, static_cast<int>(std::floor(word.y1)));
-  const int margin = foot - top;
-  const auto isInk = [&](int y, int x) {
+            bottom = std::min(r.ink.rows - 1, static_cast<int>(std::floor(word.y1)));
+  const int margin = bottom - top;
+  const auto isMark = [&](int y, int x) {
     return y >= 0 && y < r.ink.rows && r.ink.at<std::uint8_t>(y, x) != 0;
   };
   Box whole = word;
   const double end = std::min(r.box.x0, r.ink.cols - 1.0);
   for (int x = static_cast<int>(std::ceil(word.x1)); x < std::min(end, whole.x1 + apart * word.height());
        ++x) {
-    if (isInk(top - margin / 2, x) || isInk(foot + margin / 2, x)) break;  // the axis
-    int first = foot, last = top;
-    for (int y = top; y <= foot; ++y)
-      if (isInk(y, x)) first = std::min(first, y), last = std::max(last, y);
+    if (isMark(top - margin / 2, x) || isMark(bottom + margin / 2, x)) break;  // the axis
+    int first = bottom, last = top;
+    for (int y = top; y <= bottom; ++y)
+      if (isMark(y, x)) first = std::min(first, y), last = std::max(last, y);
     if (last - first >= digit * word.height()) whole.x1 = x + 0.5;
   }
   return whole;
@@ -90,7 +90,7 @@ double digitsWide(const std::string& text) {
 
 /// Takes back readings that leave room for more digits than were read: "2" of "20" counts on as nicely as the
 /// whole number, and makes a scale ten times too small.
-void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places, double angle_deg) {
+void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& positions, double angle_deg) {
   constexpr double roomForMore = 1.7;  // times the usual width of a digit
   std::vector<double> perDigit(found.words.size(), 0), known;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
@@ -104,7 +104,7 @@ void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places, double a
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     if (perDigit[i] <= most) continue;
     found.readings[i].clear();
-    places[i].readings.clear();
+    positions[i].readings.clear();
   }
 }
 
@@ -126,25 +126,25 @@ Box withLettersBehind(const std::vector<Box>& glyphs, const Box& number, const s
 
 /// Labels of an x axis stand about their ticks with the unit behind the number ("0.5 mm"), though that was
 /// taken for another word. One alone may be a title beside the last number.
-void centreWithUnits(const GraphReading& r, const AxisLabels& found, std::vector<LabelPlace>& places) {
+void centreWithUnits(const GraphReading& r, const AxisLabels& found, std::vector<LabelPlace>& positions) {
   constexpr int fewest = 2;
   const std::vector<Box> wholes = withLettersBehind(r.glyphs, found);
   int lettered = 0;
   for (std::size_t i = 0; i < wholes.size(); ++i) lettered += wholes[i] != found.words[i].box;
   if (lettered < fewest) return;
-  for (std::size_t i = 0; i < wholes.size(); ++i) places[i].center_px = wholes[i].middle().x;
+  for (std::size_t i = 0; i < wholes.size(); ++i) positions[i].center_px = wholes[i].middle().x;
 }
 
 int agreed(const AxisLabels& a) { return a.progression ? a.progression->labels : 0; }
 
 /// Small labels that the engine leaves in doubt are read together; what comes out stands for what it read.
-void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPlace>& places,
+void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPlace>& positions,
                   const std::vector<GridLine>& ticks, Axis axis) {
   std::vector<Box> words;
   std::vector<double> centers;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     words.push_back(found.words[i].box);
-    centers.push_back(places[i].center_px);
+    centers.push_back(positions[i].center_px);
   }
   const auto read = readSmallLabels(r.darkness, words, centers, axis == Axis::x);
   if (!read) return;
@@ -159,13 +159,13 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   for (std::size_t i = 0; i < words.size(); ++i) {
     found.words[i].utf8 = read->texts[i];
     found.words[i].confidence = read->likeness;
-    found.readings[i] = places[i].readings = numberReadings(read->texts[i], 1);
+    found.readings[i] = positions[i].readings = numberReadings(read->texts[i], 1);
   }
-  found.progression = fitProgression(places, ticks, axis == Axis::x);
+  found.progression = fitProgression(positions, ticks, axis == Axis::x);
 }
 
 /// Where equal digits are equal to the pixel, each is read as the same one everywhere.
-void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<LabelPlace>& places,
+void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<LabelPlace>& positions,
                std::vector<std::string>& texts, Axis axis) {
   const auto isText = [](const SeenText& word) { return word.confidence >= 1; };  // the document's own
   if (std::ranges::any_of(found.words, isText)) return;
@@ -176,7 +176,7 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
   if (!isUnsmoothed(r.darkness, boxes)) return;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     letters.push_back(lettersOf(r.ink, found.words[i].box));
-    centers.push_back(places[i].center_px);
+    centers.push_back(positions[i].center_px);
   }
   const auto read = readEqualDigits(letters, centers, axis == Axis::x, texts);
   if (!read) return;
@@ -190,7 +190,7 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
 /// "00" as wide as two digits, where the scale has its zero, is a "0.0" that lost its point: the print has
 /// decimals, and its other numbers of two digits without a point have lost theirs. Small print reads 0.0,
 /// 0.5, 1.0 as 00, 5, 10.
-void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& places, const std::vector<GridLine>& ticks,
+void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& positions, const std::vector<GridLine>& ticks,
                    Axis axis, double angle_deg) {
   constexpr double asWide = 0.8;  // of the usual width of a digit
   if (!found.progression) return;
@@ -215,18 +215,19 @@ void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& places, const std
     const auto whole = printedNumber(found.words[i].utf8);
     std::erase_if(readings, [&](const NumberReading& reading) { return reading.value == whole; });
     for (NumberReading& reading : readings) reading.weight = 1;
-    places[i].readings = readings;
+    positions[i].readings = readings;
   }
-  found.progression = fitProgression(places, ticks, axis == Axis::x);
+  found.progression = fitProgression(positions, ticks, axis == Axis::x);
 }
 
 /// Numbers that fall to the right or upwards are believed where all of a row agree, four at least, each at
 /// its tick.
-std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& places,
+std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& positions,
                                               const std::vector<GridLine>& ticks, Axis axis) {
   constexpr int fewest = 4;
-  auto falling = fitProgression(places, ticks, axis != Axis::x);
-  const auto numbers = std::ranges::count_if(places, [](const LabelPlace& p) { return !p.readings.empty(); });
+  auto falling = fitProgression(positions, ticks, axis != Axis::x);
+  const auto numbers =
+      std::ranges::count_if(positions, [](const LabelPlace& p) { return !p.readings.empty(); });
   if (!falling || !falling->fromTicks || falling->labels < fewest || falling->labels < numbers) return {};
   return falling;
 }
@@ -235,7 +236,7 @@ std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& pla
 AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLine>& ticks, Axis axis,
                   TextKind kind, double angle_deg) {
   AxisLabels found;
-  std::vector<LabelPlace> places;
+  std::vector<LabelPlace> positions;
   std::vector<std::string> texts;
   double height = 0;
   const bool upright = angle_deg == 0;
@@ -254,21 +255,21 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
     found.readings.push_back(numberReadings(texts.back(), seen.confidence));
     found.extent = found.words.empty() ? w : found.extent.joined(w);
     found.words.push_back(std::move(seen));
-    places.push_back(std::move(place));
+    positions.push_back(std::move(place));
   }
-  if (kind == TextKind::number && upright) readAlike(r, found, places, texts, axis);
+  if (kind == TextKind::number && upright) readAlike(r, found, positions, texts, axis);
   expectLostPoints(texts, found.readings);
   found.thousands = expectThousands(texts, found.readings);
-  for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];
-  if (axis == Axis::x && upright) centreWithUnits(r, found, places);
-  if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places, angle_deg);
-  found.progression = fitProgression(places, ticks, axis == Axis::x);
-  if (kind == TextKind::number) putPointsBack(found, places, ticks, axis, angle_deg);
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i].readings = found.readings[i];
+  if (axis == Axis::x && upright) centreWithUnits(r, found, positions);
+  if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, positions, angle_deg);
+  found.progression = fitProgression(positions, ticks, axis == Axis::x);
+  if (kind == TextKind::number) putPointsBack(found, positions, ticks, axis, angle_deg);
   if (!found.progression || found.progression->labels < 3)
-    if (auto falling = fallingProgression(places, ticks, axis)) found.progression = std::move(falling);
+    if (auto falling = fallingProgression(positions, ticks, axis)) found.progression = std::move(falling);
   const bool settled = agreed(found) == static_cast<int>(found.words.size());
   if (kind == TextKind::number && height <= smallDigits_px && !settled && upright)
-    readTogether(r, found, places, ticks, axis);
+    readTogether(r, found, positions, ticks, axis);
   return found;
 }
 
@@ -425,7 +426,7 @@ std::vector<Box> withoutTicksBefore(std::vector<Box> glyphs, const LabelRow& col
 }  // namespace
 
 std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<GridLine>& lines) {
-  constexpr int fewestRegular = 4;  // what is less may be a legend's
+  constexpr int fewestRegular = 4;  // fewer may belong to a legend
   const Box& b = r.box;
   constexpr double besideEdge_px = 3;
   const Box band{b.x1 + besideEdge_px, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(),
@@ -456,7 +457,7 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
                      : Box{b.x0 - 0.36 * w, b.y0 - 0.1 * h, b.x0 - 1, b.y1 + 0.08 * h};
   auto lines = x ? r.frame.xLines : r.frame.yLines;
   for (auto& line : lines) line.position_px -= x ? r.frame.drawnOffset_px.x : r.frame.drawnOffset_px.y;
-  // Numbers of the document's text beside a plot whose own labels are drawn must not hide those.
+  // Try both: a plot whose labels are drawn may have other numbers of the document's text beside it.
   std::optional<AxisLabels> best;
   if (const auto own = ownLabelWords(r, band, 0); own.size() >= 2) {
     best = tryRows(r, axis, own, lines, TextKind::number);

@@ -14,7 +14,7 @@ namespace {
 
 template <class Unit, class Parse>
 void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
-  constexpr double sureLetter = 0.85;  // a single letter may be anything's rest
+  constexpr double sureLetter = 0.85;  // a single letter may be the rest of another mark
   for (const auto& line : lines) {
     if (line.utf8.size() < 2 && line.confidence < sureLetter) continue;
     const auto unit = parse(line.utf8, sourceOf(line));
@@ -104,8 +104,8 @@ void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<See
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
 }
 
-/// Title from lines in the plot itself, if they have a certain unit: a title at the axis' end may be set over
-/// the axis, and callouts ("4.2 mm") are none.
+/// Title from lines inside the plot, if they have a certain unit: a title at the end of an axis may stand inside
+/// the frame. Callouts ("4.2 mm") are not titles.
 template <class Unit, class Parse>
 void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
   AxisTitle<Unit> inside;

@@ -69,12 +69,12 @@ double advancesOf(const std::string& ascii) {
 }
 
 cv::Mat finePatch(const cv::Mat& darkness, const Box& word, int quarterTurns) {
-  constexpr int rim_px = 1;  // what stands farther off than the rim, a tick or a neighbour, is none of it
-  const cv::Rect ink(
+  constexpr int rim_px = 1;  // beyond this rim ticks and neighbours begin
+  const cv::Rect marksBox(
       static_cast<int>(std::lround(word.x0 + 0.5)), static_cast<int>(std::lround(word.y0 + 0.5)),
       static_cast<int>(std::lround(word.width())), static_cast<int>(std::lround(word.height())));
   const auto grown = [&](int by) {
-    return cv::Rect(ink.x - by, ink.y - by, ink.width + 2 * by, ink.height + 2 * by);
+    return cv::Rect(marksBox.x - by, marksBox.y - by, marksBox.width + 2 * by, marksBox.height + 2 * by);
   };
   const cv::Rect all = grown(room_px), seen = grown(rim_px) & cv::Rect(0, 0, darkness.cols, darkness.rows);
   if (seen.empty()) return {};
@@ -110,10 +110,10 @@ cv::Mat DrawnText::drawn(const std::string& ascii) {
   cv::Mat canvas = cv::Mat::zeros(height, fine(advancesOf(ascii) * hand_.advance_px) + 2 * margin, CV_8U);
   double at = margin;
   for (const char c : ascii) {
-    const cv::Mat& ink = glyph(c);
-    cv::Mat place = canvas(
-        cv::Rect(std::min(static_cast<int>(std::lround(at)), canvas.cols - ink.cols), 0, ink.cols, ink.rows));
-    cv::max(place, ink, place);
+    const cv::Mat& marks = glyph(c);
+    cv::Mat place = canvas(cv::Rect(std::min(static_cast<int>(std::lround(at)), canvas.cols - marks.cols), 0,
+                                    marks.cols, marks.rows));
+    cv::max(place, marks, place);
     at += advanceOf(c) * hand_.advance_px * finer;
   }
   cv::GaussianBlur(canvas, canvas, {}, blur_px * finer);
@@ -121,8 +121,8 @@ cv::Mat DrawnText::drawn(const std::string& ascii) {
   const bool tall = ascii.find_first_not_of("0123456789.") != std::string::npos;
   if (tall) return canvas;
   const int over = static_cast<int>(above / (1 + above + below) * height),
-            foot = static_cast<int>(below / (1 + above + below) * height);
-  const int top = std::max(0, over - margin), end = std::min(height, height - foot + margin);
+            bottom = static_cast<int>(below / (1 + above + below) * height);
+  const int top = std::max(0, over - margin), end = std::min(height, height - bottom + margin);
   return canvas.rowRange(top, end);
 }
 

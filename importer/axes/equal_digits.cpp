@@ -41,9 +41,9 @@ bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<s
     for (std::size_t k = 0; k < texts[i].size(); ++k) {
       const std::size_t shape = shapes[i][k];
       signOf.resize(std::max(signOf.size(), shape + 1), 0);
-      std::size_t& its = shapeOf[static_cast<unsigned char>(texts[i][k])];
-      if (its == none && signOf[shape] == 0) its = shape, signOf[shape] = texts[i][k];
-      if (its != shape || signOf[shape] != texts[i][k]) return false;
+      std::size_t& ownShape = shapeOf[static_cast<unsigned char>(texts[i][k])];
+      if (ownShape == none && signOf[shape] == 0) ownShape = shape, signOf[shape] = texts[i][k];
+      if (ownShape != shape || signOf[shape] != texts[i][k]) return false;
     }
   }
   return true;
@@ -78,7 +78,8 @@ bool LetterShape::looksLike(const LetterShape& other) const {
   return others * pixelsPerOther <= ink.size();
 }
 
-std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& ink, const AxisCalibration& axes) {
+std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& marks,
+                                  const AxisCalibration& axes) {
   std::vector<LetterShape> digits;
   std::vector<Box> labels;
   for (const AxisReading* axis : {&axes.x, &axes.y})
@@ -88,7 +89,7 @@ std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& ink, c
   for (const AxisReading* axis : {&axes.x, &axes.y})
     for (const TickLabel& tick : axis->ticks) {
       if (!tick.used) continue;
-      std::vector<LetterShape> letters = lettersOf(ink, tick.box);
+      std::vector<LetterShape> letters = lettersOf(marks, tick.box);
       if (letters.size() != tick.text.size()) continue;
       for (std::size_t k = 0; k < letters.size(); ++k) {
         if (tick.text[k] < '0' || tick.text[k] > '9') continue;
@@ -124,24 +125,24 @@ bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words) {
   return between <= mostBetween * inked;
 }
 
-std::vector<LetterShape> lettersOf(const cv::Mat& ink, const Box& word) {
-  const cv::Rect all(0, 0, ink.cols, ink.rows);
+std::vector<LetterShape> lettersOf(const cv::Mat& marks, const Box& word) {
+  const cv::Rect all(0, 0, marks.cols, marks.rows);
   const cv::Rect at =
       all &
       cv::Rect(static_cast<int>(std::lround(word.x0 + 0.5)), static_cast<int>(std::lround(word.y0 + 0.5)),
                static_cast<int>(std::lround(word.width())), static_cast<int>(std::lround(word.height())));
   std::vector<LetterShape> letters;
-  const auto isInked = [&](int x) { return cv::countNonZero(ink(cv::Rect(x, at.y, 1, at.height))) > 0; };
+  const auto isInked = [&](int x) { return cv::countNonZero(marks(cv::Rect(x, at.y, 1, at.height))) > 0; };
   for (int x = at.x; !at.empty() && x < at.x + at.width; ++x) {
     if (!isInked(x)) continue;
     int end = x + 1;
     while (end < at.x + at.width && isInked(end)) ++end;
     const cv::Rect columns(x, at.y, end - x, at.height);
-    const cv::Rect own = cv::boundingRect(ink(columns)) + columns.tl();
+    const cv::Rect own = cv::boundingRect(marks(columns)) + columns.tl();
     LetterShape letter{own.width, own.height, {}, 0};
     for (int v = own.y; v < own.y + own.height; ++v)
       for (int u = own.x; u < own.x + own.width; ++u)
-        letter.ink.push_back(ink.at<std::uint8_t>(v, u) != 0 ? 1 : 0);
+        letter.ink.push_back(marks.at<std::uint8_t>(v, u) != 0 ? 1 : 0);
     letters.push_back(std::move(letter));
     x = end;
   }

@@ -31,7 +31,7 @@ bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words);
 
 /// The shapes of a word's letters from left to right, separated by empty columns. The mask is 255 at dark
 /// pixels, else 0.
-std::vector<LetterShape> lettersOf(const cv::Mat& ink, const Box& word);
+std::vector<LetterShape> lettersOf(const cv::Mat& marks, const Box& word);
 
 /// Numbers in even steps (three to twelve words, ordered along the axis) that have the same digit where the
 /// shape is the same and another one where it is not, nearest to what the engine read. Empty where digits
@@ -43,7 +43,7 @@ std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::v
 
 /// Digits with the shapes of the labels of both axes, each once; none if their print is smoothed or one sign
 /// has two shapes. Darkness and mask are those of the view they were read in.
-std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& ink, const AxisCalibration& axes);
+std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& marks, const AxisCalibration& axes);
 
 /// The reading of a word with digits of known shape in place of the engine's.
 std::string withKnownDigits(const std::string& utf8, const std::vector<LetterShape>& letters,

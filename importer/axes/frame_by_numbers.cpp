@@ -17,11 +17,11 @@ constexpr std::size_t fewestLabels = 3;
 
 /// One axis' used labels, along it.
 struct LabelSeries {
-  std::vector<double> places;  // increasing
-  double step_px = 0;          // between neighbours
-  double across = 0;           // middle of the words, across the axis; of a column the edge that they share
-  double height = 0;           // of a word
-  bool onRight = false;        // a column on the frame's right
+  std::vector<double> positions;  // increasing
+  double step_px = 0;             // between neighbours
+  double across = 0;     // middle of the words, across the axis; of a column the edge that they share
+  double height = 0;     // of a word
+  bool onRight = false;  // a column on the frame's right
 };
 
 std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX, const Box& frame) {
@@ -29,16 +29,16 @@ std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX, const 
   std::vector<double> across, heights;
   for (const TickLabel& tick : axis.ticks) {
     if (!tick.used || tick.box.empty()) continue;
-    s.places.push_back(tick.position_px);
+    s.positions.push_back(tick.position_px);
     s.onRight = !alongX && tick.box.x0 > frame.x1;
     across.push_back(alongX ? 0.5 * (tick.box.y0 + tick.box.y1) : s.onRight ? tick.box.x0 : tick.box.x1);
     heights.push_back(tick.box.height());
   }
-  if (s.places.size() < fewestLabels) return {};
-  std::sort(s.places.begin(), s.places.end());
-  s.step_px = s.places.back() - s.places.front();
-  for (std::size_t i = 1; i < s.places.size(); ++i)
-    s.step_px = std::min(s.step_px, s.places[i] - s.places[i - 1]);
+  if (s.positions.size() < fewestLabels) return {};
+  std::sort(s.positions.begin(), s.positions.end());
+  s.step_px = s.positions.back() - s.positions.front();
+  for (std::size_t i = 1; i < s.positions.size(); ++i)
+    s.step_px = std::min(s.step_px, s.positions[i] - s.positions[i - 1]);
   std::sort(across.begin(), across.end());
   std::sort(heights.begin(), heights.end());
   s.across = across[across.size() / 2], s.height = heights[heights.size() / 2];
@@ -64,7 +64,7 @@ bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, do
 /// Position of the last word that continues the labels in a direction; `edge` if not beyond it.
 double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, int direction, double edge) {
   constexpr double clearlyBeyond = 0.4;  // of a step: a last label may stand a little off the grid
-  double at = direction > 0 ? s.places.back() : s.places.front();
+  double at = direction > 0 ? s.positions.back() : s.positions.front();
   for (int k = 0; k < 20 && wordAt(words, s, alongX, at + direction * s.step_px, -direction); ++k)
     at += direction * s.step_px;
   return direction * (at - edge) > clearlyBeyond * s.step_px ? at : edge;
@@ -90,8 +90,8 @@ double lineContrast(const cv::Mat& darkness, double at, double from, double to, 
 }
 
 /// Returns true if most gridlines across an edge continue to another position beyond it; also the axis that
-/// it stands on if `axisTells`.
-bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, double axis, bool axisTells,
+/// it stands on if `countAxis`.
+bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, double axis, bool countAxis,
                double from, double to, bool upright) {
   constexpr double seen = 6;  // grey levels
   constexpr std::size_t fewest = 3;
@@ -107,7 +107,7 @@ bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, dou
     ++lines;
     on += goesOn(line.position_px);
   }
-  return (lines >= fewest && 2 * on > lines) || (axisTells && goesOn(axis));
+  return (lines >= fewest && 2 * on > lines) || (countAxis && goesOn(axis));
 }
 
 /// Returns true if an edge is drawn where the numbers require one, if with gaps: a last number may be away
@@ -147,10 +147,10 @@ std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, 
         linesGoOn(darkness, across, axis, open, at + 2.0 * direction, wider - 2.0 * direction, alongX);
     return goesOn || isDrawn(darkness, wider, from, to, alongX) ? wider : at;
   };
-  const Box wide{edge(*x, true, -1, box.x0), edge(*y, false, -1, box.y0), edge(*x, true, 1, box.x1),
-                 edge(*y, false, 1, box.y1)};
-  if (wide == box) return {};
-  return wide;
+  const Box widened{edge(*x, true, -1, box.x0), edge(*y, false, -1, box.y0), edge(*x, true, 1, box.x1),
+                    edge(*y, false, 1, box.y1)};
+  if (widened == box) return {};
+  return widened;
 }
 
 }  // namespace detent::importer

@@ -78,7 +78,7 @@ struct Places {
 };
 
 Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<GridLine>& ticks) {
-  Places places;
+  Places positions;
   for (const auto& label : labels) {
     const GridLine* tick = nullptr;
     const auto nearer = [&](const GridLine& t) {
@@ -91,32 +91,32 @@ Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<GridLin
       if (nearer(t)) tick = &t;
     const double at = tick != nullptr ? tick->position_px : label.center_px;
     const bool has = tick != nullptr;
-    places.at.push_back(at);
-    places.hasTick.push_back(has);
+    positions.at.push_back(at);
+    positions.hasTick.push_back(has);
   }
   std::vector<double> apart;
-  for (std::size_t i = 1; i < places.at.size(); ++i)
-    apart.push_back(std::abs(places.at[i] - places.at[i - 1]));
-  if (!apart.empty()) places.agree = std::max(agree_px, agreeOfPitch * medianOf(std::move(apart)));
-  return places;
+  for (std::size_t i = 1; i < positions.at.size(); ++i)
+    apart.push_back(std::abs(positions.at[i] - positions.at[i - 1]));
+  if (!apart.empty()) positions.agree = std::max(agree_px, agreeOfPitch * medianOf(std::move(apart)));
+  return positions;
 }
 
-Trial countAgreeing(const std::vector<LabelPlace>& labels, const Places& places, double offset,
+Trial countAgreeing(const std::vector<LabelPlace>& labels, const Places& positions, double offset,
                     double perPx) {
   Trial trial{offset, perPx, 0, std::vector<int>(labels.size(), -1)};
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double tolerance =
-        (places.hasTick[i] ? places.agree : std::max(places.agree, 0.8 * labels[i].reach_px)) *
+        (positions.hasTick[i] ? positions.agree : std::max(positions.agree, 0.8 * labels[i].reach_px)) *
         std::abs(perPx);
     double best = 0;
     for (std::size_t k = 0; k < labels[i].readings.size(); ++k) {
       const auto& r = labels[i].readings[k];
-      if (std::abs(offset + perPx * places.at[i] - r.value) > tolerance || r.weight <= best) continue;
+      if (std::abs(offset + perPx * positions.at[i] - r.value) > tolerance || r.weight <= best) continue;
       best = r.weight;
       trial.reading[i] = static_cast<int>(k);
     }
     // A label without a tick (the zero in the corner) stands where there was room.
-    trial.weight += places.hasTick[i] ? best : 0.5 * best;
+    trial.weight += positions.hasTick[i] ? best : 0.5 * best;
   }
   return trial;
 }
@@ -132,18 +132,18 @@ std::vector<double> agreedValues(const std::vector<LabelPlace>& labels, const Tr
   return values;
 }
 
-std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Places& places, bool rising) {
+std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Places& positions, bool rising) {
   std::optional<Trial> best;
   double bestScore = 0;
   for (std::size_t i = 0; i < labels.size(); ++i)
     for (std::size_t j = i + 1; j < labels.size(); ++j) {
-      const double apart = places.at[j] - places.at[i];
+      const double apart = positions.at[j] - positions.at[i];
       if (std::abs(apart) < 4) continue;
       for (const auto& a : labels[i].readings)
         for (const auto& b : labels[j].readings) {
           const double perPx = (b.value - a.value) / apart;
           if (rising ? perPx <= 0 : perPx >= 0) continue;
-          auto trial = countAgreeing(labels, places, a.value - perPx * places.at[i], perPx);
+          auto trial = countAgreeing(labels, positions, a.value - perPx * positions.at[i], perPx);
           if (agreeingTicks(trial) < 2) continue;
           const auto values = agreedValues(labels, trial);
           const double step = commonStep(values);
@@ -303,15 +303,15 @@ std::optional<Progression> scaleOfRow(const std::vector<LabelPlace>& labels, con
 
 std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
                                           const std::vector<GridLine>& ticks, bool rising) {
-  const Places places = placesOf(labels, ticks);
-  auto trial = bestTrial(labels, places, rising);
+  const Places positions = placesOf(labels, ticks);
+  auto trial = bestTrial(labels, positions, rising);
   if (!trial) return std::nullopt;
   dropStrayReadings(labels, *trial);
   Progression p;
   p.offset = trial->offset;
   p.perPx = trial->perPx;
   p.reading = trial->reading;
-  p.tickOf = places.at;
+  p.tickOf = positions.at;
   p.labels = agreeingTicks(*trial);
   const auto values = agreedValues(labels, *trial);
   p.step = commonStep(values);
@@ -321,15 +321,17 @@ std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
   int withTick = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (p.reading[i] < 0) continue;
-    withTick += places.hasTick[i];
-    if (places.hasTick[i])
-      labelled.emplace_back(places.at[i], labels[i].readings[static_cast<std::size_t>(p.reading[i])].value);
+    withTick += positions.hasTick[i];
+    if (positions.hasTick[i])
+      labelled.emplace_back(positions.at[i],
+                            labels[i].readings[static_cast<std::size_t>(p.reading[i])].value);
   }
   if (withTick < 2) {
     labelled.clear();
     for (std::size_t i = 0; i < labels.size(); ++i)
       if (p.reading[i] >= 0)
-        labelled.emplace_back(places.at[i], labels[i].readings[static_cast<std::size_t>(p.reading[i])].value);
+        labelled.emplace_back(positions.at[i],
+                              labels[i].readings[static_cast<std::size_t>(p.reading[i])].value);
     fitLine(labelled, p);
     p.ticks = static_cast<int>(labelled.size());
     return p;

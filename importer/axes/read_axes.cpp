@@ -205,17 +205,18 @@ double usualOf(const AxisLabels& labels, int readable) {
 
 /// Returns true if labels without ticks make a scale by themselves: a complete progression, each within a
 /// fraction of a pixel of its even position, with the axis at one of its steps.
-bool isWholeRow(const Progression& p, double printed, double foot_px) {
+bool isWholeRow(const Progression& p, double printed, double baseline_px) {
   constexpr int fewest = 4;
   constexpr double even_px = 0.75, onLine_px = 2;
-  const double foot = p.value(foot_px), step = std::round(foot / p.step) * p.step;
+  const double baseline = p.value(baseline_px), step = std::round(baseline / p.step) * p.step;
   return p.labels >= fewest && printed > 1 - 0.5 / p.labels && p.residual_px <= even_px &&
-         std::abs(p.position(step) - foot_px) <= onLine_px;
+         std::abs(p.position(step) - baseline_px) <= onLine_px;
 }
 
 /// 1 if everything agrees; falls with labels that do not fit or cannot be read, few labels, a large residual.
-/// `foot_px`: where the axis begins.
-double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double foot_px, double length_px) {
+/// `baseline_px`: where the axis begins.
+double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double baseline_px,
+              double length_px) {
   if (rangeGiven) return 1;
   const auto& p = *labels->progression;
   double agreed = 0, all = 0;
@@ -233,9 +234,9 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double f
   const double residual_px = residualAtUsualSize_px(p.residual_px, length_px);
   const double printed = printedShare(*labels);
   constexpr double ofRow = 0.85, ofSome = 0.6;  // shares of certainty
-  const double sharp = p.fromTicks                       ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0)
-                       : isWholeRow(p, printed, foot_px) ? ofRow
-                                                         : ofSome;
+  const double sharp = p.fromTicks                           ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0)
+                       : isWholeRow(p, printed, baseline_px) ? ofRow
+                                                             : ofSome;
   // One label that was read with certainty may be a misprint; two or more make a scale that is not even.
   constexpr double uneven = 0.4;
   const bool contradicted = contradicting >= 2 && 5 * contradicting >= p.labels;
@@ -536,11 +537,11 @@ bool isEmptyRange(const EndValues& ends) {
 
 }  // namespace
 
-void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
+void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFrame& frame,
                       const Homography& toWide) {
   AxisCalibration& cal = axes.calibration.value;
   const double before = sureOfUnits(cal, axes.texts);
-  GraphReading r(wide, frame);
+  GraphReading r(widerView, frame);
   const Box &b = r.box, below{b.x0, b.y1, b.x1, b.y1 + 1}, left{b.x0 - 1, b.y0, b.x0, b.y1};
   const Box xLabels = labelsIn(cal.x, toWide, below, r), yLabels = labelsIn(cal.y, toWide, left, r);
   if (!cal.x.unitFound)

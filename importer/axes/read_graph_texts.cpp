@@ -24,19 +24,19 @@ constexpr std::size_t maxLines = 24;   // a plot with more writing is a page
 constexpr double minConfidence = 0.5;  // dashes and arrows read as text score less
 constexpr int minLetters = 3;
 
-/// Ink of gridlines (not of the frame's own edges), so that writing across them can be told from them; 0
-/// without a grid.
-int gridInk(const cv::Mat& d, const PlotFrame& frame) {
+/// Median darkness of the gridlines, without the frame's own edges; 0 without a grid. It separates letters
+/// from the gridlines that they cross.
+int gridDarkness(const cv::Mat& d, const PlotFrame& frame) {
   const Box box = frame.box();
-  std::vector<int> inks;
+  std::vector<int> colours;
   for (const auto& line : frame.yLines) {
     if (!line.spansFrame || line.position_px < box.y0 + 4 || line.position_px > box.y1 - 4) continue;
     const int y = std::clamp(static_cast<int>(std::lround(line.position_px)), 0, d.rows - 1);
     for (int x = std::max(0, static_cast<int>(box.x0) + 3);
          x < std::min<int>(d.cols, static_cast<int>(box.x1) - 3); x += 3)
-      inks.push_back(d.at<std::uint8_t>(y, x));
+      colours.push_back(d.at<std::uint8_t>(y, x));
   }
-  return medianOf(std::move(inks));
+  return medianOf(std::move(colours));
 }
 
 double overlapShare(const Box& a, const Box& b) {
@@ -46,7 +46,7 @@ double overlapShare(const Box& a, const Box& b) {
 
 int pixelAt(double at_px) { return static_cast<int>(std::lround(at_px)); }
 
-/// The colour of a mark's ink: of its pixel that is farthest from the paper.
+/// Colour of a mark: that of its darkest pixel; {} outside the page.
 Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
   cv::Point darkest;
   const cv::Rect whole(0, 0, darkness.cols, darkness.rows);
@@ -59,35 +59,36 @@ Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
   return {p[0], p[1], p[2]};
 }
 
-/// Share of a mark's box that is ink.
-double filledShare(const cv::Mat& ink, const Box& mark) {
-  const cv::Rect whole(0, 0, ink.cols, ink.rows);
+/// Share of a mark's box that is dark; 0 for an empty box.
+double filledShare(const cv::Mat& marks, const Box& mark) {
+  const cv::Rect whole(0, 0, marks.cols, marks.rows);
   const cv::Rect at =
       cv::Rect(cv::Point(pixelAt(mark.x0), pixelAt(mark.y0)), cv::Point(pixelAt(mark.x1), pixelAt(mark.y1))) &
       whole;
-  return at.empty() ? 0 : static_cast<double>(cv::countNonZero(ink(at))) / at.area();
+  return at.empty() ? 0 : static_cast<double>(cv::countNonZero(marks(at))) / at.area();
 }
 
-/// What a line of writing is looked at on.
+/// The page as pixels, as darkness, and as dark marks.
 struct Inked {
   const Raster& raster;
   const cv::Mat& darkness;
   const cv::Mat& ink;
 };
 
-/// Returns true if a mark beside a letter is a legend's sample: a dash too long for writing, or, in another
+/// Returns true if a mark beside a letter is a legend key: a dash too long for writing, or, in another
 /// colour than the letter, a shorter dash, a filled square or disc, a line with its marker. `usual_px`: height
 /// of the letters.
 bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& on) {
-  constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wide = 0.6,
-                   highest = 3.2;  // of a letter's height
-  constexpr double otherInk = 60;  // colour levels
-  constexpr double filled = 0.7;   // of its box
+  constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wideDash = 0.6,
+                   highest = 3.2;         // of a letter's height
+  constexpr double differentColour = 60;  // colour levels
+  constexpr double filled = 0.7;          // of its box
   const bool dash = mark.height() < dashHeight * usual_px;
   if (dash && mark.width() > longDash * usual_px) return true;
-  if (mark.width() < (dash ? anyDash : wide) * usual_px || mark.height() > highest * usual_px) return false;
+  if (mark.width() < (dash ? anyDash : wideDash) * usual_px || mark.height() > highest * usual_px)
+    return false;
   if (colorDistance(colorOf(on.raster, on.darkness, mark), colorOf(on.raster, on.darkness, letter)) <=
-      otherInk)
+      differentColour)
     return false;
   return dash || mark.width() > longDash * usual_px || filledShare(on.ink, mark) >= filled;
 }
@@ -126,23 +127,23 @@ LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
   return row;
 }
 
-/// Whether a level line runs all through a mark: a legend's sample with its marker, a leader with its head.
-/// Letters that touch have none.
-bool isLineLike(const Box& mark, const cv::Mat& ink) {
+/// Returns true if a level line runs through the whole mark: a legend key with its marker, or a leader with its
+/// arrowhead. Letters that touch each other have no such line.
+bool isLineLike(const Box& mark, const cv::Mat& marks) {
   constexpr double nearlyAll = 0.9;  // of its columns
   const int left = std::max(0, static_cast<int>(std::ceil(mark.x0))),
-            right = std::min(ink.cols - 1, static_cast<int>(mark.x1));
-  for (int y = std::max(0, static_cast<int>(mark.y0)); y <= std::min(ink.rows - 1, static_cast<int>(mark.y1));
-       ++y) {
+            right = std::min(marks.cols - 1, static_cast<int>(mark.x1));
+  for (int y = std::max(0, static_cast<int>(mark.y0));
+       y <= std::min(marks.rows - 1, static_cast<int>(mark.y1)); ++y) {
     int inked = 0;
-    for (int x = left; x <= right; ++x) inked += ink.at<std::uint8_t>(y, x) != 0;
+    for (int x = left; x <= right; ++x) inked += marks.at<std::uint8_t>(y, x) != 0;
     if (inked >= nearlyAll * (right - left + 1)) return true;
   }
   return false;
 }
 
 /// The line without samples of a legend, leaders and arrowheads that stand beside its letters.
-TextLine lettersOnly(const TextLine& line, const cv::Mat& ink) {
+TextLine lettersOnly(const TextLine& line, const cv::Mat& marks) {
   std::vector<double> heights;
   for (const auto& g : line.glyphs)
     if (g.height() > 0.4 * g.width()) heights.push_back(g.height());
@@ -152,7 +153,7 @@ TextLine lettersOnly(const TextLine& line, const cv::Mat& ink) {
   for (const auto& g : line.glyphs) {
     const bool dash = g.height() < 0.4 * usual && g.width() > 0.9 * usual;
     const bool atEnd = &g == &line.glyphs.front() || &g == &line.glyphs.back();
-    const bool sample = atEnd && line.glyphs.size() > 3 && g.width() > 2.2 * usual && isLineLike(g, ink);
+    const bool sample = atEnd && line.glyphs.size() > 3 && g.width() > 2.2 * usual && isLineLike(g, marks);
     if (dash || sample || g.height() > 1.8 * usual) continue;
     kept.box = kept.glyphs.empty() ? g : kept.box.joined(g);
     kept.glyphs.push_back(g);
@@ -161,7 +162,7 @@ TextLine lettersOnly(const TextLine& line, const cv::Mat& ink) {
 }
 
 /// Letters stand in a row: several, about equally high, none a dash.
-bool looksWritten(const TextLine& line) {
+bool isWordRow(const TextLine& line) {
   if (line.glyphs.size() < 3 || line.box.height() < 5 || line.box.width() < 1.2 * line.box.height())
     return false;
   std::vector<double> heights;
@@ -172,7 +173,7 @@ bool looksWritten(const TextLine& line) {
   return usual >= 0.4 * line.box.height() && 10 * letters >= 6 * static_cast<long>(heights.size());
 }
 
-/// Whether letters stand beside a legend's sample, be they one or two: "A", "V2".
+/// Returns true if letters stand beside a legend key. A name of one or two letters counts ("A", "V2").
 bool isBesideSample(const TextLine& line, const std::vector<Box>& marks, const Inked& on) {
   constexpr double least_px = 5, apart = 2.2, level = 0.4;  // of the letters' height
   const double height = line.box.height();
@@ -202,7 +203,7 @@ bool isShortName(const SeenText& seen, bool besideSample) {
   return letters < minLetters && (besideSample || (digits > 0 && digits + letters >= 3));
 }
 
-/// What a name is made of, digits as zeros: "3.5 N" is "0.0N".
+/// A name without blanks, with every digit replaced by 0: "3.5 N" gives "0.0N".
 std::string shapeOf(const std::string& name) {
   std::string shape;
   for (const char c : name)
@@ -226,7 +227,7 @@ void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubte
 /// Two panels of one button, the press in one and the release in the other: the plot's own heading is the
 /// word for the press, and in line with it, over a plot at the right, stands the word for the release. That
 /// is added to the texts.
-void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& ink, double largest_px,
+void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& marks, double largest_px,
                       TextReader& reader) {
   constexpr double above = 0.6, beside = 1.6;  // of the plot's height, beyond its last number; of its width
   const Box headings{frame.x0, frame.y0 - above * frame.height(), frame.x1 + beside * frame.width(),
@@ -235,12 +236,12 @@ void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& ink, dou
     SeenText seen = reader.readLine(line.box, TextKind::words);
     return std::pair(strokeOfWord(folded(seen.utf8)), std::move(seen));
   };
-  const auto lines = groupedLines(glyphsIn(glyphBoxes(ink, 2, largest_px), headings, largest_px), 1.1);
+  const auto lines = groupedLines(glyphsIn(glyphBoxes(marks, 2, largest_px), headings, largest_px), 1.1);
   for (const TextLine& own : lines) {
-    if (own.box.middle().x > frame.x1 || !looksWritten(own)) continue;
+    if (own.box.middle().x > frame.x1 || !isWordRow(own)) continue;
     std::vector<TextLine> others = lines;
     std::erase_if(others, [&](const TextLine& other) {
-      return other.box.x0 < frame.x1 || !looksWritten(other) ||
+      return other.box.x0 < frame.x1 || !isWordRow(other) ||
              std::abs(own.box.middle().y - other.box.middle().y) >= 0.5 * own.box.height();
     });
     if (others.empty() || strokeAt(own).first != Stroke::press) continue;
@@ -263,14 +264,14 @@ int importance(const Box& line, const Box& frame) {
 void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes, const Progress& progress) {
   const Box box = frame.box();
   const cv::Mat d = darknessOf(view.raster, frame.paper);
-  const int grid = gridInk(d, frame);
+  const int grid = gridDarkness(d, frame);
   // Writing darker than its grid stands out of it; where the grid is as dark, writing has a hole cut for it.
-  const cv::Mat ink = grid > 0 && grid < 150 ? inkAbove(d, grid + 30) : inkOf(d);
+  const cv::Mat darkMarks = grid > 0 && grid < 150 ? inkAbove(d, grid + 30) : inkOf(d);
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
                    box.y1 + 0.35 * box.height()};
-  const Inked on{view.raster, d, ink};
-  const std::vector<Box> marks = glyphsIn(glyphBoxes(ink, 2, largest), around, largest);
+  const Inked on{view.raster, d, darkMarks};
+  const std::vector<Box> marks = glyphsIn(glyphBoxes(darkMarks, 2, largest), around, largest);
   constexpr std::size_t mostLetters = 2,
                         mostOfAName = 5;  // of a name beside a sample that is shorter than writing; of any
   std::vector<TextLine> lines;
@@ -285,11 +286,11 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
                       overlapShare(entry.box, seen.box) > 0.4;
              }) > 1;
     });
-    for (const TextLine& entry : parted.entries) lines.push_back(lettersOnly(entry, ink));
+    for (const TextLine& entry : parted.entries) lines.push_back(lettersOnly(entry, darkMarks));
   }
   std::erase_if(lines, [&](const TextLine& line) {
     const bool isName = line.glyphs.size() <= mostLetters && isBesideSample(line, marks, on);
-    return (!looksWritten(line) && !isName) ||
+    return (!isWordRow(line) && !isName) ||
            std::any_of(axes.texts.begin(), axes.texts.end(),
                        [&](const SeenText& t) { return overlapShare(line.box, t.box) > 0.4; });
   });
@@ -299,14 +300,14 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   if (lines.size() > maxLines) lines.resize(maxLines);
   TextReader reader(view);
   std::vector<SeenText> doubted;
-  const std::vector<LetterShape> digits = digitsOf(d, ink, axes.calibration.value);
+  const std::vector<LetterShape> digits = digitsOf(d, darkMarks, axes.calibration.value);
   for (const auto& line : lines) {
     if (progress.isCancelled()) return;
     const bool besideSample = isBesideSample(line, marks, on);
     auto seen = besideSample && line.glyphs.size() <= mostOfAName
                     ? reader.readLineCarefully(line.box, TextKind::words)
                     : reader.readLine(line.box, TextKind::words);
-    if (!digits.empty()) seen.utf8 = withKnownDigits(seen.utf8, lettersOf(ink, line.box), digits);
+    if (!digits.empty()) seen.utf8 = withKnownDigits(seen.utf8, lettersOf(darkMarks, line.box), digits);
     if (seen.confidence >= minConfidence && letterCountOfText(seen.utf8) >= minLetters) {
       seen.utf8 = withCyrillicWords(seen.utf8);
       axes.texts.push_back(std::move(seen));
@@ -320,7 +321,7 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
     axes.otherLines.push_back(std::move(seen));
   }
   keepAlike(axes.otherLines, doubted);
-  addHeadingBeside(axes, box, ink, largest, reader);
+  addHeadingBeside(axes, box, darkMarks, largest, reader);
 }
 
 }  // namespace detent::importer

@@ -87,8 +87,8 @@ class Engine {
     // batch.
     omp_set_max_active_levels(0);
     api_->SetPageSegMode(tesseract::PSM_SINGLE_LINE);
-    const std::string letters = lettersOf(kind), asked = model_ ? model_->renamed(letters) : letters;
-    api_->SetVariable("tessedit_char_whitelist", asked.c_str());
+    const std::string letters = lettersOf(kind), requested = model_ ? model_->renamed(letters) : letters;
+    api_->SetVariable("tessedit_char_whitelist", requested.c_str());
     api_->SetImage(grey.data, grey.cols, grey.rows, 1, static_cast<int>(grey.step));
     api_->SetSourceResolution(200);
     if (api_->Recognize(nullptr) != 0) return seen;

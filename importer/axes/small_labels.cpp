@@ -82,8 +82,8 @@ std::vector<Hand> labelFonts(double box_px, std::initializer_list<int> fonts,
   std::vector<Hand> hands;
   for (const int font : fonts)
     for (const double lower : lower_px)
-      for (const double wide : {0.72, 0.80, 0.88, 1.0})
-        hands.push_back({font, box_px - lower, wide * (box_px - lower)});
+      for (const double widthRatio : {0.72, 0.80, 0.88, 1.0})
+        hands.push_back({font, box_px - lower, widthRatio * (box_px - lower)});
   return hands;
 }
 

@@ -7,7 +7,8 @@
 
 namespace detent::importer {
 
-/// Letters of the document's own text are what they are.
+/// Returns `exact` for text of the document itself, whose letters are certain; `recognised` for text read from
+/// pixels.
 inline TextSource sourceOf(const SeenText& text) {
   return text.confidence >= 1 ? TextSource::exact : TextSource::recognised;
 }

@@ -64,9 +64,9 @@ std::vector<Phrase> phrasesInside(const AxesFound& axes, const Box& frame) {
 }
 
 /// Distance of each pixel from the plot's most frequent colour: mark or paper.
-class InkTest {
+class MarkTest {
  public:
-  InkTest(const Raster& raster, const Box& frame) : raster_(raster), paper_(mostFrequent(raster, frame)) {}
+  MarkTest(const Raster& raster, const Box& frame) : raster_(raster), paper_(mostFrequent(raster, frame)) {}
 
   /// A pixel of a mark within one pixel of the point.
   bool near(Point p) const {
@@ -81,9 +81,9 @@ class InkTest {
   bool at(int x, int y) const {
     if (x < 0 || y < 0 || x >= raster_.width_px || y >= raster_.height_px) return false;
     const std::uint8_t* rgb = raster_.at(x, y);
-    constexpr int inkDistance = 70;  // of 255: half-covered thin lines count, paper noise does not
+    constexpr int markDistance = 70;  // of 255: half-covered thin lines count, paper noise does not
     return std::max({std::abs(rgb[0] - paper_.r), std::abs(rgb[1] - paper_.g), std::abs(rgb[2] - paper_.b)}) >
-           inkDistance;
+           markDistance;
   }
 
  private:
@@ -111,7 +111,7 @@ constexpr double leastShare = 0.8;  // of a leader that is a thin stroke
 /// Share of the straight line between two points that is a thin stroke: marked pixels on it, none beside it.
 /// 0..1; 0 as soon as it cannot reach `leastShare` any more, as nearly all lines from a word to a curve cross
 /// blank paper.
-double leaderShare(const InkTest& ink, Point from, Point to) {
+double leaderShare(const MarkTest& marks, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
   constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;  // of the samples
@@ -125,9 +125,9 @@ double leaderShare(const InkTest& ink, Point from, Point to) {
     const Point left{p.x - side_px * along.y, p.y + side_px * along.x};
     const Point right{p.x + side_px * along.y, p.y - side_px * along.x};
     const auto hit = [&](Point q) {
-      return ink.at(static_cast<int>(std::lround(q.x)), static_cast<int>(std::lround(q.y)));
+      return marks.at(static_cast<int>(std::lround(q.x)), static_cast<int>(std::lround(q.y)));
     };
-    if (!ink.near(p)) {
+    if (!marks.near(p)) {
       ++gaps;
     } else if (hit(left) && hit(right)) {
       ++thick;
@@ -154,7 +154,7 @@ bool axisParallel(Point a, Point b) {
   return std::min(dx, dy) < 0.06 * std::max(dx, dy);
 }
 
-std::optional<Callout> follow(const Phrase& phrase, const InkTest& ink, const StrokePoints& stroke) {
+std::optional<Callout> follow(const Phrase& phrase, const MarkTest& marks, const StrokePoints& stroke) {
   const std::vector<Point> anchors = anchorsAround(phrase.box);
   const double height = phrase.box.height();
   std::optional<Callout> best;
@@ -164,7 +164,7 @@ std::optional<Callout> follow(const Phrase& phrase, const InkTest& ink, const St
     for (const Point& anchor : anchors) {
       const double length = distance(anchor, target);
       if (length < 0.8 * height || length > 14 * height || axisParallel(anchor, target)) continue;
-      const double share = leaderShare(ink, target, anchor);
+      const double share = leaderShare(marks, target, anchor);
       const double score =
           share + 0.002 * length / height;  // of equals the longest: the whole leader, not its end
       if (share < leastShare || score <= bestScore) continue;
@@ -181,7 +181,7 @@ std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, 
                                   const StrokePair& strokes) {
   const std::vector<Phrase> phrases = phrasesInside(axes, frame.box());
   if (phrases.empty()) return {};
-  const InkTest ink(view.raster, frame.box());
+  const MarkTest marks(view.raster, frame.box());
   std::vector<Callout> callouts;
   for (const CalloutKind kind : {CalloutKind::operatingPoint, CalloutKind::resetPoint}) {
     std::optional<Callout> surest;
@@ -189,7 +189,7 @@ std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, 
       if (phrase.kind != kind) continue;
       if (kind == CalloutKind::resetPoint && !strokes.release) continue;
       const auto found =
-          follow(phrase, ink, kind == CalloutKind::resetPoint ? *strokes.release : strokes.press);
+          follow(phrase, marks, kind == CalloutKind::resetPoint ? *strokes.release : strokes.press);
       if (found && (!surest || found->confidence > surest->confidence)) surest = found;
     }
     if (surest) callouts.push_back(*surest);

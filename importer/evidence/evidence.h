@@ -17,7 +17,7 @@ struct EvidenceTerm {
   double logLikelihood = 0;  ///< > 0 speaks for it
 };
 
-/// The sum of named evidence. Rules of thumb overlap: each is worth a share of what it says alone, calibrated on drawn tables
+/// Sum of named evidence. Rules of thumb overlap, so each counts only in part; the share is calibrated on drawn tables
 /// (docs/measurements/import-confidence.md). Counted distributions count in full.
 class Evidence {
  public:

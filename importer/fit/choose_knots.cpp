@@ -33,7 +33,7 @@ class Workpiece {
       : chain_(chain),
         points_(points),
         settings_(settings),
-        feet_(footpointsOn(chain, points)),
+        footpoints_(footpointsOn(chain, points)),
         refused_(chain.size(), 0) {
     sumUp();
   }
@@ -44,11 +44,11 @@ class Workpiece {
   /// Indices of the points on one piece, in order.
   std::vector<std::size_t> pointsOfPiece(std::size_t piece) const {
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < feet_.size(); ++i)
-      if (feet_[i].piece == piece) found.push_back(i);
+    for (std::size_t i = 0; i < footpoints_.size(); ++i)
+      if (footpoints_[i].piece == piece) found.push_back(i);
     return found;
   }
-  const Footpoint& foot(std::size_t point) const { return feet_[point]; }
+  const Footpoint& footpoint(std::size_t point) const { return footpoints_[point]; }
   const SigmaPoint& point(std::size_t i) const { return points_[i]; }
 
   /// A trial change: knots [from, to] of the chain are replaced by `trial`, whose outermost knots stay unless
@@ -75,8 +75,8 @@ class Workpiece {
     std::vector<SigmaPoint> nearby;
     double before = 0;
     for (std::size_t piece = trial.from; piece < trial.to; ++piece) before += pieceChiSquare_[piece];
-    for (std::size_t i = 0; i < feet_.size(); ++i)
-      if (feet_[i].piece >= trial.from && feet_[i].piece < trial.to) nearby.push_back(points_[i]);
+    for (std::size_t i = 0; i < footpoints_.size(); ++i)
+      if (footpoints_[i].piece >= trial.from && footpoints_[i].piece < trial.to) nearby.push_back(points_[i]);
     if (nearby.empty()) {
       trial.gain = 0;
       return;
@@ -94,16 +94,16 @@ class Workpiece {
     std::vector<std::size_t> members;
     std::vector<SigmaPoint> nearby;
     const std::size_t shift = trial.knots.size() - 1;
-    for (std::size_t i = 0; i < feet_.size(); ++i) {
-      if (feet_[i].piece >= trial.to)
-        feet_[i].piece = feet_[i].piece - trial.to + trial.from + shift;
-      else if (feet_[i].piece >= trial.from)
+    for (std::size_t i = 0; i < footpoints_.size(); ++i) {
+      if (footpoints_[i].piece >= trial.to)
+        footpoints_[i].piece = footpoints_[i].piece - trial.to + trial.from + shift;
+      else if (footpoints_[i].piece >= trial.from)
         members.push_back(i), nearby.push_back(points_[i]);
     }
-    const std::vector<Footpoint> feet = footpointsOn(trial.knots, nearby);
+    const std::vector<Footpoint> footpoints = footpointsOn(trial.knots, nearby);
     for (std::size_t m = 0; m < members.size(); ++m) {
-      feet_[members[m]] = feet[m];
-      feet_[members[m]].piece += trial.from;
+      footpoints_[members[m]] = footpoints[m];
+      footpoints_[members[m]].piece += trial.from;
     }
     sumUp();
   }
@@ -117,8 +117,8 @@ class Workpiece {
   double chiSquareWithout(std::size_t knot) const {
     ChainPiece merged(chain_[knot - 1], chain_[knot + 1]);
     double sum = 0;
-    for (std::size_t i = 0; i < feet_.size(); ++i) {
-      if (feet_[i].piece + 1 != knot && feet_[i].piece != knot) continue;
+    for (std::size_t i = 0; i < footpoints_.size(); ++i) {
+      if (footpoints_[i].piece + 1 != knot && footpoints_[i].piece != knot) continue;
       const double r = points_[i].weight * std::sqrt(nearestOn(merged, points_[i]).squaredDistance);
       sum += std::min(r * r, 2 * settings_.robustScale * r);
     }
@@ -134,16 +134,17 @@ class Workpiece {
 
   void sumUp() {
     pieceChiSquare_.assign(chain_.size() - 1, 0.0);
-    for (std::size_t i = 0; i < feet_.size(); ++i) {
-      const double r = points_[i].weight * std::sqrt(feet_[i].squaredDistance), k = settings_.robustScale;
-      pieceChiSquare_[feet_[i].piece] += r <= k ? r * r : k * (2 * r - k);
+    for (std::size_t i = 0; i < footpoints_.size(); ++i) {
+      const double r = points_[i].weight * std::sqrt(footpoints_[i].squaredDistance),
+                   k = settings_.robustScale;
+      pieceChiSquare_[footpoints_[i].piece] += r <= k ? r * r : k * (2 * r - k);
     }
   }
 
   KnotChain& chain_;
   const std::vector<SigmaPoint>& points_;
   SolveSettings settings_;
-  std::vector<Footpoint> feet_;
+  std::vector<Footpoint> footpoints_;
   std::vector<char> refused_;
   std::vector<double> pieceChiSquare_;
 };
@@ -225,7 +226,7 @@ bool withNewKnot(const Workpiece& work, std::size_t piece, Workpiece::Trial& tri
   const ChainPiece shape(work.chain()[piece], work.chain()[piece + 1]);
   std::vector<double> sums{0};
   for (std::size_t i : members)
-    sums.push_back(sums.back() + signedResidual(shape, work.point(i), work.foot(i).t));
+    sums.push_back(sums.back() + signedResidual(shape, work.point(i), work.footpoint(i).t));
   std::size_t best = members.size() / 2;
   double largest = 0;
   for (std::size_t i = 1; i + 1 < members.size(); ++i) {
@@ -233,7 +234,7 @@ bool withNewKnot(const Workpiece& work, std::size_t piece, Workpiece::Trial& tri
     const double mean = std::abs(sums[to] - sums[from]) / static_cast<double>(to - from);
     if (mean > largest) largest = mean, best = i;
   }
-  const double t = work.foot(members[best]).t;
+  const double t = work.footpoint(members[best]).t;
   if (t <= 0.02 || t >= 0.98) return false;
   std::size_t at = 0;
   trial = work.around(piece + 1, at);
@@ -370,11 +371,11 @@ int parametersOf(const KnotChain& chain) {
 
 std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaPoint>& points) {
   const std::vector<ChainPiece> pieces = piecesOf(chain);
-  const std::vector<Footpoint> feet = footpointsOn(chain, points);
+  const std::vector<Footpoint> footpoints = footpointsOn(chain, points);
   std::vector<double> residuals;
   residuals.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    residuals.push_back(signedResidual(pieces[feet[i].piece], points[i], feet[i].t));
+    residuals.push_back(signedResidual(pieces[footpoints[i].piece], points[i], footpoints[i].t));
   return residuals;
 }
 

@@ -98,7 +98,7 @@ ChosenChain chooseChain(const StrokeSamples& samples, const FitOptions& options)
     if (static_cast<int>(cut.chain.size()) - 1 > options.maxPieces)
       converged = reachPieces(cut.chain, points, options.maxPieces, settings);
   }
-  // Corners of drawn lines lie up to the robust scale outside.
+  // Corners of drawn lines may lie outside the points by up to the robust scale.
   if (returnStrayKnots(cut.chain, points, options.robustScale + 2) > 0) converged = false;
   return {std::move(cut.chain), evidence, converged ? FitOutcome::converged : FitOutcome::iterationLimit};
 }
@@ -124,12 +124,12 @@ std::vector<Knot> modelKnots(const KnotChain& chain, const StrokeSamples& sample
 void addDistances(FitSummary& summary, const ChosenChain& fit, const StrokeSamples& samples,
                   const PointNoise& noise) {
   const std::vector<ChainPiece> pieces = piecesOf(fit.chain);
-  const std::vector<Footpoint> feet = footpointsOn(fit.chain, samples.points);
+  const std::vector<Footpoint> footpoints = footpointsOn(fit.chain, samples.points);
   const double perU = samples.mmPerU / noise.sigma_mm, perV = samples.newtonsPerV / noise.sigma_N;
   double sum = 0;
-  for (std::size_t i = 0; i < feet.size(); ++i) {
-    const ChainPiece& piece = pieces[feet[i].piece];
-    const double t = feet[i].t;
+  for (std::size_t i = 0; i < footpoints.size(); ++i) {
+    const ChainPiece& piece = pieces[footpoints[i].piece];
+    const double t = footpoints[i].t;
     const double du = (samples.points[i].u - piece.u(t)) * perU,
                  dv = (samples.points[i].v - piece.v(t)) * perV;
     const double alongU = piece.h * perU, alongV = piece.dv(t) * perV, along = std::hypot(alongU, alongV);
@@ -138,7 +138,7 @@ void addDistances(FitSummary& summary, const ChosenChain& fit, const StrokeSampl
     sum += distance * distance;
     summary.maxSigma = std::max(summary.maxSigma, distance);
   }
-  summary.rmsSigma = std::sqrt(sum / static_cast<double>(feet.size()));
+  summary.rmsSigma = std::sqrt(sum / static_cast<double>(footpoints.size()));
 }
 
 std::size_t nearestKnot(const KnotChain& chain, double u, double v) {

@@ -65,8 +65,8 @@ void levelDisplacements(KnotChain& chain) {
 void dropRedundantKnots(KnotChain& chain) {
   for (std::size_t k = 0; k + 1 < chain.size() && chain.size() > 2;) {
     const bool repeated = chain[k].u() == chain[k + 1].u() && chain[k].v() == chain[k + 1].v();
-    const bool insideWall = k > 0 && chain[k - 1].u() == chain[k].u() && chain[k].u() == chain[k + 1].u();
-    if (insideWall || (repeated && k > 0))
+    const bool insideVertical = k > 0 && chain[k - 1].u() == chain[k].u() && chain[k].u() == chain[k + 1].u();
+    if (insideVertical || (repeated && k > 0))
       chain.erase(chain.begin() + static_cast<std::ptrdiff_t>(k)), k = k > 1 ? k - 1 : 0;
     else if (repeated && chain.size() > 2)
       chain.erase(chain.begin() + 1);
@@ -134,8 +134,8 @@ std::vector<ChainPiece> piecesOf(const KnotChain& chain) {
 
 std::vector<Footpoint> footpointsOn(const KnotChain& chain, const std::vector<SigmaPoint>& points) {
   const std::vector<ChainPiece> pieces = piecesOf(chain);
-  std::vector<Footpoint> feet;
-  feet.reserve(points.size());
+  std::vector<Footpoint> footpoints;
+  footpoints.reserve(points.size());
   std::size_t last = 0;
   for (const SigmaPoint& p : points) {
     // The piece of the previous point gives a tight bound that excludes the others by their boxes.
@@ -143,13 +143,13 @@ std::vector<Footpoint> footpointsOn(const KnotChain& chain, const std::vector<Si
     best.piece = last;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       if (i == last || squaredDistanceToBox(pieces[i], p) >= best.squaredDistance) continue;
-      Footpoint foot = nearestOn(pieces[i], p);
-      if (foot.squaredDistance < best.squaredDistance) best = foot, best.piece = i;
+      Footpoint footpoint = nearestOn(pieces[i], p);
+      if (footpoint.squaredDistance < best.squaredDistance) best = footpoint, best.piece = i;
     }
     last = best.piece;
-    feet.push_back(best);
+    footpoints.push_back(best);
   }
-  return feet;
+  return footpoints;
 }
 
 double signedResidual(const ChainPiece& piece, const SigmaPoint& p, double t) {

@@ -50,12 +50,12 @@ Footpoint nearestAround(const std::vector<ChainPiece>& pieces, AssignedPoint& as
 
 /// Robust distance of a point. To first order it changes by the curve's own movement along the line of sight,
 /// because the footpoint moves along the curve (envelope theorem).
-ResidualRow distanceRow(const KnotChain& chain, const ChainPiece& piece, const Footpoint& foot,
+ResidualRow distanceRow(const KnotChain& chain, const ChainPiece& piece, const Footpoint& footpoint,
                         const SigmaPoint& p, double robustScale) {
-  const double t = foot.t, du = p.u - piece.u(t), dv = p.v - piece.v(t), tangent = piece.dv(t);
+  const double t = footpoint.t, du = p.u - piece.u(t), dv = p.v - piece.v(t), tangent = piece.dv(t);
   const double distance = std::sqrt(du * du + dv * dv), side = dv * piece.h - du * tangent >= 0 ? 1 : -1;
   const RobustResidual r = robust(side * p.weight * distance, robustScale);
-  ResidualRow row{foot.piece, r.value};
+  ResidualRow row{footpoint.piece, r.value};
   double nu = 0, nv = 0;  // unit vector from the curve to the point, on the positive side
   if (distance > 1e-9) {
     nu = side * du / distance, nv = side * dv / distance;
@@ -76,7 +76,7 @@ ResidualRow distanceRow(const KnotChain& chain, const ChainPiece& piece, const F
   row.by[1] = scale * nv * (1 - perD);
   row.by[perKnot] = scale * (nu * t + nv * perH);
   row.by[perKnot + 1] = scale * nv * perD;
-  const JointKind from = chain[foot.piece].joint, to = chain[foot.piece + 1].joint;
+  const JointKind from = chain[footpoint.piece].joint, to = chain[footpoint.piece + 1].joint;
   if (piece.aFree && from != JointKind::flat)
     row.by[from == JointKind::corner ? 3 : 2] = scale * nv * overA * piece.h;
   if (piece.bFree && to != JointKind::flat) row.by[perKnot + 2] = scale * nv * overB * piece.h;
@@ -175,10 +175,10 @@ class ChainProblem {
     // One piece beyond those that the range touches, because points may move to it.
     const std::size_t fromPiece = range.from < 2 ? 0 : range.from - 2;
     const std::size_t toPiece = std::min(chain.size() - 1, range.to + 1);
-    const std::vector<Footpoint> feet = footpointsOn(chain, points);
+    const std::vector<Footpoint> footpoints = footpointsOn(chain, points);
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (feet[i].piece >= fromPiece && feet[i].piece < toPiece)
-        points_.push_back({points[i], feet[i].piece, feet[i].t});
+      if (footpoints[i].piece >= fromPiece && footpoints[i].piece < toPiece)
+        points_.push_back({points[i], footpoints[i].piece, footpoints[i].t});
     for (std::size_t k = range.from; k < range.to; ++k) {
       weak_.emplace_back(chain, k);
       if (points.size() > 1) stay_.emplace_back(points, chain[k]);
@@ -207,8 +207,8 @@ class ChainProblem {
   void rowsAt(const KnotChain& chain, const Take& take) {
     const std::vector<ChainPiece> pieces = piecesOf(chain);
     for (AssignedPoint& assigned : points_) {
-      const Footpoint foot = nearestAround(pieces, assigned);
-      take(distanceRow(chain, pieces[foot.piece], foot, assigned.point, robustScale_));
+      const Footpoint footpoint = nearestAround(pieces, assigned);
+      take(distanceRow(chain, pieces[footpoint.piece], footpoint, assigned.point, robustScale_));
     }
     holdsAt(chain, take);
   }
@@ -356,10 +356,10 @@ double conditionOf(const Eigen::MatrixXd& information) {
 }  // namespace
 
 double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale) {
-  const std::vector<Footpoint> feet = footpointsOn(chain, points);
+  const std::vector<Footpoint> footpoints = footpointsOn(chain, points);
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double r = robust(points[i].weight * std::sqrt(feet[i].squaredDistance), robustScale).value;
+    const double r = robust(points[i].weight * std::sqrt(footpoints[i].squaredDistance), robustScale).value;
     sum += r * r;
   }
   return sum;

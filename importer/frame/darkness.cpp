@@ -50,13 +50,13 @@ cv::Mat squareOf(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT,
 
 /// Returns 255 where `mask` is connected to a place that contains a square of `side_px`, else 0.
 cv::Mat joinedToWide(const cv::Mat& mask, int side_px) {
-  cv::Mat wide, parts;
-  cv::morphologyEx(mask, wide, cv::MORPH_OPEN, squareOf(side_px));
+  cv::Mat dilated, parts;
+  cv::morphologyEx(mask, dilated, cv::MORPH_OPEN, squareOf(side_px));
   const int n = cv::connectedComponents(mask, parts, 8, CV_32S);
   std::vector<std::uint8_t> isWide(static_cast<std::size_t>(n), 0);
   for (int y = 0; y < parts.rows; ++y)
     for (int x = 0; x < parts.cols; ++x)
-      if (wide.at<std::uint8_t>(y, x)) isWide[static_cast<std::size_t>(parts.at<int>(y, x))] = 255;
+      if (dilated.at<std::uint8_t>(y, x)) isWide[static_cast<std::size_t>(parts.at<int>(y, x))] = 255;
   cv::Mat joined(mask.size(), CV_8U);
   for (int y = 0; y < parts.rows; ++y)
     for (int x = 0; x < parts.cols; ++x)

@@ -121,18 +121,18 @@ bool sameSize(const LabelRow& a, const LabelRow& b) {
 }
 
 /// Glyphs around a rectangle, in the plane's pixels, without its own grid and curves.
-std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& ink) {
+std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& marks) {
   const double mx = 0.4 * r.box.width() + 8, my = 0.4 * r.box.height() + 8;
   const int x0 = std::max(0, static_cast<int>(r.box.x0 - mx)),
-            x1 = std::min(ink.cols, static_cast<int>(r.box.x1 + mx) + 1);
+            x1 = std::min(marks.cols, static_cast<int>(r.box.x1 + mx) + 1);
   const int y0 = std::max(0, static_cast<int>(r.box.y0 - my)),
-            y1 = std::min(ink.rows, static_cast<int>(r.box.y1 + my) + 1);
-  const auto shifted = [](std::vector<double> places, int by) {
-    for (auto& p : places) p -= by;
-    return places;
+            y1 = std::min(marks.rows, static_cast<int>(r.box.y1 + my) + 1);
+  const auto shifted = [](std::vector<double> positions, int by) {
+    for (auto& p : positions) p -= by;
+    return positions;
   };
   const Box inside{r.box.x0 - x0, r.box.y0 - y0, r.box.x1 - x0, r.box.y1 - y0};
-  const cv::Mat around = withoutFrameInk(ink(cv::Rect(x0, y0, x1 - x0, y1 - y0)), inside,
+  const cv::Mat around = withoutFrameInk(marks(cv::Rect(x0, y0, x1 - x0, y1 - y0)), inside,
                                          shifted(r.xLines, x0), shifted(r.yLines, y0));
   auto glyphs = glyphBoxes(around, 2, 0.15 * std::min(r.box.width(), r.box.height()) + 8);
   for (auto& g : glyphs) g = {g.x0 + x0, g.y0 + y0, g.x1 + x0, g.y1 + y0};
@@ -140,8 +140,8 @@ std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& ink) {
 }
 
 /// Possible orientations by the surroundings, likeliest first; empty if it is no graph.
-std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& ink) {
-  const auto near = glyphsAround(r, ink);
+std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& marks) {
+  const auto near = glyphsAround(r, marks);
   std::vector<Orientation> ways;
   for (int turns = 0; turns < 4; ++turns) {
     std::vector<Box> upright;
@@ -278,10 +278,10 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const FrameS
   auto rectangles = findPlotRectangles(lines, minSide, 0.7 * minSide);
   if (rectangles.empty()) return {};
 
-  const cv::Mat ink = inkOf(o.darkness);
+  const cv::Mat marks = inkOf(o.darkness);
   std::vector<Scored> all;
   for (const auto& r : rectangles)
-    for (const auto& way : orientationsOf(r, ink)) {
+    for (const auto& way : orientationsOf(r, marks)) {
       Scored s;
       auto& c = s.candidate.value;
       c = candidateAt(r.box, o, page, way.quarterTurns, search.paper);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int maxHalfEdge_px = 12;  // half of the thickest frame line
 constexpr int paperWindow_px = 61;
-constexpr int inkContrast = 34;  // grey levels; light grids stay below, or are too long for letters
+constexpr int markContrast = 34;  // grey levels; light grids stay below, or are too long for letters
 
 bool besides(const Box& left, const Box& right, double gapInHeights) {
   const double height = std::max(left.height(), right.height());
@@ -29,7 +29,7 @@ bool besides(const Box& left, const Box& right, double gapInHeights) {
 }
 
 /// Width of the dark run around column `x` in one row, at most `atMost`; 0 if there is none within a pixel.
-int inkWidth(const std::uint8_t* row, int cols, int x, int atMost) {
+int darkRunWidth(const std::uint8_t* row, int cols, int x, int atMost) {
   int middle = -1;
   for (const int k : {x, x - 1, x + 1})
     if (middle < 0 && k >= 0 && k < cols && row[k] >= 128) middle = k;
@@ -41,12 +41,12 @@ int inkWidth(const std::uint8_t* row, int cols, int x, int atMost) {
 }
 
 /// Thickness of a nearly vertical line at column `x` between two rows; 0 if there is none.
-int lineThickness(const cv::Mat& ink, double x, int y0, int y1) {
-  if (ink.cols < 4) return 0;
-  const int at = std::clamp(static_cast<int>(std::lround(x)), 1, ink.cols - 2);
+int lineThickness(const cv::Mat& marks, double x, int y0, int y1) {
+  if (marks.cols < 4) return 0;
+  const int at = std::clamp(static_cast<int>(std::lround(x)), 1, marks.cols - 2);
   std::vector<int> widths;
-  for (int y = std::max(0, y0); y < std::min(ink.rows, y1); y += 3)
-    if (const int w = inkWidth(ink.ptr<std::uint8_t>(y), ink.cols, at, 2 * maxHalfEdge_px); w > 0)
+  for (int y = std::max(0, y0); y < std::min(marks.rows, y1); y += 3)
+    if (const int w = darkRunWidth(marks.ptr<std::uint8_t>(y), marks.cols, at, 2 * maxHalfEdge_px); w > 0)
       widths.push_back(w);
   return medianOf(std::move(widths));
 }
@@ -58,10 +58,10 @@ std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns
   std::vector<int> lengths;
   for (const double at : columns) {
     const int x = std::clamp(static_cast<int>(std::lround(at)), 1, d.cols - 2);
-    const int width = inkWidth(d.ptr<std::uint8_t>(edge), d.cols, x, atMost);
+    const int width = darkRunWidth(d.ptr<std::uint8_t>(edge), d.cols, x, atMost);
     int n = 0;
     while (width > 0 && width <= thickest && n < atMost && edge + n < d.rows) {
-      const int here = inkWidth(d.ptr<std::uint8_t>(edge + n), d.cols, x, atMost);
+      const int here = darkRunWidth(d.ptr<std::uint8_t>(edge + n), d.cols, x, atMost);
       if (here == 0 || here > width + 2) break;
       ++n;
     }
@@ -100,7 +100,7 @@ void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, d
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const int length = std::min(lengths[i], common + 1);
     const int at = std::clamp(static_cast<int>(std::lround(columns[i])), 1, d.cols - 2);
-    const int half = inkWidth(d.ptr<std::uint8_t>(edge), d.cols, at, longest) / 2 + 2;
+    const int half = darkRunWidth(d.ptr<std::uint8_t>(edge), d.cols, at, longest) / 2 + 2;
     const int x0 = std::clamp(at - half, 0, d.cols), x1 = std::clamp(at + half + 1, 0, d.cols);
     const int y1 = std::min(d.rows, edge + length + 1);
     d(cv::Rect(x0, edge, x1 - x0, y1 - edge)).setTo(0);
@@ -110,51 +110,53 @@ void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, d
 }  // namespace
 
 bool isComma(const Box& mark, const Box& word) {
-  constexpr double largest = 0.5, foot = 0.6, below = 0.1;  // of the word's height
+  constexpr double largest = 0.5, baseline = 0.6, below = 0.1;  // of the word's height
   const double height = word.height();
   return mark.height() <= largest * height && mark.width() <= largest * height &&
-         mark.y0 >= word.y0 + foot * height && mark.y0 <= word.y1 + below * height;
+         mark.y0 >= word.y0 + baseline * height && mark.y0 <= word.y1 + below * height;
 }
 
 bool isUnderscore(const Box& mark, const Box& word) {
-  constexpr double flat = 0.2, narrowest = 0.3, widest = 1.2, foot = 0.8,
+  constexpr double flat = 0.2, narrowest = 0.3, widest = 1.2, baseline = 0.8,
                    below = 0.35;  // of the word's height
   const double height = word.height();
   return mark.height() <= flat * height && mark.width() >= narrowest * height &&
-         mark.width() <= widest * height && mark.y0 >= word.y0 + foot * height &&
+         mark.width() <= widest * height && mark.y0 >= word.y0 + baseline * height &&
          mark.y1 <= word.y1 + below * height;
 }
 
-cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,
+cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vector<double>& xLines,
                         const std::vector<double>& yLines) {
-  int x0 = std::clamp(static_cast<int>(std::floor(frame.x0)) - 1, 0, ink.cols);
-  int x1 = std::clamp(static_cast<int>(std::ceil(frame.x1)) + 2, 0, ink.cols);
-  int y0 = std::clamp(static_cast<int>(std::floor(frame.y0)) - 1, 0, ink.rows);
-  int y1 = std::clamp(static_cast<int>(std::ceil(frame.y1)) + 2, 0, ink.rows);
-  cv::Mat out = ink.clone();
+  int x0 = std::clamp(static_cast<int>(std::floor(frame.x0)) - 1, 0, marks.cols);
+  int x1 = std::clamp(static_cast<int>(std::ceil(frame.x1)) + 2, 0, marks.cols);
+  int y0 = std::clamp(static_cast<int>(std::floor(frame.y0)) - 1, 0, marks.rows);
+  int y1 = std::clamp(static_cast<int>(std::ceil(frame.y1)) + 2, 0, marks.rows);
+  cv::Mat out = marks.clone();
   if (x1 <= x0 || y1 <= y0) return out;
   // Thick edges extend beyond their middle.
   const auto lined = [&](const cv::Mat& strip) {
     return cv::countNonZero(strip) > 0.35 * static_cast<double>(strip.total());
   };
-  for (int k = 0; k < maxHalfEdge_px && x0 > 0 && lined(ink(cv::Rect(x0 - 1, y0, 1, y1 - y0))); ++k) --x0;
-  for (int k = 0; k < maxHalfEdge_px && x1 < ink.cols && lined(ink(cv::Rect(x1, y0, 1, y1 - y0))); ++k) ++x1;
-  for (int k = 0; k < maxHalfEdge_px && y0 > 0 && lined(ink(cv::Rect(x0, y0 - 1, x1 - x0, 1))); ++k) --y0;
-  for (int k = 0; k < maxHalfEdge_px && y1 < ink.rows && lined(ink(cv::Rect(x0, y1, x1 - x0, 1))); ++k) ++y1;
+  for (int k = 0; k < maxHalfEdge_px && x0 > 0 && lined(marks(cv::Rect(x0 - 1, y0, 1, y1 - y0))); ++k) --x0;
+  for (int k = 0; k < maxHalfEdge_px && x1 < marks.cols && lined(marks(cv::Rect(x1, y0, 1, y1 - y0))); ++k)
+    ++x1;
+  for (int k = 0; k < maxHalfEdge_px && y0 > 0 && lined(marks(cv::Rect(x0, y0 - 1, x1 - x0, 1))); ++k) --y0;
+  for (int k = 0; k < maxHalfEdge_px && y1 < marks.rows && lined(marks(cv::Rect(x0, y1, x1 - x0, 1))); ++k)
+    ++y1;
   // Antialiasing remains beside an edge.
   x0 = std::max(0, x0 - 1);
   y0 = std::max(0, y0 - 1);
-  x1 = std::min(ink.cols, x1 + 1);
-  y1 = std::min(ink.rows, y1 + 1);
-  const cv::Mat sideways = ink.t();
+  x1 = std::min(marks.cols, x1 + 1);
+  y1 = std::min(marks.rows, y1 + 1);
+  const cv::Mat sideways = marks.t();
   const int thickness =
-      std::max({lineThickness(ink, frame.x0, y0, y1), lineThickness(ink, frame.x1, y0, y1),
+      std::max({lineThickness(marks, frame.x0, y0, y1), lineThickness(marks, frame.x1, y0, y1),
                 lineThickness(sideways, frame.y0, x0, x1), lineThickness(sideways, frame.y1, x0, x1)});
   const int thickest = std::max(4, 2 * thickness);  // ticks have about the frame's line width
   out(cv::Rect(x0, y0, x1 - x0, y1 - y0)).setTo(0);
-  const auto mirrored = [](std::vector<double> places, int size) {
-    for (auto& p : places) p = size - 1 - p;
-    return places;
+  const auto mirrored = [](std::vector<double> positions, int size) {
+    for (auto& p : positions) p = size - 1 - p;
+    return positions;
   };
   // Every side in turn is rotated to the bottom.
   eraseTicksBelow(out, xLines, y1, frame.height(), thickest);
@@ -171,23 +173,23 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
 
 cv::Mat inkOf(const cv::Mat& darkness) {
   // Dense text darkens its surroundings, but not above its own darkness.
-  cv::Mat around, ink;
+  cv::Mat around, marks;
   cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
            cv::BORDER_REPLICATE);
-  cv::subtract(darkness, around, ink);
-  cv::threshold(ink, ink, inkContrast, 255, cv::THRESH_BINARY);
-  return ink;
+  cv::subtract(darkness, around, marks);
+  cv::threshold(marks, marks, markContrast, 255, cv::THRESH_BINARY);
+  return marks;
 }
 
 cv::Mat inkAbove(const cv::Mat& darkness, int threshold) {
-  cv::Mat ink;
-  cv::threshold(darkness, ink, threshold, 255, cv::THRESH_BINARY);
-  return ink;
+  cv::Mat marks;
+  cv::threshold(darkness, marks, threshold, 255, cv::THRESH_BINARY);
+  return marks;
 }
 
-std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSize_px) {
+std::vector<Box> glyphBoxes(const cv::Mat& marks, double minSize_px, double maxSize_px) {
   std::vector<Box> boxes;
-  for (const InkPiece& piece : inkPiecesOf(ink.data, ink.cols, ink.rows, ink.step).all) {
+  for (const InkPiece& piece : inkPiecesOf(marks.data, marks.cols, marks.rows, marks.step).all) {
     const Box& b = piece.box;
     const double size = std::max(b.width(), b.height());
     if (size >= minSize_px && size <= maxSize_px)

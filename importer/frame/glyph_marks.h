@@ -19,7 +19,7 @@ cv::Mat inkAbove(const cv::Mat& darkness, int threshold);
 
 /// Bounding boxes (pixel edges: a single pixel has width 1) of connected components with a larger extent
 /// between `minSize_px` and `maxSize_px`.
-std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSize_px);
+std::vector<Box> glyphBoxes(const cv::Mat& marks, double minSize_px, double maxSize_px);
 
 /// Returns true if a small mark hangs at a word's baseline like a comma; it may share as little as one pixel
 /// row with the word.
@@ -34,7 +34,7 @@ Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs);
 
 /// A copy without the inside of an upright frame and without its outer ticks, so that labels are separate.
 /// `xLines`, `yLines`: positions of gridlines and ticks.
-cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,
+cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vector<double>& xLines,
                         const std::vector<double>& yLines);
 
 /// Widest gap between the characters of one number, in heights; a decimal point leaves almost a digit's

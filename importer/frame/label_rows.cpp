@@ -12,17 +12,17 @@ namespace {
 
 /// Largest number of places in an even progression through two of them; neighbours are at least `minStep`
 /// apart.
-int evenlySpaced(const std::vector<double>& places, double tolerance, double minStep) {
+int evenlySpaced(const std::vector<double>& positions, double tolerance, double minStep) {
   int best = 0;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = i + 1; j < places.size(); ++j) {
-      const double step = places[j] - places[i];
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    for (std::size_t j = i + 1; j < positions.size(); ++j) {
+      const double step = positions[j] - positions[i];
       if (step < minStep) continue;
       int n = 0;
       double last = -1e9;
-      for (const double p : places) {
-        const double k = std::round((p - places[i]) / step);
-        if (std::abs(p - places[i] - k * step) > tolerance || k <= last) continue;
+      for (const double p : positions) {
+        const double k = std::round((p - positions[i]) / step);
+        if (std::abs(p - positions[i] - k * step) > tolerance || k <= last) continue;
         ++n;
         last = k;
       }
@@ -31,10 +31,11 @@ int evenlySpaced(const std::vector<double>& places, double tolerance, double min
   return best;
 }
 
-int atLines(const std::vector<double>& places, const std::vector<double>& lines, double tolerance) {
+int atLines(const std::vector<double>& positions, const std::vector<double>& lines, double tolerance) {
   int n = 0;
   for (const double line : lines)
-    n += std::any_of(places.begin(), places.end(), [&](double p) { return std::abs(p - line) <= tolerance; });
+    n += std::any_of(positions.begin(), positions.end(),
+                     [&](double p) { return std::abs(p - line) <= tolerance; });
   return n;
 }
 
@@ -49,11 +50,11 @@ bool couldBeRowNumber(const Box& word, double frameHeight_px) {
 /// Labels are next to their axis: largest gap in front of them.
 double farthest(const Box& word) { return 3.5 * word.height() + 4; }
 
-int regularity(const std::vector<double>& places, const std::vector<double>& lines, double height,
+int regularity(const std::vector<double>& positions, const std::vector<double>& lines, double height,
                double size) {
   const double tolerance = 0.3 * height + 1.5;
-  return std::max(evenlySpaced(places, tolerance, std::max(1.2 * height, 0.04 * size)),
-                  lines.size() >= 3 ? atLines(places, lines, tolerance) : 0);
+  return std::max(evenlySpaced(positions, tolerance, std::max(1.2 * height, 0.04 * size)),
+                  lines.size() >= 3 ? atLines(positions, lines, tolerance) : 0);
 }
 
 /// Returns true if nearly all words are in the progression. Letters of a vertical title are evenly spaced by
@@ -81,9 +82,9 @@ LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vec
           w.height() <= 1.6 * seed.height() + 2 && seed.height() <= 1.6 * w.height() + 2)
         row.words.push_back(w);
     std::sort(row.words.begin(), row.words.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
-    std::vector<double> places;
-    for (const auto& w : row.words) places.push_back(w.middle().x);
-    row.regular = regularity(places, lines, seed.height(), r.width());
+    std::vector<double> positions;
+    for (const auto& w : row.words) positions.push_back(w.middle().x);
+    row.regular = regularity(positions, lines, seed.height(), r.width());
     row.height_px = seed.height();
     if (row.regular > best.regular || (row.regular == best.regular && row.height_px > best.height_px))
       best = std::move(row);
@@ -109,9 +110,9 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
         column.words.push_back(w);
     std::sort(column.words.begin(), column.words.end(),
               [](const Box& a, const Box& b) { return a.y0 < b.y0; });
-    std::vector<double> places;
-    for (const auto& w : column.words) places.push_back(w.middle().y);
-    column.regular = regularity(places, lines, seed.height(), r.height());
+    std::vector<double> positions;
+    for (const auto& w : column.words) positions.push_back(w.middle().y);
+    column.regular = regularity(positions, lines, seed.height(), r.height());
     column.height_px = seed.height();
     const bool nearer = !best.words.empty() && seed.x1 > best.words.front().x1;
     // Of equally regular columns the one nearest to the axis, because titles stand farther out.
@@ -158,9 +159,9 @@ LabelRow labelsUpwards(const std::vector<Box>& words, const Box& r, const std::v
         column.words.back() = column.words.back().joined(digit);
       else
         column.words.push_back(digit);
-    std::vector<double> places;
-    for (const auto& w : column.words) places.push_back(w.middle().y);
-    column.regular = regularity(places, lines, seed.width(), r.height());
+    std::vector<double> positions;
+    for (const auto& w : column.words) positions.push_back(w.middle().y);
+    column.regular = regularity(positions, lines, seed.width(), r.height());
     column.height_px = seed.width();
     if (column.regular > best.regular) best = std::move(column);
   }

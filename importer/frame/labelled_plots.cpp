@@ -36,45 +36,45 @@ struct Series {
 
 /// Some programs move the outermost labels inwards, flush with the axis ends; their values are still one step
 /// away.
-void takeFlushEnds(Series& s, const std::vector<Box>& line, const std::vector<double>& places) {
+void takeFlushEnds(Series& s, const std::vector<Box>& line, const std::vector<double>& positions) {
   constexpr double moved = 0.75;  // share of a word's width: half of it, and a margin
   const auto at = [&](double place) {
-    return static_cast<std::size_t>(std::find(places.begin(), places.end(), place) - places.begin());
+    return static_cast<std::size_t>(std::find(positions.begin(), positions.end(), place) - positions.begin());
   };
   const std::size_t first = at(s.first_px), last = at(s.last_px);
   const auto flush = [&](std::size_t k, double away) {
     return away < s.step_px && s.step_px - away <= moved * line[k].width();
   };
-  if (last + 1 < places.size() && flush(last + 1, places[last + 1] - s.last_px)) {
+  if (last + 1 < positions.size() && flush(last + 1, positions[last + 1] - s.last_px)) {
     s.words.push_back(line[last + 1]);
     s.last_px += s.step_px;
   }
-  if (first > 0 && first <= places.size() && flush(first - 1, s.first_px - places[first - 1])) {
+  if (first > 0 && first <= positions.size() && flush(first - 1, s.first_px - positions[first - 1])) {
     s.words.insert(s.words.begin(), line[first - 1]);
     s.first_px -= s.step_px;
   }
 }
 
 /// The longest even progression without a gap; `places` increase.
-Series evenSeries(const std::vector<Box>& words, const std::vector<double>& places, double height,
+Series evenSeries(const std::vector<Box>& words, const std::vector<double>& positions, double height,
                   double minStep) {
   Series best;
   const double tolerance = 0.3 * height + 1.5;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = i + 1; j < places.size(); ++j) {
-      const double first = places[j] - places[i];
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    for (std::size_t j = i + 1; j < positions.size(); ++j) {
+      const double first = positions[j] - positions[i];
       if (first < minStep) continue;
       std::vector<std::size_t> members{i, j};
       double step = first;
-      for (std::size_t k = j + 1; k < places.size(); ++k) {
-        const double off = places[k] - places[members.back()] - step;
+      for (std::size_t k = j + 1; k < positions.size(); ++k) {
+        const double off = positions[k] - positions[members.back()] - step;
         if (off > tolerance) break;
         if (off < -tolerance) continue;
         members.push_back(k);
-        step = (places[k] - places[i]) / static_cast<double>(members.size() - 1);
+        step = (positions[k] - positions[i]) / static_cast<double>(members.size() - 1);
       }
       if (members.size() <= best.words.size()) continue;
-      best = Series{{}, step, height, places[members.front()], places[members.back()]};
+      best = Series{{}, step, height, positions[members.front()], positions[members.back()]};
       for (const std::size_t k : members) best.words.push_back(words[k]);
     }
   return best;
@@ -93,10 +93,11 @@ std::vector<Series> allSeries(const std::vector<Box>& words, Aligned aligned, Pl
     for (const Box& w : words)
       if (alike(w, seed) && aligned(w, seed)) line.push_back(w);
     std::sort(line.begin(), line.end(), [&](const Box& a, const Box& b) { return place(a) < place(b); });
-    std::vector<double> places;
-    for (const Box& w : line) places.push_back(place(w));
-    auto series = evenSeries(line, places, seed.height(), minStepInHeights * seed.height());
-    if (static_cast<int>(series.words.size()) >= fewestLabels && alongX) takeFlushEnds(series, line, places);
+    std::vector<double> positions;
+    for (const Box& w : line) positions.push_back(place(w));
+    auto series = evenSeries(line, positions, seed.height(), minStepInHeights * seed.height());
+    if (static_cast<int>(series.words.size()) >= fewestLabels && alongX)
+      takeFlushEnds(series, line, positions);
     if (static_cast<int>(series.words.size()) >= fewestLabels) found.push_back(std::move(series));
   }
   return found;
@@ -158,9 +159,9 @@ bool meets(const Box& a, const Box& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.
 
 }  // namespace
 
-std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_px, double minHeight_px) {
-  const double largest = 0.12 * std::min(ink.cols, ink.rows);
-  const std::vector<Box> glyphs = glyphBoxes(ink, 2, largest);
+std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& marks, double minWidth_px, double minHeight_px) {
+  const double largest = 0.12 * std::min(marks.cols, marks.rows);
+  const std::vector<Box> glyphs = glyphBoxes(marks, 2, largest);
   auto words = numberBoxes(glyphs);
   std::erase_if(words, [](const Box& w) { return !couldBePlotNumber(w); });
   if (words.size() > mostWords) return {};

@@ -20,6 +20,6 @@ struct LabelledPlot {
 };
 
 /// Best first, without overlaps. Upright plots only. Text pixels are 255, others 0.
-std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_px, double minHeight_px);
+std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& marks, double minWidth_px, double minHeight_px);
 
 }  // namespace detent::importer

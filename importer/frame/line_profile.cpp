@@ -25,14 +25,14 @@ std::optional<Peak> peakAt(const std::vector<double>& p, int k) {
   const int n = static_cast<int>(p.size());
   const auto at = [&](int i) { return p[static_cast<std::size_t>(i)]; };
   const double top = at(k), ripple = 0.02 * top + 0.3;
-  const auto foot = [&](int step) {
+  const auto baseline = [&](int step) {
     int i = k;
     while (i + step >= 0 && i + step < n && std::abs(i + step - k) <= maxHalfWidth &&
            at(i + step) < at(i) + ripple && at(i) > 0.004 * top + 0.4)
       i += step;
     return i;
   };
-  const int l = foot(-1), r = foot(1);
+  const int l = baseline(-1), r = baseline(1);
   if (top - std::max(at(l), at(r)) < minLineContrast) return std::nullopt;
   double mass = 0, moment = 0;
   for (int i = l; i <= r; ++i) {

@@ -130,8 +130,8 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     double at = 0;
     bool from = false, to = false;
   };
-  std::vector<Place> places;
-  places.reserve(lines.size());
+  std::vector<Place> positions;
+  positions.reserve(lines.size());
   EdgeFit fit;
   const double size = to - from, near = 0.015 * size + 3;
   for (const auto& line : lines) {
@@ -149,15 +149,15 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, next.to - to);
     fit.endAtFrom += std::abs(line.from - from) <= near;
     fit.endAtTo += std::abs(line.to - to) <= near;
-    auto place =
-        std::find_if(places.begin(), places.end(), [&](const Place& p) { return std::abs(p.at - at) < 4; });
-    if (place == places.end()) place = places.insert(places.end(), Place{at});
+    auto place = std::find_if(positions.begin(), positions.end(),
+                              [&](const Place& p) { return std::abs(p.at - at) < 4; });
+    if (place == positions.end()) place = positions.insert(positions.end(), Place{at});
     place->from |= line.from <= from + near;
     place->to |= line.to >= to - near;
   }
-  for (const auto& p : places) {
-    fit.reachFrom += p.from / static_cast<double>(places.size());
-    fit.reachTo += p.to / static_cast<double>(places.size());
+  for (const auto& p : positions) {
+    fit.reachFrom += p.from / static_cast<double>(positions.size());
+    fit.reachTo += p.to / static_cast<double>(positions.size());
   }
   return fit;
 }
@@ -224,11 +224,11 @@ std::vector<double> spanningLines(const std::vector<StraightLine>& lines, double
     if (at < acrossFrom - 3 || at > acrossTo + 3) continue;
     addPosition(positions, at, line.length(), 2.5);
   }
-  std::vector<double> places, out;
-  for (const auto& p : positions) places.push_back(p.at);
-  const CoverTable cover(lines, places, {from, to});
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (cover(i, 0, 1) >= 0.6) out.push_back(places[i]);
+  std::vector<double> placed, out;
+  for (const auto& p : positions) placed.push_back(p.at);
+  const CoverTable cover(lines, placed, {from, to});
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    if (cover(i, 0, 1) >= 0.6) out.push_back(placed[i]);
   std::sort(out.begin(), out.end());
   return out;
 }

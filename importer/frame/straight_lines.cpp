@@ -39,7 +39,7 @@ cv::Mat horizontalCrests(const cv::Mat& darkness) {
 
 /// A run of crest pixels in one row.
 struct Run {
-  int y = 0, from = 0, to = 0, ink = 0;
+  int y = 0, from = 0, to = 0, lineDarkness = 0;
 };
 
 std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
@@ -48,14 +48,15 @@ std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
     const auto* row = crests.ptr<std::uint8_t>(y);
     Run run{y, -1, -1, 0};
     const auto close = [&] {
-      if (run.from >= 0 && run.to - run.from + 1 >= minLength && 2 * run.ink >= run.to - run.from + 1)
+      if (run.from >= 0 && run.to - run.from + 1 >= minLength &&
+          2 * run.lineDarkness >= run.to - run.from + 1)
         runs.push_back(run);
     };
     for (int x = 0; x < crests.cols; ++x) {
       if (!row[x]) continue;
       if (run.from >= 0 && x - run.to <= maxGap + 1) {
         run.to = x;
-        ++run.ink;
+        ++run.lineDarkness;
       } else {
         close();
         run = Run{y, x, x, 1};
@@ -69,7 +70,7 @@ std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
 /// Runs joined end to end: a line that changes its row now and then.
 struct Chain {
   std::vector<Run> runs;
-  double ink = 0;
+  double lineDarkness = 0;
   int from() const { return runs.front().from; }
   int to = 0;
 };
@@ -104,7 +105,7 @@ std::vector<Chain> chainsOf(std::vector<Run> runs, int maxGap) {
     }
     auto& chain = chains[static_cast<std::size_t>(best)];
     chain.runs.push_back(run);
-    chain.ink += run.ink;
+    chain.lineDarkness += run.lineDarkness;
     chain.to = std::max(chain.to, run.to);
     lastInRow[static_cast<std::size_t>(run.y)] = best;
   }
@@ -142,22 +143,22 @@ StraightLine leastSquares(const std::vector<Run>& runs, double& worst) {
 /// 0 if it bends.
 StraightLine straightened(const Chain& chain) {
   auto runs = chain.runs;
-  double ink = chain.ink, worst = 0;
+  double lineDarkness = chain.lineDarkness, worst = 0;
   auto line = leastSquares(runs, worst);
-  while (worst > maxResidual_px && runs.size() > 1 && ink > 0.6 * chain.ink) {
-    const auto drop = runs.front().ink < runs.back().ink ? runs.begin() : runs.end() - 1;
-    ink -= drop->ink;
+  while (worst > maxResidual_px && runs.size() > 1 && lineDarkness > 0.6 * chain.lineDarkness) {
+    const auto drop = runs.front().lineDarkness < runs.back().lineDarkness ? runs.begin() : runs.end() - 1;
+    lineDarkness -= drop->lineDarkness;
     runs.erase(drop);
     line = leastSquares(runs, worst);
   }
   line.fill = worst <= maxResidual_px && std::abs(line.slope()) <= maxSlope
-                  ? std::min(1.0, ink / (line.length() + 1))
+                  ? std::min(1.0, lineDarkness / (line.length() + 1))
                   : 0;
   return line;
 }
 
 /// Moves a line found on one row of its crest to the middle of its thickness.
-void centreOnInk(const cv::Mat& d, StraightLine& line) {
+void centreOnLine(const cv::Mat& d, StraightLine& line) {
   constexpr int reach = 4, samples = 31;
   std::vector<double> offsets;
   for (int k = 0; k < samples; ++k) {
@@ -183,21 +184,21 @@ void centreOnInk(const cv::Mat& d, StraightLine& line) {
 }
 
 /// Darkness of a line at one position: the darkest of three pixels across.
-int inkAt(const cv::Mat& d, const StraightLine& line, int along) {
+int darknessAt(const cv::Mat& d, const StraightLine& line, int along) {
   const int y = std::clamp(static_cast<int>(std::lround(line.acrossAt(along))), 1, d.rows - 2);
   return std::max(
       {d.at<std::uint8_t>(y - 1, along), d.at<std::uint8_t>(y, along), d.at<std::uint8_t>(y + 1, along)});
 }
 
 /// Extends a line beyond places where another line runs close beside it, as long as one side stays lighter.
-void followInk(const cv::Mat& d, StraightLine& line) {
-  std::vector<int> inks;
+void followLine(const cv::Mat& d, StraightLine& line) {
+  std::vector<int> colours;
   for (int x = static_cast<int>(line.from); x <= static_cast<int>(line.to); x += 2)
-    inks.push_back(inkAt(d, line, x));
-  const int usual = medianOf(std::move(inks));
+    colours.push_back(darknessAt(d, line, x));
+  const int usual = medianOf(std::move(colours));
   const auto goesOn = [&](int x) {
     const int y = static_cast<int>(std::lround(line.acrossAt(x)));
-    if (y < 4 || y + 4 >= d.rows || 3 * inkAt(d, line, x) < 2 * usual) return false;
+    if (y < 4 || y + 4 >= d.rows || 3 * darknessAt(d, line, x) < 2 * usual) return false;
     return 2 * std::min(d.at<std::uint8_t>(y - 4, x), d.at<std::uint8_t>(y + 4, x)) < usual;
   };
   const int farthest = static_cast<int>(0.25 * line.length());  // a longer extension is another line
@@ -222,8 +223,8 @@ std::vector<StraightLine> horizontalLines(const cv::Mat& darkness, double minLen
     if (chain.to - chain.from() + 1 < minLength) continue;
     auto line = straightened(chain);
     if (line.fill <= 0) continue;
-    followInk(darkness, line);
-    centreOnInk(darkness, line);
+    followLine(darkness, line);
+    centreOnLine(darkness, line);
     lines.push_back(line);
   }
   return lines;
@@ -286,7 +287,7 @@ LineSet findStraightLines(const cv::Mat& darkness, double minLength_px, double m
   cv::Mat half;
   const cv::Mat even = darkness(cv::Rect(0, 0, darkness.cols / 2 * 2, darkness.rows / 2 * 2));
   cv::resize(even, half, cv::Size(darkness.cols / 2, darkness.rows / 2), 0, 0, cv::INTER_AREA);
-  const auto both = [&](const cv::Mat& fine, const cv::Mat& coarse) {
+  const auto combined = [&](const cv::Mat& fine, const cv::Mat& coarse) {
     std::vector<StraightLine> found;
     append(found, horizontalLines(fine, minLength_px, maxGap_px), 1);
     append(found, horizontalLines(coarse, minLength_px / 2, maxGap_px / 2), 2);
@@ -294,8 +295,8 @@ LineSet findStraightLines(const cv::Mat& darkness, double minLength_px, double m
     keepCommonDirection(found);
     return found;
   };
-  lines.horizontal = both(darkness, half);
-  lines.vertical = both(darkness.t(), half.t());
+  lines.horizontal = combined(darkness, half);
+  lines.vertical = combined(darkness.t(), half.t());
   return lines;
 }
 

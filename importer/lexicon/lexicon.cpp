@@ -183,7 +183,7 @@ double forgiven(std::size_t letters) {
   return letters >= fewestForTwo ? 2 : letters >= fewestForOne ? 1 : 0;
 }
 
-constexpr double kSmallCosts = 0.3;  // what letters that look the same may add up to
+constexpr double kSmallCosts = 0.3;  // largest sum for letters of the same shape
 
 /// Cost of a word against an entry's letters, and whether confusions explain it.
 struct Priced {
@@ -315,10 +315,10 @@ std::optional<WordMatch> matchWord(std::string_view word, std::initializer_list<
                                    TextSource source) {
   constexpr std::size_t mostKept = 20000;  // answers: the same words come back many times on a page
   thread_local std::map<std::pair<std::string, unsigned>, std::optional<WordMatch>> known;
-  unsigned asked = source == TextSource::exact ? 1U : 0U;
-  for (const WordKind kind : kinds) asked |= 2U << static_cast<unsigned>(kind);
+  unsigned requested = source == TextSource::exact ? 1U : 0U;
+  for (const WordKind kind : kinds) requested |= 2U << static_cast<unsigned>(kind);
   if (known.size() > mostKept) known.clear();
-  const auto [at, isNew] = known.try_emplace({std::string(word), asked});
+  const auto [at, isNew] = known.try_emplace({std::string(word), requested});
   if (isNew) at->second = nearestMatch(word, kinds, source);
   return at->second;
 }

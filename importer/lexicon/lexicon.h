@@ -39,7 +39,7 @@ struct LexiconEntry {
 /// All entries of a kind, in the file's order.
 std::span<const LexiconEntry> entriesOf(WordKind kind);
 
-/// How well a word of a label fits an entry.
+/// An entry of the lexicon that a word of a label fits, with the cost of the differing letters.
 struct WordMatch {
   const LexiconEntry* entry = nullptr;
   double cost = 0;        ///< 0: spelled so; letters that the engine confuses cost less than 1 each, others 1
@@ -66,7 +66,7 @@ struct UnitReading {
 /// `withCyrillic`: of exact text, only with Cyrillic letters beside it.
 std::optional<UnitReading> unitReadAs(std::string_view read, TextSource source, bool withCyrillic);
 
-/// What an axis or a column measures.
+/// Quantity that an axis or a column measures.
 enum class Quantity { none, force, travel, other };
 struct NamedQuantity {
   Quantity quantity = Quantity::none;

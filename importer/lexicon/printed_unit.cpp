@@ -139,8 +139,8 @@ bool isLetter(char c) {
   return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Where the last part of a column's name begins: behind a stroke at its foot or a full stop, at a capital
-/// behind a small letter; 0 if it has no parts.
+/// Index at which the last part of a column's name begins: behind an underscore, full stop or hyphen, or at a
+/// capital letter behind a small one; 0 if the name has one part.
 std::size_t lastPartOf(std::string_view name) {
   if (const auto parting = name.find_last_of("_.-"); parting != std::string_view::npos) return parting + 1;
   for (std::size_t i = name.size(); i-- > 1;)
@@ -258,7 +258,7 @@ bool hasUnitInPlace(const std::string& title) {
   });
 }
 
-/// What stands where a heading names units: the parts of its brackets, without any what stands behind "in".
+/// Words of a heading that may be units: the parts of its brackets, or without brackets the words behind "in".
 /// `perLength`: "N/mm" in a bracket are two.
 std::vector<std::string> headingTokens(const std::string& heading, bool perLength) {
   std::vector<std::string> tokens;

@@ -40,8 +40,8 @@ struct HeadingUnits {
 std::optional<HeadingUnits> headingUnitsIn(std::string_view heading,
                                            TextSource source = TextSource::recognised);
 
-/// What a title measures that is neither a force nor a travel: "pressure (kPa)", "N/mm", "x10 gf",
-/// "temperature". Empty if it measures one of the two or does not say.
+/// Quantity of a title that is neither a force nor a travel: "pressure (kPa)", "N/mm", "x10 gf",
+/// "temperature". Empty if the title names a force or a travel, or no quantity.
 std::string otherQuantityIn(std::string_view title, TextSource source = TextSource::recognised);
 
 }  // namespace detent::importer

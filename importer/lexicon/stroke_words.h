@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the words of a legend say of a button's strokes, in the languages of lexicon.tsv.
+// The strokes that words of a legend name, in the languages of lexicon.tsv.
 
 #include <optional>
 #include <string>
@@ -12,9 +12,9 @@
 
 namespace detent::importer {
 
-/// The stroke that a folded word names. The nearest word of the lexicon decides: nothing where a word for
-/// the other stroke or one that tells switches apart is as near ("leading" is no misread "loading"), or
-/// where letters differ that no confusion explains.
+/// The stroke that a folded word names, by the nearest word of the lexicon. nullopt if a word for the other
+/// stroke, or a word that distinguishes switches, is as near ("leading" is no misread "loading"), or if a
+/// difference is no known confusion of letters.
 std::optional<Stroke> strokeOfWord(std::string_view word, TextSource source = TextSource::recognised);
 
 /// The stroke that a folded word may be a misread name of, with letters wrong that nothing explains. Proves

@@ -46,13 +46,13 @@ Database::~Database() { sqlite3_close(handle_); }
 void Database::run(const char* sql) { check(handle_, sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr)); }
 
 std::int64_t Database::number(const char* sql) {
-  Statement asked(*this, sql);
-  return asked.step() ? asked.integer(0) : 0;
+  Statement statement(*this, sql);
+  return statement.step() ? statement.integer(0) : 0;
 }
 
 std::string Database::text(const char* sql) {
-  Statement asked(*this, sql);
-  return asked.step() ? asked.bytes(0) : std::string();
+  Statement statement(*this, sql);
+  return statement.step() ? statement.bytes(0) : std::string();
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(database.handle()) {

@@ -15,8 +15,8 @@ constexpr double steepest_gf_per_mm = 60;
 
 /// Cells of the wanted travel: 0.04 mm on a key switch, below which slopes are of the meters' noise.
 constexpr int cells = 96;
-/// Contacts are laid apart by up to so many cells, in strides: preload and the first resistance differ
-/// between meters.
+/// Largest shift between the contacts of two records, and step of the search for it, in cells: preload and first
+/// resistance differ between testers.
 constexpr int farthestShift = 8, shiftStride = 2;
 /// Left out at either end of the common travel, as a share of it: contact and bottom-out, where a hundredth
 /// of a millimetre decides.
@@ -47,11 +47,11 @@ struct Overlap {
 
 Overlap overlapAt(int shift, int aCount, int bCount) {
   Overlap overlap{std::max(0, -shift), std::max(0, shift), 0};
-  const int both = std::min(aCount - overlap.a, bCount - overlap.b) - 1;  // cells
-  const int out = static_cast<int>(std::ceil(leftOutOfEnds * both));
+  const int sharedCells = std::min(aCount - overlap.a, bCount - overlap.b) - 1;  // cells
+  const int out = static_cast<int>(std::ceil(leftOutOfEnds * sharedCells));
   overlap.a += out;
   overlap.b += out;
-  overlap.count = both + 1 - 2 * out;
+  overlap.count = sharedCells + 1 - 2 * out;
   return overlap;
 }
 

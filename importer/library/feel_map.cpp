@@ -11,23 +11,23 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t places = 24;  // of a stroke; half the pace of a click
-constexpr std::size_t dimensions = 2 * places + 1;
+constexpr std::size_t positions = 24;  // of a stroke; half the pace of a click
+constexpr std::size_t dimensions = 2 * positions + 1;
 constexpr std::size_t travelAt = dimensions - 1;
 using Vector = std::array<double, dimensions>;
 
 /// Press, release and travel so that the distance of two is in lab noises.
 Vector featuresOf(const FeltShape& shape) {
   const double gf = newtonsPer(ForceUnit::gramForce);
-  const double perPlace = 1 / (gf * std::sqrt(double(places)) * labNoise_gf);
+  const double perPlace = 1 / (gf * std::sqrt(double(positions)) * labNoise_gf);
   const std::vector<float>& release = shape.release_N.empty() ? shape.press_N : shape.release_N;
   Vector features{};
-  for (std::size_t i = 0; i < places; ++i) {
+  for (std::size_t i = 0; i < positions; ++i) {
     // The middle 90 %, as the distance has it.
-    const double share = 0.05 + 0.9 * (double(i) + 0.5) / double(places);
+    const double share = 0.05 + 0.9 * (double(i) + 0.5) / double(positions);
     const auto at = static_cast<std::size_t>(share * double(FeltShape::samples - 1));
     features[i] = perPlace * double{shape.press_N[at]};
-    features[places + i] = perPlace * double{release[at]};
+    features[positions + i] = perPlace * double{release[at]};
   }
   features[travelAt] = FeelWeights{}.travel_gf_per_mm * shape.travel_mm / labNoise_gf;
   return features;
@@ -129,13 +129,13 @@ FeelMap feelMapOf(const std::vector<LibrarySwitch>& switches) {
   for (std::size_t i = 0; i < dimensions; ++i) variance += covariance[i][i];
   map.places.resize(switches.size());
   for (std::size_t which = 0; which < 2; ++which) {
-    Vector start{};  // forces alike for the first; for the second the travel, which they say nothing of
+    Vector start{};  // the first axis starts along the forces, the second along the travel
     start.fill(which == 0 ? 1.0 : 0.1);
     start[travelAt] = 1;
     Axis axis = largestOf(covariance, start);
     takeOut(covariance, axis);
     const double sign = which == 0
-                            ? std::accumulate(axis.direction.begin(), axis.direction.begin() + places, 0.0)
+                            ? std::accumulate(axis.direction.begin(), axis.direction.begin() + positions, 0.0)
                             : axis.direction[travelAt];
     if (sign < 0)
       for (double& each : axis.direction) each = -each;

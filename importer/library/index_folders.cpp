@@ -27,11 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t mostBytes = 32 << 20;        // a switch measured at a micrometre's steps has 1 MB
-constexpr std::size_t batchFiles = 64;              // to a transaction: what an end by force can cost
+constexpr std::int64_t mostBytes = 32 << 20;  // a switch measured at a micrometre's steps has 1 MB
+constexpr std::size_t batchFiles = 64;        // of a transaction: so many are lost if the program is killed
 constexpr std::int64_t settled_ns = 2'000'000'000;  // the coarsest clock of a file system in use
 
-/// A file to look at, with the folder that was asked for.
+/// A file to be read, and the requested folder that holds it.
 struct Candidate {
   fs::path path, root;
   FileStamp stamp;           ///< with the release's
@@ -77,9 +77,9 @@ Failure unreadableFolder(const fs::path& folder, const std::string& why) {
 }
 
 /// Files in the order of their names, each once.
-class Walk {
+class FolderSearch {
  public:
-  explicit Walk(bool pages) : pages_(pages) {}
+  explicit FolderSearch(bool pages) : pages_(pages) {}
 
   std::optional<Failure> into(const std::string& given) {
     std::error_code error;
@@ -116,7 +116,7 @@ class Walk {
     std::ranges::sort(found_, {}, &Candidate::path);
     return found_;
   }
-  /// Whether a path lies below one of the folders.
+  /// Returns true if a path lies below one of the folders.
   bool covers(const fs::path& path) const {
     return std::ranges::any_of(roots_, [&](const fs::path& root) {
       return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
@@ -152,7 +152,7 @@ void take(FileRead& read, Result<std::vector<LibrarySwitch>> switches, const Ori
   read.file.switches = std::move(*switches);
 }
 
-/// What is no record of a switch may be a sheet of what somebody said of them.
+/// Reads a CSV file that is no record of a switch as a sheet of ratings, if it is one.
 void takeRatings(FileRead& read, const Origin& origin) {
   if (!lowered(read.file.path).ends_with(".csv")) return;
   const auto text = readTextFile(read.file.path);
@@ -164,7 +164,7 @@ void takeRatings(FileRead& read, const Origin& origin) {
 }
 
 /// Without the switches of one that is to be read.
-FileRead lookAt(const Candidate& candidate, const FileStamp& stamp, const KnownFile* known) {
+FileRead readingOf(const Candidate& candidate, const FileStamp& stamp, const KnownFile* known) {
   FileRead read;
   read.file = {candidate.path.string(), stamp, {}, version(), {}, {}};
   const std::string name = candidate.path.filename().string();
@@ -185,14 +185,14 @@ FileRead lookAt(const Candidate& candidate, const FileStamp& stamp, const KnownF
 
 FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Origin& origin,
                   const KnownFile* known) {
-  FileRead read = lookAt(candidate, stamp, known);
+  FileRead read = readingOf(candidate, stamp, known);
   if (read.same || read.file.refused) return read;
   take(read, readSwitches(read.file.path, true, candidate.release), origin);
   if (read.file.refused) takeRatings(read, origin);
   return read;
 }
 
-/// What stood in the file at one moment: read again where it was written meanwhile.
+/// The file as it was at one moment. Reads it again, up to three times, if it was written meanwhile.
 FileRead readWhole(const Candidate& candidate, const Origin& origin, const KnownFile* known) {
   constexpr int attempts = 3;
   FileStamp before = candidate.stamp;
@@ -276,15 +276,15 @@ class IndexRun {
   IndexRun(const IndexRequest& request, const IndexProgress& progress, LibraryStore& store)
       : request_(request), progress_(progress), store_(store) {}
 
-  Result<IndexSummary> over(Walk& walk) {
+  Result<IndexSummary> over(FolderSearch& search) {
     auto known = store_.files();
     if (!known) return known.failure();
     known_ = std::move(*known);
     summary_.rebuilt = store_.rebuilt();
     std::vector<Task> tasks;  // of logs; pages_ of pages
     Origins origins(request_.licence, request_.credit);
-    for (const Candidate& candidate : walk.found()) plan(candidate, origins, tasks);
-    if (auto failure = markGone(walk)) return std::move(*failure);
+    for (const Candidate& candidate : search.found()) plan(candidate, origins, tasks);
+    if (auto failure = markGone(search)) return std::move(*failure);
     if (auto failure = read(tasks)) return std::move(*failure);
     if (auto failure = readPages()) return std::move(*failure);
     std::ranges::sort(summary_.refusals, {}, &RefusedFile::file);
@@ -319,10 +319,10 @@ class IndexRun {
     summary_.refusals.push_back(std::move(refused));
   }
 
-  std::optional<Failure> markGone(const Walk& walk) {
+  std::optional<Failure> markGone(const FolderSearch& search) {
     std::vector<std::string> gone;
     for (const auto& [path, file] : known_) {
-      if (walk.has(path) || !walk.covers(path) || isPassedOver(path)) continue;
+      if (search.has(path) || !search.covers(path) || isPassedOver(path)) continue;
       ++summary_.gone;
       if (!file.gone) gone.push_back(path);
     }
@@ -340,26 +340,26 @@ class IndexRun {
 
   /// After all threads of the readers of logs have ended: pages are read in processes.
   std::optional<Failure> readPages() {
-    std::map<std::string, FileRead> looks;
+    std::map<std::string, FileRead> readings;
     std::map<std::string, const Task*> tasks;
     std::vector<std::string> paths;
     for (const Task& task : pages_) {
-      FileRead look = lookAt(*task.candidate, task.candidate->stamp, task.known);
-      const std::string path = look.file.path;
-      if (look.same || look.file.refused) {
-        count(std::move(look));
+      FileRead reading = readingOf(*task.candidate, task.candidate->stamp, task.known);
+      const std::string path = reading.file.path;
+      if (reading.same || reading.file.refused) {
+        count(std::move(reading));
         continue;
       }
       paths.push_back(path);
       tasks[path] = &task;
-      looks[path] = std::move(look);
+      readings[path] = std::move(reading);
     }
     std::optional<Failure> failure;
     const auto takePage = [&](const std::string& path, Result<std::vector<LibrarySwitch>> switches) {
-      FileRead& look = looks[path];
-      take(look, std::move(switches), tasks[path]->origin);
+      FileRead& reading = readings[path];
+      take(reading, std::move(switches), tasks[path]->origin);
       if (progress_.report) progress_.report(double(++pagesRead_) / double(paths.size()), path);
-      count(std::move(look));
+      count(std::move(reading));
       if (auto done = write(); !done && !failure) failure = done.failure();
     };
     if (!paths.empty())
@@ -426,12 +426,12 @@ class IndexRun {
 }  // namespace
 
 Result<IndexSummary> indexFolders(const IndexRequest& request, const IndexProgress& progress) {
-  Walk walk(static_cast<bool>(request.readPages));
+  FolderSearch search(static_cast<bool>(request.readPages));
   for (const std::string& folder : request.folders)
-    if (auto failure = walk.into(folder)) return std::move(*failure);
+    if (auto failure = search.into(folder)) return std::move(*failure);
   auto store = LibraryStore::openToWrite(request.database);
   if (!store) return store.failure();
-  return IndexRun(request, progress, *store).over(walk);
+  return IndexRun(request, progress, *store).over(search);
 }
 
 }  // namespace detent::importer

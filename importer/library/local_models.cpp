@@ -79,7 +79,7 @@ struct Columns {
     t.resize(count), perSigma.resize(count), gain.resize(count);
     VectorXd force_N(count);
     share = window.share;
-    double known = window.carried;  // variance of what is carried on, by the readings so far
+    double known = window.carried;  // variance of the correlated noise that the previous readings leave
     for (Index i = 0; i < count; ++i) {
       const auto k = static_cast<std::size_t>(i);
       t[i] = this->at(points[k].displacement_mm);
@@ -266,10 +266,10 @@ std::optional<Said> extremumOf(const Columns& columns, Shape shape, double sign)
       if (!(sign * (shape.at(end).dot(solution->terms) - solution->terms[0]) < 0)) return {};
     return jointOf(columns, shape, *solution);
   }
-  constexpr int places = 40;
+  constexpr int positions = 40;
   double t = 0, highest = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= places; ++i) {
-    const double here = -1 + 2.0 * i / places, height = sign * shape.at(here).dot(solution->terms);
+  for (int i = 0; i <= positions; ++i) {
+    const double here = -1 + 2.0 * i / positions, height = sign * shape.at(here).dot(solution->terms);
     if (height > highest) highest = height, t = here;
   }
   constexpr double inside = 0.95;  // of half the window: its end is no extremum
@@ -304,7 +304,7 @@ std::optional<Said> forceBy(const Columns& columns, Shape shape, double t) {
 }
 
 constexpr std::size_t fewest = 8;  // samples
-bool tellsNothing(const LocalWindow& window) {
+bool isUninformative(const LocalWindow& window) {
   return window.points.size() < fewest ||
          !(window.points.back().displacement_mm > window.points.front().displacement_mm);
 }
@@ -317,7 +317,7 @@ void add(std::vector<Said>& all, std::optional<Said> said) {
 }  // namespace
 
 std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign) {
-  if (tellsNothing(window)) return {};
+  if (isUninformative(window)) return {};
   const Columns columns(window);
   std::vector<Said> all;
   for (int degree = 2; degree <= 6; ++degree) add(all, extremumOf(columns, {degree}, sign));
@@ -332,18 +332,18 @@ std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign) {
 }
 
 std::optional<LocalPlace> cornerIn(const LocalWindow& window, double near_mm) {
-  if (tellsNothing(window)) return {};
+  if (isUninformative(window)) return {};
   const Columns columns(window);
   const double joint = columns.at(near_mm);
   std::vector<Said> all;
   for (int below = 1; below <= 3; ++below)
-    for (int wall = 1; wall <= 3; ++wall)
-      add(all, cornerOf(columns, {below, Shape::Joint::bent, 1, wall, joint}));
+    for (int bottomOut = 1; bottomOut <= 3; ++bottomOut)
+      add(all, cornerOf(columns, {below, Shape::Joint::bent, 1, bottomOut, joint}));
   return meanPlace(all, columns);
 }
 
 std::optional<LocalPlace> forceAt(const LocalWindow& window, double displacement_mm) {
-  if (tellsNothing(window)) return {};
+  if (isUninformative(window)) return {};
   const Columns columns(window);
   std::vector<Said> all;
   for (int degree = 0; degree <= 4; ++degree)
@@ -352,7 +352,7 @@ std::optional<LocalPlace> forceAt(const LocalWindow& window, double displacement
 }
 
 std::optional<LocalPlace> beginningOf(const LocalWindow& window) {
-  if (tellsNothing(window)) return {};
+  if (isUninformative(window)) return {};
   const Columns columns(window);
   std::vector<Said> all;
   for (int degree = 0; degree <= 3; ++degree) add(all, forceBy(columns, {degree}, -1));

@@ -26,8 +26,8 @@ struct LocalWindow {
   double share = 0;         ///< [0, 1)
 };
 
-/// The extremum of the window's models: a peak for a `sign` of 1, a valley for -1. Nothing where no model has
-/// one, or too few samples tell. Any thread.
+/// The extremum of the window's models: a peak for a `sign` of 1, a valley for -1. nullopt if no model has
+/// one, or if there are too few samples. Any thread.
 std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign);
 
 /// Start of a bottom-out, above a gentler slope; `near_mm`: its approximate displacement.

@@ -43,7 +43,7 @@ double halfOf68(double variance, double a, double b) {
 
 /// The errors of one figure.
 struct Error {
-  bool isTold = true;
+  bool isReported = true;
   double variance = 0;
   std::array<double, 2> bounds{};  ///< of what may lie anywhere within a step
 
@@ -74,7 +74,7 @@ class Measured {
     MeasuredFigures measured{figures_, {}};
     for (std::size_t i = 0; i < keyFigureCount; ++i) {
       const double sigma = halfOf68(errors_[i].variance, errors_[i].bounds[0], errors_[i].bounds[1]);
-      if (figures_.values[i] && errors_[i].isTold && sigma > 0) measured.sigmas.values[i] = sigma;
+      if (figures_.values[i] && errors_[i].isReported && sigma > 0) measured.sigmas.values[i] = sigma;
     }
     return measured;
   }
@@ -85,27 +85,27 @@ class Measured {
   /// Start, peak, valley and start of the bottom-out by the models of the samples around each, and the
   /// figures that are made of them.
   void measurePlaces() {
-    constexpr double depth = 0.25;      // of what an extremum stands out, down to which its samples count
-    constexpr double leastNoises = 3;   // that its samples reach down at least
-    constexpr double footReach = 0.12;  // of the travel, below a bottom-out
+    constexpr double depth = 0.25;     // of what an extremum stands out, down to which its samples count
+    constexpr double leastNoises = 3;  // that its samples reach down at least
+    constexpr double bottomOutReach = 0.12;  // of the travel, below a bottom-out
     const StrokeCurve& press = state_.graph.press();
     const double end_mm = down_.last().displacement_mm;
     const BottomOut bottom = bottomOutOf(press);
-    ShapePlaces places = shapePlacesOf(state_);
+    ShapePlaces shape = shapePlacesOf(state_);
     std::array<std::optional<LocalPlace>, 4> found;
     const auto depthOf = [&](double height_N) {
       return std::max(depth * height_N, leastNoises * down_.noise_N());
     };
-    const auto startsWindow_mm = places.peak ? places.peak->displacement_mm : bottom.displacement_mm;
+    const auto startsWindow_mm = shape.peak ? shape.peak->displacement_mm : bottom.displacement_mm;
     found[0] = beginningOf(down_.atStart(0.5 * (down_.first().displacement_mm + startsWindow_mm)));
     double gentleFrom_mm = down_.first().displacement_mm;
-    if (places.peak) {
-      const CurvePoint peak = *places.peak, valley = *places.valley;
+    if (shape.peak) {
+      const CurvePoint peak = *shape.peak, valley = *shape.valley;
       const double drop_N = peak.force_N - valley.force_N;
-      found[1] = extremumIn(down_.around(peak.displacement_mm, 1,
-                                         depthOf(std::min(drop_N, peak.force_N - places.start.force_N)),
-                                         down_.first().displacement_mm, valley.displacement_mm),
-                            1);
+      found[1] = extremumIn(
+          down_.around(peak.displacement_mm, 1, depthOf(std::min(drop_N, peak.force_N - shape.start.force_N)),
+                       down_.first().displacement_mm, valley.displacement_mm),
+          1);
       if (valley.displacement_mm < press.end_mm())
         found[2] = extremumIn(down_.around(valley.displacement_mm, -1,
                                            depthOf(std::min(drop_N, bottom.force_N - valley.force_N)),
@@ -115,23 +115,23 @@ class Measured {
     }
     if (bottom.wall)
       found[3] = cornerIn(
-          down_.between(std::max(gentleFrom_mm, bottom.displacement_mm - footReach * press.travel_mm()),
+          down_.between(std::max(gentleFrom_mm, bottom.displacement_mm - bottomOutReach * press.travel_mm()),
                         end_mm),
           bottom.displacement_mm);
     else
       found[3] = LocalPlace{end_mm, down_.last().force_N, 0, std::pow(down_.noise_N(), 2), 0};
     for (std::size_t i = 0; i < found.size(); ++i)
-      if (CurvePoint* place = placeOf(places, i); place && found[i])
+      if (CurvePoint* place = placeOf(shape, i); place && found[i])
         *place = {i == 0 ? place->displacement_mm : found[i]->displacement_mm, found[i]->force_N};
-    if (places.valley && !(places.peak->force_N > places.valley->force_N)) return tellNothing();
-    fillShape(figures_, places);
-    figures_[KeyFigure::initialForce] = places.start.force_N;
+    if (shape.valley && !(shape.peak->force_N > shape.valley->force_N)) return tellNothing();
+    fillShape(figures_, shape);
+    figures_[KeyFigure::initialForce] = shape.start.force_N;
     errorOf(KeyFigure::initialForce).variance = found[0] ? found[0]->variance_N2 : 0;
-    for (std::size_t i = 0; i < found.size(); ++i) addPlace(places, i, found[i]);
+    for (std::size_t i = 0; i < found.size(); ++i) addPlace(shape, i, found[i]);
     // Rounding of a displacement affects its neighbours too if the readings are evenly spaced; an end has its
     // own.
     if (down_.isEven() || !bottom.wall) {
-      ShapePlaces away = places;
+      ShapePlaces away = shape;
       for (std::size_t i = 1; i < found.size(); ++i)
         if (CurvePoint* place = placeOf(away, i)) place->displacement_mm += halfStep_mm_;
       const KeyFigures moved = shapeWith(away);
@@ -141,30 +141,30 @@ class Measured {
     }
   }
 
-  static CurvePoint* placeOf(ShapePlaces& places, std::size_t i) {
+  static CurvePoint* placeOf(ShapePlaces& shape, std::size_t i) {
     switch (i) {
       case 0:
-        return &places.start;
+        return &shape.start;
       case 1:
-        return places.peak ? &*places.peak : nullptr;
+        return shape.peak ? &*shape.peak : nullptr;
       case 2:
-        return places.valley ? &*places.valley : nullptr;
+        return shape.valley ? &*shape.valley : nullptr;
       default:
-        return &places.bottom;
+        return &shape.bottom;
     }
   }
 
-  KeyFigures shapeWith(const ShapePlaces& places) const {
+  KeyFigures shapeWith(const ShapePlaces& shape) const {
     KeyFigures moved = figures_;
-    fillShape(moved, places);
+    fillShape(moved, shape);
     return moved;
   }
 
   /// Effect of the errors of one displacement on every figure; a displacement that was not found leaves its
   /// figures without an error.
-  void addPlace(const ShapePlaces& places, std::size_t which, const std::optional<LocalPlace>& found) {
+  void addPlace(const ShapePlaces& shape, std::size_t which, const std::optional<LocalPlace>& found) {
     constexpr double tiny_mm = 1e-6, tiny_N = 1e-6;
-    ShapePlaces deeper = places, harder = places;
+    ShapePlaces deeper = shape, harder = shape;
     if (!placeOf(deeper, which)) return;
     placeOf(deeper, which)->displacement_mm += tiny_mm;
     placeOf(harder, which)->force_N += tiny_N;
@@ -178,7 +178,7 @@ class Measured {
         errors_[i].variance += per_mm * per_mm * found->variance_mm2 + per_N * per_N * found->variance_N2 +
                                2 * per_mm * per_N * found->covariance_mmN;
       else
-        errors_[i].isTold = false;
+        errors_[i].isReported = false;
     }
   }
 
@@ -186,8 +186,8 @@ class Measured {
     for (int i = 0; i <= static_cast<int>(KeyFigure::slopeToBottomOut); ++i)
       if (const auto figure = static_cast<KeyFigure>(i);
           figure != KeyFigure::preTravel && figure != KeyFigure::operatingForce)
-        errorOf(figure).isTold = false;
-    errorOf(KeyFigure::bottomOutForce).isTold = errorOf(KeyFigure::bottomOutTravel).isTold = false;
+        errorOf(figure).isReported = false;
+    errorOf(KeyFigure::bottomOutForce).isReported = errorOf(KeyFigure::bottomOutTravel).isReported = false;
   }
 
   /// The travel ends anywhere within a step, at the force that was read there.
@@ -226,7 +226,7 @@ class Measured {
       figures_[force] = found->force_N;
       errorOf(force).variance = found->variance_N2;
     } else {
-      errorOf(force).isTold = false;
+      errorOf(force).isReported = false;
     }
     ButtonState away = state_;
     std::optional<double>& moved_mm =

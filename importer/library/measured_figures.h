@@ -11,8 +11,8 @@ namespace detent::importer {
 struct MeasuredFigures {
   /// Figures from the samples, if they determine them; else from the fit.
   KeyFigures figures;
-  /// Standard errors: half of what holds 68.3 % of the errors of noise and steps together. Empty where the
-  /// samples do not tell one, as of a peak of too few samples.
+  /// Standard errors: half of what holds 68.3 % of the errors of noise and steps together. Empty if the
+  /// samples do not determine one, for example of a peak of too few samples.
   KeyFigures sigmas;
 };
 

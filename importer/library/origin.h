@@ -31,8 +31,7 @@ class Origins {
   std::map<std::filesystem::path, Origin> seen_;
 };
 
-/// The name of the licence that a text is; its first line where it is none that is known; empty for an empty
-/// text.
+/// Name of a licence from its text. Its first line if the licence is not known; empty for an empty text.
 std::string licenceNamed(std::string_view text);
 
 /// "owner/name" from a git configuration's first URL, without what it may hold of passwords; empty where

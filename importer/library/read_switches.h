@@ -12,10 +12,10 @@
 
 namespace detent::importer {
 
-/// Whether the library takes a file, by its ending: force logs (.csv, .ods, .json) and buttons (.button.json).
+/// Returns true if the library takes a file with this ending: force logs (.csv, .ods, .json) and buttons (.button.json).
 bool isLibraryFile(const std::filesystem::path& path);
 
-/// Whether a file is a page or a picture, by its ending: what may hold force graphs of datasheets.
+/// Returns true if a file is, by its ending, a page or picture, which may hold force graphs of datasheets.
 bool isPageFile(const std::filesystem::path& path);
 
 /// A graph of a page, with what its import says of how far figures may be off.
@@ -25,23 +25,24 @@ struct PageButton {
   KeyFigures sigmas = {};
 };
 
-/// The force graphs of a page or picture that are certain enough, in their order. Failure: why the first is none, where all are. Any
-/// thread.
+/// Force graphs of a page or picture that are certain enough, in their order. Failure: if none is, the reason why the first was refused.
+/// Any thread.
 Result<std::vector<PageButton>> readPageButtons(const std::string& path, Quality quality);
 
 /// Rows of buttons that stand in one page or picture.
 Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<PageButton>& buttons,
                                                   const std::string& path);
 
-/// At least one; name, unit, run, part, figures, their `errors` where asked for (a third of the time) and shape are filled in. `releasePath`:
-/// the release of a press that has a file of its own. Failure: why the file is refused. Any thread.
+/// Switches of one file, at least one, with name, unit, run, part, figures and shape. `errors`: with standard
+/// errors of the figures, which take a third of the time. `releasePath`: file of the release if it has its own.
+/// Failure: the reason of the refusal. Any thread.
 Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors = true,
                                                 const std::string& releasePath = {});
 
 /// SHA-256 of a file, and of its release's where that is in a file of its own.
 Result<std::string> contentHash(const std::string& path, const std::string& releasePath);
 
-/// The switch as a button of one state, named and with where it came from. Failure unreadableInput: the file is not what was indexed.
+/// The switch as a button of one state, with its name and provenance. Failure unreadableInput: the file changed since it was indexed.
 /// Any thread.
 Result<Button> buttonOf(const LibrarySwitch& entry, Quality quality);
 

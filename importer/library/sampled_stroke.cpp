@@ -89,12 +89,12 @@ Noise noiseBy(const Eigen::VectorXd& covariances, const Blocks& blocks) {
   Noise best{alone_N2};
   double least = score(alone_N2 * white, 1);
   for (std::size_t i = 1; i < Blocks::shares.size(); ++i) {
-    Eigen::MatrixX2d both(covariances.size(), 2);
-    both << white, blocks.behindCubic[i];
-    Eigen::Vector2d parts_N2 = both.colPivHouseholderQr().solve(covariances);
+    Eigen::MatrixX2d stacked(covariances.size(), 2);
+    stacked << white, blocks.behindCubic[i];
+    Eigen::Vector2d parts_N2 = stacked.colPivHouseholderQr().solve(covariances);
     if (!(parts_N2[1] > 0)) continue;
-    if (parts_N2[0] < 0) parts_N2 = {0, covariances.dot(both.col(1)) / both.col(1).squaredNorm()};
-    const double here = score(both * parts_N2, 3);
+    if (parts_N2[0] < 0) parts_N2 = {0, covariances.dot(stacked.col(1)) / stacked.col(1).squaredNorm()};
+    const double here = score(stacked * parts_N2, 3);
     if (here >= least) continue;
     least = here;
     best = {parts_N2.sum(), parts_N2[1], Blocks::shares[i]};
@@ -102,8 +102,7 @@ Noise noiseBy(const Eigen::VectorXd& covariances, const Blocks& blocks) {
   return best;
 }
 
-/// Means over the stretches through which a cubic runs as well as any higher polynomial. Nothing where there
-/// are none.
+/// Means over the stretches that a cubic fits as well as any higher polynomial; nullopt if there are none.
 std::optional<Eigen::VectorXd> covariancesBehindCubics(const std::vector<CurvePoint>& points,
                                                        const Blocks& blocks, double together) {
   const auto length = static_cast<std::size_t>(blocks.basis.rows());
@@ -180,8 +179,8 @@ void SampledStroke::weighNoise() {
   static const Blocks usual(longest);
   const std::optional<Blocks> own = length == longest ? std::nullopt : std::optional<Blocks>(length);
   const Blocks& blocks = own ? *own : usual;
-  // Shared errors of samples resemble a bend if each is taken for a reading of its own: repeated with the
-  // estimated noise.
+  // Errors that neighbouring samples share look like a bend of the curve, so a second round uses the noise that
+  // the first one estimated.
   std::optional<Noise> found;
   for (int round = 0; round < 2; ++round) {
     const auto covariances = covariancesBehindCubics(points_, blocks, found ? found->together() : 1);

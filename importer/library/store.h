@@ -70,9 +70,8 @@ bool byName(const LibrarySwitch& a, const LibrarySwitch& b);
 /// One open library. One thread; any number of processes.
 class LibraryStore {
  public:
-  /// Makes the file where there is none. One of another version is emptied, a damaged one moved aside:
-  /// `rebuilt` says so. Failure wrongUsage: a database of another program, a folder, what is no database by
-  /// name and content.
+  /// Creates the file if there is none. Empties a file of another version and moves a damaged one aside; see
+  /// `rebuilt`. Failure wrongUsage: a folder, a database of another program, or a file that is no database.
   static Result<LibraryStore> openToWrite(const std::string& path);
   /// All queries see one moment: a writer waits until it is gone. Failure unreadableInput: missing, damaged,
   /// of another version.
@@ -84,7 +83,7 @@ class LibraryStore {
   /// The reason why the file was rebuilt; empty if it was not.
   const Message& rebuilt() const;
   Result<std::map<std::string, KnownFile>> files() const;
-  /// All of them or, on a Failure, none: each in the place of what was known of its path.
+  /// Replaces what was known of the paths of these files. Writes all of them or, on a Failure, none.
   Result<Done> put(const std::vector<LibraryFile>& files);
   /// Files that are as they were known but for their stamp, and files that are gone. All or none.
   Result<Done> restamp(const std::vector<std::pair<std::string, FileStamp>>& same,

@@ -150,8 +150,8 @@ Canvas canvasOf(const GraphEvidence& evidence) {
   Canvas canvas(evidence.view, scale);
   drawAxes(canvas, evidence.frame, evidence.axes.calibration.value);
   for (const Remainder& left : evidence.explanation.left) canvas.dots(left.ink_px, leftOverColor);
-  for (const Leap& leap : evidence.explanation.leaps)
-    canvas.polyline({leap.from_px, leap.to_px}, leftOverColor, 4);
+  for (const Leap& jump : evidence.explanation.leaps)
+    canvas.polyline({jump.from_px, jump.to_px}, leftOverColor, 4);
   return canvas;
 }
 

@@ -260,8 +260,8 @@ std::vector<std::string> withListsRead(const std::vector<std::string>& inputs) {
   return all;
 }
 
-/// Options that were given, one a line, but for those that do not bear on a result: where results go, how
-/// many processes make them, how they are told.
+/// Given options, one a line, without those that do not change a result: the places of the outputs, the number
+/// of processes, and the form of the report.
 std::string settledBy(const CLI::App& app) {
   static const std::set<std::string> besides{"INPUT",    "--batch", "--out-dir",   "--jobs",
                                              "--resume", "--json",  "--json-lines"};

@@ -24,7 +24,7 @@ struct Arguments {
   bool ask = false;
   bool explain = false;
   bool jsonLines = false;                                              ///< with it json
-  std::string buttonPath, csvPath, tracePath, overlayPath, stepsPath;  ///< empty: not asked for
+  std::string buttonPath, csvPath, tracePath, overlayPath, stepsPath;  ///< empty: not written
 
   bool family = false;  ///< `inputs` are records of one button at different speeds
 

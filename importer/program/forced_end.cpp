@@ -13,9 +13,9 @@ namespace {
 
 void watch(const std::future<void>& over, const std::function<bool()>& cancelled,
            std::chrono::duration<double> grace) {
-  constexpr std::chrono::milliseconds askedEvery{50};
+  constexpr std::chrono::milliseconds checkedEvery{50};
   while (!cancelled())
-    if (over.wait_for(askedEvery) == std::future_status::ready) return;
+    if (over.wait_for(checkedEvery) == std::future_status::ready) return;
   if (over.wait_for(grace) == std::future_status::ready) return;
   StagedFile::removeAll();
   std::_Exit(static_cast<int>(FailureCode::cancelled));

@@ -53,17 +53,18 @@ Json curvesJson(const std::vector<PlotSwitch>& switches) {
   return curves;
 }
 
-Json looksJson(const std::vector<PageLook>& looks) {
+Json readingsJson(const std::vector<PageLook>& readings) {
   Json all = Json::array();
-  for (const PageLook& look : looks) {
-    Json each = {
-        {"magnification", look.magnification}, {"confidence", look.confidence}, {"taken", look.taken}};
-    if (look.travel_mm) {
-      each["travel_mm"] = *look.travel_mm;
-      each["highest_force_N"] = *look.highest_N;
-      each["release"] = look.release;
+  for (const PageLook& pageReading : readings) {
+    Json each = {{"magnification", pageReading.magnification},
+                 {"confidence", pageReading.confidence},
+                 {"taken", pageReading.taken}};
+    if (pageReading.travel_mm) {
+      each["travel_mm"] = *pageReading.travel_mm;
+      each["highest_force_N"] = *pageReading.highest_N;
+      each["release"] = pageReading.release;
     }
-    if (!look.problem.empty()) each["problem"] = english(look.problem);
+    if (!pageReading.problem.empty()) each["problem"] = english(pageReading.problem);
     all.push_back(std::move(each));
   }
   return all;
@@ -122,7 +123,7 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   if (report.pageClass) json["page_class"] = nameOf(*report.pageClass);
   json["seconds"] = Json::object();
   for (const auto& [step, seconds] : report.seconds) json["seconds"][std::string(nameOf(step))] = seconds;
-  if (!report.looks.empty()) json["looks"] = looksJson(report.looks);
+  if (!report.looks.empty()) json["looks"] = readingsJson(report.looks);
   if (report.endedByTimeLimit) json["ended_by_time_limit"] = true;
   addRemarks(json, report.remarks);
   if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);

@@ -100,13 +100,13 @@ std::string warningLines(const std::vector<Remark>& remarks) {
   return lines;
 }
 
-/// What is said of an input's graphs.
-struct Told {
+/// Report of an input: one JSON object per graph.
+struct Reported {
   std::vector<std::string> objects = {};  ///< JSON, one for each graph
   std::string text = {};
   bool written = true;                    ///< false: the disk refused an output
   std::optional<Question> question = {};  ///< of the last graph
-  bool explains = false;                  ///< the evidence of readings is told too
+  bool explains = false;                  ///< include the evidence of readings
 };
 
 std::string choiceLines(const std::optional<Question>& question) {
@@ -126,63 +126,65 @@ std::optional<Choice> answerTo(const Question& question) {
   return question.choices[number - 1];
 }
 
-/// One graph of an open input: import, write, say so. `told` gets one JSON object.
+/// Imports one graph of an open input, writes its outputs, and adds one JSON object to `reported`. Returns the
+/// exit code.
 int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
-              const Progress& progress, Told& told) {
+              const Progress& progress, Reported& reported) {
   const ImportAttempt attempt = session.attempt(request, progress);
   const auto& [report, evidence, question, interpretations] = attempt;
-  told.question = question;
-  const auto explained = told.explains ? interpretations : std::vector<ExplainedInterpretation>{};
-  told.text += writeSteps(attempt, request.path, paths.steps);
+  reported.question = question;
+  const auto explained = reported.explains ? interpretations : std::vector<ExplainedInterpretation>{};
+  reported.text += writeSteps(attempt, request.path, paths.steps);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
-    told.objects.push_back(failureJson(failure, request.path,
-                                       evidence ? evidence->switches : std::vector<PlotSwitch>{}, question,
-                                       explained));
-    told.text += failure.sentence() + "\n" + choiceLines(question) + explanationTable(explained);
-    told.written = told.written && written;
-    if (!report && evidence) told.text += writeRefusal(*evidence, failure, paths);
+    reported.objects.push_back(failureJson(failure, request.path,
+                                           evidence ? evidence->switches : std::vector<PlotSwitch>{},
+                                           question, explained));
+    reported.text += failure.sentence() + "\n" + choiceLines(question) + explanationTable(explained);
+    reported.written = reported.written && written;
+    if (!report && evidence) reported.text += writeRefusal(*evidence, failure, paths);
     return failure.exitCode();
   }
-  told.objects.push_back(reportJson(*report, request.path, *written, explained));
-  told.text += report->brief() + "\n";
-  told.text += warningLines(report->remarks);
-  for (const std::string& path : *written) told.text += "wrote " + path + "\n";
-  told.text += explanationTable(explained);
+  reported.objects.push_back(reportJson(*report, request.path, *written, explained));
+  reported.text += report->brief() + "\n";
+  reported.text += warningLines(report->remarks);
+  for (const std::string& path : *written) reported.text += "wrote " + path + "\n";
+  reported.text += explanationTable(explained);
   return 0;
 }
 
 /// Every graph of an input. The exit code is 0 if each came through, else the first failure's.
-int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress, Told& told) {
+int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress,
+              Reported& reported) {
   const auto refused = [&](const Failure& failure) {
-    told.objects.push_back(failureJson(failure, request.path));
-    told.text += failure.sentence() + "\n";
+    reported.objects.push_back(failureJson(failure, request.path));
+    reported.text += failure.sentence() + "\n";
     return failure.exitCode();
   };
   auto session = ImportSession::open(request.path, request.limits);
   if (!session) return refused(session.failure());
-  if (session->isForceLog()) return importOne(*session, request, paths, progress, told);
+  if (session->isForceLog()) return importOne(*session, request, paths, progress, reported);
 
   auto listed = session->list(request.page, request.quality, request.hints, progress);
   if (!listed) return refused(listed.failure());
-  told.text += warningLines(listed->remarks);
+  reported.text += warningLines(listed->remarks);
   if (listed->graphs.empty())
-    return importOne(*session, request, paths, progress, told);  // says why there is none
+    return importOne(*session, request, paths, progress, reported);  // says why there is none
   int exitCode = 0;
   for (const ListedGraph& graph : listed->graphs) {
     ImportRequest one = request;
     one.page = graph.page, one.graph = graph.graph;
     const OutputPaths onePaths =
         listed->graphs.size() == 1 ? paths : numbered(paths, graph.page, graph.graph);
-    const int code = importOne(*session, one, onePaths, progress, told);
+    const int code = importOne(*session, one, onePaths, progress, reported);
     if (exitCode == 0) exitCode = code;
   }
   return exitCode;
 }
 
-/// What is being done, on the progress line.
+/// Words of the progress line for a step.
 const char* inProgress(ImportStep step) {
   switch (step) {
     case ImportStep::read:
@@ -223,7 +225,7 @@ int runImport(const Arguments& a, const Progress& progress) {
   request.path = a.inputs.front(), request.asks = true;
   if (a.timeLimit_s) request.timeLimit.emplace(*a.timeLimit_s);
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath, a.stepsPath};
-  Told told{.explains = a.explain};
+  Reported reported{.explains = a.explain};
   int exitCode = 0;
   if (a.family) {
     const Result<Family> family = importFamily(a.inputs, request, progress);
@@ -238,25 +240,26 @@ int runImport(const Arguments& a, const Progress& progress) {
     return failure.exitCode();
   }
   if (a.all) {
-    exitCode = importAll(request, paths, progress, told);
-    print(a, "{\"imports\":[" + joined(told.objects, ",") + "]}\n", told.text, exitCode);  // still one object
+    exitCode = importAll(request, paths, progress, reported);
+    print(a, "{\"imports\":[" + joined(reported.objects, ",") + "]}\n", reported.text,
+          exitCode);  // still one object
     return exitCode;
   }
   auto session = ImportSession::open(request.path, request.limits);
   if (session) {
-    exitCode = importOne(*session, request, paths, progress, told);
-    while (a.ask && exitCode == static_cast<int>(FailureCode::notCertain) && told.question) {
-      const std::optional<Choice> answer = answerTo(*told.question);
+    exitCode = importOne(*session, request, paths, progress, reported);
+    while (a.ask && exitCode == static_cast<int>(FailureCode::notCertain) && reported.question) {
+      const std::optional<Choice> answer = answerTo(*reported.question);
       if (!answer || !takeUp(*answer, request.hints)) break;
-      told = {.explains = a.explain};
-      exitCode = importOne(*session, request, paths, progress, told);
+      reported = {.explains = a.explain};
+      exitCode = importOne(*session, request, paths, progress, reported);
     }
   } else {
-    told.objects = {failureJson(session.failure(), request.path)};
-    told.text = session.failure().sentence() + "\n";
+    reported.objects = {failureJson(session.failure(), request.path)};
+    reported.text = session.failure().sentence() + "\n";
     exitCode = session.failure().exitCode();
   }
-  print(a, joined(told.objects, "\n") + "\n", told.text, exitCode);
+  print(a, joined(reported.objects, "\n") + "\n", reported.text, exitCode);
   return exitCode;
 }
 
@@ -357,7 +360,7 @@ std::map<std::string, std::string> uniqueStems(const std::vector<std::string>& i
   return stems;
 }
 
-/// How many imports of a batch each bar would accept, the batch's own first.
+/// Counts the imports of a batch that each confidence bar would accept; the batch's own bar comes first.
 class AcceptedByBar {
  public:
   explicit AcceptedByBar(double sure) {
@@ -398,7 +401,7 @@ class AcceptedByBar {
 };
 
 /// In the child: a fault that reaches here costs this input only.
-int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, Told& told) {
+int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, Reported& reported) {
   constexpr double beforeTheEnd = 0.9;  // of the limit: what is read by then can still be handed over
   ImportRequest request = a.request;
   request.path = input;
@@ -406,12 +409,12 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
     request.hints.releasePath = pair->second;
   request.timeLimit.emplace(a.batchOptions.timeLimit_s, beforeTheEnd);
   try {
-    return importAll(request, paths, {}, told);
+    return importAll(request, paths, {}, reported);
   } catch (const std::bad_alloc&) {
     const Failure tooLarge{
         FailureCode::unreadableInput, input, "", "needs more memory than the limit",
         "Pass a larger --memory-limit, or a smaller --max-megapixels to refuse such inputs early"};
-    told.objects = {failureJson(tooLarge, input)};
+    reported.objects = {failureJson(tooLarge, input)};
     return tooLarge.exitCode();
   }
 }
@@ -420,9 +423,9 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
 /// ends the batch.
 constexpr const char* notWritten = "outputs not written";
 
-/// What a child hands back: the key of its input on a line of its own, then the report's lines.
-std::string withKey(const std::string& key, const Told& told) {
-  return (told.written ? key : notWritten) + "\n" + joined(told.objects, "\n") + "\n";
+/// Answer of a child process: the key of its input on the first line, then the lines of the report.
+std::string withKey(const std::string& key, const Reported& reported) {
+  return (reported.written ? key : notWritten) + "\n" + joined(reported.objects, "\n") + "\n";
 }
 
 /// Of a child that died without a key: whatever killed it, the next batch tries again.
@@ -494,12 +497,12 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   const auto handle = [&](const std::string& input, std::string& lines) {
     const std::string key = keyOf(input);  // of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
-    Told told{.explains = a.explain};
+    Reported reported{.explains = a.explain};
     const int code = handleInput(a, input,
                                  {base + ".button.json", base + ".csv", base + ".trace.csv",
                                   a.withoutOverlays ? "" : base + ".overlay.png", ""},
-                                 told);
-    lines = withKey(key, told);
+                                 reported);
+    lines = withKey(key, reported);
     return code;
   };
   const auto finished = [&](const InputOutcome& outcome) {

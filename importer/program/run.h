@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What detent-import does once its command line is understood.
+// detent-import after its command line was parsed.
 
 #include <functional>
 
@@ -8,7 +8,7 @@
 
 namespace detent::importer {
 
-/// Runs, prints, and gives the exit code. `cancelled` may be asked from any thread.
+/// Imports, prints, and returns the exit code. `cancelled` may be called from any thread.
 int run(const Arguments& arguments, const std::function<bool()>& cancelled);
 
 }  // namespace detent::importer

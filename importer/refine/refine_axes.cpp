@@ -20,7 +20,7 @@ constexpr int mapUnknowns = 8, bendUnknowns = 5;
 constexpr double far_px = 1;  // places farther off count linearly: a curve or a letter stands there
 constexpr double weakly =
     0.02;  // holds the place a bend moves from where nothing bends, in units of half the frame
-constexpr int toldByALine =
+constexpr int placesPerLine =
     4;  // of a line's places stand for themselves: where it is, its lean, its bend, one for the rest
 
 /// Where a place lies on a sheet: its unknowns as Ceres sees them, `n` in scaled view pixels.
@@ -209,7 +209,7 @@ SheetCovariance SheetProblem::covariance(int lines) {
          k < jacobian.rows[static_cast<std::size_t>(row) + 1]; ++k)
       j(row, jacobian.cols[static_cast<std::size_t>(k)]) = jacobian.values[static_cast<std::size_t>(k)];
   const double perError = std::max(placesPerError({residuals.begin(), residuals.begin() + places()}, lineOf_),
-                                   double(places()) / (toldByALine * std::max(1, lines)));
+                                   double(places()) / (placesPerLine * std::max(1, lines)));
   double sum = 0;
   for (const double r : residuals) sum += r * r;
   const double independent = std::max(places() / perError, 1.0);
@@ -225,27 +225,27 @@ SheetCovariance SheetProblem::covariance(int lines) {
 }
 
 /// Information from the lines of one axis.
-struct Told {
-  int courses = 0;  ///< lines seen along their length
-  int known = 0;    ///< of known value
-  bool enough() const { return courses >= 2 && known >= 2; }
-  bool twist() const { return courses >= 3; }  ///< two edges alone show it as a tilt
+struct LineMap {
+  int lengthwise = 0;  ///< lines seen along their length
+  int known = 0;       ///< of known value
+  bool enough() const { return lengthwise >= 2 && known >= 2; }
+  bool twist() const { return lengthwise >= 3; }  ///< two edges alone show it as a tilt
 };
 
-Told toldBy(const std::vector<SightedLine>& lines, bool ofForce) {
-  Told told;
+LineMap mapBy(const std::vector<SightedLine>& lines, bool ofForce) {
+  LineMap lineMap;
   for (const SightedLine& line : lines) {
     if (line.ofForce != ofForce) continue;
-    told.courses += line.points_px.size() > 1;
-    told.known += line.value.has_value();
+    lineMap.lengthwise += line.points_px.size() > 1;
+    lineMap.known += line.value.has_value();
   }
-  return told;
+  return lineMap;
 }
 
 /// Returns true if the lower cost is worth the additional unknowns (Schwarz 1978), counting independent
 /// samples.
 bool worthIt(double before, double after, int unknowns, int lines) {
-  const double independent = toldByALine * lines;
+  const double independent = placesPerLine * lines;
   return independent * std::log(before / std::max(after, 1e-12)) > unknowns * std::log(independent);
 }
 
@@ -279,7 +279,7 @@ std::optional<RefinedAxes> refineAxes(const PageView& view, const PlotFrame& fra
                                       const AxisCalibration& calibration, const Progress& progress) {
   if (view.raster.empty()) return {};
   const std::vector<SightedLine> lines = sightLines(view, frame, calibration);
-  const Told byWay = toldBy(lines, false), byForce = toldBy(lines, true);
+  const LineMap byWay = mapBy(lines, false), byForce = mapBy(lines, true);
   if (progress.isCancelled() || !byWay.enough() || !byForce.enough()) return {};
   SheetProblem problem(lines, calibration, unknownsOf(calibration, frame));
   RefinedAxes refined;

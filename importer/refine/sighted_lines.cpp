@@ -12,7 +12,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr int places = 48;             // along a line
+constexpr int positions = 48;          // along a line
 constexpr double leastSeen = 1.0 / 3;  // of them
 constexpr double apart_px = 3;         // nearer lines are one
 constexpr double leastContrast = 7;    // grey levels of a mean profile, as for the lines of a frame
@@ -52,21 +52,21 @@ double alongOf(Point p, bool ofForce) { return ofForce ? p.x : p.y; }
 std::optional<double> centreOf(const std::vector<double>& profile, int crest) {
   const auto at = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
   const int n = static_cast<int>(profile.size());
-  const auto foot = [&](int step) {
+  const auto baseline = [&](int step) {
     int i = crest;
     while (i + step >= 0 && i + step < n && std::abs(i + step - crest) <= halfWidest_px &&
            at(i + step) < at(i))
       i += step;
     return i;
   };
-  const int left = foot(-1), right = foot(1);
+  const int left = baseline(-1), right = baseline(1);
   if (at(crest) - std::max(at(left), at(right)) < leastContrast || right - left >= 2 * halfWidest_px)
     return {};
   double mass = 0, moment = 0;
   for (int i = left; i <= right; ++i) {
-    const double ground = at(left) + (at(right) - at(left)) * (i - left) / std::max(1, right - left);
-    const double ink = std::max(0.0, at(i) - ground);
-    mass += ink, moment += ink * i;
+    const double background = at(left) + (at(right) - at(left)) * (i - left) / std::max(1, right - left);
+    const double above = std::max(0.0, at(i) - background);
+    mass += above, moment += above * i;
   }
   return moment / mass;
 }
@@ -96,10 +96,10 @@ SightedLine sightLine(const AxisView& axis, double about, double reach_px) {
   SightedLine line{axis.ofForce, about, {}, {}};
   const Point from = axis.at(about, 0), to = axis.at(about, 1);
   const double half_px =
-      std::abs(alongOf(to, axis.ofForce) - alongOf(from, axis.ofForce)) / (2.0 * places) - 0.5;
+      std::abs(alongOf(to, axis.ofForce) - alongOf(from, axis.ofForce)) / (2.0 * positions) - 0.5;
   if (!(half_px >= 0.5)) return line;
-  for (int k = 0; k < places; ++k) {
-    const Point expected = axis.at(about, (k + 0.5) / places);
+  for (int k = 0; k < positions; ++k) {
+    const Point expected = axis.at(about, (k + 0.5) / positions);
     const double across = acrossOf(expected, axis.ofForce), along = alongOf(expected, axis.ofForce);
     const auto seen = ridgeNear(axis.darkness, across, along, reach_px, std::max(0.5, half_px));
     if (!seen) continue;
@@ -135,13 +135,13 @@ void sightAxis(const AxisView& axis, const std::vector<GridLine>& drawn, std::ve
                                   [&](double t) { return std::abs(t - position_px) < apart_px; });
     if (near) return;
     const double along = alongOf(axis.at(axis.reading().min * axis.unit(), 0), axis.ofForce);
-    const Point foot = axis.ofForce ? Point{along, position_px} : Point{position_px, along};
-    SightedLine line{axis.ofForce, axis.valueAt(foot), {}, {}};
+    const Point baseline = axis.ofForce ? Point{along, position_px} : Point{position_px, along};
+    SightedLine line{axis.ofForce, axis.valueAt(baseline), {}, {}};
     if (spans) line = sightLine(axis, line.about, reach_px);
     for (const Known& k : known)
       if (std::abs(k.position_px - position_px) < 2) line.value = k.value;
-    const bool seen = static_cast<double>(line.points_px.size()) >= leastSeen * places;
-    if (!seen) line.points_px = line.value ? std::vector<Point>{foot} : std::vector<Point>{};
+    const bool seen = static_cast<double>(line.points_px.size()) >= leastSeen * positions;
+    if (!seen) line.points_px = line.value ? std::vector<Point>{baseline} : std::vector<Point>{};
     if (line.points_px.empty()) return;
     taken_px.push_back(position_px);
     lines.push_back(std::move(line));

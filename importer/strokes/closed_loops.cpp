@@ -16,30 +16,30 @@ namespace {
 using Indices = std::vector<std::size_t>;
 
 /// A trace from left to right, and the room it takes.
-struct Course {
+struct CurvePath {
   std::vector<Point> points_px;
   Box room_px;
 };
 
-Course courseOf(const CurveTrace& trace) {
-  Course course{trace.points_px, {}};
-  std::ranges::stable_sort(course.points_px, {}, &Point::x);
-  const auto [top, foot] = std::ranges::minmax_element(course.points_px, {}, &Point::y);
-  course.room_px = {course.points_px.front().x, top->y, course.points_px.back().x, foot->y};
-  return course;
+CurvePath pathOf(const CurveTrace& trace) {
+  CurvePath path{trace.points_px, {}};
+  std::ranges::stable_sort(path.points_px, {}, &Point::x);
+  const auto [top, lowest] = std::ranges::minmax_element(path.points_px, {}, &Point::y);
+  path.room_px = {path.points_px.front().x, top->y, path.points_px.back().x, lowest->y};
+  return path;
 }
 
 /// Row of the path in a column, between its points; the outermost ones beyond its ends.
-double rowAt(const Course& course, double column_px) {
-  const auto right = std::ranges::lower_bound(course.points_px, column_px, {}, &Point::x);
-  if (right == course.points_px.begin()) return right->y;
-  if (right == course.points_px.end()) return course.points_px.back().y;
+double rowAt(const CurvePath& path, double column_px) {
+  const auto right = std::ranges::lower_bound(path.points_px, column_px, {}, &Point::x);
+  if (right == path.points_px.begin()) return right->y;
+  if (right == path.points_px.end()) return path.points_px.back().y;
   const Point a = *std::prev(right), b = *right;
   return a.x < b.x ? std::lerp(a.y, b.y, (column_px - a.x) / (b.x - a.x)) : b.y;
 }
 
 /// The highest point: where a stroke meets the bottom-out.
-Point tipOf(const Course& course) { return *std::ranges::min_element(course.points_px, {}, &Point::y); }
+Point tipOf(const CurvePath& path) { return *std::ranges::min_element(path.points_px, {}, &Point::y); }
 
 /// Largest distance of two paths' ends, as shares of their common bounding box. On a bottom-out the visible
 /// tip depends on the line that covers the other one; at rest, where all curves begin, more of a line is
@@ -49,24 +49,24 @@ struct Apart {
 };
 
 /// Returns true if both run over the same columns and up to the same tip.
-bool endTogether(const Course& a, const Course& b, Apart most) {
-  const Box both = a.room_px.joined(b.room_px);
+bool endTogether(const CurvePath& a, const CurvePath& b, Apart most) {
+  const Box joinedRoom = a.room_px.joined(b.room_px);
   const Point tipA = tipOf(a), tipB = tipOf(b);
-  const double across_px = most.across * both.width(), along_px = most.along * both.height();
-  return std::abs(a.room_px.x0 - b.room_px.x0) <= most.atRest * both.width() &&
+  const double across_px = most.across * joinedRoom.width(), along_px = most.along * joinedRoom.height();
+  return std::abs(a.room_px.x0 - b.room_px.x0) <= most.atRest * joinedRoom.width() &&
          std::abs(a.room_px.x1 - b.room_px.x1) <= across_px && std::abs(tipA.x - tipB.x) <= across_px &&
          std::abs(tipA.y - tipB.y) <= along_px;
 }
 
 /// Returns true if `upper` lies above `lower` wherever they separate, and they do over most of their length.
-bool enclose(const Course& upper, const Course& lower) {
+bool enclose(const CurvePath& upper, const CurvePath& lower) {
   constexpr int columns = 100;
   constexpr double clear = 0.01, mostBelow = 0.02, leastAbove = 0.5;  // the first of the height
-  const Box both = upper.room_px.joined(lower.room_px);
-  const double clear_px = std::max(1.0, clear * both.height());
+  const Box joinedRoom = upper.room_px.joined(lower.room_px);
+  const double clear_px = std::max(1.0, clear * joinedRoom.height());
   int above = 0, below = 0;
   for (int i = 0; i < columns; ++i) {
-    const double column_px = both.x0 + (i + 0.5) / columns * both.width();
+    const double column_px = joinedRoom.x0 + (i + 0.5) / columns * joinedRoom.width();
     const double apart_px = rowAt(lower, column_px) - rowAt(upper, column_px);
     above += apart_px > clear_px;
     below += apart_px < -clear_px;
@@ -75,14 +75,14 @@ bool enclose(const Course& upper, const Course& lower) {
 }
 
 /// A release begins where the press ended.
-bool endFarApart(const Course& a, const Course& b) {
+bool endFarApart(const CurvePath& a, const CurvePath& b) {
   constexpr double farShare = 0.1;  // of the width both take
   return std::abs(a.room_px.x1 - b.room_px.x1) > farShare * a.room_px.joined(b.room_px).width();
 }
 
 /// Where both run, the share of the columns in which the one lies clearly above the other, of both the
 /// smaller one: 0 where they do not cross.
-double crossedShare(const Course& a, const Course& b) {
+double crossedShare(const CurvePath& a, const CurvePath& b) {
   constexpr int columns = 100;
   constexpr double clear = 0.02;  // of the height
   const double height_px = a.room_px.joined(b.room_px).height();
@@ -100,14 +100,15 @@ double crossedShare(const Course& a, const Course& b) {
 /// Distance of the far ends of both from the other line, of the two the nearer one, in shares of their common
 /// bounding box: of measured switches no release begins farther than 0.007 from its press
 /// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
-double gapAtTheEnds(const Course& a, const Course& b) {
-  const Box both = a.room_px.joined(b.room_px);
-  const auto inShares = [&](const Course& course) {
+double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
+  const Box joinedRoom = a.room_px.joined(b.room_px);
+  const auto inShares = [&](const CurvePath& path) {
     Polyline shares;
-    for (const Point& p : course.points_px) shares.push_back({p.x / both.width(), p.y / both.height()});
+    for (const Point& p : path.points_px)
+      shares.push_back({p.x / joinedRoom.width(), p.y / joinedRoom.height()});
     return shares;
   };
-  if (both.width() <= 0 || both.height() <= 0) return 0;
+  if (joinedRoom.width() <= 0 || joinedRoom.height() <= 0) return 0;
   const Polyline ofA = inShares(a), ofB = inShares(b);
   const auto gap = [](const Polyline& from, const Polyline& to) {
     return distance(from.back(), nearestOn(to, from.back()));
@@ -117,7 +118,7 @@ double gapAtTheEnds(const Course& a, const Course& b) {
 
 /// Returns true if both begin and end in one point, as press and release of one switch do and two presses do
 /// not: of 238 pairs of drawn presses none ended within 0.03 of each other, of 550 switches 523 within 0.01.
-bool endInOnePoint(const Course& a, const Course& b) {
+bool endInOnePoint(const CurvePath& a, const CurvePath& b) {
   constexpr Apart closed{0.03, 0.01, 0.025};
   constexpr double mostGap = 0.005;  // of the room both take
   return endTogether(a, b, closed) && gapAtTheEnds(a, b) <= mostGap;
@@ -125,7 +126,7 @@ bool endInOnePoint(const Course& a, const Course& b) {
 
 /// Returns true if each lies above the other as no two strokes of one switch do. Those of a key with two
 /// snaps cross as well, on a part of their way back from the point where they end.
-bool cross(const Course& a, const Course& b) {
+bool cross(const CurvePath& a, const CurvePath& b) {
   constexpr double least = 0.08,
                    ofTwoSnaps = 0.28;  // of the columns; of 17 drawn keys with two snaps 0.23 at most
   return crossedShare(a, b) > (endInOnePoint(a, b) ? ofTwoSnaps : least);
@@ -136,8 +137,8 @@ bool cross(const Course& a, const Course& b) {
 bool onlyFalls(const CurveTrace& trace) {
   constexpr double rippleShare = 0.02;  // of the fall; traced points waver
   constexpr double waver_px = 1.5;      // across: down a steep fall a little of it is a long way
-  const Course course = courseOf(trace);
-  const std::vector<Point>& points = course.points_px;
+  const CurvePath path = pathOf(trace);
+  const std::vector<Point>& points = path.points_px;
   const double fall_px = points.back().y - points.front().y;
   double lowest_px = points.front().y;
   std::size_t left = 0;
@@ -154,21 +155,21 @@ std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const In
   Indices strokes;
   std::ranges::copy_if(drawn, std::back_inserter(strokes),
                        [&](std::size_t i) { return !onlyFalls(traces[i]); });
-  std::vector<Course> courses;
-  for (const std::size_t i : strokes) courses.push_back(courseOf(traces[i]));
+  std::vector<CurvePath> paths;
+  for (const std::size_t i : strokes) paths.push_back(pathOf(traces[i]));
   std::vector<Indices> loops;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     Indices partners;
     for (std::size_t j = 0; j < strokes.size(); ++j)
-      if (j != i && endTogether(courses[i], courses[j], nearby)) partners.push_back(j);
+      if (j != i && endTogether(paths[i], paths[j], nearby)) partners.push_back(j);
     if (partners.size() != 1) return {};
     const std::size_t j = partners.front();
     if (j < i) continue;  // seen from the other one
-    if (!endTogether(courses[i], courses[j], together)) return {};
+    if (!endTogether(paths[i], paths[j], together)) return {};
     if (!mayBeOnePair(traces[strokes[i]].label, traces[strokes[j]].label)) return {};
-    if (enclose(courses[i], courses[j]))
+    if (enclose(paths[i], paths[j]))
       loops.push_back({strokes[i], strokes[j]});
-    else if (enclose(courses[j], courses[i]))
+    else if (enclose(paths[j], paths[i]))
       loops.push_back({strokes[j], strokes[i]});
     else
       return {};
@@ -177,28 +178,28 @@ std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const In
 }
 
 bool closeInOnePoint(const CurveTrace& first, const CurveTrace& second) {
-  const Course a = courseOf(first), b = courseOf(second);
+  const CurvePath a = pathOf(first), b = pathOf(second);
   return endInOnePoint(a, b) && (enclose(a, b) || enclose(b, a));
 }
 
 std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   constexpr double leastWidth = 0.4;  // of the widest: what is shorter is a mark
   constexpr double leastGap = 0.02;   // of what two of them take
-  std::vector<Course> courses;
+  std::vector<CurvePath> paths;
   double widest_px = 0;
   for (const std::size_t i : drawn) {
     if (onlyFalls(traces[i])) return {};
-    courses.push_back(courseOf(traces[i]));
-    widest_px = std::max(widest_px, courses.back().room_px.width());
+    paths.push_back(pathOf(traces[i]));
+    widest_px = std::max(widest_px, paths.back().room_px.width());
   }
   std::vector<Indices> apart;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    if (courses[i].room_px.width() < leastWidth * widest_px) return {};
+    if (paths[i].room_px.width() < leastWidth * widest_px) return {};
     for (std::size_t j = 0; j < i; ++j) {
       // Of two alone the one that ends early may be a release that was not followed to its end.
-      const bool endApart = drawn.size() > 2 && (endFarApart(courses[i], courses[j]) ||
-                                                 gapAtTheEnds(courses[i], courses[j]) > leastGap);
-      if (traces[drawn[i]].color == traces[drawn[j]].color || !(endApart || cross(courses[i], courses[j])))
+      const bool endApart = drawn.size() > 2 &&
+                            (endFarApart(paths[i], paths[j]) || gapAtTheEnds(paths[i], paths[j]) > leastGap);
+      if (traces[drawn[i]].color == traces[drawn[j]].color || !(endApart || cross(paths[i], paths[j])))
         return {};
     }
     apart.push_back({drawn[i]});

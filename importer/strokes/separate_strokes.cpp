@@ -158,8 +158,8 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
 }
 
 /// Two colours separate curves that are drawn in two; curves in one colour are separated by hand.
-Remedies remediesFor(bool oneInk, const Message& with) {
-  if (oneInk)
+Remedies remediesFor(bool oneColour, const Message& with) {
+  if (oneColour)
     return {{RemedyKind::addMask, "over the curves of other switches"}, {RemedyKind::drawPress, {}}};
   return {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, with}};
 }
@@ -170,10 +170,10 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
     colors += (colors.empty() ? "" : ", ") + nameOf(trace.color);
     if (!trace.label.empty()) colors += " (" + trace.label + ")";
   }
-  const bool oneInk = std::ranges::all_of(
+  const bool oneColour = std::ranges::all_of(
       traces, [&](const CurveTrace& trace) { return trace.color == traces.front().color; });
   return failureOf(
-      {DoubtCode::tooManyCurves, {traces.size(), colors}, remediesFor(oneInk, "with two of these")},
+      {DoubtCode::tooManyCurves, {traces.size(), colors}, remediesFor(oneColour, "with two of these")},
       "plot frame");
 }
 
@@ -225,8 +225,8 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
   if (!notSeen) notSeen = releaseNamedAnywhere(axes.texts);
   // Confidences of a single trace, by what it is called.
   constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
-  const bool both = namesBothStrokes(trace.label) || notSeen;
-  found.confidence = (both ? ofBoth : namedRelease ? ofRelease : ofOneNamed) * credit(trace.confidence);
+  const bool bothNamed = namesBothStrokes(trace.label) || notSeen;
+  found.confidence = (bothNamed ? ofBoth : namedRelease ? ofRelease : ofOneNamed) * credit(trace.confidence);
   if (notSeen)
     found.evidence = {{EvidenceCode::releaseNamedNotSeen, {*notSeen}}};
   else
@@ -374,16 +374,15 @@ double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
 /// Two lines in colours of their own that end at different heights, the lower end beside the other's line and
 /// not on it: two presses, each with a bottom-out of its own. A release that is cut lower on the bottom-out
 /// begins on the press.
-bool wallsApart(const StrokePoints& first, const StrokePoints& second) {
+bool bottomOutsApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.12;  // of both strokes' span
   constexpr double beside = 0.01;      // of both spans; of 449 drawn pairs of measured switches 0.005 at most
   return std::abs(topsApart(first, second, &CurvePoint::force_N)) > clearForce &&
          gapAtTheEnd(first, second) > beside;
 }
 
-/// Share of the difference between two strokes (of its mean square, over the displacement of both) that
-/// vanishes if one is taken for the other scaled in force and moved along the travel: 1 for two samples of
-/// one shape.
+/// Share of the mean square difference between two strokes, over their common travel, that vanishes if one is
+/// scaled in force and shifted along the travel: 1 for two samples of one shape.
 double sharedShape(const StrokePoints& first, const StrokePoints& second) {
   constexpr int cells = 200, mostMoved = 20;
   const double from_mm =
@@ -420,7 +419,7 @@ bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
 
 /// The way back of a key that locks: both lines end together, and the one that starts farther in comes down
 /// to the force at rest from which the other starts, below it all the way. Both by increasing displacement.
-bool locksAtFoot(const StrokePoints& press, const StrokePoints& release, double below) {
+bool locksAtBaseline(const StrokePoints& press, const StrokePoints& release, double below) {
   constexpr double farther = 0.15, together = 0.015, atRest = 0.1;  // of what both span
   constexpr double mostBelow = 0.02;                                // of the shared travel
   const double span_mm = spanOfBoth(press, release, &CurvePoint::displacement_mm),
@@ -445,16 +444,16 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   // Two tints that the legend names separately and the tracer saw as one colour: the owner of each line is
   // not known.
   constexpr double ofMergedTints = 0.45;
-  constexpr double ofApart = 0.45;  // credit, as above
+  constexpr double ofApart = 0.45;  // largest credit for the common travel of two curves whose ends lie apart
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
   constexpr double mostOpen = 0.16;  // of the force span; of 327 buttons drawn or measured 0.13 at most
   const bool apart = !byHand && !paired &&
                      (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen || twoOfOneShape(a, b) ||
-                      (first.color != second.color && (tipsCrossed(a, b) || wallsApart(a, b))));
+                      (first.color != second.color && (tipsCrossed(a, b) || bottomOutsApart(a, b))));
   const bool locks =
-      verdict.logOdds < 0 ? locksAtFoot(b, a, compared.above) : locksAtFoot(a, b, compared.below);
+      verdict.logOdds < 0 ? locksAtBaseline(b, a, compared.above) : locksAtBaseline(a, b, compared.below);
   const double shared = locks ? 1 : creditOfTravel(compared);
   const double travel = apart ? std::min(ofApart, shared) : shared;
   const double together = merged ? ofMergedTints : paired ? 1 : travel;
@@ -496,7 +495,7 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   constexpr double touching_px = 3, least = 0.05, most = 0.05;  // the last two of its height, of its width
   if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return false;
   orient(own), orient(other);
-  const auto [top, foot] = std::ranges::minmax(own.points_px, {}, &Point::y);
+  const auto [top, lowest] = std::ranges::minmax(own.points_px, {}, &Point::y);
   const Point left = own.points_px.front();
   const auto near = std::ranges::min_element(other.points_px, {}, [&](Point p) { return distance(p, left); });
   const double width_px = own.points_px.back().x - left.x, from_px = left.x - most * width_px;
@@ -504,7 +503,7 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
     return p.x >= from_px && p.x <= left.x + touching_px && p.y >= left.y - touching_px;
   });
   if (!rising || distance(*near, left) > touching_px) return false;
-  if (other.points_px.front().y - left.y <= least * (foot.y - top.y)) return false;
+  if (other.points_px.front().y - left.y <= least * (lowest.y - top.y)) return false;
   own.points_px.insert(own.points_px.begin(), other.points_px.begin(), near);
   if (!own.width_px.empty())
     own.width_px.insert(own.width_px.begin(), static_cast<std::size_t>(near - other.points_px.begin()),
@@ -512,25 +511,27 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   return true;
 }
 
-/// A release begins where the press ends: one of the two whose far end lies on the other, which goes on up
-/// from there by a small share of the travel, runs under it to its end. True where it was led there.
+/// Extends `own` along `other` to the end of the travel. A release begins where the press ends, so a stroke that
+/// stops on the other one, shortly before that one ends, runs hidden under it. Returns true if it was extended.
 bool leadUpUnder(CurveTrace& own, CurveTrace other) {
-  constexpr double least = 0.05, most = 0.1;  // of its height, of its width
-  constexpr double onwards = 0.7;             // cosine
-  constexpr std::size_t look = 8;             // points
-  if (own.fromVector || own.points_px.size() <= look || other.points_px.size() <= look) return false;
+  constexpr double least = 0.05,
+                   most = 0.1;     // smallest and largest hidden part: of the other's height; of its width
+  constexpr double onwards = 0.7;  // cosine
+  constexpr std::size_t stepsBack = 8;  // points
+  if (own.fromVector || own.points_px.size() <= stepsBack || other.points_px.size() <= stepsBack)
+    return false;
   orient(own), orient(other);
-  const auto [top, foot] = std::ranges::minmax(own.points_px, {}, &Point::y);
+  const auto [top, lowest] = std::ranges::minmax(own.points_px, {}, &Point::y);
   const Point end = own.points_px.back(), tip = other.points_px.back();
   const auto near = std::ranges::min_element(other.points_px, {}, [&](Point p) { return distance(p, end); });
   const auto widthOf = [](const CurveTrace& t) { return t.width_px.empty() ? 1 : t.width_px.back(); };
   if (distance(*near, end) > 0.5 * (widthOf(own) + widthOf(other)) + 0.5) return false;
-  if (near + 1 >= other.points_px.end() || end.y - tip.y <= least * (foot.y - top.y)) return false;
+  if (near + 1 >= other.points_px.end() || end.y - tip.y <= least * (lowest.y - top.y)) return false;
   if (tip.x - end.x > most * (end.x - own.points_px.front().x)) return false;
   const auto at = static_cast<std::size_t>(near - other.points_px.begin());
-  const Point its = end - own.points_px[own.points_px.size() - 1 - look],
-              others = other.points_px[std::min(at + look, other.points_px.size() - 1)] - *near;
-  if (dot(its, others) < onwards * norm(its) * norm(others)) return false;
+  const Point ownStep = end - own.points_px[own.points_px.size() - 1 - stepsBack],
+              others = other.points_px[std::min(at + stepsBack, other.points_px.size() - 1)] - *near;
+  if (dot(ownStep, others) < onwards * norm(ownStep) * norm(others)) return false;
   // The tip itself stays the other's: by their ends strokes are known to be of their traces.
   own.points_px.insert(own.points_px.end(), near + 1, other.points_px.end() - 1);
   if (!own.width_px.empty()) own.width_px.resize(own.points_px.size(), own.width_px.back());
@@ -541,26 +542,27 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
 /// more: the rest of it lies under the other. A line that crosses the end hides nothing of it.
 bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
   constexpr double goesOnShare = 0.05, sameWay = 0.7;  // of the height that `own` spans; cosine
-  constexpr std::size_t look = 8;                      // points to either side
+  constexpr std::size_t stepsBack = 8;                 // points to either side
   constexpr double most_px = 3;                        // between the middles of both lines
   orient(own), orient(other);
-  const auto [top, foot] = std::ranges::minmax(own.points_px, {}, &Point::y);
-  const auto [otherTop, otherFoot] = std::ranges::minmax(other.points_px, {}, &Point::y);
-  const double further_px = goesOnShare * (foot.y - top.y);
+  const auto [top, lowest] = std::ranges::minmax(own.points_px, {}, &Point::y);
+  const auto [otherTop, otherLowest] = std::ranges::minmax(other.points_px, {}, &Point::y);
+  const double further_px = goesOnShare * (lowest.y - top.y);
   const auto widthOf = [](const CurveTrace& t) { return t.width_px.empty() ? most_px : t.width_px.back(); };
   const double touching_px = std::min(most_px, 0.5 * (widthOf(own) + widthOf(other) + 1));
   const auto wayAt = [&](const Polyline& points, Polyline::const_iterator at) {
     const auto i = static_cast<std::size_t>(at - points.begin());
-    return points[std::min(i + look, points.size() - 1)] - points[i - std::min(i, look)];
+    return points[std::min(i + stepsBack, points.size() - 1)] - points[i - std::min(i, stepsBack)];
   };
   const auto covers = [&](Polyline::const_iterator end) {
     const auto near =
         std::ranges::min_element(other.points_px, {}, [&](Point p) { return distance(p, *end); });
-    const Point its = wayAt(own.points_px, end), others = wayAt(other.points_px, near);
-    return distance(*near, *end) <= touching_px && dot(its, others) >= sameWay * norm(its) * norm(others);
+    const Point ownStep = wayAt(own.points_px, end), others = wayAt(other.points_px, near);
+    return distance(*near, *end) <= touching_px &&
+           dot(ownStep, others) >= sameWay * norm(ownStep) * norm(others);
   };
   return (own.points_px.back().y - otherTop.y > further_px && covers(std::prev(own.points_px.end()))) ||
-         (otherFoot.y - own.points_px.front().y > further_px && covers(own.points_px.begin()));
+         (otherLowest.y - own.points_px.front().y > further_px && covers(own.points_px.begin()));
 }
 
 Failure hiddenEnd() {
@@ -585,9 +587,9 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   if (switches.empty()) return tooMany(traces);
   const auto chosen = chosenSwitch(switches, traces, hints.curve);
   if (!chosen) return chosen.failure();
-  const std::vector<std::size_t>& its = switches[*chosen].traces;
+  const std::vector<std::size_t>& chosenTraces = switches[*chosen].traces;
   std::vector<CurveTrace> strokes;
-  for (const std::size_t t : its) strokes.push_back(traces[t]);
+  for (const std::size_t t : chosenTraces) strokes.push_back(traces[t]);
   std::vector<EvidenceItem> assumed;
   if (!hints.curve.empty() && !isNamed(switches, *chosen, traces, hints.curve))
     assumed.push_back({EvidenceCode::nameNearly, {hints.curve, switches[*chosen].name}});
@@ -603,15 +605,15 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();
   // Two entries of the legend in one colour are two strokes that were not separated.
-  if (its.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
+  if (chosenTraces.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
       strokes.front().label.find(kLabelParting) != std::string::npos)
     return tooMany(traces);
-  auto found =
-      its.size() == 1 ? pressAlone(strokes.front(), axes) : pairOf(strokes[0], strokes[1], axes, hints.swap);
+  auto found = chosenTraces.size() == 1 ? pressAlone(strokes.front(), axes)
+                                        : pairOf(strokes[0], strokes[1], axes, hints.swap);
   if (!found) return found;
   // One of several that no legend distinguishes: its release may lie under another one.
   constexpr double ofOneOfSeveral = 0.6;
-  if (its.size() == 1 && switches.size() > 1 && traces[its.front()].label.empty())
+  if (chosenTraces.size() == 1 && switches.size() > 1 && traces[chosenTraces.front()].label.empty())
     found->confidence = std::min(found->confidence, ofOneOfSeveral);
   std::ranges::move(assumed, std::back_inserter(found->evidence));
   return found;

@@ -37,17 +37,17 @@ Rgb paperOf(const Raster& picture) {
 /// Distance of each pixel from the paper, colour levels.
 cv::Mat inkOf(const Raster& picture) {
   const Rgb paper = paperOf(picture);
-  cv::Mat ink(picture.height_px, picture.width_px, CV_32F);
-  for (int y = 0; y < ink.rows; ++y)
-    for (int x = 0; x < ink.cols; ++x)
-      ink.at<float>(y, x) = static_cast<float>(colorDistance(rgbAt(picture, x, y), paper));
-  return ink;
+  cv::Mat marks(picture.height_px, picture.width_px, CV_32F);
+  for (int y = 0; y < marks.rows; ++y)
+    for (int x = 0; x < marks.cols; ++x)
+      marks.at<float>(y, x) = static_cast<float>(colorDistance(rgbAt(picture, x, y), paper));
+  return marks;
 }
 
 /// Cut to the bounding box of its dark pixels; empty without any.
-cv::Mat cutToInk(const cv::Mat& ink) {
-  const cv::Rect at = cv::boundingRect(cv::Mat(ink > 100));
-  return at.empty() ? cv::Mat{} : ink(at).clone();
+cv::Mat cutToMarks(const cv::Mat& marks) {
+  const cv::Rect at = cv::boundingRect(cv::Mat(marks > 100));
+  return at.empty() ? cv::Mat{} : marks(at).clone();
 }
 
 struct Place {
@@ -56,12 +56,12 @@ struct Place {
 };
 
 /// Where on a picture a name may stand, the most alike place first, no two of them on each other.
-std::vector<Place> placesOf(const cv::Mat& name, const cv::Mat& ink) {
+std::vector<Place> placesOf(const cv::Mat& name, const cv::Mat& marks) {
   constexpr int least_px = 8, most_px = 40;  // height of the writing
   constexpr int eachSize = 4;                // places looked at
   std::vector<Place> all;
   cv::Mat page;
-  cv::GaussianBlur(ink, page, {}, kBlur_px);
+  cv::GaussianBlur(marks, page, {}, kBlur_px);
   for (int height = least_px; height <= most_px; height += std::max(1, height / 12)) {
     const int width = static_cast<int>(std::lround(static_cast<double>(name.cols) / name.rows * height));
     if (width < 4 || width >= page.cols - 4 || height >= page.rows - 4) continue;
@@ -91,14 +91,14 @@ std::vector<Place> placesOf(const cv::Mat& name, const cv::Mat& ink) {
 }
 
 /// Columns from a word to the nearest pixel of a switch's curves, level with it; empty if none is near.
-std::optional<int> columnsTo(const PlotSwitch& its, const std::vector<CurveTrace>& traces, const Box& word,
-                             const Raster& picture) {
+std::optional<int> columnsTo(const PlotSwitch& plotSwitch, const std::vector<CurveTrace>& traces,
+                             const Box& word, const Raster& picture) {
   constexpr double reach = 4, band = 0.3;  // in heights of the word
   const int most = static_cast<int>(reach * word.height());
   const auto isIts = [&](int x) {
     for (int y = static_cast<int>(word.middle().y - band * word.height());
          y <= static_cast<int>(word.middle().y + band * word.height()); ++y)
-      for (const std::size_t t : its.traces)
+      for (const std::size_t t : plotSwitch.traces)
         if (isInkOf(picture, traces[t].color, x, y)) return true;
     return false;
   };
@@ -141,22 +141,22 @@ bool isAscii(const std::string& text) {
 
 std::optional<std::size_t> switchSpotted(const std::vector<PlotSwitch>& switches,
                                          const std::vector<CurveTrace>& traces, const Raster& picture,
-                                         const std::string& asked) {
+                                         const std::string& requested) {
   constexpr int drawn_px = 64;
-  if (isAscii(asked) || switches.size() < 2 || picture.empty()) return {};
-  const auto drawn = wordsDrawn(asked, drawn_px);
+  if (isAscii(requested) || switches.size() < 2 || picture.empty()) return {};
+  const auto drawn = wordsDrawn(requested, drawn_px);
   if (!drawn) return {};
-  const cv::Mat name = cutToInk(inkOf(*drawn));
+  const cv::Mat name = cutToMarks(inkOf(*drawn));
   if (name.empty()) return {};
-  const std::vector<Place> places = placesOf(name, inkOf(picture));
+  const std::vector<Place> positions = placesOf(name, inkOf(picture));
   // A legend says a switch's name once for each of its strokes.
   std::optional<std::size_t> found;
-  for (const Place& place : places) {
-    if (place.like < kLeastLike || place.like < places.front().like - kLeastApart) break;
-    const auto its =
+  for (const Place& place : positions) {
+    if (place.like < kLeastLike || place.like < positions.front().like - kLeastApart) break;
+    const auto plotSwitch =
         isRunThrough(place.box, traces) ? std::nullopt : nearestTo(switches, traces, place.box, picture);
-    if (!its || (found && *found != *its)) return {};
-    found = its;
+    if (!plotSwitch || (found && *found != *plotSwitch)) return {};
+    found = plotSwitch;
   }
   return found;
 }

@@ -17,6 +17,6 @@ namespace detent::importer {
 /// position, and if no one switch's colour is beside it.
 std::optional<std::size_t> switchSpotted(const std::vector<PlotSwitch>& switches,
                                          const std::vector<CurveTrace>& traces, const Raster& picture,
-                                         const std::string& asked);
+                                         const std::string& requested);
 
 }  // namespace detent::importer

@@ -22,7 +22,7 @@ std::optional<Stroke> namedStroke(const CurveTrace& trace) {
 }
 
 /// Two strokes of one colour that the tracer separated.
-bool shareAnInk(const CurveTrace& a, const CurveTrace& b) {
+bool shareAColour(const CurveTrace& a, const CurveTrace& b) {
   return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
 }
 
@@ -74,7 +74,7 @@ std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vecto
   const CurveTrace& sure = namedStroke(a) ? a : b;
   const bool bothNamed = namedStroke(a) && namedStroke(b);
   if (!bothNamed && !sure.stroke && !switchNamedBy(sure.label).empty()) return {};
-  if (drawn.size() > 2 && shareAnInk(a, b)) return {};  // another curve of this colour draws another switch
+  if (drawn.size() > 2 && shareAColour(a, b)) return {};  // another curve of this colour draws another switch
   const bool byHand = a.stroke && b.stroke;
   if (!byHand && !mayBeOnePair(a.label, b.label)) return {};
   return std::pair(named[0], named[1]);
@@ -82,11 +82,12 @@ std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vecto
 
 /// Returns true if a trace has the position of a name that could not be read, all others have theirs and none
 /// of them names a stroke.
-bool isUnreadName(std::size_t its, const std::vector<CurveTrace>& traces, const Indices& drawn) {
+bool isUnreadName(std::size_t partner, const std::vector<CurveTrace>& traces, const Indices& drawn) {
   constexpr std::size_t fewest = 3;
-  if (drawn.size() < fewest || !traces[its].label.empty() || traces[its].labelBox_px.empty()) return false;
+  if (drawn.size() < fewest || !traces[partner].label.empty() || traces[partner].labelBox_px.empty())
+    return false;
   return std::ranges::all_of(drawn, [&](std::size_t i) {
-    return !namedStroke(traces[i]) && (i == its || namesACurve(traces[i].label));
+    return !namedStroke(traces[i]) && (i == partner || namesACurve(traces[i].label));
   });
 }
 
@@ -95,14 +96,14 @@ bool isUnreadName(std::size_t its, const std::vector<CurveTrace>& traces, const 
 std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   std::vector<Indices> groups;
   for (const std::size_t i : drawn) {
-    Indices partners, ofItsInk;
+    Indices partners, ofSameColour;
     for (const std::size_t j : drawn) {
       if (j == i) continue;
-      if (shareAnInk(traces[i], traces[j])) ofItsInk.push_back(j);
+      if (shareAColour(traces[i], traces[j])) ofSameColour.push_back(j);
       if (namesOnePair(traces[i].label, traces[j].label)) partners.push_back(j);
     }
     // In a legend by groups every switch's strokes are called the same.
-    if (!ofItsInk.empty()) partners = ofItsInk;
+    if (!ofSameColour.empty()) partners = ofSameColour;
     const bool hasName = namesACurve(traces[i].label) || isUnreadName(i, traces, drawn);
     const bool alone = partners.empty() && hasName && namedStroke(traces[i]) != Stroke::release;
     if (partners.size() > 1 || (partners.empty() && !alone)) return {};
@@ -114,7 +115,7 @@ std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indi
 
 /// Returns true for two curves in colours of their own whose names may be words for strokes that no list has,
 /// and whose paths are those of strokes.
-bool areStrokesByCourse(const std::vector<CurveTrace>& traces, const Indices& drawn) {
+bool areStrokesByPath(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   if (drawn.size() != 2) return false;
   const CurveTrace &a = traces[drawn[0]], &b = traces[drawn[1]];
   return a.color != b.color && mayNameAStroke(a.label) && mayNameAStroke(b.label) && closeInOnePoint(a, b);
@@ -131,8 +132,8 @@ void putPressFirst(Indices& pair, const std::vector<CurveTrace>& traces) {
   if (pair.size() < 2) return;
   const CurveTrace &a = traces[pair[0]], &b = traces[pair[1]];
   const std::optional<Stroke> ofA = namedStroke(a), ofB = namedStroke(b);
-  const bool told = ofA != ofB;
-  const bool exchanged = told ? ofA == Stroke::release || ofB == Stroke::press : meanRow(a) > meanRow(b);
+  const bool separated = ofA != ofB;
+  const bool exchanged = separated ? ofA == Stroke::release || ofB == Stroke::press : meanRow(a) > meanRow(b);
   if (exchanged) std::swap(pair[0], pair[1]);
 }
 
@@ -155,9 +156,9 @@ void putInLegendOrder(std::vector<PlotSwitch>& switches, const std::vector<Curve
     return labelOf(a).middle().y < labelOf(b).middle().y;
   });
   for (auto row = switches.begin(); row != switches.end();) {
-    const double foot = labelOf(*row).y1;
-    const auto next =
-        std::find_if(row, switches.end(), [&](const PlotSwitch& s) { return labelOf(s).middle().y > foot; });
+    const double labelBottom = labelOf(*row).y1;
+    const auto next = std::find_if(row, switches.end(),
+                                   [&](const PlotSwitch& s) { return labelOf(s).middle().y > labelBottom; });
     std::sort(row, next,
               [&](const PlotSwitch& a, const PlotSwitch& b) { return labelOf(a).x0 < labelOf(b).x0; });
     row = next;
@@ -187,19 +188,19 @@ std::string bare(std::string_view name) {
 
 /// Letters that resemble each other in pixels, written alike.
 std::string blurred(std::string_view name) {
-  constexpr std::string_view kLooksLike = "0o1l5s8b2zil";  // first like second, third like fourth, ...
+  constexpr std::string_view kConfusable = "0o1l5s8b2zil";  // first like second, third like fourth, ...
   std::string out = bare(name);
   for (char& c : out)
-    for (std::size_t i = 0; i < kLooksLike.size(); i += 2)
-      if (c == kLooksLike[i]) c = kLooksLike[i + 1];
+    for (std::size_t i = 0; i < kConfusable.size(); i += 2)
+      if (c == kConfusable[i]) c = kConfusable[i + 1];
   return out;
 }
 
 /// Switches with a name, or a legend's words of a stroke, equal to the requested one after `spelled`.
 template <class Spelled>
 Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTrace>& traces,
-              const std::string& asked, Spelled spelled) {
-  const std::string wanted = spelled(asked);
+              const std::string& requested, Spelled spelled) {
+  const std::string wanted = spelled(requested);
   Indices fitting;
   for (std::size_t i = 0; i < switches.size() && !wanted.empty(); ++i) {
     bool fits = spelled(switches[i].name) == wanted;
@@ -210,9 +211,9 @@ Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTr
 }
 
 /// Switches whose name is the end of the requested one: the legend key was read over the rest of it.
-Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::string& asked) {
+Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::string& requested) {
   constexpr std::size_t fewest = 4;  // letters and digits
-  const std::string wanted = bare(asked);
+  const std::string wanted = bare(requested);
   Indices fitting;
   for (std::size_t i = 0; i < switches.size(); ++i)
     if (const std::string name = bare(switches[i].name); name.size() >= fewest && wanted.ends_with(name))
@@ -236,18 +237,19 @@ std::vector<std::string> nameWordsOf(std::string_view name) {
 
 /// Returns true if a word of five letters and more differs from another in one letter within it, which a text
 /// engine may have misread. First and last ones and digits distinguish switches: "SwitchA", "Mk2".
-bool isMisreadOf(const std::string& read, const std::string& asked) {
+bool isMisreadOf(const std::string& read, const std::string& requested) {
   constexpr std::size_t fewest = 5;
-  if (read.size() != asked.size() || asked.size() < fewest) return false;
-  const auto [here, there] = std::ranges::mismatch(read, asked);
-  if (there == asked.begin() || there == asked.end() || std::next(there) == asked.end()) return false;
+  if (read.size() != requested.size() || requested.size() < fewest) return false;
+  const auto [here, there] = std::ranges::mismatch(read, requested);
+  if (there == requested.begin() || there == requested.end() || std::next(there) == requested.end())
+    return false;
   const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   return isLetter(*here) && isLetter(*there) && std::equal(std::next(here), read.end(), std::next(there));
 }
 
 /// Switches of whose name one letter of one long word was misread.
-Indices namedNearly(const std::vector<PlotSwitch>& switches, const std::string& asked) {
-  const std::vector<std::string> wanted = nameWordsOf(asked);
+Indices namedNearly(const std::vector<PlotSwitch>& switches, const std::string& requested) {
+  const std::vector<std::string> wanted = nameWordsOf(requested);
   Indices fitting;
   for (std::size_t i = 0; i < switches.size(); ++i) {
     const std::vector<std::string> words = nameWordsOf(switches[i].name);
@@ -260,10 +262,10 @@ Indices namedNearly(const std::vector<PlotSwitch>& switches, const std::string& 
   return fitting;
 }
 
-std::optional<std::size_t> numbered(const std::string& asked, std::size_t count) {
+std::optional<std::size_t> numbered(const std::string& requested, std::size_t count) {
   std::size_t number = 0;
-  const char* const end = asked.data() + asked.size();
-  const auto [after, error] = std::from_chars(asked.data(), end, number);
+  const char* const end = requested.data() + requested.size();
+  const auto [after, error] = std::from_chars(requested.data(), end, number);
   if (error != std::errc() || after != end || number < 1 || number > count) return {};
   return number - 1;
 }
@@ -280,10 +282,10 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
   drawn = withoutMarks(traces, drawn);
   if (drawn.size() == 1) return {switchOf(drawn, traces)};
   if (const auto pair = theNamedPair(traces, drawn)) return {switchOf({pair->first, pair->second}, traces)};
-  if (areStrokesByCourse(traces, drawn)) {
-    PlotSwitch both = switchOf(drawn, traces);
-    both.name.clear();
-    return {both};
+  if (areStrokesByPath(traces, drawn)) {
+    PlotSwitch joined = switchOf(drawn, traces);
+    joined.name.clear();
+    return {joined};
   }
   const bool unnamed =
       std::ranges::all_of(drawn, [&](std::size_t i) { return !traces[i].stroke && traces[i].label.empty(); });
@@ -311,28 +313,29 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
 }
 
 Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
-                                 const std::vector<CurveTrace>& traces, const std::string& asked) {
+                                 const std::vector<CurveTrace>& traces, const std::string& requested) {
   const Remedies choose = RemedyKind::chooseSwitch;
-  if (asked.empty()) {
+  if (requested.empty()) {
     if (switches.size() == 1) return std::size_t{0};
     return failureOf({DoubtCode::severalSwitches, {switches.size(), listOf(switches)}, choose}, kPlace);
   }
   for (const Indices& fitting :
-       {named(switches, traces, asked, [](const std::string& s) { return s; }),
-        named(switches, traces, asked, [](const std::string& s) { return bare(s); }),
-        named(switches, traces, asked, [](const std::string& s) { return blurred(s); }),
-        namedByTheirEnds(switches, asked), namedNearly(switches, asked)})
+       {named(switches, traces, requested, [](const std::string& s) { return s; }),
+        named(switches, traces, requested, [](const std::string& s) { return bare(s); }),
+        named(switches, traces, requested, [](const std::string& s) { return blurred(s); }),
+        namedByTheirEnds(switches, requested), namedNearly(switches, requested)})
     if (fitting.size() == 1) return fitting.front();
-  if (const auto index = numbered(asked, switches.size())) return *index;
+  if (const auto index = numbered(requested, switches.size())) return *index;
   Failure notThere{FailureCode::wrongUsage, kPlace, "",
-                   Message("no one curve in it is \"%1\"; it shows %2", asked, listOf(switches)), choose};
+                   Message("no one curve in it is \"%1\"; it shows %2", requested, listOf(switches)), choose};
   notThere.reason = nameOf(DoubtCode::severalSwitches);
   return notThere;
 }
 
-bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t its, const std::vector<CurveTrace>& traces,
-             const std::string& asked) {
-  return numbered(asked, switches.size()) == its || !named({switches[its]}, traces, asked, blurred).empty();
+bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t partner,
+             const std::vector<CurveTrace>& traces, const std::string& requested) {
+  return numbered(requested, switches.size()) == partner ||
+         !named({switches[partner]}, traces, requested, blurred).empty();
 }
 
 }  // namespace detent::importer

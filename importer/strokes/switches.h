@@ -15,16 +15,16 @@ namespace detent::importer {
 
 /// One of the switches (springs, samples) that a plot shows.
 struct PlotSwitch {
-  std::string name;  ///< as the legend calls it, empty where it does not
-  Rgb pressColor;    ///< of the stroke that is taken for the press as far as names and heights say
+  std::string name;                 ///< as the legend calls it, empty where it does not
+  Rgb pressColor;                   ///< of the press, as far as names and heights decide
   std::optional<Rgb> releaseColor;  ///< empty: press only
   std::vector<std::size_t>
       traces;  ///< one or two of the traces it was found among, in the order of the colours
 };
 
-/// The switches in the order of the legend (from its top, row by row), without one from the highest curve to
-/// the lowest: this is what numbers them from 1. A plot of one switch gives one; nothing where it is not
-/// clear which curves belong together. Traces of less than two points are none.
+/// Switches of a plot, numbered from 1 in the order of the legend (row by row from its top), without a legend from
+/// the highest curve to the lowest. Empty if it is not clear which curves belong together. Traces of less than
+/// two points are ignored.
 std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces);
 
 /// Index of the requested switch: its name or the legend's words of one of its strokes, or its number from 1.
@@ -32,11 +32,11 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces);
 /// as one switch alone fits. An empty request: the only one. Failure notCertain if there are several and none
 /// is requested, wrongUsage if no or more than one fits; both name all switches.
 Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
-                                 const std::vector<CurveTrace>& traces, const std::string& asked);
+                                 const std::vector<CurveTrace>& traces, const std::string& requested);
 
 /// Returns true if the request is this switch's number or name, except for letters that a text engine
 /// confuses: an exact match, not a similar one.
-bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t its, const std::vector<CurveTrace>& traces,
-             const std::string& asked);
+bool isNamed(const std::vector<PlotSwitch>& switches, std::size_t partner,
+             const std::vector<CurveTrace>& traces, const std::string& requested);
 
 }  // namespace detent::importer

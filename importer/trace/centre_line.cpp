@@ -225,9 +225,9 @@ std::vector<double> matchRound(Polyline& line, const CurveField& field, const Li
 }  // namespace
 
 double LineProfile::at(double distance_px) const {
-  const double wide = std::max(width_px, blur_px), narrow = std::min(width_px, blur_px);
+  const double wider = std::max(width_px, blur_px), narrow = std::min(width_px, blur_px);
   const double top = std::min(1.0, width_px / blur_px);
-  const double inner = 0.5 * (wide - narrow), outer = 0.5 * (wide + narrow);
+  const double inner = 0.5 * (wider - narrow), outer = 0.5 * (wider + narrow);
   if (distance_px <= inner) return top;
   if (distance_px >= outer) return 0;
   return top * (outer - distance_px) / (outer - inner);

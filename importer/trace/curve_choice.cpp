@@ -24,9 +24,9 @@ double massOf(const Plane& plane) {
 
 /// Calls `visit(x, y)` for every pixel within `reach` of a path; pixels may be visited several times.
 template <class Visit>
-void forPixelsNear(const Plane& plane, const std::vector<Point>& course, double reach, Visit visit) {
+void forPixelsNear(const Plane& plane, const std::vector<Point>& path, double reach, Visit visit) {
   const int r = static_cast<int>(std::ceil(reach));
-  for (Point p : course) {
+  for (Point p : path) {
     const int cx = static_cast<int>(p.x), cy = static_cast<int>(p.y);
     for (int y = cy - r; y <= cy + r; ++y)
       for (int x = cx - r; x <= cx + r; ++x)
@@ -35,9 +35,9 @@ void forPixelsNear(const Plane& plane, const std::vector<Point>& course, double 
 }
 
 /// Clears the coverage within `reach` of a path and returns its sum.
-double eraseAlong(Plane& plane, const std::vector<Point>& course, double reach) {
+double eraseAlong(Plane& plane, const std::vector<Point>& path, double reach) {
   double erased = 0;
-  forPixelsNear(plane, course, reach, [&](int x, int y) {
+  forPixelsNear(plane, path, reach, [&](int x, int y) {
     erased += static_cast<double>(plane.at(x, y));
     plane.at(x, y) = 0;
   });
@@ -77,15 +77,15 @@ double shareAlong(const PlotInks& plot, const CurveInk& curve, const CurveInk& o
 }
 
 /// Returns true for a horizontal or vertical line: a marker line, an axis or a leader, never a force curve.
-bool isAxisParallel(const CoarseCurve& course, double thickness) {
-  return course.rise_px <= 1.5 * thickness + 1 || course.span_px <= 1.5 * thickness + 1;
+bool isAxisParallel(const CoarseCurve& path, double thickness) {
+  return path.rise_px <= 1.5 * thickness + 1 || path.span_px <= 1.5 * thickness + 1;
 }
 
 /// Returns true if the path stays within a line's width of the chord between its ends.
-bool isStraight(const CoarseCurve& course, double thickness) {
-  const Point a = course.points.front(), b = course.points.back();
+bool isStraight(const CoarseCurve& path, double thickness) {
+  const Point a = path.points.front(), b = path.points.back();
   const double length = std::max(1.0, distance(a, b));
-  return std::all_of(course.points.begin(), course.points.end(),
+  return std::all_of(path.points.begin(), path.points.end(),
                      [&](Point p) { return std::abs(cross(p - a, b - a)) / length <= thickness + 2; });
 }
 
@@ -97,10 +97,10 @@ Point tipOf(const CurveInk& curve) {
 /// Returns true if a short curve ends where a long one does, like the release of a latching key. On a
 /// bottom-out, ends lie where a covering line leaves them visible. Leaders are straight.
 bool leadsBackFrom(const CurveInk& press, const CurveInk& other, const Box& frame) {
-  constexpr double near_px = 4, alongWall = 0.08;  // of the frame's height
+  constexpr double near_px = 4, alongBottomOut = 0.08;  // of the frame's height
   const Point apart = tipOf(press) - tipOf(other);
   const double within_px = near_px + press.thickness_px + other.thickness_px;
-  return std::abs(apart.x) <= within_px && std::abs(apart.y) <= within_px + alongWall * frame.height() &&
+  return std::abs(apart.x) <= within_px && std::abs(apart.y) <= within_px + alongBottomOut * frame.height() &&
          !isStraight(other.course, other.thickness_px / other.pooling + 1);
 }
 
@@ -122,21 +122,21 @@ CurveField pooledField(const CurveField& field, int factor) {
 /// Returns true if a line is long, visible and curved enough to be a force curve. `explained`: share of the
 /// colour's pixels on the line; the colour of text and frame draws other things too, often dashed, unless
 /// most of it is this line.
-bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool neutral, double explained,
+bool isCurve(const CoarseCurve& path, const Box& frame, double thickness, bool neutral, double explained,
              const CurveChoiceOptions& options) {
-  if (!course.found() || course.span_px < options.minSpan * frame.width() ||
-      course.gain_px < options.minSpan * frame.width())
+  if (!path.found() || path.span_px < options.minSpan * frame.width() ||
+      path.gain_px < options.minSpan * frame.width())
     return false;
   const bool drawsOthers = neutral && explained < options.ownInk;
-  if (course.inkShare < (drawsOthers ? options.minInkShareNeutral : options.minInkShare)) return false;
-  if (course.inkColumns_px < options.minOwnColumns * course.span_px) return false;
-  return !isAxisParallel(course, thickness) && !(neutral && isStraight(course, thickness));
+  if (path.inkShare < (drawsOthers ? options.minInkShareNeutral : options.minInkShare)) return false;
+  if (path.inkColumns_px < options.minOwnColumns * path.span_px) return false;
+  return !isAxisParallel(path, thickness) && !(neutral && isStraight(path, thickness));
 }
 
 /// The best line on `search`, with its second strand measured on `full`; `explained`: share of the colour's
 /// pixels of both.
-void followInk(CurveInk& curve, const CurveField& search, const CurveField& full, const PlotInks& plot,
-               double& explained) {
+void followColour(CurveInk& curve, const CurveField& search, const CurveField& full, const PlotInks& plot,
+                  double& explained) {
   const Box frame = scaled(plot.area().frame, 1.0 / curve.pooling);
   FollowOptions options;
   options.thickness_px = curve.thickness_px;  // pooling by maxima keeps full coverage on a ridge
@@ -164,13 +164,13 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
   curve.pooling = std::max(1, static_cast<int>(plot.area().frame.width() / 260));
   const CurveField full = fieldOf(plot, index, others);
   curve.thickness_px = lineThickness(full.own);
-  followInk(curve, full, full, plot, explained);
+  followColour(curve, full, full, plot, explained);
   if (curve.course.inkShare >= plot.options.solidInk) return curve;
   const std::optional<CurveField> joined = dashesJoined(full);
   if (!joined) return curve;
   CurveInk dashed = curve;
   double ofDashes = 0;
-  followInk(dashed, *joined, full, plot, ofDashes);
+  followColour(dashed, *joined, full, plot, ofDashes);
   if (ofDashes < plot.options.ownInk || dashed.secondStrand > plot.options.secondStrand) return curve;
   dashed.dashed = true;
   explained = ofDashes;
@@ -187,10 +187,10 @@ bool isFilledArea(const PlotInks& plot, int index) {
   const double side_px = std::min(plot.area().frame.width(), plot.area().frame.height());
   const int width_px = std::max(kLeastWidth_px, static_cast<int>(plot.options.fillWidth * side_px));
   const cv::Mat inked = matOf(own) > kInked;
-  cv::Mat wide, labels, stats, centroids;
-  cv::morphologyEx(inked, wide, cv::MORPH_OPEN,
+  cv::Mat dilated, labels, stats, centroids;
+  cv::morphologyEx(inked, dilated, cv::MORPH_OPEN,
                    cv::getStructuringElement(cv::MORPH_RECT, {width_px, width_px}));
-  const int count = cv::connectedComponentsWithStats(wide, labels, stats, centroids, 8, CV_32S);
+  const int count = cv::connectedComponentsWithStats(dilated, labels, stats, centroids, 8, CV_32S);
   double filled = 0;
   for (int i = 1; i < count; ++i)
     if (std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) >
@@ -325,12 +325,13 @@ bool isLineFromRest(const PlotInks& plot, const std::vector<CurveInk>& curves, c
 }
 
 /// Discards faint colour on edges of letters (sub-pixel rendering) beside the colour of text.
-void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& curveInks,
+void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& curveColours,
                        CurveField& field) {
   constexpr int kReach = 2;
   constexpr float kSolid = 0.6F, kBelieved = 0.85F;  // coverages
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const bool isCurve = k == index || std::find(curveInks.begin(), curveInks.end(), k) != curveInks.end();
+    const bool isCurve =
+        k == index || std::find(curveColours.begin(), curveColours.end(), k) != curveColours.end();
     if (isCurve || !isNeutral(plot, k)) continue;
     const Plane& text = plot.coverage.ink[static_cast<std::size_t>(k)];
     for (int y = 0; y < text.height; ++y)
@@ -349,9 +350,9 @@ std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const Plot
   const Raster& r = scene.area().raster;
   Mask inked(text.mask.size());
   for (std::size_t k = 0; k < coverage.ink.size(); ++k) {
-    std::transform(coverage.ink[k].values.begin(), coverage.ink[k].values.end(), text.mask.begin(),
-                   inked.begin(),
-                   [](float ink, std::uint8_t letter) { return ink > 0.25F && letter == 0 ? 1 : 0; });
+    std::transform(
+        coverage.ink[k].values.begin(), coverage.ink[k].values.end(), text.mask.begin(), inked.begin(),
+        [](float ownCoverage, std::uint8_t letter) { return ownCoverage > 0.25F && letter == 0 ? 1 : 0; });
     const auto width = static_cast<std::size_t>(r.width_px);
     for (const InkPiece& piece : inkPiecesOf(inked.data(), r.width_px, r.height_px, width).all) {
       const Box& box = piece.box;
@@ -400,12 +401,12 @@ PlotInks::PlotInks(const PlotScene& itsScene, std::vector<Ink> itsPalette)
   clearPlotLines(coverage.ink, palette, scene, legendBoxes(samples));
 }
 
-CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks) {
+CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveColours) {
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
   CurveField field{own, Plane(own.width, own.height), plot.coverage.unknown, legendBoxes(plot.samples)};
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
     if (k == index) continue;
-    const bool isCurve = std::find(curveInks.begin(), curveInks.end(), k) != curveInks.end();
+    const bool isCurve = std::find(curveColours.begin(), curveColours.end(), k) != curveColours.end();
     Plane& target = isCurve ? field.otherCurves : field.clutter;
     const Plane& source = plot.coverage.ink[static_cast<std::size_t>(k)];
     for (std::size_t i = 0; i < source.values.size(); ++i)
@@ -419,7 +420,7 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
       field.otherCurves.values[i] = 0;
       field.clutter.values[i] = 1 - std::min(1.0F, field.own.values[i]);
     }
-  disbelieveFringes(plot, index, curveInks, field);
+  disbelieveFringes(plot, index, curveColours, field);
   for (const LegendSample& sample : plot.samples)
     for (int y = static_cast<int>(sample.box.y0) - 1; y <= static_cast<int>(sample.box.y1); ++y)
       for (int x = static_cast<int>(sample.box.x0) - 1; x <= static_cast<int>(sample.box.x1); ++x)
@@ -452,10 +453,10 @@ CurveField besideDashesOnly(const CurveField& field) {
 }
 
 bool isNeutral(const PlotInks& plot, int index) {
-  const Ink& ink = plot.ink(index);
-  const Color3 full = plot.scene.paper() + ink.difference();
+  const Ink& colour = plot.ink(index);
+  const Color3 full = plot.scene.paper() + colour.difference();
   const float chroma = std::max({full.r, full.g, full.b}) - std::min({full.r, full.g, full.b});
-  return chroma <= kGreyChroma || dot(ink.direction, plot.scene.lineDirection()) > 0.985F;
+  return chroma <= kGreyChroma || dot(colour.direction, plot.scene.lineDirection()) > 0.985F;
 }
 
 std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves) {
@@ -469,15 +470,16 @@ std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& cur
   }
   const std::size_t n = palette.size();
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const Ink& ink = plot.ink(k);
-    const bool chosen = std::any_of(palette.begin(), palette.begin() + static_cast<std::ptrdiff_t>(n),
-                                    [&](const Ink& c) { return dot(c.direction, ink.direction) > 0.999F; });
+    const Ink& colour = plot.ink(k);
+    const bool chosen =
+        std::any_of(palette.begin(), palette.begin() + static_cast<std::ptrdiff_t>(n),
+                    [&](const Ink& c) { return dot(c.direction, colour.direction) > 0.999F; });
     bool mixture = false;
     for (std::size_t i = 0; i < n && !mixture && !isNeutral(plot, k); ++i)
       for (std::size_t j = 0; j < i && !mixture; ++j)
-        mixture = isMixtureOf(ink.direction, palette[i].direction, palette[j].direction);
+        mixture = isMixtureOf(colour.direction, palette[i].direction, palette[j].direction);
     const bool shade = std::ranges::find(shades, k) != shades.end();
-    if (!chosen && !mixture && !shade) palette.push_back(ink);
+    if (!chosen && !mixture && !shade) palette.push_back(colour);
   }
   return palette;
 }
@@ -550,14 +552,14 @@ std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk&
   return {};
 }
 
-std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks) {
+std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& colours) {
   std::vector<CurveInk> curves;
-  for (int ink : inks) {
+  for (int colour : colours) {
     const bool known =
-        std::any_of(curves.begin(), curves.end(), [&](const CurveInk& c) { return c.ink == ink; });
-    if (ink < 0 || known) continue;
+        std::any_of(curves.begin(), curves.end(), [&](const CurveInk& c) { return c.ink == colour; });
+    if (colour < 0 || known) continue;
     double explained = 0;
-    CurveInk curve = bestLine(plot, ink, isNeutral(plot, ink), explained);
+    CurveInk curve = bestLine(plot, colour, isNeutral(plot, colour), explained);
     if (curve.course.found()) curves.push_back(std::move(curve));
   }
   return curves;

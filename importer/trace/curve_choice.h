@@ -65,12 +65,12 @@ struct PlotInks {
 
   const PlotArea& area() const { return scene.area(); }
   const Ink& ink(int index) const { return palette[static_cast<std::size_t>(index)]; }
-  Rgb colorOf(const Ink& its) const { return rgbOf(scene.paper() + its.difference()); }
+  Rgb colorOf(const Ink& colour) const { return rgbOf(scene.paper() + colour.difference()); }
 };
 
-/// Field in which colour `index` is followed. `curveInks`: colours that may cover it as curves; other colours
+/// Field in which colour `index` is followed. `curveColours`: colours that may cover it as curves; other colours
 /// are clutter.
-CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks);
+CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveColours);
 
 /// Field for a dashed line's path; nullopt if the colour is not drawn in dashes.
 std::optional<CurveField> dashesJoined(const CurveField& field);
@@ -97,6 +97,6 @@ std::vector<CurveInk> curvesInShades(const PlotInks& plot, int stronger, int pal
 std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop);
 
 /// The best line of each of these colours, however weak; -1 and duplicates are skipped.
-std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks);
+std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& colours);
 
 }  // namespace detent::importer::trace

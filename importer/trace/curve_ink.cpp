@@ -17,10 +17,10 @@ constexpr float kCurveCoverage = 0.12F;  // coverage; less ends a line
 
 Ink inkOfColor(Rgb color, Color3 paper) {
   const Color3 difference = color3Of(color) - paper;
-  Ink ink;
-  ink.strength = std::max(1.0F, norm(difference));
-  ink.direction = (1 / ink.strength) * difference;
-  return ink;
+  Ink colour;
+  colour.strength = std::max(1.0F, norm(difference));
+  colour.direction = (1 / colour.strength) * difference;
+  return colour;
 }
 
 InkAcross InkOnArea::across(double x, double y, bool plumb) const {
@@ -48,11 +48,11 @@ InkAcross InkOnArea::across(double x, double y, bool plumb) const {
 }
 
 double InkOnArea::thicknessAlong(const std::vector<Point>& points) const {
-  constexpr std::size_t samples = 120, look = 3, fewest = 6;
+  constexpr std::size_t samples = 120, reach = 3, fewest = 6;
   std::vector<double> runs;
   const std::size_t step = std::max<std::size_t>(1, points.size() / samples);
   for (std::size_t i = 0; i + 1 < points.size(); i += step) {
-    const std::size_t to = std::min(points.size() - 1, i + look);
+    const std::size_t to = std::min(points.size() - 1, i + reach);
     const Point along = points[to] - points[i];
     const double length = norm(along);
     if (length <= 0) continue;
@@ -74,9 +74,9 @@ std::vector<double> PlumbLane::rows(double y0, double y1) const {
   return thicknesses;
 }
 
-double PlumbLane::top(double foot, double least_px, double gap_px) const {
-  double last = foot, missed = 0;
-  for (double y = foot; y >= area_.frame.y0 - 0.5 && missed <= gap_px; y -= 1) {
+double PlumbLane::top(double baseline, double least_px, double gap_px) const {
+  double last = baseline, missed = 0;
+  for (double y = baseline; y >= area_.frame.y0 - 0.5 && missed <= gap_px; y -= 1) {
     if (onLevelLine(y)) continue;
     if (ink_.across(x_, y, true).thickness_px >= least_px)
       last = y, missed = 0;

@@ -80,12 +80,12 @@ class InkOnArea {
 /// Coverage along a column of the area.
 class PlumbLane {
  public:
-  PlumbLane(const InkOnArea& ink, const PlotArea& area, double x) : ink_(ink), area_(area), x_(x) {}
+  PlumbLane(const InkOnArea& coverage, const PlotArea& area, double x) : ink_(coverage), area_(area), x_(x) {}
 
   /// Thicknesses of the rows between two rows, without horizontal lines of the plot.
   std::vector<double> rows(double y0, double y1) const;
   /// The row up to which every row from the start on has at least `least_px`, allowing gaps of `gap_px`.
-  double top(double foot, double least_px, double gap_px) const;
+  double top(double baseline, double least_px, double gap_px) const;
   /// Sub-pixel position of the lane's coverage between two rows.
   double middle(double y0, double y1) const;
 

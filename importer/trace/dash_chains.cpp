@@ -37,11 +37,11 @@ struct EndOf {
 };
 
 /// Returns a piece as a dash if it is thin and straight.
-std::optional<Dash> dashOf(const std::vector<Point>& ink, double thickness_px, double longest_px) {
-  const Scatter scatter(ink);
+std::optional<Dash> dashOf(const std::vector<Point>& pixels, double thickness_px, double longest_px) {
+  const Scatter scatter(pixels);
   const Point mean = scatter.middle(), along = scatter.along();
   double first = 0, last = 0, across = 0;
-  for (const Point& p : ink) {
+  for (const Point& p : pixels) {
     const double t = dot(p - mean, along);
     first = std::min(first, t), last = std::max(last, t);
     across = std::max(across, std::abs(cross(along, p - mean)));
@@ -98,9 +98,9 @@ bool touches(const std::vector<Point>& piece, const cv::Mat& curves) {
   });
 }
 
-std::vector<std::vector<Point>> piecesOf(const cv::Mat& ink) {
+std::vector<std::vector<Point>> piecesOf(const cv::Mat& marks) {
   cv::Mat labels;
-  const int count = cv::connectedComponents(ink, labels, 8, CV_32S);
+  const int count = cv::connectedComponents(marks, labels, 8, CV_32S);
   std::vector<std::vector<Point>> pieces(static_cast<std::size_t>(std::max(0, count - 1)));
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x)
@@ -111,10 +111,10 @@ std::vector<std::vector<Point>> piecesOf(const cv::Mat& ink) {
 
 }  // namespace
 
-std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& curves, double thickness_px,
+std::vector<std::vector<Point>> dashChains(const cv::Mat& marks, const cv::Mat& curves, double thickness_px,
                                            const BareAt& isBare) {
-  const double longest_px = kLongest * std::hypot(ink.cols, ink.rows);
-  std::vector<std::vector<Point>> pieces = piecesOf(ink), kept;
+  const double longest_px = kLongest * std::hypot(marks.cols, marks.rows);
+  std::vector<std::vector<Point>> pieces = piecesOf(marks), kept;
   if (pieces.size() > kMostDashParts) return {};
   std::vector<Dash> dashes;
   for (std::vector<Point>& piece : pieces)

@@ -17,7 +17,7 @@ using BareAt = std::function<bool(Point)>;
 
 /// Pixels of each line of four or more dashes at even gaps on bare paper. The mask is 255 where coverage is;
 /// lines are about `thickness_px` thick. Marks that touch a curve (`curves`: 255) are rims of its markers.
-std::vector<std::vector<Point>> dashChains(const cv::Mat& ink, const cv::Mat& curves, double thickness_px,
+std::vector<std::vector<Point>> dashChains(const cv::Mat& marks, const cv::Mat& curves, double thickness_px,
                                            const BareAt& isBare);
 
 /// Points one pixel apart along a curve; a stretch by their indices, last included.

@@ -31,27 +31,27 @@ void clearBox(Plane& plane, const Box& box) {
 }
 
 /// Share of the coverage on a path.
-double shareAt(const CoarseCurve& course, const Plane& own, double within_px) {
+double shareAt(const CoarseCurve& path, const Plane& own, double within_px) {
   cv::Mat near(own.height, own.width, CV_8U, cv::Scalar(0));
-  for (const Point& p : course.points)
+  for (const Point& p : path.points)
     cv::circle(near, {static_cast<int>(p.x), static_cast<int>(p.y)}, static_cast<int>(std::ceil(within_px)),
                255, cv::FILLED);
-  const cv::Mat ink = matOf(own);
-  const double all = cv::sum(ink)[0];
-  cv::Mat at = cv::Mat::zeros(ink.size(), ink.type());
-  ink.copyTo(at, near);
+  const cv::Mat marks = matOf(own);
+  const double all = cv::sum(marks)[0];
+  cv::Mat at = cv::Mat::zeros(marks.size(), marks.type());
+  marks.copyTo(at, near);
   return all > 0 ? cv::sum(at)[0] / all : 0;
 }
 
 }  // namespace
 
 std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
-                                         const std::vector<int>& curveInks, const PlotInks& plot) {
+                                         const std::vector<int>& curveColours, const PlotInks& plot) {
   constexpr double leastTravel = 0.5;  // of the solid line's travel
   // of the remaining coverage; rims of markers lie on both sides of their line
-  constexpr double itsInk = 0.6;
+  constexpr double ownColourShare = 0.6;
   if (curve.dashed || solid.points_px.size() < 2) return {};
-  DashedCourse found{fieldOf(plot, curve.ink, curveInks), {}};
+  DashedCourse found{fieldOf(plot, curve.ink, curveColours), {}};
   clearLine(found.field.own, solid, plot.area(), curve.thickness_px);
   for (const Box& box : found.field.opaque) clearBox(found.field.own, box);
   const std::optional<CurveField> joined = dashesJoined(found.field);
@@ -63,7 +63,7 @@ std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk
   const double travel_px = plot.area().fromView(right).x - plot.area().fromView(left).x;
   if (!found.course.found() || found.course.span_px < leastTravel * travel_px) return {};
   if (found.course.rise_px <= 2 * curve.thickness_px) return {};  // a marker line along the travel
-  if (shareAt(found.course, found.field.own, curve.thickness_px + 1) < itsInk) return {};
+  if (shareAt(found.course, found.field.own, curve.thickness_px + 1) < ownColourShare) return {};
   found.field = besideDashesOnly(found.field);
   return found;
 }

@@ -18,8 +18,8 @@ struct DashedCourse {
 };
 
 /// Finds the dashed line in the colour of a solid curve, if what the curve leaves of its colour is one over
-/// at least half of its travel. `curveInks`: those of all curves.
+/// at least half of its travel. `curveColours`: those of all curves.
 std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
-                                         const std::vector<int>& curveInks, const PlotInks& plot);
+                                         const std::vector<int>& curveColours, const PlotInks& plot);
 
 }  // namespace detent::importer::trace

@@ -31,9 +31,9 @@ struct Met {
   std::size_t piece = 0, end = 0;
 };
 
-class DashWalk {
+class DashSearch {
  public:
-  explicit DashWalk(const std::vector<DashPiece>& pieces) : pieces_(pieces), taken_(pieces.size(), 0) {}
+  explicit DashSearch(const std::vector<DashPiece>& pieces) : pieces_(pieces), taken_(pieces.size(), 0) {}
 
   std::vector<DashedLine> all() {
     std::vector<DashedLine> lines;
@@ -89,7 +89,7 @@ class DashWalk {
   }
 
   /// Members in the order of the line, from the seed in direction `ahead`.
-  std::vector<Met> walk(Met from, Point ahead, std::vector<double>& gaps) {
+  std::vector<Met> follow(Met from, Point ahead, std::vector<double>& gaps) {
     std::vector<Met> met;
     double gap_px = 0;
     while (const auto next = nextOf(from, ahead, medianOf(gaps), gap_px)) {
@@ -106,10 +106,11 @@ class DashWalk {
   std::optional<DashedLine> lineThrough(std::size_t seed) {
     taken_[seed] = 1;
     std::vector<double> gaps;
-    std::vector<Met> forth = walk({seed, 1}, outOf({seed, 1}), gaps);
+    std::vector<Met> forth = follow({seed, 1}, outOf({seed, 1}), gaps);
     std::vector<Met> back;
-    if (!isDot(seed)) back = walk({seed, 0}, outOf({seed, 0}), gaps);
-    if (isDot(seed) && !forth.empty()) back = walk({seed, 0}, endOf({seed, 0}) - endOf(forth.front()), gaps);
+    if (!isDot(seed)) back = follow({seed, 0}, outOf({seed, 0}), gaps);
+    if (isDot(seed) && !forth.empty())
+      back = follow({seed, 0}, endOf({seed, 0}) - endOf(forth.front()), gaps);
     if (forth.size() + back.size() + 1 < fewestDashPieces || !even(gaps)) {
       taken_[seed] = 0;
       for (const auto* way : {&forth, &back})
@@ -189,7 +190,7 @@ std::optional<DashPiece> dashOfOutline(const std::vector<Point>& outline, double
   const double area_px = 0.5 * std::abs(twiceAreaOf(ring)), side_px = std::sqrt(area_px);
   const double width_px = std::min(high - low, area_px / length_px);
   if (!(width_px > 0) || length_px > dashLength * width_px) return {};
-  // The same distance across its corners.
+  // A dot has no direction: its piece is the centre of its box.
   if (length_px < dotLength * side_px)
     return DashPiece{{middle + 0.5 * (first + last) * along + 0.5 * (low + high) * Point{-along.y, along.x}},
                      side_px};
@@ -199,7 +200,7 @@ std::optional<DashPiece> dashOfOutline(const std::vector<Point>& outline, double
 
 std::vector<DashedLine> dashedLines(const std::vector<DashPiece>& pieces) {
   if (pieces.size() < fewestDashPieces || pieces.size() > mostDashPieces) return {};
-  return DashWalk(pieces).all();
+  return DashSearch(pieces).all();
 }
 
 }  // namespace detent::importer

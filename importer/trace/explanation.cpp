@@ -34,8 +34,8 @@ constexpr std::size_t kMostPoints = 400;
 /// One traced curve on the area.
 struct Drawn {
   std::vector<Point> points;
-  double thickness_px = 1;  ///< a pixel at least
-  double inkAcross_px = 1;  ///< pixels of full colour across, at most one pixel
+  double thickness_px = 1;     ///< a pixel at least
+  double colourAcross_px = 1;  ///< pixels of full colour across, at most one pixel
   Rgb color;
   bool fromVector = false;
 };
@@ -70,7 +70,7 @@ class ExplainedPlot {
       // A straight stretch of a document has only two points.
       const double seen = scene.inkOf(curve.color).thicknessAlong(densified(drawn.points, 1));
       drawn.thickness_px = std::max(1.0, seen);
-      drawn.inkAcross_px = std::min(1.0, seen);
+      drawn.colourAcross_px = std::min(1.0, seen);
       drawn_.push_back(std::move(drawn));
     }
   }
@@ -121,28 +121,29 @@ class ExplainedPlot {
 
   /// Returns true if a solid curve is missing at a place, as between two dashes at least two pixels apart.
   bool isGap(Point p, const Drawn& curve) const {
-    constexpr double reach_px = 0.6, mostOfInk = 0.4;  // px; share of the line's own colour levels
+    constexpr double reach_px = 0.6, mostOfColour = 0.4;  // px; share of the line's own colour levels
     if (mayBeHidden(p)) return false;
-    const double ink = norm(color3Of(curve.color) - scene_.paper());
+    const double colourLevels = norm(color3Of(curve.color) - scene_.paper());
     for (const Point off : {Point{0, 0}, {reach_px, 0}, {-reach_px, 0}, {0, reach_px}, {0, -reach_px}})
-      if (drawnAt(p + off) > mostOfInk * ink) return false;
+      if (drawnAt(p + off) > mostOfColour * colourLevels) return false;
     // A line thinner than a pixel is paler between two pixels; between dashes there is nothing in either
     // direction.
-    return std::min(drawnAcross(p, {1, 0}), drawnAcross(p, {0, 1})) <= mostOfInk * ink * curve.inkAcross_px;
+    return std::min(drawnAcross(p, {1, 0}), drawnAcross(p, {0, 1})) <=
+           mostOfColour * colourLevels * curve.colourAcross_px;
   }
 
   /// 255 where a colour is not explained, without the plot's own lines.
   cv::Mat inked(Rgb color, const cv::Mat& explained) const {
-    const InkOnArea& ink = scene_.inkOf(color);
+    const InkOnArea& coverage = scene_.inkOf(color);
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
-    if (!ink.distinct()) return mask;
+    if (!coverage.distinct()) return mask;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kLineCoverage)
+        if (!explained.at<std::uint8_t>(y, x) && coverage.at(x, y) > kLineCoverage)
           mask.at<std::uint8_t>(y, x) = 255;
-    for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
-    for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
-    for (const PixelAt p : dottedLines(ink, scene_)) mask.at<std::uint8_t>(p.y, p.x) = 0;
+    for (const double column : area_.columns_px) takeLine(mask, coverage, column, true);
+    for (const double row : area_.rows_px) takeLine(mask, coverage, row, false);
+    for (const PixelAt p : dottedLines(coverage, scene_)) mask.at<std::uint8_t>(p.y, p.x) = 0;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
         if (mask.at<std::uint8_t>(y, x) && scene_.onLine(x, y) &&
@@ -183,8 +184,8 @@ class ExplainedPlot {
   }
 
   /// Clears a line of the plot where it is not thicker than usual.
-  void takeLine(cv::Mat& mask, const InkOnArea& ink, double at, bool plumb) const {
-    const std::vector<double> runs = runsAlong(ink, area_, at, plumb);
+  void takeLine(cv::Mat& mask, const InkOnArea& coverage, double at, bool plumb) const {
+    const std::vector<double> runs = runsAlong(coverage, area_, at, plumb);
     const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (runs[i] <= most)
@@ -228,42 +229,42 @@ std::vector<End> endsOf(const std::vector<Drawn>& drawn) {
 bool isStart(const End& end) { return end.ahead.x < 0 && end.ahead.y > 0; }
 
 /// Returns true if a piece begins at a curve's end and leads away from it, forwards or up like a bottom-out.
-bool beginsAt(const std::vector<Point>& ink, const End& end) {
+bool beginsAt(const std::vector<Point>& pixels, const End& end) {
   constexpr double backwards = -0.2;  // cosine with the curve's direction
-  const auto [near, far] = std::ranges::minmax(ink, {}, [&](Point p) { return distance(p, end.at); });
+  const auto [near, far] = std::ranges::minmax(pixels, {}, [&](Point p) { return distance(p, end.at); });
   const double reach_px = 2 * end.thickness_px + 4;
   if (distance(near, end.at) > reach_px) return false;
   const Point away = far - end.at;
   return dot(away, end.ahead) > backwards * norm(away);
 }
 
-Remainder remainderOf(const std::vector<Point>& ink, const ExplainedPlot& plot,
+Remainder remainderOf(const std::vector<Point>& pixels, const ExplainedPlot& plot,
                       const std::vector<End>& ends) {
   const Box& frame = plot.area().frame;
-  const Box box = boundsOf(ink);
+  const Box box = boundsOf(pixels);
   Remainder r;
   const double extent_px = std::hypot(box.width(), box.height());
   r.box_px = plot.area().toView.boxOf(box);
   r.length = extent_px / std::hypot(frame.width(), frame.height());
   r.width = box.width() / frame.width();
-  r.thickness = static_cast<double>(ink.size()) / std::max(1.0, extent_px) / plot.thickness();
-  r.straight = Scatter(ink).across() < 0.6 * plot.thickness() + 0.8;
-  r.atAnEnd = std::ranges::any_of(ends, [&](const End& end) { return beginsAt(ink, end); });
+  r.thickness = static_cast<double>(pixels.size()) / std::max(1.0, extent_px) / plot.thickness();
+  r.straight = Scatter(pixels).across() < 0.6 * plot.thickness() + 0.8;
+  r.atAnEnd = std::ranges::any_of(ends, [&](const End& end) { return beginsAt(pixels, end); });
   const double thin = ramp(r.thickness, 3.5, 2.2) * ramp(r.thickness, 0.2, 0.45);
   const double bent = r.straight ? 0 : ramp(r.width, 0.1, 0.3) * ramp(r.length, 0.12, 0.25);
   const double onwards = r.atAnEnd ? ramp(r.length, 0.03, 0.08) : 0;
   r.likeness = thin * std::max(bent, onwards);
-  const std::size_t step = std::max<std::size_t>(1, ink.size() / kMostPoints);
-  for (std::size_t i = 0; i < ink.size(); i += step) r.ink_px.push_back(plot.area().toView(ink[i]));
+  const std::size_t step = std::max<std::size_t>(1, pixels.size() / kMostPoints);
+  for (std::size_t i = 0; i < pixels.size(); i += step) r.ink_px.push_back(plot.area().toView(pixels[i]));
   return r;
 }
 
 /// An isolated dashed line. Those along an axis are marker lines.
-Remainder remainderOfDashes(const std::vector<Point>& ink, const ExplainedPlot& plot,
+Remainder remainderOfDashes(const std::vector<Point>& pixels, const ExplainedPlot& plot,
                             const std::vector<End>& ends) {
   constexpr double alongAxis = 0.05;  // of the longer side
-  Remainder r = remainderOf(ink, plot, ends);
-  const Box box = boundsOf(ink);
+  Remainder r = remainderOf(pixels, plot, ends);
+  const Box box = boundsOf(pixels);
   const bool guide = std::min(box.width(), box.height()) <
                      alongAxis * std::max(box.width(), box.height()) + 2 * plot.thickness();
   r.dashed = true;
@@ -272,19 +273,19 @@ Remainder remainderOfDashes(const std::vector<Point>& ink, const ExplainedPlot& 
 }
 
 /// Markers above a curve's end that continue it, also vertically.
-Remainder remainderOfMarks(const std::vector<Point>& ink, const ExplainedPlot& plot, const End& end) {
-  Remainder r = remainderOf(ink, plot, {end});
+Remainder remainderOfMarks(const std::vector<Point>& pixels, const ExplainedPlot& plot, const End& end) {
+  Remainder r = remainderOf(pixels, plot, {end});
   r.dashed = r.atAnEnd = true;
   r.likeness = ramp(r.length, 0.03, 0.06);
   return r;
 }
 
 /// Returns true if the pixels form many similar pieces: dots, joined across gaps of their own size.
-bool isDotted(const std::vector<Point>& ink, const cv::Mat& pieces) {
+bool isDotted(const std::vector<Point>& pixels, const cv::Mat& pieces) {
   constexpr std::size_t fewest = 8;
   constexpr double within = 0.35, most = 0.75;  // of the usual area; share of the pieces
   std::map<int, double> areas;
-  for (const Point& p : ink) areas[pieces.at<int>(static_cast<int>(p.y), static_cast<int>(p.x))] += 1;
+  for (const Point& p : pixels) areas[pieces.at<int>(static_cast<int>(p.y), static_cast<int>(p.x))] += 1;
   std::vector<double> sizes;
   for (const auto& [piece, area] : areas) sizes.push_back(area);
   const double usual = medianOf(sizes);
@@ -335,19 +336,19 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
   const int count = cv::connectedComponentsWithStats(joined, labels, stats, centroids, 8, CV_32S);
   const Box& frame = plot.area().frame;
   const double least_px = kLeastLength * std::hypot(frame.width(), frame.height());
-  std::vector<std::vector<Point>> inks(static_cast<std::size_t>(count));
+  std::vector<std::vector<Point>> pixelSets(static_cast<std::size_t>(count));
   for (int y = 0; y < left.rows; ++y)
     for (int x = 0; x < left.cols; ++x)
       if (left.at<std::uint8_t>(y, x))
-        inks[static_cast<std::size_t>(labels.at<int>(y, x))].push_back({double(x), double(y)});
+        pixelSets[static_cast<std::size_t>(labels.at<int>(y, x))].push_back({double(x), double(y)});
   const std::vector<End> ends = endsOf(plot.drawn());
   std::vector<Remainder> all;
-  for (const std::vector<Point>& ink : inks) {
-    if (ink.size() < 4) continue;
-    const Box box = boundsOf(ink);
+  for (const std::vector<Point>& pixels : pixelSets) {
+    if (pixels.size() < 4) continue;
+    const Box box = boundsOf(pixels);
     if (std::hypot(box.width(), box.height()) < least_px) continue;
-    all.push_back(remainderOf(ink, plot, ends));
-    all.back().dashed = isDotted(ink, pieces);
+    all.push_back(remainderOf(pixels, plot, ends));
+    all.back().dashed = isDotted(pixels, pieces);
   }
   const auto isGap = [&](Point p) { return plot.isGap(p, plot.drawn().front()); };
   const cv::Mat curves = plot.curves();
@@ -355,9 +356,9 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
     all.push_back(remainderOfDashes(chain, plot, ends));
   std::vector<End> tops;
   std::ranges::remove_copy_if(ends, std::back_inserter(tops), isStart);
-  std::vector<Point> places;
-  for (const End& top : tops) places.push_back(top.at);
-  const std::vector<std::vector<Point>> marks = marksUpFrom(places, left, curves);
+  std::vector<Point> positions;
+  for (const End& top : tops) positions.push_back(top.at);
+  const std::vector<std::vector<Point>> marks = marksUpFrom(positions, left, curves);
   for (std::size_t i = 0; i < tops.size(); ++i)
     if (!marks[i].empty()) all.push_back(remainderOfMarks(marks[i], plot, tops[i]));
   // Connected dashes appear twice; as a dashed line first.
@@ -371,14 +372,14 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
 /// jump.
 bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_t to, double thickness_px) {
   constexpr double mostCosine = 0.5;  // turned by 60 degrees
-  const auto rim = static_cast<std::size_t>(thickness_px + 4), look = 3 * rim;
+  const auto rim = static_cast<std::size_t>(thickness_px + 4), farRim = 3 * rim;
   const Point across = points[to] - points[from];
   const auto turned = [&](Point along) {
     return norm(along) > 0 && dot(along, across) < mostCosine * norm(along) * norm(across);
   };
   const auto before = [&](std::size_t by) { return points[from > by ? from - by : 0]; };
   const auto behind = [&](std::size_t by) { return points[std::min(to + by, points.size() - 1)]; };
-  return turned(before(rim) - before(look)) || turned(behind(look) - behind(rim));
+  return turned(before(rim) - before(farRim)) || turned(behind(farRim) - behind(rim));
 }
 
 /// Returns true if a curve is solid over a good part of its path where no other runs and no word hides it:
@@ -416,7 +417,7 @@ std::vector<Leap> overDashes(const ExplainedPlot& plot) {
   constexpr double leastShare = 0.08;  // of the diagonal
   const Box& frame = plot.area().frame;
   const double diagonal_px = std::hypot(frame.width(), frame.height());
-  std::vector<Leap> leaps;
+  std::vector<Leap> jumps;
   for (const Drawn& each : plot.drawn()) {
     if (each.fromVector) continue;  // its own pieces show what belongs together
     const std::vector<Point> points = densified(each.points, 1);
@@ -426,16 +427,16 @@ std::vector<Leap> overDashes(const ExplainedPlot& plot) {
     for (const Stretch& s : dashed)
       if (const double length_px = distance(points[s.from], points[s.to]);
           length_px > leastShare * diagonal_px)
-        leaps.push_back(
+        jumps.push_back(
             {plot.area().toView(points[s.from]), plot.area().toView(points[s.to]), length_px / diagonal_px});
   }
-  return leaps;
+  return jumps;
 }
 
-std::vector<Leap> leapsOf(const ExplainedPlot& plot) {
+std::vector<Leap> jumpsOf(const ExplainedPlot& plot) {
   constexpr double kLeastThicknesses = 2, kLeastHeight = 0.03;  // of the frame's
   const Box& frame = plot.area().frame;
-  std::vector<Leap> leaps = overDashes(plot);
+  std::vector<Leap> jumps = overDashes(plot);
   for (const Drawn& each : plot.drawn()) {
     const std::vector<Point> points = densified(each.points, 1);
     const double least_px = std::max(kLeastThicknesses * each.thickness_px, kLeastHeight * frame.height());
@@ -445,13 +446,13 @@ std::vector<Leap> leapsOf(const ExplainedPlot& plot) {
       while (to + 1 < points.size() && plot.isBare(points[to])) ++to;
       const double length_px = distance(points[i - 1], points[to]);
       if (length_px >= least_px && turnsSharply(points, i - 1, to, each.thickness_px))
-        leaps.push_back({plot.area().toView(points[i - 1]), plot.area().toView(points[to]),
+        jumps.push_back({plot.area().toView(points[i - 1]), plot.area().toView(points[to]),
                          length_px / std::hypot(frame.width(), frame.height())});
       i = to;
     }
   }
-  std::ranges::sort(leaps, std::greater<>{}, &Leap::length);
-  return leaps;
+  std::ranges::sort(jumps, std::greater<>{}, &Leap::length);
+  return jumps;
 }
 
 /// Returns true for a legend key: horizontal, beside a curve's name, in its row.
@@ -468,11 +469,11 @@ bool isSampleOf(const CurveTrace& curve, const Remainder& left) {
 /// Clears places that are wide in every direction.
 void clearAreas(Plane& plane, int least_px) {
   cv::Mat values = matOf(plane);
-  cv::Mat wide;
+  cv::Mat dilated;
   const cv::Mat window = cv::getStructuringElement(cv::MORPH_RECT, {least_px, least_px});
-  cv::morphologyEx(values > 0, wide, cv::MORPH_OPEN, window);
-  cv::dilate(wide, wide, window);
-  values.setTo(0, wide);
+  cv::morphologyEx(values > 0, dilated, cv::MORPH_OPEN, window);
+  cv::dilate(dilated, dilated, window);
+  values.setTo(0, dilated);
 }
 
 LineBeside lineBeside(const ExplainedPlot& plot) {
@@ -493,12 +494,12 @@ LineBeside lineBeside(const ExplainedPlot& plot) {
   field.own = pooled(field.own, pooling);
   field.otherCurves = field.clutter = Plane(field.own.width, field.own.height);
   const Box& frame = plot.area().frame;
-  const CoarseCurve course = followCurve(
+  const CoarseCurve path = followCurve(
       field, {frame.x0 / pooling, frame.y0 / pooling, frame.x1 / pooling, frame.y1 / pooling}, {});
-  if (!course.found()) return {};
+  if (!path.found()) return {};
   const Box travel = boundsOf(curve.points);
-  return {course.inkColumns_px * pooling / std::max(1.0, travel.width()),
-          plot.area().toView(static_cast<double>(pooling) * course.points[course.points.size() / 2])};
+  return {path.inkColumns_px * pooling / std::max(1.0, travel.width()),
+          plot.area().toView(static_cast<double>(pooling) * path.points[path.points.size() / 2])};
 }
 
 }  // namespace
@@ -511,7 +512,7 @@ Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curve
   std::erase_if(remainders, [&](const Remainder& each) {
     return std::ranges::any_of(curves, [&](const CurveTrace& curve) { return isSampleOf(curve, each); });
   });
-  return {std::move(remainders), leapsOf(plot), patchesOf(plot, left),
+  return {std::move(remainders), jumpsOf(plot), patchesOf(plot, left),
           plot.drawn().size() == 1 ? lineBeside(plot) : LineBeside{}};
 }
 

@@ -21,7 +21,7 @@ constexpr double kThick_px = 1.8;
 constexpr float kLeakWorth =
     0.6F;  // worth of a covered pixel with own colour at the cover's edge, relative to a plain pixel
 constexpr float kLeakFull = 0.2F;  // own coverage at the edge that makes such a trace certain
-constexpr float kWallColumn =
+constexpr float kVerticalColumn =
     3;  // cost of a column on a steep end; only a steep end is worth it, not a stretch of curve
 
 /// Stages of a path in order; the first and the last are optional. Only there does a rise or fall earn, and
@@ -47,8 +47,8 @@ class CurveSearch {
   CurveSearch(const CurveField& field, const Box& within, const FollowOptions& options)
       : field_(field), options_(options) {
     if (options.thickness_px >= kThick_px) {
-      inkFrom_ = kThickFrom;
-      inkFull_ = kThickFull;
+      coverageFrom_ = kThickFrom;
+      coverageFull_ = kThickFull;
     }
     x0_ = std::max(0, static_cast<int>(std::floor(within.x0)));
     y0_ = std::max(0, static_cast<int>(std::floor(within.y0)));
@@ -63,8 +63,8 @@ class CurveSearch {
   }
 
  private:
-  float inkAt(int x, int y) const {
-    return std::clamp((field_.own.at(x, y) - inkFrom_) / (inkFull_ - inkFrom_), 0.0F, 1.0F);
+  float coverageAt(int x, int y) const {
+    return std::clamp((field_.own.at(x, y) - coverageFrom_) / (coverageFull_ - coverageFrom_), 0.0F, 1.0F);
   }
   /// Costs and gains of a column's pixels. A pixel shows the colour, or, under another curve, the traces of a
   /// line beneath it at the cover's edges; other pixels have the price of bridging.
@@ -77,7 +77,7 @@ class CurveSearch {
       const float cover = std::min(1.0F, field_.otherCurves.values[i]);
       const float clutter = std::min(1.0F - cover, field_.clutter.values[i]);
       const int y = y0_ + static_cast<int>(r);
-      ink_[r] = inkAt(x, y);
+      ink_[r] = coverageAt(x, y);
       if (cover >= 0.5F)
         ink_[r] =
             std::max(ink_[r], kLeakWorth * cover * std::min(1.0F, largestNear(field_.own, x, y) / kLeakFull));
@@ -145,7 +145,7 @@ class CurveSearch {
       float* value = value_[static_cast<std::size_t>(stage)].data();
       ColumnStep* step = stepsAt(x, stage);
       for (std::size_t r = 0; r < n; ++r) {
-        const float along = value[r] - kWallColumn;
+        const float along = value[r] - kVerticalColumn;
         step[r] = along > inBody[r] ? ColumnStep::alongX : ColumnStep::fromBefore;
         value[r] = std::max(along, inBody[r]) + gain[r];
       }
@@ -163,7 +163,7 @@ class CurveSearch {
       float* value = value_[static_cast<std::size_t>(stage)].data();
       ColumnStep* into = stepsAt(x, stage);
       for (std::size_t r = 0; r < n; ++r) {
-        const float along = value[r] - kWallColumn;
+        const float along = value[r] - kVerticalColumn;
         into[r] = along > 0 ? ColumnStep::alongX : ColumnStep::start;
         value[r] = std::max(along, 0.0F) + gain[r];
       }
@@ -190,12 +190,12 @@ class CurveSearch {
     curve.gain_px = static_cast<double>(bestGain_);
     int x = endX_, stage = endStage_;
     std::size_t row = endRow_;
-    double ink = 0, visible = 0, inColumn = 0;
+    double covered = 0, visible = 0, inColumn = 0;
     for (;;) {
       const int y = y0_ + static_cast<int>(row);
       curve.points.push_back({static_cast<double>(x), static_cast<double>(y)});
-      const double share = static_cast<double>(inkAt(x, y));
-      ink += share;
+      const double share = static_cast<double>(coverageAt(x, y));
+      covered += share;
       inColumn = std::max(inColumn, share);
       visible += std::max(share, static_cast<double>(visibleAt(x, y)));
       const ColumnStep step = stepsAt(x, stage)[row];
@@ -215,7 +215,7 @@ class CurveSearch {
       }
     }
     std::reverse(curve.points.begin(), curve.points.end());
-    curve.inkShare = visible > 0 ? ink / visible : 0;
+    curve.inkShare = visible > 0 ? covered / visible : 0;
     curve.span_px = curve.points.back().x - curve.points.front().x;
     const auto [low, high] = std::minmax_element(curve.points.begin(), curve.points.end(),
                                                  [](Point a, Point b) { return a.y < b.y; });
@@ -225,7 +225,7 @@ class CurveSearch {
 
   const CurveField& field_;
   const FollowOptions& options_;
-  float inkFrom_ = kThinFrom, inkFull_ = kThinFull;
+  float coverageFrom_ = kThinFrom, coverageFull_ = kThinFull;
   int x0_ = 0, y0_ = 0, x1_ = -1, y1_ = -1;
   std::array<std::vector<float>, kStages> value_;
   std::vector<float> ink_, cost_, gain_, rise_;  ///< of the column's rows

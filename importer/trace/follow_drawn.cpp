@@ -13,13 +13,13 @@ namespace {
 using trace::Color3, trace::colorAt;
 
 constexpr double offsetStep_px = 0.5;
-constexpr double leastInkContrast = 24;  // of 442; less is paper
+constexpr double leastMarkContrast = 24;  // of 442; less is paper
 // of coverage at the end of the reach; the drawn line is probably close
 constexpr double awayCost = 0.12;
 constexpr double bendCost = 0.06;        // of coverage per half pixel from one point to the next, squared
 constexpr int steepest = 2;              // half pixels from one point to the next
 constexpr double centreWithin_px = 2.5;  // coverage of one line
-constexpr double clearlyInk = 0.3;       // coverage
+constexpr double clearCoverage = 0.3;    // coverage
 
 double distance(Color3 a, Color3 b) { return norm(a - b); }
 
@@ -116,32 +116,32 @@ Color3 medianOf(std::vector<Color3> colors) {
 
 /// Coverage of each colour by the line: 1 the line, 0 the paper. The line's colour is the one that differs
 /// most from the paper near the middle of all rows; other colours count by their similarity.
-std::vector<double> inkOf(const Band& band) {
+std::vector<double> coverageOf(const Band& band) {
   const Color3 paper = medianOf(band.colors);
   std::vector<Color3> strongest;
   for (std::size_t row = 0; row < band.rows; ++row) {
     Color3 best = paper;
-    double most = leastInkContrast;
+    double most = leastMarkContrast;
     for (std::size_t column = 0; column < band.columns; ++column) {
       const double away =
           1 - awayCost * std::abs(band.offset_px(column)) / std::max(-band.offset_px(0), 1e-9);
       const double d = away * distance(band.at(row, column), paper);
       if (d > most) most = d, best = band.at(row, column);
     }
-    if (most > leastInkContrast) strongest.push_back(best);
+    if (most > leastMarkContrast) strongest.push_back(best);
   }
-  std::vector<double> ink(band.colors.size(), 0);
-  if (strongest.empty()) return ink;
+  std::vector<double> coverage(band.colors.size(), 0);
+  if (strongest.empty()) return coverage;
   const Color3 color = medianOf(std::move(strongest));
   const double contrast = distance(color, paper);
-  if (contrast < leastInkContrast) return ink;
-  for (std::size_t i = 0; i < ink.size(); ++i)
-    ink[i] = std::clamp(1 - distance(band.colors[i], color) / contrast, 0.0, 1.0);
-  return ink;
+  if (contrast < leastMarkContrast) return coverage;
+  for (std::size_t i = 0; i < coverage.size(); ++i)
+    coverage[i] = std::clamp(1 - distance(band.colors[i], color) / contrast, 0.0, 1.0);
+  return coverage;
 }
 
 /// The path of offsets with the most coverage for the least bending (dynamic programming).
-std::vector<std::size_t> bestCourse(const Band& band, const std::vector<double>& ink) {
+std::vector<std::size_t> bestPath(const Band& band, const std::vector<double>& coverage) {
   const std::size_t columns = band.columns;
   std::vector<double> cost(columns, 0), next(columns);
   std::vector<std::uint8_t> from(band.rows * columns, 0);
@@ -149,7 +149,7 @@ std::vector<std::size_t> bestCourse(const Band& band, const std::vector<double>&
   for (std::size_t row = 0; row < band.rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double away = band.offset_px(column) / reach;
-      const double own = awayCost * away * away - ink[row * columns + column];
+      const double own = awayCost * away * away - coverage[row * columns + column];
       double best = INFINITY;
       for (int by = -steepest; by <= steepest; ++by) {
         const auto before = static_cast<std::ptrdiff_t>(column) + by;
@@ -163,25 +163,25 @@ std::vector<std::size_t> bestCourse(const Band& band, const std::vector<double>&
     }
     cost.swap(next);
   }
-  std::vector<std::size_t> course(band.rows);
+  std::vector<std::size_t> path(band.rows);
   auto column = static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
   for (std::size_t row = band.rows; row-- > 0;) {
-    course[row] = column;
+    path[row] = column;
     column = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(column) + from[row * columns + column] -
                                       steepest);
   }
-  return course;
+  return path;
 }
 
 // The middle of the line around an offset; the offset itself if there is none.
-double centred(const Band& band, const std::vector<double>& ink, std::size_t row, std::size_t column) {
+double centred(const Band& band, const std::vector<double>& coverage, std::size_t row, std::size_t column) {
   double sum = 0, moment = 0;
   const auto within = static_cast<std::size_t>(centreWithin_px / offsetStep_px);
   const std::size_t first = column > within ? column - within : 0,
                     last = std::min(column + within, band.columns - 1);
   for (std::size_t i = first; i <= last; ++i) {
-    const double part = ink[row * band.columns + i];
-    if (part < clearlyInk) continue;
+    const double part = coverage[row * band.columns + i];
+    if (part < clearCoverage) continue;
     sum += part;
     moment += part * band.offset_px(i);
   }
@@ -197,13 +197,13 @@ std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& d
   std::vector<Point> line = smoothLine(drawn, options.spacing_px);
   if (raster.empty()) return line;
   const Band band = bandAlong(raster, line, options.reach_px);
-  const std::vector<double> ink = inkOf(band);
-  const std::vector<std::size_t> course = bestCourse(band, ink);
+  const std::vector<double> coverage = coverageOf(band);
+  const std::vector<std::size_t> path = bestPath(band, coverage);
   std::vector<Point> followed;
   followed.reserve(line.size());
   for (std::size_t row = 0; row < line.size(); ++row) {
     const Point n = normalAt(line, row);
-    const double o = centred(band, ink, row, course[row]);
+    const double o = centred(band, coverage, row, path[row]);
     followed.push_back({line[row].x + o * n.x, line[row].y + o * n.y});
   }
   return followed;

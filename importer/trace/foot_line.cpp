@@ -24,12 +24,12 @@ constexpr double kColumn_px = 3;    // beside a vertical line of the plot, where
 /// Thickness of the x axis between two places, at columns accepted by `take` and not crossed by a vertical
 /// line of the plot; nullopt for fewer than `least_px` columns.
 template <class Take>
-std::optional<double> footThickness(const InkOnArea& ink, const PlotArea& area, double from, double to,
+std::optional<double> axisThickness(const InkOnArea& coverage, const PlotArea& area, double from, double to,
                                     double least_px, Take take) {
   std::vector<double> runs;
   for (int x = static_cast<int>(std::ceil(from)); x <= to; ++x)
     if (!isAtOneOf(area.columns_px, x, kColumn_px) && take(x))
-      runs.push_back(ink.across(x, area.frame.y1, false).thickness_px);
+      runs.push_back(coverage.across(x, area.frame.y1, false).thickness_px);
   if (static_cast<double>(runs.size()) < std::max(1.0, least_px)) return {};
   return quantileOf(runs, 0.5);
 }
@@ -43,7 +43,7 @@ std::vector<Point> onArea(const CurveTrace& trace, const PlotArea& area) {
 }
 
 /// Marks the columns in which any curve comes near the x axis.
-std::vector<char> columnsNearFoot(const std::vector<CurveTrace>& traces, const PlotArea& area,
+std::vector<char> columnsNearAxis(const std::vector<CurveTrace>& traces, const PlotArea& area,
                                   double near_px) {
   std::vector<char> near(static_cast<std::size_t>(area.raster.width_px), 0);
   for (const CurveTrace& trace : traces) {
@@ -59,7 +59,7 @@ std::vector<char> columnsNearFoot(const std::vector<CurveTrace>& traces, const P
 }
 
 /// Number of points at a trace's left end that lie on the x axis; nullopt if too short.
-std::optional<std::size_t> tailOnFoot(const std::vector<Point>& points, const PlotArea& area,
+std::optional<std::size_t> tailOnAxis(const std::vector<Point>& points, const PlotArea& area,
                                       double within_px) {
   const auto leaves =
       std::ranges::find_if(points, [&](Point p) { return std::abs(area.frame.y1 - p.y) > within_px; });
@@ -69,34 +69,35 @@ std::optional<std::size_t> tailOnFoot(const std::vector<Point>& points, const Pl
 }
 
 /// Number of points at a trace's left end that lie on the x axis and are only the axis.
-std::size_t pointsOnFootLine(const CurveTrace& trace, const std::vector<CurveTrace>& traces,
-                             const PlotArea& area, const InkOnArea& ink) {
+std::size_t pointsOnAxisLine(const CurveTrace& trace, const std::vector<CurveTrace>& traces,
+                             const PlotArea& area, const InkOnArea& coverage) {
   const std::vector<Point> points = onArea(trace, area);
   std::vector<Point> clear;
   std::ranges::copy_if(points, std::back_inserter(clear),
                        [&](Point p) { return p.y < area.frame.y1 - kThickest_px; });
-  const double width = area.frame.width(), thick_px = ink.thicknessAlong(clear);
-  const auto tail = tailOnFoot(points, area, 0.5 * thick_px + 1.5);
+  const double width = area.frame.width(), thick_px = coverage.thicknessAlong(clear);
+  const auto tail = tailOnAxis(points, area, 0.5 * thick_px + 1.5);
   if (!tail) return 0;
   const double from = points.front().x, to = points[*tail - 1].x;
   const double near_px = kBeside * thick_px + 4;
-  const std::vector<char> near = columnsNearFoot(traces, area, near_px);
+  const std::vector<char> near = columnsNearAxis(traces, area, near_px);
   const auto own =
-      footThickness(ink, area, area.frame.x0 + near_px, area.frame.x1 - near_px, kLeastBare * width,
+      axisThickness(coverage, area, area.frame.x0 + near_px, area.frame.x1 - near_px, kLeastBare * width,
                     [&](int x) { return !near[static_cast<std::size_t>(x)]; });
-  const auto here = footThickness(ink, area, from, to - near_px, 0, [](int) { return true; });
+  const auto here = axisThickness(coverage, area, from, to - near_px, 0, [](int) { return true; });
   if (!own || !here || *own <= 0 || thick_px < kLeastThicker * *own) return 0;
   return *here < std::lerp(*own, thick_px, kSame) ? *tail - 1 : 0;
 }
 
 /// Number of points at a trace's right end without its colour: on the frame's upper or right edge, and the
 /// way there over bare paper.
-std::size_t pointsBeyondInk(const std::vector<Point>& points, const PlotArea& area, const InkOnArea& ink) {
+std::size_t pointsBeyondColour(const std::vector<Point>& points, const PlotArea& area,
+                               const InkOnArea& coverage) {
   constexpr double near_px = 3, bare = 0.3, leastBare = 0.02;  // coverage; of the frame's height
   const Box& frame = area.frame;
   const auto onEdge = [&](Point p) { return p.y - frame.y0 <= near_px || frame.x1 - p.x <= near_px; };
   const auto isBare = [&](Point p) {
-    return ink.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))) < bare;
+    return coverage.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))) < bare;
   };
   const auto from = std::find_if_not(points.rbegin(), points.rend(), onEdge);
   if (from == points.rend()) return 0;
@@ -116,22 +117,23 @@ void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   for (CurveTrace& trace : traces) {
     const std::vector<Point> points = onArea(trace, area);
     if (trace.fromVector || points.empty() || area.frame.x1 - points.back().x > kThickest_px) continue;
-    const InkOnArea& ink = scene.inkOf(trace.color);
-    if (ink.distinct()) dropEnd(trace, pointsBeyondInk(points, area, ink), true);
+    const InkOnArea& coverage = scene.inkOf(trace.color);
+    if (coverage.distinct()) dropEnd(trace, pointsBeyondColour(points, area, coverage), true);
   }
 }
 
 void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   if (scene.empty()) return;
   const PlotArea& area = scene.area();
-  const auto mayRunOnFoot = [&](const CurveTrace& trace) {
-    return !trace.fromVector && tailOnFoot(onArea(trace, area), area, kThickest_px).has_value();
+  const auto mayRunOnAxis = [&](const CurveTrace& trace) {
+    return !trace.fromVector && tailOnAxis(onArea(trace, area), area, kThickest_px).has_value();
   };
-  if (std::ranges::none_of(traces, mayRunOnFoot)) return;
+  if (std::ranges::none_of(traces, mayRunOnAxis)) return;
   std::vector<std::size_t> onLine;
   for (const CurveTrace& trace : traces) {
-    const InkOnArea& ink = scene.inkOf(trace.color);
-    onLine.push_back(mayRunOnFoot(trace) && ink.distinct() ? pointsOnFootLine(trace, traces, area, ink) : 0);
+    const InkOnArea& coverage = scene.inkOf(trace.color);
+    onLine.push_back(
+        mayRunOnAxis(trace) && coverage.distinct() ? pointsOnAxisLine(trace, traces, area, coverage) : 0);
   }
   for (std::size_t i = 0; i < traces.size(); ++i)
     if (onLine[i] > 0) dropEnd(traces[i], onLine[i], false);

@@ -24,10 +24,10 @@ struct Mixture {
 
 class PixelUnmixer {
  public:
-  PixelUnmixer(const std::vector<Ink>& inks, Color3 paper) {
-    for (const Ink& ink : inks) {
-      full_.push_back(paper + ink.difference());
-      isCurve_.push_back(ink.isCurve ? 1 : 0);
+  PixelUnmixer(const std::vector<Ink>& colours, Color3 paper) {
+    for (const Ink& colour : colours) {
+      full_.push_back(paper + colour.difference());
+      isCurve_.push_back(colour.isCurve ? 1 : 0);
     }
   }
 
@@ -94,14 +94,14 @@ Plane pooled(const Plane& plane, int factor) {
   return out;
 }
 
-Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks) {
+Coverage unmix(const PlotScene& scene, const std::vector<Ink>& colours) {
   const Raster& r = scene.area().raster;
   Coverage coverage;
   coverage.unknown = Plane(r.width_px, r.height_px);
-  for (std::size_t k = 0; k < inks.size(); ++k) coverage.ink.emplace_back(r.width_px, r.height_px);
-  const PixelUnmixer unmixer(inks, scene.paper());
+  for (std::size_t k = 0; k < colours.size(); ++k) coverage.ink.emplace_back(r.width_px, r.height_px);
+  const PixelUnmixer unmixer(colours, scene.paper());
   const float floor = std::max(5.0F, 3 * scene.noise());
-  const float typical = inks.empty() ? 255.0F : std::max(40.0F, inks.front().strength);
+  const float typical = colours.empty() ? 255.0F : std::max(40.0F, colours.front().strength);
   for (int y = 0; y < r.height_px; ++y)
     for (int x = 0; x < r.width_px; ++x) {
       const Color3 pixel = scene.pixel(x, y), behind = scene.behind(x, y);
@@ -119,7 +119,7 @@ Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks) {
       if (mixture.residual > 2 * tolerance)
         coverage.unknown.values[i] = std::min(1.0F, mixture.residual / typical);
     }
-  partShades(coverage.ink, inks);
+  partShades(coverage.ink, colours);
   return coverage;
 }
 

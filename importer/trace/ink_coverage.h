@@ -17,6 +17,6 @@ struct Coverage {
 /// Maxima in blocks of `factor`² pixels, sufficient for the path search.
 Plane pooled(const Plane& plane, int factor);
 
-Coverage unmix(const PlotScene& scene, const std::vector<Ink>& inks);
+Coverage unmix(const PlotScene& scene, const std::vector<Ink>& colours);
 
 }  // namespace detent::importer::trace

@@ -25,7 +25,7 @@ std::size_t cellOf(Color3 d) {
   return (cell(d.r) * kCells + cell(d.g)) * kCells + cell(d.b);
 }
 
-std::vector<Sample> inkSamples(const PlotScene& scene, const Mask& excluded) {
+std::vector<Sample> colourSamples(const PlotScene& scene, const Mask& excluded) {
   const PlotArea& area = scene.area();
   const float threshold = std::max(24.0F, scene.inkThreshold());
   std::vector<Sample> samples;
@@ -84,12 +84,13 @@ bool isBlend(const Ink& p, const Ink& a, const Ink& b) {
 }  // namespace
 
 std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const PaletteLimits& limits) {
-  const std::vector<Sample> samples = inkSamples(scene, excluded);
+  const std::vector<Sample> samples = colourSamples(scene, excluded);
   std::vector<char> taken(samples.size(), 0);
   const float cosine = static_cast<float>(std::cos(limits.mergeAngle_deg * M_PI / 180));
-  std::vector<Ink> inks;
+  std::vector<Ink> colours;
   std::vector<float> lengths;
-  for (int round = 0; round < 3 * limits.maxInks && static_cast<int>(inks.size()) < limits.maxInks; ++round) {
+  for (int round = 0; round < 3 * limits.maxInks && static_cast<int>(colours.size()) < limits.maxInks;
+       ++round) {
     const Color3 direction = densestDirection(samples, taken, cosine);
     lengths.clear();
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -98,28 +99,28 @@ std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const Pa
         lengths.push_back(samples[i].length);
       }
     if (lengths.empty()) break;
-    Ink ink;
-    ink.direction = direction;
+    Ink colour;
+    colour.direction = direction;
     double sum = 0;
     for (float l : lengths) sum += static_cast<double>(l);
-    ink.strength = quantileOf(lengths, 0.95);
-    ink.mass_px = sum / static_cast<double>(std::max(1.0F, ink.strength));
-    if (ink.mass_px < limits.minMass_px) {
+    colour.strength = quantileOf(lengths, 0.95);
+    colour.mass_px = sum / static_cast<double>(std::max(1.0F, colour.strength));
+    if (colour.mass_px < limits.minMass_px) {
       if (sum < 24 * limits.minMass_px) break;
       continue;
     }
     bool blend = false;
-    for (std::size_t i = 0; i < inks.size() && !blend; ++i)
+    for (std::size_t i = 0; i < colours.size() && !blend; ++i)
       for (std::size_t j = 0; j < i && !blend; ++j)
-        blend =
-            std::min(inks[i].mass_px, inks[j].mass_px) > 1.5 * ink.mass_px && isBlend(ink, inks[i], inks[j]);
-    if (!blend) inks.push_back(ink);
+        blend = std::min(colours[i].mass_px, colours[j].mass_px) > 1.5 * colour.mass_px &&
+                isBlend(colour, colours[i], colours[j]);
+    if (!blend) colours.push_back(colour);
   }
-  std::sort(inks.begin(), inks.end(), [](const Ink& a, const Ink& b) { return a.mass_px > b.mass_px; });
-  return inks;
+  std::sort(colours.begin(), colours.end(), [](const Ink& a, const Ink& b) { return a.mass_px > b.mass_px; });
+  return colours;
 }
 
-void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene) {
+void addLetterInk(std::vector<Ink>& colours, const PlotScene& scene) {
   const Mask& letters = scene.lettering().mask;
   Mask others(letters.size());
   std::transform(letters.begin(), letters.end(), others.begin(), [](std::uint8_t l) { return l ? 0 : 1; });
@@ -128,10 +129,10 @@ void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene) {
   for (const Ink& letter : findInks(scene, others, one)) {
     // The rim of a grey line is no colour of black letters: other colours explain what is darker than a
     // colour can be, and two opposite colours make black.
-    const bool known = std::any_of(inks.begin(), inks.end(), [&](const Ink& ink) {
-      return dot(ink.direction, letter.direction) > 0.99F && letter.strength <= kDarkest * ink.strength;
+    const bool known = std::any_of(colours.begin(), colours.end(), [&](const Ink& colour) {
+      return dot(colour.direction, letter.direction) > 0.99F && letter.strength <= kDarkest * colour.strength;
     });
-    if (!known) inks.push_back(letter);
+    if (!known) colours.push_back(letter);
   }
 }
 

@@ -22,6 +22,6 @@ std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const Pa
 
 /// Adds the colour of most letters, unless it is in the palette; otherwise their pixels would count as the
 /// nearest curve's.
-void addLetterInk(std::vector<Ink>& inks, const PlotScene& scene);
+void addLetterInk(std::vector<Ink>& colours, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

@@ -24,30 +24,30 @@ cv::Mat square(int reach_px) {
 }
 
 /// 255 on lines that reach `level`, with their soft edges.
-cv::Mat linesReaching(const cv::Mat& ink, float level) {
+cv::Mat linesReaching(const cv::Mat& marks, float level) {
   constexpr int between_px = 3;   // thin lines lie between two pixels for a while
   constexpr double fading = 0.6;  // paler pixels beside an edge are its blur
   cv::Mat lines;
-  cv::morphologyEx(ink >= level, lines, cv::MORPH_CLOSE, square(between_px));
+  cv::morphologyEx(marks >= level, lines, cv::MORPH_CLOSE, square(between_px));
   cv::dilate(lines, lines, square(1));
-  cv::Mat edge = cv::Mat::zeros(ink.size(), CV_32F);
-  ink.copyTo(edge, lines);
+  cv::Mat edge = cv::Mat::zeros(marks.size(), CV_32F);
+  marks.copyTo(edge, lines);
   cv::dilate(edge, edge, square(1));
-  lines |= ink < fading * edge;
+  lines |= marks < fading * edge;
   return lines;
 }
 
 /// Extends the last point of `line` beside `other`, whose last point is its end on this side.
 void leadOn(std::vector<Point>& line, std::vector<double>& widths, const std::vector<Point>& other,
             double within_px) {
-  constexpr std::size_t look = 6;   // points back, a pixel apart
-  constexpr double sameWay = 0.85;  // cosine
+  constexpr std::size_t stepsBack = 6;  // points back, a pixel apart
+  constexpr double sameWay = 0.85;      // cosine
   const Point end = line.back();
   const auto nearest = std::ranges::min_element(other, {}, [&](Point p) { return distance(p, end); });
   const auto left = static_cast<std::size_t>(other.end() - nearest);
-  if (distance(*nearest, end) > within_px || left <= look || line.size() <= look) return;
-  const Point own = end - line[line.size() - 1 - look], its = *(nearest + look) - *nearest;
-  if (dot(own, its) < sameWay * norm(own) * norm(its)) return;
+  if (distance(*nearest, end) > within_px || left <= stepsBack || line.size() <= stepsBack) return;
+  const Point own = end - line[line.size() - 1 - stepsBack], nearestStep = *(nearest + stepsBack) - *nearest;
+  if (dot(own, nearestStep) < sameWay * norm(own) * norm(nearestStep)) return;
   const Point beside = end - *nearest;
   for (std::size_t i = 1; i < left; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(left - 1);
@@ -80,35 +80,35 @@ void clearStrongLines(Plane& plane) {
   values.setTo(0, linesReaching(values, kMostStrength));
 }
 
-std::optional<Ink> palerShade(const PlotScene& scene, const Ink& ink, const Plane& coverage,
+std::optional<Ink> palerShade(const PlotScene& scene, const Ink& colour, const Plane& coverage,
                               double leastMass_px) {
-  const float leastInk = scene.inkThreshold() / std::max(1.0F, ink.strength);
+  const float leastLevel = scene.inkThreshold() / std::max(1.0F, colour.strength);
   Plane rest = coverage;
   clearStrongLines(rest);
   double mass = 0;
   for (int y = 0; y < rest.height; ++y)
     for (int x = 0; x < rest.width; ++x) {
       float& level = rest.at(x, y);
-      if (level < leastInk || scene.onLine(x, y)) level = 0;
+      if (level < leastLevel || scene.onLine(x, y)) level = 0;
       mass += static_cast<double>(level);
     }
   const float level = ridgeLevel(rest);
   if (!(level > 0) || mass < leastMass_px * static_cast<double>(level)) return {};
-  Ink paler = ink;
+  Ink paler = colour;
   paler.strength *= level;
   paler.mass_px = mass / static_cast<double>(level);
   return paler;
 }
 
-void clearPlotLines(std::vector<Plane>& coverage, const std::vector<Ink>& inks, const PlotScene& scene,
+void clearPlotLines(std::vector<Plane>& coverage, const std::vector<Ink>& colours, const PlotScene& scene,
                     const std::vector<Box>& boxes) {
-  for (std::size_t k = 0; k < inks.size(); ++k) {
+  for (std::size_t k = 0; k < colours.size(); ++k) {
     const auto isStronger = [&](const Ink& other) {
-      return areShades(other, inks[k]) && other.strength > inks[k].strength;
+      return areShades(other, colours[k]) && other.strength > colours[k].strength;
     };
-    if (std::ranges::none_of(inks, isStronger)) continue;
+    if (std::ranges::none_of(colours, isStronger)) continue;
     Plane& pale = coverage[k];
-    for (const PixelAt p : dottedLines(InkOnArea(pale, inks[k].strength), scene)) pale.at(p.x, p.y) = 0;
+    for (const PixelAt p : dottedLines(InkOnArea(pale, colours[k].strength), scene)) pale.at(p.x, p.y) = 0;
     for (const Box& box : boxes)
       for (int y = static_cast<int>(box.y0); y <= static_cast<int>(box.y1); ++y)
         for (int x = static_cast<int>(box.x0); x <= static_cast<int>(box.x1); ++x)
@@ -128,17 +128,18 @@ void leadBeside(CurveTrace& paler, const CurveTrace& stronger) {
   }
 }
 
-void partShades(std::vector<Plane>& coverage, const std::vector<Ink>& inks) {
-  for (std::size_t i = 0; i < inks.size(); ++i)
-    for (std::size_t k = 0; k < inks.size(); ++k) {
-      if (i == k || !areShades(inks[i], inks[k]) || inks[k].strength >= inks[i].strength) continue;
-      const float paler = inks[k].strength / inks[i].strength;
+void partShades(std::vector<Plane>& coverage, const std::vector<Ink>& colours) {
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    for (std::size_t k = 0; k < colours.size(); ++k) {
+      if (i == k || !areShades(colours[i], colours[k]) || colours[k].strength >= colours[i].strength)
+        continue;
+      const float paler = colours[k].strength / colours[i].strength;
       cv::Mat strong = matOf(coverage[i]), pale = matOf(coverage[k]);
-      cv::Mat both = strong + paler * pale;
-      const cv::Mat ofStrong = linesReaching(both, 0.5F * (1 + paler));
+      cv::Mat strongAndPale = strong + paler * pale;
+      const cv::Mat ofStrong = linesReaching(strongAndPale, 0.5F * (1 + paler));
       strong.setTo(0), pale.setTo(0);
-      both.copyTo(strong, ofStrong);
-      cv::Mat rest = cv::min(both / paler, static_cast<double>(kMaxShadeCoverage));
+      strongAndPale.copyTo(strong, ofStrong);
+      cv::Mat rest = cv::min(strongAndPale / paler, static_cast<double>(kMaxShadeCoverage));
       rest.copyTo(pale, ~ofStrong);
     }
 }

@@ -15,18 +15,18 @@ namespace detent::importer::trace {
 namespace {
 
 /// Coverage of each trace's colour in a box of the view.
-struct InkSeen {
+struct ColourSeen {
   double inside_px = 0;               ///< full pixels within the middle band
   double outside_px = 0;              ///< above and below it
   bool runsOut = false;               ///< touches the far end of the box
   bool runsOver = false;              ///< touches its upper or lower edge
   int bulgeLeft = 0, bulgeRight = 0;  ///< columns where it lies above and below the band; 0 and 0 without any
   int pixels = 0, left = 0, right = 0, top = 0,
-      foot = 0;  ///< how many, and where they lie; tints count fully
+      bottom = 0;  ///< how many, and where they lie; tints count fully
 
   void add(int x, int y) {
     left = pixels > 0 ? std::min(left, x) : x, right = pixels > 0 ? std::max(right, x) : x;
-    top = pixels > 0 ? std::min(top, y) : y, foot = pixels > 0 ? std::max(foot, y) : y;
+    top = pixels > 0 ? std::min(top, y) : y, bottom = pixels > 0 ? std::max(bottom, y) : y;
     ++pixels;
   }
   void addOutside(int x, double full) {
@@ -43,7 +43,7 @@ struct InkSeen {
   /// Returns true for a square, bar or disc, filled or outlined around another tint.
   bool isSwatch() const {
     constexpr double filled = 0.75, outlined = 0.8;  // of its box; of the box' edges
-    const int width = right - left + 1, height = foot - top + 1;
+    const int width = right - left + 1, height = bottom - top + 1;
     return !runsOver && (pixels >= filled * width * height || pixels >= outlined * 2 * (width + height));
   }
 };
@@ -79,8 +79,8 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
 }
 
 /// Examines a strip beside a word as long as a legend key may be; `direction` -1: left of it, +1: right.
-std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
-                                const Raster& raster, Color3 paper, double heights) {
+std::vector<ColourSeen> examineBeside(const Box& word, int direction, const std::vector<Ink>& colours,
+                                      const Raster& raster, Color3 paper, double heights) {
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
   const double far = near + direction * heights * height;
@@ -88,15 +88,15 @@ std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vecto
   const int x1 = std::min(raster.width_px - 1, static_cast<int>(std::max(near, far)));
   const int y0 = std::max(0, static_cast<int>(middle - kHighest * height));
   const int y1 = std::min(raster.height_px - 1, static_cast<int>(middle + kHighest * height));
-  std::vector<InkSeen> seen(inks.size());
+  std::vector<ColourSeen> seen(colours.size());
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
       const Color3 difference = colorAt(raster, x, y) - paper;
       const float length = norm(difference);
       if (length < 24) continue;
-      for (std::size_t k = 0; k < inks.size(); ++k) {
-        if (dot(difference, inks[k].direction) <= static_cast<float>(kSameInkAngle) * length) continue;
-        const double full = static_cast<double>(length / inks[k].strength);
+      for (std::size_t k = 0; k < colours.size(); ++k) {
+        if (dot(difference, colours[k].direction) <= static_cast<float>(kSameInkAngle) * length) continue;
+        const double full = static_cast<double>(length / colours[k].strength);
         const double off = std::abs(y - middle);
         if (off <= kBand * height)
           seen[k].inside_px += full;
@@ -110,16 +110,16 @@ std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vecto
   return seen;
 }
 
-/// Search distance for a key beside a word, in its heights; direction as in lookBeside.
+/// Search distance for a key beside a word, in its heights; direction as in examineBeside.
 using StripLength = std::function<double(const Box& word, int direction)>;
 
 /// The trace whose key stands beside a word: horizontal, ended, of one colour only.
-std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const PageView& view,
-                                        Color3 paper, const StripLength& lengthOf) {
+std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& colours,
+                                        const PageView& view, Color3 paper, const StripLength& lengthOf) {
   const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // keys normally stand before their names
   for (int direction : {before, -before}) {
-    const std::vector<InkSeen> seen =
-        lookBeside(word, direction, inks, view.raster, paper, lengthOf(word, direction));
+    const std::vector<ColourSeen> seen =
+        examineBeside(word, direction, colours, view.raster, paper, lengthOf(word, direction));
     std::optional<std::size_t> found;
     bool several = false;
     for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -161,29 +161,30 @@ bool isTickLabel(const SeenText& text, const AxesFound& axes) {
 }
 
 /// The texts beside each trace's legend key.
-LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
+LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& colours,
                         const PageView& view, Color3 paper, const StripLength& lengthOf) {
-  LegendTexts beside(inks.size());
+  LegendTexts beside(colours.size());
   for (const SeenText& text : texts) {
     if (std::abs(text.angle_deg) > 20 || text.box.empty()) continue;
-    if (const auto trace = sampledTrace(text.box, inks, view, paper, lengthOf))
+    if (const auto trace = sampledTrace(text.box, colours, view, paper, lengthOf))
       beside[*trace].push_back(text);
   }
   return beside;
 }
 
 /// Adds texts in line with one that has a key, if something behind their key (a box) hid it.
-void addInLine(LegendTexts& beside, const std::vector<SeenText>& texts, const std::vector<Ink>& inks,
+void addInLine(LegendTexts& beside, const std::vector<SeenText>& texts, const std::vector<Ink>& colours,
                const PageView& view, Color3 paper, const StripLength& lengthOf) {
   const LegendTexts seen = beside;
   const auto isAny = [&](const auto& holds) {
-    return std::ranges::any_of(seen, [&](const auto& its) { return std::ranges::any_of(its, holds); });
+    return std::ranges::any_of(seen,
+                               [&](const auto& ownTexts) { return std::ranges::any_of(ownTexts, holds); });
   };
   for (const SeenText& text : texts) {
     if (text.utf8.empty() || text.box.empty()) continue;
     if (isAny([&](const SeenText& other) { return other.box == text.box; })) continue;
     if (!isAny([&](const SeenText& other) { return other.box.inLineWith(text.box); })) continue;
-    if (const auto trace = sampledTrace(text.box, inks, view, paper, lengthOf))
+    if (const auto trace = sampledTrace(text.box, colours, view, paper, lengthOf))
       beside[*trace].push_back(text);
   }
 }
@@ -196,19 +197,20 @@ void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& besid
   std::vector<SeenText> names(traces.size());
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (!isNameless(traces[i])) continue;
-    const std::vector<SeenText> its = inLegend(beside, i);
-    if (its.size() != 1) return;
-    names[i] = its.front();
+    const std::vector<SeenText> ownTexts = inLegend(beside, i);
+    if (ownTexts.size() != 1) return;
+    names[i] = ownTexts.front();
   }
-  std::vector<Box> places;
+  std::vector<Box> positions;
   for (const SeenText& name : names)
-    if (!name.box.empty()) places.push_back(name.box);
+    if (!name.box.empty()) positions.push_back(name.box);
   const bool allRead = std::ranges::none_of(names, [&](const SeenText& name) {
     return isNameless(traces[static_cast<std::size_t>(&name - names.data())]) && name.utf8.empty();
   });
-  const bool inLine = places.size() > 2 && std::ranges::all_of(places, [&](const Box& place) {
-                        return place.inLineWith(&place == &places.front() ? places.back() : places.front());
-                      });
+  const bool inLine =
+      positions.size() > 2 && std::ranges::all_of(positions, [&](const Box& place) {
+        return place.inLineWith(&place == &positions.front() ? positions.back() : positions.front());
+      });
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (!isNameless(traces[i])) continue;
     traces[i].labelBox_px = names[i].box;
@@ -217,12 +219,12 @@ void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& besid
 }
 
 /// The trace in whose colour alone a text is written.
-std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink>& inks, const Raster& raster,
-                                          Color3 paper) {
+std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink>& colours,
+                                          const Raster& raster, Color3 paper) {
   // of a text's pixels; of the colour's strength, at its darkest
   constexpr double nearlyAll = 0.8, full = 0.5;
-  std::vector<double> its(inks.size(), 0);
-  std::vector<float> darkest(inks.size(), 0);
+  std::vector<double> ownSizes(colours.size(), 0);
+  std::vector<float> darkest(colours.size(), 0);
   double all = 0;
   for (int y = std::max(0, static_cast<int>(word.y0));
        y <= std::min<int>(raster.height_px - 1, static_cast<int>(word.y1)); ++y)
@@ -232,13 +234,14 @@ std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink
       const float length = norm(difference);
       if (length < 24) continue;
       all += static_cast<double>(length);
-      for (std::size_t k = 0; k < inks.size(); ++k)
-        if (dot(difference, inks[k].direction) > static_cast<float>(kSameInkAngle) * length)
-          its[k] += static_cast<double>(length), darkest[k] = std::max(darkest[k], length);
+      for (std::size_t k = 0; k < colours.size(); ++k)
+        if (dot(difference, colours[k].direction) > static_cast<float>(kSameInkAngle) * length)
+          ownSizes[k] += static_cast<double>(length), darkest[k] = std::max(darkest[k], length);
     }
   std::optional<std::size_t> found;
-  for (std::size_t k = 0; k < inks.size(); ++k) {
-    if (its[k] < nearlyAll * all || darkest[k] < static_cast<float>(full) * inks[k].strength) continue;
+  for (std::size_t k = 0; k < colours.size(); ++k) {
+    if (ownSizes[k] < nearlyAll * all || darkest[k] < static_cast<float>(full) * colours[k].strength)
+      continue;
     if (found) return {};
     found = k;
   }
@@ -263,21 +266,21 @@ std::vector<SeenText> namesOn(const AxesFound& axes) {
 std::optional<std::vector<SeenText>> oneEach(const LegendTexts& all) {
   std::vector<SeenText> each;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::vector<SeenText> its = inLegend(all, i);
-    if (its.size() != 1) return {};
-    if (std::ranges::find(each, its.front().box, &SeenText::box) != each.end()) return {};
-    each.push_back(its.front());
+    const std::vector<SeenText> ownTexts = inLegend(all, i);
+    if (ownTexts.size() != 1) return {};
+    if (std::ranges::find(each, ownTexts.front().box, &SeenText::box) != each.end()) return {};
+    each.push_back(ownTexts.front());
   }
   return each;
 }
 
 /// Names in line like a legend's, each in its curve's colour.
-std::optional<std::vector<SeenText>> lettersInInks(const std::vector<SeenText>& names,
-                                                   const std::vector<std::optional<std::size_t>>& inkOf,
-                                                   std::size_t traces) {
+std::optional<std::vector<SeenText>> lettersInColours(const std::vector<SeenText>& names,
+                                                      const std::vector<std::optional<std::size_t>>& colourOf,
+                                                      std::size_t traces) {
   LegendTexts all(traces);
   for (std::size_t n = 0; n < names.size(); ++n)
-    if (inkOf[n]) all[*inkOf[n]].push_back(names[n]);
+    if (colourOf[n]) all[*colourOf[n]].push_back(names[n]);
   auto each = oneEach(all);
   const auto isInLine = [&](const SeenText& text) {
     return std::ranges::any_of(
@@ -290,13 +293,13 @@ std::optional<std::vector<SeenText>> lettersInInks(const std::vector<SeenText>& 
 
 /// Of two curves one has the word for the press in its colour and the other that for the release, wherever
 /// these stand.
-std::optional<std::vector<SeenText>> strokesInInks(const std::vector<SeenText>& names,
-                                                   const std::vector<std::optional<std::size_t>>& inkOf,
-                                                   std::size_t traces) {
+std::optional<std::vector<SeenText>> strokesInColours(const std::vector<SeenText>& names,
+                                                      const std::vector<std::optional<std::size_t>>& colourOf,
+                                                      std::size_t traces) {
   if (traces != 2) return {};
   LegendTexts all(traces);
   for (std::size_t n = 0; n < names.size(); ++n)
-    if (inkOf[n] && strokeOfWord(folded(names[n].utf8))) all[*inkOf[n]].push_back(names[n]);
+    if (colourOf[n] && strokeOfWord(folded(names[n].utf8))) all[*colourOf[n]].push_back(names[n]);
   auto each = oneEach(all);
   if (!each) return {};
   const auto strokeOf = [&](std::size_t i) { return strokeOfWord(folded((*each)[i].utf8)); };
@@ -305,10 +308,10 @@ std::optional<std::vector<SeenText>> strokesInInks(const std::vector<SeenText>& 
 
 /// Names at the right ends of curves, in the curve's colour or in no curve's.
 std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& names,
-                                                 const std::vector<std::optional<std::size_t>>& inkOf,
+                                                 const std::vector<std::optional<std::size_t>>& colourOf,
                                                  const std::vector<CurveTrace>& traces) {
-  constexpr double beside = 3, over = 0.5,
-                   level = 0.9;  // of the word's height: from the end, onto it, above or below
+  // In heights of the word: gap behind the curve's end, overlap with the end, distance above or below.
+  constexpr double beside = 3, over = 0.5, level = 0.9;
   LegendTexts all(traces.size());
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (traces[i].points_px.empty()) return {};
@@ -316,8 +319,8 @@ std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& na
     for (std::size_t n = 0; n < names.size(); ++n) {
       const Box& word = names[n].box;
       const double height = word.height();
-      if (inkOf[n].value_or(i) == i && word.x0 > end.x - over * height && word.x0 < end.x + beside * height &&
-          std::abs(word.middle().y - end.y) < level * height)
+      if (colourOf[n].value_or(i) == i && word.x0 > end.x - over * height &&
+          word.x0 < end.x + beside * height && std::abs(word.middle().y - end.y) < level * height)
         all[i].push_back(names[n]);
     }
   }
@@ -326,24 +329,25 @@ std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& na
 
 /// Names traces without keys by letters in the curves' colours, or by names at the curves' ends; all of them
 /// or none.
-void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes, const std::vector<Ink>& inks,
-                         const PageView& view, Color3 paper) {
+void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
+                         const std::vector<Ink>& colours, const PageView& view, Color3 paper) {
   const auto hasNone = [](const CurveTrace& trace) {
     return trace.label.empty() && trace.labelBox_px.empty();
   };
   if (traces.size() < 2 || !std::ranges::all_of(traces, hasNone)) return;
   const std::vector<SeenText> names = namesOn(axes);
-  std::vector<std::optional<std::size_t>> inkOf;
-  for (const SeenText& name : names) inkOf.push_back(traceOfLetters(name.box, inks, view.raster, paper));
-  auto each = lettersInInks(names, inkOf, traces.size());
-  if (!each) each = strokesInInks(names, inkOf, traces.size());
-  if (!each) each = namesAtEnds(names, inkOf, traces);
+  std::vector<std::optional<std::size_t>> colourOf;
+  for (const SeenText& name : names)
+    colourOf.push_back(traceOfLetters(name.box, colours, view.raster, paper));
+  auto each = lettersInColours(names, colourOf, traces.size());
+  if (!each) each = strokesInColours(names, colourOf, traces.size());
+  if (!each) each = namesAtEnds(names, colourOf, traces);
   for (std::size_t i = 0; each && i < traces.size(); ++i)
     traces[i].label = (*each)[i].utf8, traces[i].labelBox_px = (*each)[i].box;
 }
 
 /// Share of a key's columns with its colour, from the first to the last; 0 without a key beside the word.
-double drawnShareBeside(const Box& word, const Ink& ink, const Raster& raster, Color3 paper) {
+double drawnShareBeside(const Box& word, const Ink& colour, const Raster& raster, Color3 paper) {
   constexpr double least = 0.8;    // of the word's height, in dark pixels
   constexpr float strong = 0.35F;  // of the colour
   double share = 0;
@@ -359,8 +363,8 @@ double drawnShareBeside(const Box& word, const Ink& ink, const Raster& raster, C
         if (x < 0 || y < 0 || x >= raster.width_px || y >= raster.height_px) continue;
         const Color3 difference = colorAt(raster, x, y) - paper;
         const float length = norm(difference);
-        inked = inked || (length > strong * ink.strength &&
-                          dot(difference, ink.direction) > static_cast<float>(kSameInkAngle) * length);
+        inked = inked || (length > strong * colour.strength &&
+                          dot(difference, colour.direction) > static_cast<float>(kSameInkAngle) * length);
       }
       if (!inked) continue;
       if (first < 0) first = by;
@@ -372,7 +376,7 @@ double drawnShareBeside(const Box& word, const Ink& ink, const Raster& raster, C
 }
 
 /// Share of a stroke's points away from the other one where its colour is present.
-double drawnShareOf(const CurveTrace& trace, const CurveTrace& other, const Ink& ink, const Raster& raster,
+double drawnShareOf(const CurveTrace& trace, const CurveTrace& other, const Ink& colour, const Raster& raster,
                     Color3 paper) {
   constexpr double apart_px = 3;
   constexpr float strong = 0.35F;  // of the colour
@@ -382,7 +386,7 @@ double drawnShareOf(const CurveTrace& trace, const CurveTrace& other, const Ink&
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
     if (x < 0 || y < 0 || x >= raster.width_px || y >= raster.height_px) continue;
     ++all;
-    inked += dot(colorAt(raster, x, y) - paper, ink.direction) > strong * ink.strength ? 1 : 0;
+    inked += dot(colorAt(raster, x, y) - paper, colour.direction) > strong * colour.strength ? 1 : 0;
   }
   return inked / static_cast<double>(std::max(1, all));
 }
@@ -393,7 +397,7 @@ void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, 
                   const PlotScene& scene) {
   constexpr double through = 0.95, dashed = 0.88;  // shares that are drawn
   const Color3 paper = scene.paper();
-  const Ink ink = inkOfColor(first.color, paper);
+  const Ink colour = inkOfColor(first.color, paper);
   std::vector<SeenText> names;
   for (const SeenText& text : axes.texts)
     if (!text.utf8.empty() && !text.box.empty() && first.label.find(text.utf8) != std::string::npos &&
@@ -404,11 +408,11 @@ void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, 
     return first.label == one.utf8 + std::string(kLabelParting) + other.utf8;
   };
   if (names.size() != 2 || !(isBoth(names[0], names[1]) || isBoth(names[1], names[0]))) return;
-  const double a = drawnShareBeside(names[0].box, ink, view.raster, paper),
-               b = drawnShareBeside(names[1].box, ink, view.raster, paper);
+  const double a = drawnShareBeside(names[0].box, colour, view.raster, paper),
+               b = drawnShareBeside(names[1].box, colour, view.raster, paper);
   if (std::max(a, b) < through || std::min(a, b) > dashed || std::min(a, b) <= 0) return;
-  const double ofFirst = drawnShareOf(first, second, ink, view.raster, paper),
-               ofSecond = drawnShareOf(second, first, ink, view.raster, paper);
+  const double ofFirst = drawnShareOf(first, second, colour, view.raster, paper),
+               ofSecond = drawnShareOf(second, first, colour, view.raster, paper);
   if (std::max(ofFirst, ofSecond) < through || std::min(ofFirst, ofSecond) > dashed) return;
   const bool inOrder = (a > b) == (ofFirst > ofSecond);
   first.label = names[inOrder ? 0 : 1].utf8, first.labelBox_px = names[inOrder ? 0 : 1].box;
@@ -418,17 +422,17 @@ void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, 
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
                  const PlotScene& scene) {
   const Color3 paper = scene.paper();
-  std::vector<Ink> inks;
-  for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, paper));
+  std::vector<Ink> colours;
+  for (const CurveTrace& trace : traces) colours.push_back(inkOfColor(trace.color, paper));
   std::vector<SeenText> texts = axes.texts;
   std::erase_if(texts, [&](const SeenText& text) { return isTickLabel(text, axes); });
-  LegendTexts beside = textsBeside(texts, inks, view, paper, [](const Box&, int) { return kLength; });
-  for (std::vector<SeenText>& its : beside)
-    std::erase_if(its, [](const SeenText& text) { return text.utf8.empty(); });
+  LegendTexts beside = textsBeside(texts, colours, view, paper, [](const Box&, int) { return kLength; });
+  for (std::vector<SeenText>& ownTexts : beside)
+    std::erase_if(ownTexts, [](const SeenText& text) { return text.utf8.empty(); });
   const auto firstBeside = [&](const Box& word, int direction) {
     return lengthOfFirstBeside(word, direction, view.raster, paper);
   };
-  addInLine(beside, texts, inks, view, paper, firstBeside);
+  addInLine(beside, texts, colours, view, paper, firstBeside);
   for (std::size_t i = 0; i < traces.size(); ++i) {
     CurveTrace& named = traces[i];
     for (const SeenText& text : inLegend(beside, i)) {
@@ -444,8 +448,8 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const P
              trace.label.find(text.utf8) == std::string::npos;
     });
   });
-  labelByOtherLines(traces, textsBeside(lines, inks, view, paper, firstBeside));
-  labelWithoutSamples(traces, axes, inks, view, paper);
+  labelByOtherLines(traces, textsBeside(lines, colours, view, paper, firstBeside));
+  labelWithoutSamples(traces, axes, colours, view, paper);
 }
 
 }  // namespace detent::importer::trace

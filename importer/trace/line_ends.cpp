@@ -21,8 +21,8 @@ Point directionAtEnd(const std::vector<Point>& points, double over_px) {
 }
 
 /// Distance beyond the last point (negative: before it) at which the coverage ends, along the line.
-double inkBeyondEnd(const std::vector<Point>& points, Point direction, const LineProfile& profile,
-                    const CurveField& field) {
+double coverageBeyondEnd(const std::vector<Point>& points, Point direction, const LineProfile& profile,
+                         const CurveField& field) {
   const double reach = profile.width_px + 4;
   const double level = std::min(1.0, profile.width_px / profile.blur_px);
   const Point normal{-direction.y, direction.x};
@@ -70,7 +70,7 @@ void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) 
   const LineProfile& profile = line.profile;
   if (line.points.size() < 3) return;
   const Point direction = directionAtEnd(line.points, 3 + profile.width_px);
-  const double beyond = inkBeyondEnd(line.points, direction, profile, field);
+  const double beyond = coverageBeyondEnd(line.points, direction, profile, field);
   const double toEdge = distanceToEdge(line.points.back(), direction, frame);
   if (beyond >= toEdge - profile.width_px - 1) {  // drawn into the frame's edge: it continues beyond the plot
     if (toEdge > 0 && toEdge < 3 * profile.width_px + 6) {

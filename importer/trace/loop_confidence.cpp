@@ -23,7 +23,7 @@ double confidenceRamp(double value, double bad, double good) {
   return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
 }
 
-double shareOnInk(const std::vector<Point>& path, const Structure& s, float gap_px) {
+double shareOnCurve(const std::vector<Point>& path, const Structure& s, float gap_px) {
   int on = 0;
   for (const Point& p : path) {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
@@ -119,16 +119,17 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
                    const WorkPlane& plane) {
   LoopEvidence e;
   const float gap_px = pair.dashed ? 6.0F : 0.5F;  // half a gap between dashes
-  const bool both = !pair.release.empty();
+  const bool hasRelease = !pair.release.empty();
   const auto worse = [&](auto&& of) {
-    return both ? std::min(of(pair.press), of(pair.release)) : of(pair.press);
+    return hasRelease ? std::min(of(pair.press), of(pair.release)) : of(pair.press);
   };
-  e.onInk = worse([&](const std::vector<Point>& p) { return shareOnInk(p, structure, gap_px); }) -
+  e.onInk = worse([&](const std::vector<Point>& p) { return shareOnCurve(p, structure, gap_px); }) -
             0.5 * (1 - worse([&](const std::vector<Point>& p) {
                      return 1 - std::max(0.0, shareAlongLines(p, structure) - 0.15);
                    }));
   e.explained = shareExplained(pair, structure, plane);
-  e.fit = both ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);
+  e.fit =
+      hasRelease ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);
   e.steadiness = worse([&](const std::vector<Point>& p) { return 1 - confidenceRamp(turning(p), 18, 45); });
   const auto reachOf = [&](const std::vector<Point>& p) {
     return confidenceRamp((p.back().x - p.front().x) / plane.frame.width(), 0.15, 0.55);
@@ -136,9 +137,10 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
   e.reach = pair.locked ? reachOf(pair.press) : worse(reachOf);
   const double side_px = std::min(plane.frame.width(), plane.frame.height()) * plane.scale;
   const double width_px =
-      both ? std::max(refined.press.width_px, refined.release.width_px) : refined.press.width_px;
+      hasRelease ? std::max(refined.press.width_px, refined.release.width_px) : refined.press.width_px;
   e.thinness = 1 - confidenceRamp(width_px / side_px, 0.025, 0.035);
-  e.together = both && !pair.locked ? confidenceRamp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
+  e.together =
+      hasRelease && !pair.locked ? confidenceRamp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
   return e;
 }
 

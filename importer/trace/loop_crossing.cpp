@@ -122,11 +122,11 @@ std::optional<Meeting> meetingAt(const CrossingContact& c, const std::vector<Poi
 }
 
 /// Length of the arms at a meeting and the smallest bend: corners near by spoil long arms, noise short ones.
-struct Look {
+struct SearchPass {
   double arm;  // of the frame's diagonal
   double leastTurn_deg;
 };
-constexpr std::array<Look, 2> kLooks{{{0.035, 8}, {0.02, 15}}};
+constexpr std::array<SearchPass, 2> kPasses{{{0.035, 8}, {0.02, 15}}};
 
 }  // namespace
 
@@ -140,9 +140,9 @@ bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower
   const std::vector<CrossingContact> contacts =
       crossingContacts(upper, lower, bandWidths * width_px + bandBeyond_px);
   return std::ranges::any_of(contacts, [&](const CrossingContact& contact) {
-    return std::ranges::any_of(kLooks, [&](const Look& look) {
-      const auto m = meetingAt(contact, upper, lower, look.arm * size_px);
-      return m && m->turn_deg >= look.leastTurn_deg && m->through_deg <= straightThrough * m->turn_deg &&
+    return std::ranges::any_of(kPasses, [&](const SearchPass& pass) {
+      const auto m = meetingAt(contact, upper, lower, pass.arm * size_px);
+      return m && m->turn_deg >= pass.leastTurn_deg && m->through_deg <= straightThrough * m->turn_deg &&
              m->shift_px <= mostShift_px + mostShift * width_px && m->contact_px >= leastContact * width_px &&
              m->apart_px >= leastApart * width_px;
     });

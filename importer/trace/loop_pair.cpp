@@ -55,7 +55,7 @@ double strongPixels(const Plane& reward) {
 }
 
 /// Length of curve pixels on `path` that `other` does not cover.
-double ownInk(const std::vector<Point>& path, const Plane& left) {
+double ownCoverage(const std::vector<Point>& path, const Plane& left) {
   double own = 0;
   for (const Point& p : path) {
     const float r = left.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
@@ -70,7 +70,7 @@ struct Stretch {
 };
 
 /// Share of curve pixels or explained pixels on the straight line between two points.
-double inkBetween(const Plane& reward, Point a, Point b) {
+double coverageBetween(const Plane& reward, Point a, Point b) {
   const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b))));
   int inked = 0;
   for (int i = 0; i <= n && i - inked <= 3; ++i) {
@@ -104,7 +104,7 @@ std::optional<Stretch> findDetour(const std::vector<Point>& path, const Plane& r
       const double chord = distance(path[j], path[i]);
       if (chord > widest || length < 4 * chord) continue;
       if (length < shortest && (chord > widestHead || chord <= strokeWidth + 1.5)) continue;
-      if (chord > strokeWidth + 1.5 && inkBetween(reward, path[i], path[j]) < 0.9) continue;
+      if (chord > strokeWidth + 1.5 && coverageBetween(reward, path[i], path[j]) < 0.9) continue;
       longest = Stretch{i, j, length};
     }
   }
@@ -314,16 +314,16 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
 constexpr double kMuch = 0.2;  // of the frame's width: remaining pixels that may be a curve or a bottom-out
 /// Of the frame's height below the strokes' tops: bottom-outs of other switches have at least 0.23, leaders
 /// at most 0.15.
-constexpr double kWallBelow = 0.2;
+constexpr double kBottomOutBelow = 0.2;
 // of the frame's height: the last part of a bottom-out, and how much lower than the strokes it may end
-constexpr double kWallTop = 0.1;
-constexpr double kWallRise = 1.8;  // times its width over that part; leaders lean more, 1.5
-constexpr double kLeap = 0.05;     // of the frame's height; holes of words are narrower
+constexpr double kBottomOutTop = 0.1;
+constexpr double kBottomOutRise = 1.8;  // times its width over that part; leaders lean more, 1.5
+constexpr double kJump = 0.05;          // of the frame's height; holes of words are narrower
 // of the width: a lock from the start; remaining pixels beside both
 constexpr double kLocked = 0.15, kLeftBeside = 0.1;
-constexpr double kAtFoot = 0.06;    // of the height: equally low, meeting
-constexpr float kOffInk_px = 1.5F;  // from the nearest curve pixel
-constexpr double kPiece = 0.04;     // of the width: a piece of a curve between two crossings; less is text
+constexpr double kEquallyLow = 0.06;  // of the height: equally low, meeting
+constexpr float kOffCurve_px = 1.5F;  // from the nearest curve pixel
+constexpr double kPiece = 0.04;       // of the width: a piece of a curve between two crossings; less is text
 
 /// A joint search for both strokes at one price of gaps.
 class PairSearch {
@@ -362,11 +362,11 @@ class PairSearch {
   }
 
   /// Length of pixels explained by both strokes.
-  double explained_px() const { return ownInk(a_, reward_) + ownOfSecond(); }
+  double explained_px() const { return ownCoverage(a_, reward_) + ownOfSecond(); }
 
   /// Length of curve-like pixels beside both, as if they were one line.
   double leftOver_px() const {
-    return strongPixels(rewardBeside(reward_, both(), stroke_ + 1)) / std::max(1.0, stroke_);
+    return strongPixels(rewardBeside(reward_, bothStrokes(), stroke_ + 1)) / std::max(1.0, stroke_);
   }
 
   /// Unbroken pieces of the best path through the remaining pixels, except crossings and gaps of dashes. It
@@ -375,9 +375,9 @@ class PairSearch {
     if (leftOver_px() < kMuch * plane_.frame.width()) return {};
     const int lastColumn = reward_.width - 1;
     const double beside = stroke_ + 1, hole_px = 2 * stroke_ + 2;
-    const std::vector<Point> way = directPath(search_, reward_, both(), beside,
+    const std::vector<Point> way = directPath(search_, reward_, bothStrokes(), beside,
                                               {0, lastColumn, 0, lastColumn}, stroke_, 0, plane_.frame);
-    const Plane own = rewardBeside(reward_, both(), beside);
+    const Plane own = rewardBeside(reward_, bothStrokes(), beside);
     std::vector<std::vector<Point>> pieces(1);
     double since = 0;
     for (const Point& p : way) {
@@ -397,39 +397,39 @@ class PairSearch {
 
   /// Returns true if such a piece climbs steeply to about the tops of both strokes from far below; a piece
   /// that begins at their tops continues them.
-  bool isWall(const std::vector<Point>& piece) const {
-    const std::vector<Point> strokes = both();
+  bool isBottomOut(const std::vector<Point>& piece) const {
+    const std::vector<Point> strokes = bothStrokes();
     const double top = std::ranges::min_element(strokes, {}, &Point::y)->y, height = plane_.frame.height();
-    const auto [highest, foot] = std::ranges::minmax(piece, {}, &Point::y);
-    if (foot.y - top < kWallBelow * height || highest.y > top + kWallTop * height) return false;
-    const double lastFrom = highest.y + kWallTop * height;
+    const auto [highest, lowest] = std::ranges::minmax(piece, {}, &Point::y);
+    if (lowest.y - top < kBottomOutBelow * height || highest.y > top + kBottomOutTop * height) return false;
+    const double lastFrom = highest.y + kBottomOutTop * height;
     const auto isLast = [&](Point p) { return p.y <= lastFrom; };
     const auto from = std::ranges::find_if(piece, isLast), to = std::ranges::find(piece, highest);
-    return from <= to && from->y - highest.y >= kWallRise * (highest.x - from->x);
+    return from <= to && from->y - highest.y >= kBottomOutRise * (highest.x - from->x);
   }
 
   /// Returns true if a stroke crosses paper where the line it came on continues unexplained: it changed to
   /// another line.
   bool changesLine() const {
-    const Plane left = rewardBeside(reward_, both(), stroke_ + 1);
-    const double leap_px = kLeap * plane_.frame.height(), around_px = 2 * kPiece * plane_.frame.width();
+    const Plane left = rewardBeside(reward_, bothStrokes(), stroke_ + 1);
+    const double jump_px = kJump * plane_.frame.height(), around_px = 2 * kPiece * plane_.frame.width();
     const double least_px2 = kPiece * plane_.frame.width() * stroke_;
     const auto goesOn = [&](Point from) {
-      int ink_px2 = 0;
-      forDisc(left, from, around_px, [&](int x, int y) { ink_px2 += left.at(x, y) > 0.5F ? 1 : 0; });
-      return ink_px2 >= least_px2;
+      int covered_px2 = 0;
+      forDisc(left, from, around_px, [&](int x, int y) { covered_px2 += left.at(x, y) > 0.5F ? 1 : 0; });
+      return covered_px2 >= least_px2;
     };
-    const auto leaps = [&](const std::vector<Point>& stroke) {
+    const auto jumps = [&](const std::vector<Point>& stroke) {
       double run_px = 0;
       Point from{};
       for (std::size_t i = 1; i < stroke.size(); ++i) {
         if (run_px == 0) from = stroke[i - 1];
         run_px = onPaper(stroke[i]) ? run_px + distance(stroke[i], stroke[i - 1]) : 0;
-        if (run_px >= leap_px && goesOn(from)) return true;
+        if (run_px >= jump_px && goesOn(from)) return true;
       }
       return false;
     };
-    return leaps(a_) || leaps(b_);
+    return jumps(a_) || jumps(b_);
   }
 
   /// Returns true if the second stroke's own stretch is broken often and evenly, unlike a path over leaders
@@ -470,7 +470,7 @@ class PairSearch {
     if (!locked_) startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
     for (const std::vector<Point>& piece : furtherPieces()) {
       pair.further_px += piece.back().x - piece.front().x;
-      pair.wallLeftOver = pair.wallLeftOver || isWall(piece);
+      pair.wallLeftOver = pair.wallLeftOver || isBottomOut(piece);
     }
     pair.leftItsLine = changesLine();
     return pair;
@@ -482,11 +482,11 @@ class PairSearch {
   /// Returns true off all marks, including the plot's straight lines.
   bool onPaper(Point p) const {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
-    return structure_.gapDistance.inside(x, y) && structure_.gapDistance.at(x, y) > kOffInk_px &&
+    return structure_.gapDistance.inside(x, y) && structure_.gapDistance.at(x, y) > kOffCurve_px &&
            structure_.explained.at(x, y) <= 0.3F * structure_.curveLevel;
   }
 
-  std::vector<Point> both() const {
+  std::vector<Point> bothStrokes() const {
     std::vector<Point> points = a_;
     points.insert(points.end(), b_.begin(), b_.end());
     return points;
@@ -498,7 +498,7 @@ class PairSearch {
 
   /// The rim of a stroke already taken is no second stroke.
   double ownOfSecond() const {
-    return b_.size() > 1 ? ownInk(b_, rewardBeside(reward_, a_, stroke_ + 1)) : 0;
+    return b_.size() > 1 ? ownCoverage(b_, rewardBeside(reward_, a_, stroke_ + 1)) : 0;
   }
 
   /// Returns true if the second stroke returns to the first one near zero force, farther in, and both leave
@@ -507,16 +507,17 @@ class PairSearch {
     if (b_.size() < 2) return false;
     const double width = plane_.frame.width(), height = plane_.frame.height();
     return b_.front().x - a_.front().x > kLocked * width &&
-           std::abs(b_.front().y - a_.front().y) < kAtFoot * height &&
-           distance(a_.back(), b_.back()) < kAtFoot * height && leftOver_px() < kLeftBeside * width;
+           std::abs(b_.front().y - a_.front().y) < kEquallyLow * height &&
+           distance(a_.back(), b_.back()) < kEquallyLow * height && leftOver_px() < kLeftBeside * width;
   }
 
   /// A long path that both leave out: the part of the loop that a leader or a latch branch cut off.
   std::vector<Point> pieceLeftOut(const PathLimits& anywhere) {
     const double enough = 0.15 * plane_.frame.width();
     if (leftOver_px() < enough) return {};
-    std::vector<Point> piece = follow(both(), anywhere);
-    if (piece.size() > 1 && ownInk(piece, rewardBeside(reward_, both(), stroke_ + 1)) >= enough) return piece;
+    std::vector<Point> piece = follow(bothStrokes(), anywhere);
+    if (piece.size() > 1 && ownCoverage(piece, rewardBeside(reward_, bothStrokes(), stroke_ + 1)) >= enough)
+      return piece;
     return {};
   }
 
@@ -528,7 +529,7 @@ class PairSearch {
       first = std::min(first, p.front().x);
       last = std::max(last, p.back().x);
     };
-    if (b_.size() > 1 && ownInk(b_, rewardBeside(reward_, a_, radius())) > 0.06 * plane_.frame.width())
+    if (b_.size() > 1 && ownCoverage(b_, rewardBeside(reward_, a_, radius())) > 0.06 * plane_.frame.width())
       reach(b_);
     if (third.size() > 1) reach(third);
     return {0, static_cast<int>(first + tolerance), static_cast<int>(last - tolerance), reward_.width - 1};

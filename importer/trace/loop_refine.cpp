@@ -47,8 +47,9 @@ struct Profile {
 
 class Profiler {
  public:
-  Profiler(const Plane& ink, const WorkPlane& plane, const std::vector<StraightLine>& lines, double level)
-      : ink_(ink), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
+  Profiler(const Plane& coverage, const WorkPlane& plane, const std::vector<StraightLine>& lines,
+           double level)
+      : ink_(coverage), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
 
   Profile across(Point p, Point normal, double from, double to, double step) const {
     Profile out;
@@ -238,15 +239,15 @@ void refineOnce(Working& self, const Working& other, double side, const Profiler
 }
 
 /// Darkness on the ridge and width of a stroke where nothing else is near.
-struct StrokeLook {
+struct StrokeProfile {
   double level = 1;
   double width_px = 1;
 };
 
 /// Measured on the original coverage (a profiler of level 1); `guess` if too little of the stroke stands
 /// alone.
-StrokeLook measureLook(const Working& stroke, const Profiler& plain, const StrokeLook& guess) {
-  std::vector<double> inks, peaks;
+StrokeProfile measureStrokeProfile(const Working& stroke, const Profiler& plain, const StrokeProfile& guess) {
+  std::vector<double> coverages, peaks;
   const double reach = 1.5 * guess.width_px + 2.5;
   for (std::size_t i = 0; i < stroke.points.size(); i += 3) {
     const Profile p = plain.across(stroke.points[i], stroke.normals[i], -reach, reach, 0.25);
@@ -258,15 +259,16 @@ StrokeLook measureLook(const Working& stroke, const Profiler& plain, const Strok
       peak = std::max(peak, p.ink[k]);
     }
     if (!clear || peak < 0.05 || std::max(p.ink.front(), p.ink.back()) > 0.15 * peak) continue;
-    inks.push_back(sum);
+    coverages.push_back(sum);
     peaks.push_back(peak);
   }
-  if (inks.size() < 10) return guess;
-  StrokeLook look;
-  look.level = std::clamp(quantileOf(peaks, 0.5), 0.05, 1.0);
+  if (coverages.size() < 10) return guess;
+  StrokeProfile strokeProfile;
+  strokeProfile.level = std::clamp(quantileOf(peaks, 0.5), 0.05, 1.0);
   // Blends of two lines are wider, never narrower: the single line is below the median.
-  look.width_px = std::clamp(quantileOf(inks, 0.4) / look.level, 0.9, 2.5 * guess.width_px + 1);
-  return look;
+  strokeProfile.width_px =
+      std::clamp(quantileOf(coverages, 0.4) / strokeProfile.level, 0.9, 2.5 * guess.width_px + 1);
+  return strokeProfile;
 }
 
 Working start(const std::vector<Point>& planePoints, const WorkPlane& plane) {
@@ -286,12 +288,12 @@ void renew(Working& w) {
 
 }  // namespace
 
-RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& ink,
+RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& coverage,
                        const std::vector<StraightLine>& lines, const Structure& structure) {
-  const Profiler plain(ink, plane, lines, 1);
+  const Profiler plain(coverage, plane, lines, 1);
   Working press = start(pair.press, plane), release;
   if (!pair.release.empty()) release = start(pair.release, plane);
-  StrokeLook look{structure.curveLevel, structure.strokeWidth_px * plane.scale};
+  StrokeProfile strokeProfile{structure.curveLevel, structure.strokeWidth_px * plane.scale};
   const std::array<Pass, 2> passes{
       Pass{1.2 * plane.scale + 1, std::max(0.6, plane.scale / 3), 4 * plane.scale}, Pass{1.5, 0.5, 3}};
   for (std::size_t k = 0; k < passes.size(); ++k) {
@@ -299,13 +301,15 @@ RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plan
       renew(press);
       if (!release.points.empty()) renew(release);
     }
-    look = measureLook(press, plain, look);
-    const Profiler profiler(ink, plane, lines, look.level);
+    strokeProfile = measureStrokeProfile(press, plain, strokeProfile);
+    const Profiler profiler(coverage, plane, lines, strokeProfile.level);
     const Working pressBefore = press;
-    refineOnce(press, release, 1, profiler, look.width_px, passes[k]);
-    if (!release.points.empty()) refineOnce(release, pressBefore, -1, profiler, look.width_px, passes[k]);
+    refineOnce(press, release, 1, profiler, strokeProfile.width_px, passes[k]);
+    if (!release.points.empty())
+      refineOnce(release, pressBefore, -1, profiler, strokeProfile.width_px, passes[k]);
   }
-  return {{press.points, look.width_px, press.trust}, {release.points, look.width_px, release.trust}};
+  return {{press.points, strokeProfile.width_px, press.trust},
+          {release.points, strokeProfile.width_px, release.trust}};
 }
 
 }  // namespace detent::importer::trace

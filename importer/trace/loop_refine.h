@@ -23,7 +23,7 @@ struct RefinedPair {
 };
 
 /// Refines on the area's coverage from which the plane was shrunk.
-RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& ink,
+RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& coverage,
                        const std::vector<StraightLine>& lines, const Structure& structure);
 
 }  // namespace detent::importer::trace

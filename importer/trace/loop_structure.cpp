@@ -254,9 +254,9 @@ struct Components {
   int count = 0;
 };
 
-Components componentsOf(Plane& ink, float above) {
+Components componentsOf(Plane& coverage, float above) {
   Components c;
-  const cv::Mat binary = matOf(ink) > above;
+  const cv::Mat binary = matOf(coverage) > above;
   cv::Mat centroids;
   c.count = cv::connectedComponentsWithStats(binary, c.labels, c.stats, centroids, 8, CV_32S);
   return c;
@@ -291,30 +291,30 @@ float curveLevelOf(Plane& left, const WorkPlane& plane) {
 }
 
 /// Line width: the median over pixels of the shorter run through them, summing coverage.
-double strokeWidthOf(const Plane& ink) {
-  Plane across(ink.width, ink.height, 0), down(ink.width, ink.height, 0);
-  constexpr float kInk = 0.3F;  // coverage
-  for (int y = 0; y < ink.height; ++y) {
-    for (int x = 0; x < ink.width;) {
+double strokeWidthOf(const Plane& coverage) {
+  Plane across(coverage.width, coverage.height, 0), down(coverage.width, coverage.height, 0);
+  constexpr float kCovered = 0.3F;  // coverage
+  for (int y = 0; y < coverage.height; ++y) {
+    for (int x = 0; x < coverage.width;) {
       int end = x;
       float sum = 0;
-      while (end < ink.width && ink.at(end, y) > kInk) sum += ink.at(end++, y);
+      while (end < coverage.width && coverage.at(end, y) > kCovered) sum += coverage.at(end++, y);
       for (int i = x; i < end; ++i) across.at(i, y) = sum;
       x = end + 1;
     }
   }
-  for (int x = 0; x < ink.width; ++x) {
-    for (int y = 0; y < ink.height;) {
+  for (int x = 0; x < coverage.width; ++x) {
+    for (int y = 0; y < coverage.height;) {
       int end = y;
       float sum = 0;
-      while (end < ink.height && ink.at(x, end) > kInk) sum += ink.at(x, end++);
+      while (end < coverage.height && coverage.at(x, end) > kCovered) sum += coverage.at(x, end++);
       for (int i = y; i < end; ++i) down.at(x, i) = sum;
       y = end + 1;
     }
   }
   std::vector<float> widths;
-  for (std::size_t i = 0; i < ink.values.size(); ++i) {
-    if (ink.values[i] > 0.5F) widths.push_back(std::min(across.values[i], down.values[i]));
+  for (std::size_t i = 0; i < coverage.values.size(); ++i) {
+    if (coverage.values[i] > 0.5F) widths.push_back(std::min(across.values[i], down.values[i]));
   }
   return widths.empty() ? 1.0 : std::max(1.0, double(quantileOf(widths, 0.5)));
 }
@@ -416,13 +416,13 @@ std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob
 
 /// Weakens marker lines from an axis to the curve: exactly straight, isolated, starting at the frame's left
 /// or lower edge. They can still be followed (a curve may begin flat), but lose against a curve beside them.
-void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
+void weakenGuides(Plane& curveCoverage, const Box& frame, double strokeWidth) {
   constexpr float kWeak = 0.62F;  // of the curves' coverage; a curve beside a marker line is worth more
   const int clear = static_cast<int>(std::ceil(strokeWidth / 2)) + 2;
   const auto along = [&](bool row, int lane, int start, int end, int step, int shortest) {
     const auto at = [&](int l, int i) {
       const int x = row ? i : l, y = row ? l : i;
-      return curveInk.inside(x, y) ? curveInk.at(x, y) : 0.0F;
+      return curveCoverage.inside(x, y) ? curveCoverage.at(x, y) : 0.0F;
     };
     int inked = 0, alone = 0, gap = 0, last = start;
     for (int i = start; i != end && gap <= 12; i += step) {
@@ -443,7 +443,8 @@ void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
     for (int i = start; i != last; i += step) {
       for (int l = lane - clear + 1; l < lane + clear; ++l) {
         const int x = row ? i : l, y = row ? l : i;
-        if (curveInk.inside(x, y)) curveInk.at(x, y) = std::min(curveInk.at(x, y), kWeak * 0.65F);
+        if (curveCoverage.inside(x, y))
+          curveCoverage.at(x, y) = std::min(curveCoverage.at(x, y), kWeak * 0.65F);
       }
     }
   };
@@ -456,17 +457,17 @@ void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
 }
 
 /// Returns true for an isolated arrow: a straight shaft as thin as a line, and a head that widens at one end.
-bool isArrow(const std::vector<Point>& ink, double strokeWidth, const Box& frame) {
+bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& frame) {
   constexpr double shortest = 4, longest = 0.2;  // stroke widths; of the frame's width
   constexpr double headShare = 0.35;             // of its length, at most
   constexpr double headTimes = 1.8;              // of the shaft's thickness, at least
-  const Scatter scatter(ink);
+  const Scatter scatter(pixels);
   const Point along = scatter.along(), middle = scatter.middle();
-  const auto [first, last] = std::ranges::minmax(ink, {}, [&](Point p) { return dot(p - middle, along); });
+  const auto [first, last] = std::ranges::minmax(pixels, {}, [&](Point p) { return dot(p - middle, along); });
   const double from = dot(first - middle, along), length = dot(last - middle, along) - from;
   if (length < shortest * strokeWidth || length > longest * frame.width()) return false;
   std::vector<double> across(static_cast<std::size_t>(length) + 1, 0);  // by pixels of its length
-  for (const Point& p : ink) {
+  for (const Point& p : pixels) {
     double& most = across[static_cast<std::size_t>(std::max(0.0, dot(p - middle, along) - from))];
     most = std::max(most, 2 * std::abs(cross(along, p - middle)) + 1);
   }
@@ -483,27 +484,27 @@ bool isArrow(const std::vector<Point>& ink, double strokeWidth, const Box& frame
 }
 
 /// Removes arrows that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
-void fadeArrows(Plane& curveInk, Plane& explained, float level, double strokeWidth, const Box& frame) {
-  const Components c = componentsOf(curveInk, 0.3F);
+void fadeArrows(Plane& curveCoverage, Plane& explained, float level, double strokeWidth, const Box& frame) {
+  const Components c = componentsOf(curveCoverage, 0.3F);
   cv::Mat lines = matOf(explained) > 0.3F * level;
   cv::dilate(lines, lines, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   const auto touchesLine = [&](Point p) {
     return lines.at<std::uint8_t>(static_cast<int>(p.y), static_cast<int>(p.x)) != 0;
   };
   std::vector<std::vector<Point>> pieces(static_cast<std::size_t>(c.count));
-  for (int y = 0; y < curveInk.height; ++y)
-    for (int x = 0; x < curveInk.width; ++x)
+  for (int y = 0; y < curveCoverage.height; ++y)
+    for (int x = 0; x < curveCoverage.width; ++x)
       if (const int label = c.labels.at<int>(y, x); label > 0)
         pieces[static_cast<std::size_t>(label)].push_back({static_cast<double>(x), static_cast<double>(y)});
   for (const std::vector<Point>& piece : pieces)
     if (piece.size() > 1 && isArrow(piece, strokeWidth, frame) && std::ranges::none_of(piece, touchesLine))
-      for (const Point& p : piece) curveInk.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 0;
+      for (const Point& p : piece) curveCoverage.at(static_cast<int>(p.x), static_cast<int>(p.y)) = 0;
 }
 
 /// Removes text: marks completely inside a box of read text, and rows of glyph-sized blobs.
-void fadeLettering(Plane& curveInk, const Plane& explained, float level, const std::vector<Box>& lettering,
-                   double strokeWidth, const Box& frame) {
-  const Components c = componentsOf(curveInk, 0.3F);
+void fadeLettering(Plane& curveCoverage, const Plane& explained, float level,
+                   const std::vector<Box>& lettering, double strokeWidth, const Box& frame) {
+  const Components c = componentsOf(curveCoverage, 0.3F);
   std::vector<Blob> blobs(static_cast<std::size_t>(c.count));
   for (int i = 1; i < c.count; ++i) {
     blobs[static_cast<std::size_t>(i)] = {
@@ -524,10 +525,10 @@ void fadeLettering(Plane& curveInk, const Plane& explained, float level, const s
              o.y + o.height - 1 <= b.y1 + 1.5;
     });
   }
-  for (int y = 0; y < curveInk.height; ++y) {
-    for (int x = 0; x < curveInk.width; ++x) {
+  for (int y = 0; y < curveCoverage.height; ++y) {
+    for (int x = 0; x < curveCoverage.width; ++x) {
       const auto label = static_cast<std::size_t>(c.labels.at<int>(y, x));
-      if (label > 0 && isText[label]) curveInk.at(x, y) = 0;
+      if (label > 0 && isText[label]) curveCoverage.at(x, y) = 0;
     }
   }
 }

@@ -85,12 +85,12 @@ std::vector<Point> pixelsOf(const std::vector<int>& chain, const cv::Mat& labels
 
 }  // namespace
 
-std::vector<std::vector<Point>> marksUpFrom(const std::vector<Point>& ends, const cv::Mat& ink,
+std::vector<std::vector<Point>> marksUpFrom(const std::vector<Point>& ends, const cv::Mat& darkMarks,
                                             const cv::Mat& curves) {
   cv::Mat labels, stats, middles;
-  const int count = cv::connectedComponentsWithStats(ink, labels, stats, middles, 8, CV_32S);
-  const std::vector<Mark> marks =
-      marksOf(stats, middles, touching(labels, curves, count), kMostShare * std::min(ink.cols, ink.rows));
+  const int count = cv::connectedComponentsWithStats(darkMarks, labels, stats, middles, 8, CV_32S);
+  const std::vector<Mark> marks = marksOf(stats, middles, touching(labels, curves, count),
+                                          kMostShare * std::min(darkMarks.cols, darkMarks.rows));
   std::vector<std::vector<Point>> all;
   for (const Point end : ends) {
     std::vector<int> longest;

@@ -89,7 +89,7 @@ class EndGrid {
 struct Touch {
   std::size_t segment = 0;
   double along = 0;  ///< 0..1 on the segment
-  Point foot;
+  Point baselinePoint;
 };
 
 /// Nearest inner point of the line; nullopt if an end is nearer.
@@ -100,11 +100,11 @@ std::optional<Touch> touchInside(const std::vector<Point>& line, Point p, double
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point a = line[i - 1], b = line[i];
     const double t = footOn(a, b, p);
-    const Point foot = a + t * (b - a);
-    const double d = distance(foot, p);
+    const Point lowest = a + t * (b - a);
+    const double d = distance(lowest, p);
     if (d <= bestDistance) {
       bestDistance = d;
-      best = Touch{i - 1, t, foot};
+      best = Touch{i - 1, t, lowest};
     }
   }
   return best;
@@ -119,9 +119,9 @@ std::vector<std::vector<Point>> cutAt(const std::vector<Point>& line, std::vecto
   std::size_t next = 0;
   for (std::size_t segment = 0; segment + 1 < line.size(); ++segment) {
     for (; next < touches.size() && touches[next].segment == segment; ++next) {
-      const Point foot = touches[next].foot;
-      if (distance(parts.back().back(), foot) > 1e-9) parts.back().push_back(foot);
-      if (parts.back().size() > 1) parts.push_back({foot});
+      const Point lowest = touches[next].baselinePoint;
+      if (distance(parts.back().back(), lowest) > 1e-9) parts.back().push_back(lowest);
+      if (parts.back().size() > 1) parts.push_back({lowest});
     }
     if (distance(parts.back().back(), line[segment + 1]) > 1e-9) parts.back().push_back(line[segment + 1]);
   }
@@ -156,13 +156,13 @@ void PieceNetwork::cutAtTouches() {
     if (!pieces_[i].onGridLine) cutters.push_back(i);
   for (std::size_t target = 0; target < pieces_.size(); ++target) {
     const LinePiece& line = pieces_[target];
-    const bool wall = line.axisParallel && !line.onGridLine &&
-                      std::abs(line.points.back().x - line.points.front().x) <= line.width_px;
-    if ((line.axisParallel && !wall) || line.small) continue;
+    const bool isVertical = line.axisParallel && !line.onGridLine &&
+                            std::abs(line.points.back().x - line.points.front().x) <= line.width_px;
+    if ((line.axisParallel && !isVertical) || line.small) continue;
     const double reach = 0.006 * plane_.diagonal();
     const Box extent = boundsOf(line.points).grown(reach, reach);
     for (const std::size_t cutter : cutters) {
-      if (cutter == target || (wall ? pieces_[cutter].axisParallel : pieces_[cutter].small)) continue;
+      if (cutter == target || (isVertical ? pieces_[cutter].axisParallel : pieces_[cutter].small)) continue;
       for (const Point& end : {pieces_[cutter].points.front(), pieces_[cutter].points.back()}) {
         if (!extent.contains(end)) continue;
         if (const auto touch = touchInside(line.points, end, touchDistance(line, pieces_[cutter])))
@@ -415,13 +415,13 @@ std::vector<UnusedLine> PieceNetwork::unusedLines() const {
   // Some documents draw a curve twice; a copy is not another curve.
   constexpr double straightChord = 0.9995;  // of the length; leaders are straight
   EndGrid taken(std::max(0.006 * plane_.diagonal(), 1e-6));
-  std::vector<Point> places;
+  std::vector<Point> positions;
   const double step = 0.004 * plane_.diagonal();
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     if (used_[i] > 0)
       for (const Point& p : densified(pieces_[i].points, step)) {
-        taken.add(p, places.size());
-        places.push_back(p);
+        taken.add(p, positions.size());
+        positions.push_back(p);
       }
   std::vector<UnusedLine> unused;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -431,7 +431,7 @@ std::vector<UnusedLine> PieceNetwork::unusedLines() const {
     const std::vector<Point> along = densified(piece.points, step);
     const auto fresh = std::ranges::count_if(along, [&](Point p) {
       bool near = false;
-      taken.around(p, [&](std::size_t id) { near = near || distance(places[id], p) < step; });
+      taken.around(p, [&](std::size_t id) { near = near || distance(positions[id], p) < step; });
       return !near;
     });
     UnusedLine line{piece.points, 0, false};

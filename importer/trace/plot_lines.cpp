@@ -11,10 +11,11 @@ namespace detent::importer::trace {
 
 namespace {
 
-void addDots(std::vector<PixelAt>& dots, const InkOnArea& ink, const PlotArea& area, double at, bool plumb) {
+void addDots(std::vector<PixelAt>& dots, const InkOnArea& coverage, const PlotArea& area, double at,
+             bool plumb) {
   constexpr double inked_px = 0.3, least = 0.15, most = 0.8;  // px; covered shares of a stretch
   constexpr std::size_t stretches = 10, mostOther = 2, window = 12;
-  const std::vector<double> runs = runsAlong(ink, area, at, plumb);
+  const std::vector<double> runs = runsAlong(coverage, area, at, plumb);
   std::vector<double> before{0}, thick;  // covered pixels before each place
   for (const double run : runs) {
     before.push_back(before.back() + (run > inked_px ? 1 : 0));
@@ -39,11 +40,12 @@ void addDots(std::vector<PixelAt>& dots, const InkOnArea& ink, const PlotArea& a
 
 }  // namespace
 
-std::vector<double> runsAlong(const InkOnArea& ink, const PlotArea& area, double at, bool plumb) {
+std::vector<double> runsAlong(const InkOnArea& coverage, const PlotArea& area, double at, bool plumb) {
   std::vector<double> runs;
   const int length = plumb ? area.raster.height_px : area.raster.width_px;
   for (int i = 0; i < length; ++i)
-    runs.push_back(plumb ? ink.across(at, i, true).thickness_px : ink.across(i, at, false).thickness_px);
+    runs.push_back(plumb ? coverage.across(at, i, true).thickness_px
+                         : coverage.across(i, at, false).thickness_px);
   return runs;
 }
 
@@ -55,14 +57,14 @@ void forPixelsAcross(const PlotArea& area, int along, double at, double most_px,
     if (lane >= 0 && lane < lanes) plumb ? visit(lane, along) : visit(along, lane);
 }
 
-std::vector<PixelAt> dottedLines(const InkOnArea& ink, const PlotScene& scene) {
+std::vector<PixelAt> dottedLines(const InkOnArea& coverage, const PlotScene& scene) {
   const PlotArea& area = scene.area();
   const Box box = scene.plotFrame().box();
   std::vector<PixelAt> dots;
   for (const GridLine& line : scene.plotFrame().xLines)
-    addDots(dots, ink, area, area.fromView({line.position_px, box.y1}).x, true);
+    addDots(dots, coverage, area, area.fromView({line.position_px, box.y1}).x, true);
   for (const GridLine& line : scene.plotFrame().yLines)
-    addDots(dots, ink, area, area.fromView({box.x0, line.position_px}).y, false);
+    addDots(dots, coverage, area, area.fromView({box.x0, line.position_px}).y, false);
   return dots;
 }
 

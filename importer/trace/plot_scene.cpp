@@ -200,15 +200,15 @@ const InkOnArea& PlotScene::inkOf(Rgb color) const {
   const auto known = std::ranges::find(inks_, color, &std::pair<Rgb, InkOnArea>::first);
   if (known != inks_.end()) return known->second;
   constexpr float sameHue = 0.93F;  // cosine; other colours have a share of this one
-  const Ink ink = inkOfColor(color, paper_);
+  const Ink colour = inkOfColor(color, paper_);
   Plane coverage(area_.raster.width_px, area_.raster.height_px);
   for (int y = 0; y < coverage.height; ++y)
     for (int x = 0; x < coverage.width; ++x) {
       const Color3 difference = pixel(x, y) - paperAt(x, y);
-      const float own = dot(difference, ink.direction);
-      if (own >= sameHue * norm(difference)) coverage.at(x, y) = std::min(own / ink.strength, 1.0F);
+      const float own = dot(difference, colour.direction);
+      if (own >= sameHue * norm(difference)) coverage.at(x, y) = std::min(own / colour.strength, 1.0F);
     }
-  return inks_.emplace_back(color, InkOnArea(std::move(coverage), ink.strength)).second;
+  return inks_.emplace_back(color, InkOnArea(std::move(coverage), colour.strength)).second;
 }
 
 void PlotScene::measureShading() {

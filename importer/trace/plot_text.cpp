@@ -86,8 +86,8 @@ bool mostlyInside(const Box& piece, const Box& word) {
 /// Marks letters among the pieces darker than `threshold` on `mask` and adds their rows.
 void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const std::vector<Box>& words,
                  std::vector<Box>& rows, cv::Mat& mask) {
-  const cv::Mat ink = contrast >= threshold;
-  const InkPieces pieces = inkPiecesOf(ink.data, ink.cols, ink.rows, ink.step);
+  const cv::Mat marks = contrast >= threshold;
+  const InkPieces pieces = inkPiecesOf(marks.data, marks.cols, marks.rows, marks.step);
   const std::size_t n = pieces.all.size();
   std::vector<char> isWord(n, 0), isLetter(n, 0);
   std::vector<std::size_t> order;

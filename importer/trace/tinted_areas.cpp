@@ -11,11 +11,11 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr int kAlikeTint = 20;       // levels per channel between neighbours in one area, after compression
-constexpr float kTint = 8;           // colour levels from the paper; less is paper
-constexpr float kInkTimes = 1.5;     // times an area's contrast; lines have more
-constexpr float kBesideTint_px = 8;  // from an area's even pixels; farther lines are not drawn on it
-constexpr int kSeam_px = 3;          // half the width of the seam between an area and the paper, at most
+constexpr int kAlikeTint = 20;         // levels per channel between neighbours in one area, after compression
+constexpr float kTint = 8;             // colour levels from the paper; less is paper
+constexpr float kAreaContrasts = 1.5;  // times an area's contrast; lines have more
+constexpr float kBesideTint_px = 8;    // from an area's even pixels; farther lines are not drawn on it
+constexpr int kSeam_px = 3;            // half the width of the seam between an area and the paper, at most
 
 cv::Mat squaredColor(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
 
@@ -61,9 +61,9 @@ class Tints {
 };
 
 /// For each pixel the nearest pixel of an area.
-class Ground {
+class NearestArea {
  public:
-  explicit Ground(const cv::Mat& mask) {
+  explicit NearestArea(const cv::Mat& mask) {
     cv::distanceTransform(~mask, distance_px_, labels_, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
     double labels = 0;
     cv::minMaxLoc(labels_, nullptr, &labels);
@@ -98,8 +98,8 @@ class TintedAreas {
     const cv::Mat large = largeAreas();
     if (cv::countNonZero(large) == 0) return false;
     lineDirection_ = lineDirection();
-    liftWith(Ground(large | (even_ & (contrast_ > kTint) & inTheirTints(large))),
-             Ground(even_ & (contrast_ <= kTint)));
+    liftWith(NearestArea(large | (even_ & (contrast_ > kTint) & inTheirTints(large))),
+             NearestArea(even_ & (contrast_ <= kTint)));
     return true;
   }
 
@@ -111,9 +111,9 @@ class TintedAreas {
     constexpr int leastWidth_px = 7;
     const int side_px = std::min(rgb_.rows, rgb_.cols);
     const int width_px = std::max(leastWidth_px, static_cast<int>(leastWidth * side_px));
-    cv::Mat wide, labels, stats, centroids;
-    cv::morphologyEx(even_ & (contrast_ > kTint), wide, cv::MORPH_OPEN, squaredColor(width_px - 2));
-    const int count = cv::connectedComponentsWithStats(wide, labels, stats, centroids, 4, CV_32S);
+    cv::Mat dilated, labels, stats, centroids;
+    cv::morphologyEx(even_ & (contrast_ > kTint), dilated, cv::MORPH_OPEN, squaredColor(width_px - 2));
+    const int count = cv::connectedComponentsWithStats(dilated, labels, stats, centroids, 4, CV_32S);
     cv::Mat areas(rgb_.size(), CV_8U, cv::Scalar(0));
     for (int i = 1; i < count; ++i) {
       const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
@@ -150,7 +150,7 @@ class TintedAreas {
     int inked = 0;
     for (int y = 0; y < near.rows; ++y)
       for (int x = 0; x < near.cols; ++x)
-        inked += near.at<std::uint8_t>(y, x) && isInk(colorAt(raster_, around.x + x, around.y + y), tint);
+        inked += near.at<std::uint8_t>(y, x) && isMark(colorAt(raster_, around.x + x, around.y + y), tint);
     return inked >= leastOfLength * std::max(box.width, box.height);
   }
 
@@ -171,7 +171,7 @@ class TintedAreas {
     return alike;
   }
 
-  void liftWith(const Ground& tinted, const Ground& paper) {
+  void liftWith(const NearestArea& tinted, const NearestArea& paper) {
     const Raster before = raster_;
     const auto tintAt = [&](int x, int y) {
       const cv::Point at = tinted.nearest(x, y);
@@ -180,7 +180,7 @@ class TintedAreas {
     cv::Mat inked(rgb_.size(), CV_8U, cv::Scalar(0));
     for (int y = 0; y < rgb_.rows; ++y)
       for (int x = 0; x < rgb_.cols; ++x)
-        if (isInk(colorAt(before, x, y), tintAt(x, y))) inked.at<std::uint8_t>(y, x) = 255;
+        if (isMark(colorAt(before, x, y), tintAt(x, y))) inked.at<std::uint8_t>(y, x) = 255;
     cv::dilate(inked, inked, squaredColor(2 * kSeam_px - 1));
     for (int y = 0; y < rgb_.rows; ++y)
       for (int x = 0; x < rgb_.cols; ++x) {
@@ -200,20 +200,20 @@ class TintedAreas {
     float share = 0, off = 0;
   };
   OnTheWay onTheWay(Color3 pixel, Color3 tint) const {
-    const Color3 along = tint - paper_, its = pixel - paper_;
-    const float share = dot(its, along) / std::max(1.0F, dot(along, along));
-    return {share, norm(its - share * along)};
+    const Color3 along = tint - paper_, offset = pixel - paper_;
+    const float share = dot(offset, along) / std::max(1.0F, dot(along, along));
+    return {share, norm(offset - share * along)};
   }
   /// Returns true for the rim of an area, including its own edge line.
   bool isRim(Color3 pixel, Color3 tint) const {
     const OnTheWay at = onTheWay(pixel, tint);
-    return at.share >= -0.1F && at.share <= kInkTimes && at.off <= kTint;
+    return at.share >= -0.1F && at.share <= kAreaContrasts && at.off <= kTint;
   }
   /// Returns true for marks on an area: far beyond its tint, or of another hue and no paler.
-  bool isInk(Color3 pixel, Color3 tint) const {
+  bool isMark(Color3 pixel, Color3 tint) const {
     constexpr float otherHue = 24;  // colour levels
-    const float contrast = norm(pixel - paper_), its = norm(tint - paper_);
-    return contrast > kInkTimes * its || (contrast > its && onTheWay(pixel, tint).off > otherHue);
+    const float contrast = norm(pixel - paper_), offset = norm(tint - paper_);
+    return contrast > kAreaContrasts * offset || (contrast > offset && onTheWay(pixel, tint).off > otherHue);
   }
 
   /// Returns the colour near the pixel that differs most from the tint in the pixel's direction: the core of
@@ -221,13 +221,13 @@ class TintedAreas {
   static Color3 coreOfLine(const Raster& picture, int x, int y, Color3 tint) {
     constexpr int reach_px = 2;
     constexpr float sameInk = 0.9F;  // cosine between differences to the tint
-    const Color3 its = colorAt(picture, x, y);
-    Color3 core = its;
+    const Color3 offset = colorAt(picture, x, y);
+    Color3 core = offset;
     for (int v = std::max(0, y - reach_px); v <= std::min(picture.height_px - 1, y + reach_px); ++v)
       for (int u = std::max(0, x - reach_px); u <= std::min(picture.width_px - 1, x + reach_px); ++u) {
         const Color3 near = colorAt(picture, u, v);
         if (norm(near - tint) > norm(core - tint) &&
-            dot(near - tint, its - tint) >= sameInk * norm(near - tint) * norm(its - tint))
+            dot(near - tint, offset - tint) >= sameInk * norm(near - tint) * norm(offset - tint))
           core = near;
       }
     return core;
@@ -237,22 +237,22 @@ class TintedAreas {
   Color3 onPaper(Color3 pixel, Color3 tint, Color3 core) const {
     constexpr float alongLines = 0.97F;  // cosine
     const Color3 under = withoutFilm(core, tint) - paper_;
-    if (!isInk(core, tint) || dot(under, lineDirection_) > alongLines * norm(under))
+    if (!isMark(core, tint) || dot(under, lineDirection_) > alongLines * norm(under))
       return withoutFilm(pixel, tint);
     const float share = norm(pixel - tint) / std::max(1.0F, norm(core - tint));
     return paper_ + share * (core - paper_);
   }
 
   /// Colour without a film of this tint over the paper.
-  Color3 withoutFilm(Color3 pixel, Color3 tint) const { return onOtherGround(pixel, tint, paper_); }
+  Color3 withoutFilm(Color3 pixel, Color3 tint) const { return onOtherBackground(pixel, tint, paper_); }
   /// Colour under such a film.
-  Color3 underFilm(Color3 pixel, Color3 tint) const { return onOtherGround(pixel, paper_, tint); }
+  Color3 underFilm(Color3 pixel, Color3 tint) const { return onOtherBackground(pixel, paper_, tint); }
 
   /// Colour over another background: a light background shines through, a dark one adds its light.
-  Color3 onOtherGround(Color3 pixel, Color3 from, Color3 to) const {
-    const auto channel = [this](float p, float its, float other) {
-      return light_ ? p * other / std::max(1.0F, its)
-                    : 255 - (255 - p) * (255 - other) / std::max(1.0F, 255 - its);
+  Color3 onOtherBackground(Color3 pixel, Color3 from, Color3 to) const {
+    const auto channel = [this](float p, float offset, float other) {
+      return light_ ? p * other / std::max(1.0F, offset)
+                    : 255 - (255 - p) * (255 - other) / std::max(1.0F, 255 - offset);
     };
     return {channel(pixel.r, from.r, to.r), channel(pixel.g, from.g, to.g), channel(pixel.b, from.b, to.b)};
   }

@@ -43,25 +43,25 @@ Failure noCurve(Message why) {
 }
 
 /// Colours named by the user, as indices into the palette; -1: not named.
-struct GivenInks {
+struct GivenColours {
   int press = -1, release = -1;
 
   bool any() const { return press >= 0 || release >= 0; }
 };
 
 /// Adds given colours to the palette; a found colour of the same direction keeps its measured shade.
-GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const PlotScene& scene) {
+GivenColours addGivenColours(std::vector<Ink>& palette, const TraceHints& hints, const PlotScene& scene) {
   const auto indexOf = [&](const std::optional<Rgb>& color) {
     if (!color) return -1;
-    const Ink ink = inkOfColor(*color, scene.paper());
+    const Ink colour = inkOfColor(*color, scene.paper());
     const auto same = std::find_if(palette.begin(), palette.end(), [&](const Ink& other) {
-      return static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle;
+      return static_cast<double>(dot(other.direction, colour.direction)) > kSameInkAngle;
     });
     const int index = static_cast<int>(same - palette.begin());
-    if (same == palette.end()) palette.push_back(ink);
+    if (same == palette.end()) palette.push_back(colour);
     return index;
   };
-  GivenInks given;
+  GivenColours given;
   given.press = indexOf(hints.pressColor);
   given.release = indexOf(hints.releaseColor);
   return given;
@@ -87,14 +87,14 @@ void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
 }
 
 /// The centre line of a curve with a known path, in the view.
-CurveTrace lineAlong(const CoarseCurve& course, const CurveField& field, double thickness_px, const Ink& ink,
+CurveTrace lineAlong(const CoarseCurve& path, const CurveField& field, double thickness_px, const Ink& colour,
                      const PlotInks& plot, const TraceOptions& options) {
   const PlotArea& area = plot.area();
-  CentreLine line = centreLine(field, course, thickness_px);
+  CentreLine line = centreLine(field, path, thickness_px);
   finishEnds(line, field, area.frame);
   CurveTrace trace;
-  trace.color = plot.colorOf(ink);
-  trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, course.inkShare), 0.0, 1.0);
+  trace.color = plot.colorOf(colour);
+  trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, path.inkShare), 0.0, 1.0);
   Point last{};
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     const Point p = area.toView(line.points[i]);
@@ -109,20 +109,20 @@ CurveTrace lineAlong(const CoarseCurve& course, const CurveField& field, double 
 }
 
 /// A curve in its own colour; `curveInks`: those of all curves.
-CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveInks, const PlotInks& plot,
+CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveColours, const PlotInks& plot,
                    const TraceOptions& options) {
-  const CurveField field = fieldOf(plot, curve.ink, curveInks);
+  const CurveField field = fieldOf(plot, curve.ink, curveColours);
   FollowOptions follow;
   follow.thickness_px = curve.thickness_px;
   const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
-  const CoarseCurve course = followCurve(joined ? *joined : field, plot.area().frame, follow);
-  return lineAlong(course, curve.dashed ? besideDashesOnly(field) : field, curve.thickness_px,
+  const CoarseCurve path = followCurve(joined ? *joined : field, plot.area().frame, follow);
+  return lineAlong(path, curve.dashed ? besideDashesOnly(field) : field, curve.thickness_px,
                    plot.ink(curve.ink), plot, options);
 }
 
 /// Coverage of the area by one colour, for curves that share it with each other and perhaps with grid and
 /// text.
-Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
+Plane coverageBy(const Ink& colour, bool neutral, const PlotInks& plot) {
   const PlotArea& area = plot.area();
   Plane coverage(area.raster.width_px, area.raster.height_px);
   const float floor = std::max(4.0F, 3 * plot.scene.noise());
@@ -132,15 +132,15 @@ Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
       const Color3 difference = plot.scene.pixel(x, y) - plot.scene.paperAt(x, y);
       const float length = norm(difference);
       if (length < floor) continue;
-      float own = dot(difference, ink.direction) / ink.strength;
+      float own = dot(difference, colour.direction) / colour.strength;
       if (!neutral) {
         // A pixel belongs to the colour that fits it best; only blends keep a share of this one.
         float bestOther = 0;
         for (const Ink& other : plot.palette) {
-          if (static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle) continue;
+          if (static_cast<double>(dot(other.direction, colour.direction)) > kSameInkAngle) continue;
           bestOther = std::max(bestOther, dot(difference, other.direction) / length);
         }
-        const float fit = dot(difference, ink.direction) / length;
+        const float fit = dot(difference, colour.direction) / length;
         if (bestOther > fit) own *= std::max(0.0F, 1 - 8 * (bestOther - fit));
       }
       coverage.at(x, y) = std::clamp(own, 0.0F, 1.0F);
@@ -153,8 +153,8 @@ Plane coverageBy(const Ink& ink, bool neutral, const PlotInks& plot) {
 Ink darkness(const PlotInks& plot) {
   Ink dark;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const Ink& ink = plot.ink(k);
-    if (isNeutral(plot, k) && ink.strength > dark.strength) dark = ink;
+    const Ink& colour = plot.ink(k);
+    if (isNeutral(plot, k) && colour.strength > dark.strength) dark = colour;
   }
   if (dark.strength > 0) return dark;
   const Color3 paper = plot.scene.paper();
@@ -166,14 +166,14 @@ Ink darkness(const PlotInks& plot) {
 
 Mask either(const Mask& a, const Mask& b) {
   if (b.empty()) return a;
-  Mask both = a;
-  for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] | b[i];
-  return both;
+  Mask bothMasks = a;
+  for (std::size_t i = 0; i < bothMasks.size(); ++i) bothMasks[i] = bothMasks[i] | b[i];
+  return bothMasks;
 }
 
 /// Sets the strokes of curves whose colour the user gave.
 void nameGivenStrokes(std::vector<CurveTrace>& traces, const std::vector<CurveInk>& curves,
-                      const GivenInks& given) {
+                      const GivenColours& given) {
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (curves[i].ink == given.press) traces[i].stroke = Stroke::press;
     if (curves[i].ink == given.release) traces[i].stroke = Stroke::release;
@@ -181,7 +181,7 @@ void nameGivenStrokes(std::vector<CurveTrace>& traces, const std::vector<CurveIn
 }
 
 /// Given colours as they are; if only one is given the other stroke is searched.
-std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
+std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenColours& given) {
   if (!given.any()) return chooseCurveInks(plot);
   std::vector<CurveInk> curves = curvesOfInks(plot, {given.press, given.release});
   if (given.press >= 0 && given.release >= 0) return curves;
@@ -207,12 +207,12 @@ ShadedCurves withNeutralShades(ShadedCurves shaded, double least_px) {
   if (paler) {
     std::vector<Ink> palette = shaded.plot.palette;
     palette.push_back(*paler);
-    ShadedCurves both{PlotInks(shaded.plot.scene, std::move(palette)), shaded.curves};
+    ShadedCurves bothCurves{PlotInks(shaded.plot.scene, std::move(palette)), shaded.curves};
     std::vector<CurveInk> two =
-        curvesInShades(both.plot, other->ink, static_cast<int>(shaded.plot.palette.size()));
+        curvesInShades(bothCurves.plot, other->ink, static_cast<int>(shaded.plot.palette.size()));
     if (two.size() == 2) {
-      std::ranges::move(two, std::back_inserter(both.curves));
-      return both;
+      std::ranges::move(two, std::back_inserter(bothCurves.curves));
+      return bothCurves;
     }
   }
   shaded.curves.push_back(*other);
@@ -232,9 +232,9 @@ std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vecto
     std::vector<Ink> palette = plot.palette;
     palette.push_back(*paler);
     ShadedCurves shaded{PlotInks(plot.scene, std::move(palette)), {}};
-    const int its = static_cast<int>(plot.palette.size());
+    const int newIndex = static_cast<int>(plot.palette.size());
     shaded.curves =
-        ofCurve || found.empty() ? curvesInShades(shaded.plot, k, its) : chooseCurveInks(shaded.plot);
+        ofCurve || found.empty() ? curvesInShades(shaded.plot, k, newIndex) : chooseCurveInks(shaded.plot);
     if (shaded.curves.size() != 2) continue;
     return ofCurve ? withNeutralShades(std::move(shaded), least_px) : std::move(shaded);
   }
@@ -249,31 +249,32 @@ constexpr double kDashesEndBefore = 0.03;
 /// and to zero force. Returns false if it does not reach that end: not a stroke of the same switch, or only
 /// part of one.
 bool joinAtEnds(CurveTrace& dashed, const CurveTrace& solid, double most_px) {
-  std::vector<Point> its = solid.points_px;
-  if (its.front().x > its.back().x) std::ranges::reverse(its);
+  std::vector<Point> ownPoints = solid.points_px;
+  if (ownPoints.front().x > ownPoints.back().x) std::ranges::reverse(ownPoints);
   std::vector<Point>& points = dashed.points_px;
   if (points.front().x > points.back().x) std::ranges::reverse(points), std::ranges::reverse(dashed.width_px);
   const auto nearestTo = [&](Point end) {
-    return std::ranges::min_element(its, {}, [&](Point p) { return distance(p, end); });
+    return std::ranges::min_element(ownPoints, {}, [&](Point p) { return distance(p, end); });
   };
   constexpr double mostOfTravel = 0.15;  // under the other line; beyond this, dashes were lost
-  const double unseen_px = mostOfTravel * (its.back().x - its.front().x);
+  const double unseen_px = mostOfTravel * (ownPoints.back().x - ownPoints.front().x);
   const double width_px = dashed.width_px.front();
   const auto endsAt = nearestTo(points.back());
-  if (distance(*endsAt, points.back()) > most_px || its.back().x - points.back().x > unseen_px) return false;
-  points.insert(points.end(), endsAt, its.end());
-  const bool startsNear = points.front().x - its.front().x <= unseen_px;
+  if (distance(*endsAt, points.back()) > most_px || ownPoints.back().x - points.back().x > unseen_px)
+    return false;
+  points.insert(points.end(), endsAt, ownPoints.end());
+  const bool startsNear = points.front().x - ownPoints.front().x <= unseen_px;
   if (const auto near = nearestTo(points.front()); startsNear && distance(*near, points.front()) <= most_px)
-    points.insert(points.begin(), its.begin(), std::next(near));
+    points.insert(points.begin(), ownPoints.begin(), std::next(near));
   dashed.width_px.resize(points.size(), width_px);
   return true;
 }
 
 /// Press and release in one colour, one solid and one dashed; empty otherwise.
 std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveInk& curve,
-                                       const std::vector<int>& curveInks, const PlotInks& plot,
+                                       const std::vector<int>& curveColours, const PlotInks& plot,
                                        const TraceOptions& options) {
-  const auto beside = dashedBeside(solid, curve, curveInks, plot);
+  const auto beside = dashedBeside(solid, curve, curveColours, plot);
   if (!beside) return {};
   CurveTrace dashed =
       lineAlong(beside->course, beside->field, curve.thickness_px, plot.ink(curve.ink), plot, options);
@@ -300,19 +301,19 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
   const auto loopIn = [&](std::size_t i) {
     std::vector<CurveTrace> strokes;
     if (curves[i].secondStrand <= plot.options.secondStrand) return strokes;
-    const Plane& its = plot.coverage.ink[static_cast<std::size_t>(curves[i].ink)];
-    auto loop = traceLoop(plot.area(), its, traces[i].color, options, progress);
+    const Plane& ownPlane = plot.coverage.ink[static_cast<std::size_t>(curves[i].ink)];
+    auto loop = traceLoop(plot.area(), ownPlane, traces[i].color, options, progress);
     if (loop && loop->size() > 1 && loop->front().confidence >= kCredibleLoop)
       strokes = std::move(loop).value();
     return strokes;
   };
-  std::vector<int> curveInks;
-  for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
+  std::vector<int> curveColours;
+  for (const CurveInk& curve : curves) curveColours.push_back(curve.ink);
   const bool allOrNone = traces.size() <= 2;
   std::vector<CurveTrace> all;
   for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {
     std::vector<CurveTrace> strokes = loopIn(i);
-    if (strokes.empty()) strokes = partedByDashes(traces[i], curves[i], curveInks, plot, options);
+    if (strokes.empty()) strokes = partedByDashes(traces[i], curves[i], curveColours, plot, options);
     if (strokes.empty() && allOrNone) return traces;
     if (strokes.empty()) all.push_back(traces[i]);
     for (CurveTrace& stroke : strokes) {
@@ -325,11 +326,11 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
 }
 
 /// A coloured loop and, if drawn, a second one in the colour of frame and text, each with its label.
-std::vector<CurveTrace> withNeutralLoop(std::vector<CurveTrace> loop, const CurveInk& its,
+std::vector<CurveTrace> withNeutralLoop(std::vector<CurveTrace> loop, const CurveInk& ownColour,
                                         const PlotInks& plot, const AxesFound& axes, const PageView& view,
                                         const TraceOptions& options, const Progress& progress) {
   if (loop.size() != 2) return loop;
-  const std::optional<CurveInk> other = neutralCurveBeside(plot, its);
+  const std::optional<CurveInk> other = neutralCurveBeside(plot, ownColour);
   if (!other) return loop;
   const Plane& coverage = plot.coverage.ink[static_cast<std::size_t>(other->ink)];
   auto second = traceLoop(plot.area(), coverage, plot.colorOf(plot.ink(other->ink)), options, progress);
@@ -394,11 +395,12 @@ bool anyStopsLow(const std::vector<CurveTrace>& traces) {
 }
 
 /// Returns true if the part of a stroke beyond its trace runs where no other trace does.
-bool goesOnAlone(const CurveTrace& stroke, const CurveTrace& its, const std::vector<CurveTrace>& traces) {
+bool goesOnAlone(const CurveTrace& stroke, const CurveTrace& ownTrace,
+                 const std::vector<CurveTrace>& traces) {
   constexpr double apart_px = 3, alone = 0.25;  // px; share of the part beyond
   double beyond = 0, shared = 0;
   for (Point p : stroke.points_px) {
-    if (liesOn(p, its, apart_px)) continue;
+    if (liesOn(p, ownTrace, apart_px)) continue;
     ++beyond;
     shared += std::ranges::any_of(traces, [&](const CurveTrace& other) { return liesOn(p, other, apart_px); })
                   ? 1
@@ -425,10 +427,10 @@ bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& tra
   const auto rightOf = [](const CurveTrace& trace) {
     return std::ranges::max(trace.points_px, {}, &Point::x).x;
   };
-  double told_px = std::numeric_limits<double>::lowest();
+  double known_px = std::numeric_limits<double>::lowest();
   for (const CurveTrace& trace : traces)
-    if (!trace.points_px.empty()) told_px = std::max(told_px, rightOf(trace));
-  return rightOf(stroke) > told_px + most * frame_px;
+    if (!trace.points_px.empty()) known_px = std::max(known_px, rightOf(trace));
+  return rightOf(stroke) > known_px + most * frame_px;
 }
 
 /// Follows both strokes as one colour if a stroke was lost by its colour. In a small picture colours blend,
@@ -456,9 +458,9 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
     const auto nearer = [&](const CurveTrace& a, const CurveTrace& b) {
       return shareOn(stroke, a) < shareOn(stroke, b);
     };
-    const CurveTrace& its = *std::ranges::max_element(traces, nearer);
-    if (!small && !goesOnAlone(stroke, its, traces)) return {};
-    stroke.color = its.color, stroke.label = its.label, stroke.labelBox_px = its.labelBox_px;
+    const CurveTrace& ownTrace = *std::ranges::max_element(traces, nearer);
+    if (!small && !goesOnAlone(stroke, ownTrace, traces)) return {};
+    stroke.color = ownTrace.color, stroke.label = ownTrace.label, stroke.labelBox_px = ownTrace.labelBox_px;
     stroke.stroke.reset();  // their positions tell which is which, as with colours
   }
   const auto isKept = [&](const CurveTrace& trace) {
@@ -473,7 +475,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
                                             const TraceOptions& options, const Progress& progress) {
   std::vector<Ink> palette = findInks(scene, either(scene.lettering().mask, scene.area().masked));
   addLetterInk(palette, scene);
-  const GivenInks given = addGivenInks(palette, hints, scene);
+  const GivenColours given = addGivenColours(palette, hints, scene);
   if (palette.empty()) return noCurve(Message("is empty: nothing but paper and grid lines in it"));
   if (progress.isCancelled()) return Failure::cancelled();
 
@@ -484,14 +486,14 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
       !given.any() && curves.size() < 2 ? curvesByShade(plot, curves) : std::nullopt;
   if (shaded) curves = shaded->curves;
   if (progress.isCancelled()) return Failure::cancelled();
-  const bool oneInkBothStrokes =
+  const bool oneColourBothStrokes =
       curves.size() == 1 && curves.front().secondStrand > plot.options.secondStrand;
-  if (curves.empty() || oneInkBothStrokes) {
+  if (curves.empty() || oneColourBothStrokes) {
     // A press alone keeps its words: a legend with both keys in its colour names a release that was not
     // found.
-    const auto loopIn = [&](const Ink& ink, bool neutral) {
+    const auto loopIn = [&](const Ink& colour, bool neutral) {
       auto loop =
-          traceLoop(scene.area(), coverageBy(ink, neutral, plot), plot.colorOf(ink), options, progress);
+          traceLoop(scene.area(), coverageBy(colour, neutral, plot), plot.colorOf(colour), options, progress);
       if (loop && loop->size() == 1) labelTraces(*loop, axes, view, scene);
       return loop;
     };
@@ -508,10 +510,10 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
 
   const std::vector<CurveInk> chosen = curves;
   const PlotInks finalPlot(scene, reducedPalette(shaded ? shaded->plot : plot, curves));
-  std::vector<int> curveInks;
-  for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
+  std::vector<int> curveColours;
+  for (const CurveInk& curve : curves) curveColours.push_back(curve.ink);
   std::vector<CurveTrace> traces;
-  for (const CurveInk& curve : curves) traces.push_back(traceOf(curve, curveInks, finalPlot, options));
+  for (const CurveInk& curve : curves) traces.push_back(traceOf(curve, curveColours, finalPlot, options));
   for (std::size_t i = 1; shaded && i < chosen.size(); ++i)
     if (areShades(shaded->plot.ink(chosen[i - 1].ink), shaded->plot.ink(chosen[i].ink)))
       leadBeside(traces[i], traces[i - 1]), leadBeside(traces[i - 1], traces[i]);
@@ -531,16 +533,17 @@ void labelDrawn(std::vector<CurveTrace>& traces, const AxesFound& axes, const Pa
                 const PlotScene& scene) {
   if (scene.empty() || std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); }))
     return;
-  std::vector<CurveTrace> inks;
+  std::vector<CurveTrace> firstOfColours;
   for (const CurveTrace& trace : traces) {
-    const bool isNew = std::ranges::find(inks, trace.color, &CurveTrace::color) == inks.end();
+    const bool isNew =
+        std::ranges::find(firstOfColours, trace.color, &CurveTrace::color) == firstOfColours.end();
     if (!isNew && !trace.stroke) return;  // the dash pattern distinguishes a line from another of its colour
-    if (isNew) inks.push_back(trace);
+    if (isNew) firstOfColours.push_back(trace);
   }
-  labelTraces(inks, axes, view, scene);
+  labelTraces(firstOfColours, axes, view, scene);
   for (CurveTrace& trace : traces) {
-    const CurveTrace& its = *std::ranges::find(inks, trace.color, &CurveTrace::color);
-    trace.label = its.label, trace.labelBox_px = its.labelBox_px;
+    const CurveTrace& ownTrace = *std::ranges::find(firstOfColours, trace.color, &CurveTrace::color);
+    trace.label = ownTrace.label, trace.labelBox_px = ownTrace.labelBox_px;
   }
 }
 

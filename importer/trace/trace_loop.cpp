@@ -123,9 +123,9 @@ bool strokesCross(const RefinedPair& strokes, const WorkPlane& plane) {
 
 }  // namespace
 
-Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink, Rgb color,
+Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& coverage, Rgb color,
                                           const TraceOptions& options, const Progress& progress) {
-  const WorkPlane plane = makeWorkPlane(ink, area);
+  const WorkPlane plane = makeWorkPlane(coverage, area);
   if (plane.frame.width() < 24 || plane.frame.height() < 24) return noCurveFailure();
   const std::vector<StraightLine> lines =
       findStraightLines(plane, onPlane(area.columns_px, plane.origin.x, plane.scale),
@@ -137,7 +137,7 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink
   const PlanePair pair = findPair(structure, plane);
   if (pair.press.size() < 8) return noCurveFailure();
   if (progress.isCancelled()) return Failure::cancelled();
-  const RefinedPair refined = refinePair(pair, plane, ink, lines, structure);
+  const RefinedPair refined = refinePair(pair, plane, coverage, lines, structure);
   const double confidence = judge(pair, refined, structure, plane).confidence();
   if (confidence < kNotACurve) return doubtfulFailure(confidence);
   if (showsAnother(pair, plane) || comesFromFarther(refined, pair.wallsCut) || strokesCross(refined, plane))

@@ -11,7 +11,7 @@ namespace detent::importer::trace {
 
 /// Input: coverage of the area by the curves' colour, including grid, frame and text of that colour. Returns
 /// one trace (press only) or two, each with its `stroke`. Failure noForceGraph / notCertain as traceCurves.
-Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink, Rgb color,
+Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& coverage, Rgb color,
                                           const TraceOptions& options = {}, const Progress& progress = {});
 
 }  // namespace detent::importer::trace

@@ -32,7 +32,7 @@ struct StyledStroke {
   double confidence = 1;
 };
 
-constexpr std::size_t strokesOfOneInk = 2;
+constexpr std::size_t strokesOfOneColour = 2;
 
 /// Common share of the travel that either covers. Parts of one stroke lie side by side.
 double sharedPathTravel(const FoundStroke& a, const FoundStroke& b) {
@@ -88,17 +88,17 @@ bool pathLeadsBackFrom(const FoundStroke& press, const FoundStroke& other, const
          !areUnpaired(press, other, plane);
 }
 
-struct StrokesOfInk {
+struct StrokesOfColour {
   std::vector<StyledStroke> strokes;
   std::optional<FoundStroke> shortOne;  ///< where there is no stroke
   bool inDoubt = false;                 ///< parts of strokes, or strokes of two switches
 };
 
-StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, const PlotPlane& plane) {
+StrokesOfColour strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, const PlotPlane& plane) {
   PieceNetwork network(std::move(pieces), plane);
-  StrokesOfInk found;
+  StrokesOfColour found;
   std::vector<FoundStroke> lines;
-  while (lines.size() < strokesOfOneInk) {
+  while (lines.size() < strokesOfOneColour) {
     auto line = network.nextStroke();
     if (!line) break;
     lines.push_back(std::move(*line));
@@ -128,11 +128,11 @@ StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, co
 bool areMarkersOn(const StyledStroke& line, const StyledStroke& dotted) {
   constexpr double beside_px = 1.5, nearlyAll = 0.95;  // of the points
   if (line.style.dashed || !dotted.style.dashed || line.style.color != dotted.style.color) return false;
-  const auto& places = dotted.stroke.points;
-  const auto on = std::ranges::count_if(places, [&](Point p) {
+  const auto& positions = dotted.stroke.points;
+  const auto on = std::ranges::count_if(positions, [&](Point p) {
     return distance(nearestOn(line.stroke.points, p), p) <= beside_px + 0.5 * line.stroke.width_px;
   });
-  return static_cast<double>(on) >= nearlyAll * static_cast<double>(places.size());
+  return static_cast<double>(on) >= nearlyAll * static_cast<double>(positions.size());
 }
 
 struct LegendSample {
@@ -218,13 +218,13 @@ bool hasAllGiven(const std::vector<CurveTrace>& traces, const TraceHints& hints)
 }
 
 /// Two strokes in one colour, solid and dashed or alike: the press lies above the release.
-void nameStrokesOfOneInk(std::vector<CurveTrace>& traces, const PlotPlane& plane) {
+void nameStrokesOfOneColour(std::vector<CurveTrace>& traces, const PlotPlane& plane) {
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    std::vector<std::size_t> ofInk;
+    std::vector<std::size_t> ofColour;
     for (std::size_t k = 0; k < traces.size(); ++k)
-      if (traces[k].color == traces[i].color) ofInk.push_back(k);
-    if (ofInk.size() != 2 || ofInk[0] != i) continue;
-    CurveTrace &a = traces[ofInk[0]], &b = traces[ofInk[1]];
+      if (traces[k].color == traces[i].color) ofColour.push_back(k);
+    if (ofColour.size() != 2 || ofColour[0] != i) continue;
+    CurveTrace &a = traces[ofColour[0]], &b = traces[ofColour[1]];
     const bool firstAbove = meanHeightAbove(a.points_px, b.points_px, plane) >= 0;
     a.stroke = firstAbove ? Stroke::press : Stroke::release;
     b.stroke = firstAbove ? Stroke::release : Stroke::press;
@@ -257,7 +257,7 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
   }
   std::vector<StyledStroke> strokes, shortOnes;
   for (auto& [style, pieces] : styles) {
-    StrokesOfInk found = strokesOf(style, std::move(pieces), plane);
+    StrokesOfColour found = strokesOf(style, std::move(pieces), plane);
     if (found.inDoubt) return {};
     std::ranges::move(found.strokes, std::back_inserter(strokes));
     if (found.shortOne) shortOnes.push_back({style, std::move(*found.shortOne)});
@@ -285,14 +285,15 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     trace.color = stroke.style.color;
     trace.fromVector = true;
     trace.confidence = stroke.confidence;
-    LegendWords its;
+    LegendWords legendWords;
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (isOf(samples[i], stroke.style) && words[i].gap_px < its.gap_px) its = words[i];
-    if (its.text != nullptr) trace.label = its.text->utf8, trace.labelBox_px = its.text->box;
+      if (isOf(samples[i], stroke.style) && words[i].gap_px < legendWords.gap_px) legendWords = words[i];
+    if (legendWords.text != nullptr)
+      trace.label = legendWords.text->utf8, trace.labelBox_px = legendWords.text->box;
     traces.push_back(std::move(trace));
   }
   if (!hasAllGiven(traces, hints)) return {};
-  nameStrokesOfOneInk(traces, plane);
+  nameStrokesOfOneColour(traces, plane);
   nameStrokesByHints(traces, hints);
   return traces;
 }

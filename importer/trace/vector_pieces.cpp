@@ -129,18 +129,18 @@ std::optional<Polyline> upperSide(Polyline ring, const Box& plot) {
   if (distance(ring.front(), ring.back()) > 1e-9) ring.push_back(ring.front());
   const Box box = boundsOf(ring);
   if (box.width() < least * plot.width()) return {};
-  const auto onFoot = [&](Point p) { return p.y > box.y1 - level_px; };
-  const auto foot = std::adjacent_find(ring.begin(), ring.end(), [&](Point a, Point b) {
-    return onFoot(a) && onFoot(b) && std::abs(b.x - a.x) >= nearlyAll * box.width();
+  const auto onBottomEdge = [&](Point p) { return p.y > box.y1 - level_px; };
+  const auto bottomSide = std::adjacent_find(ring.begin(), ring.end(), [&](Point a, Point b) {
+    return onBottomEdge(a) && onBottomEdge(b) && std::abs(b.x - a.x) >= nearlyAll * box.width();
   });
-  if (foot == ring.end()) return {};
+  if (bottomSide == ring.end()) return {};
   // The outline without its base edge, from one end of the base to the other. The ring's last point repeats
   // its first.
-  Polyline upper(foot + 1, ring.end());
-  upper.insert(upper.end(), ring.begin() + 1, foot + 1);
+  Polyline upper(bottomSide + 1, ring.end());
+  upper.insert(upper.end(), ring.begin() + 1, bottomSide + 1);
   if (upper.size() > 2 && upper.front().x > upper.back().x) std::reverse(upper.begin(), upper.end());
   const auto isSide = [&](Point end, Point next) {
-    return onFoot(end) && !onFoot(next) && std::abs(end.x - next.x) < level_px;
+    return onBottomEdge(end) && !onBottomEdge(next) && std::abs(end.x - next.x) < level_px;
   };
   while (upper.size() > 2 && isSide(upper.back(), upper[upper.size() - 2])) upper.pop_back();
   if (upper.size() > 2 && std::abs(upper[0].x - plot.x0) < level_px && isSide(upper[0], upper[1]))
@@ -280,9 +280,9 @@ class PieceMaker {
     for (auto from = dashes_.begin(); from != dashes_.end();) {
       const auto to =
           std::find_if(from, dashes_.end(), [&](const Dash& d) { return d.color != from->color; });
-      std::vector<DashPiece> ofInk;
-      for (auto it = from; it != to; ++it) ofInk.push_back(it->drawn);
-      for (const DashedLine& line : dashedLines(ofInk)) {
+      std::vector<DashPiece> ofColour;
+      for (auto it = from; it != to; ++it) ofColour.push_back(it->drawn);
+      for (const DashedLine& line : dashedLines(ofColour)) {
         for (const std::size_t member : line.members)
           if (const auto piece = from[static_cast<std::ptrdiff_t>(member)].piece) joined[*piece] = 1;
         addCut(line.points, {true, letterSize, line.width_px, from->color});

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastOfCurve = 0.6;  // of the curve's thickness, for a row of the bottom-out
 constexpr double kMostOfCurve = 1.7;   // of the curve's thickness; bars and shaded areas are thicker
-constexpr double kLean_px = 0.75;      // between the halves of a bottom-out; more lean is none
+constexpr double kLean_px = 0.75;      // lean between the halves of a bottom-out, at most
 constexpr double kMuch_px = 0.4;  // more pixels than the plot's own line has, whatever the curve's thickness
 constexpr double kMuchOfThickness = 0.35;  // the same as a share of the curve's thickness, at least
 constexpr double kLittle_px =
@@ -42,7 +42,7 @@ struct Curve {
   Point end() const { return points.back(); }
 };
 
-Curve wallCurve(const CurveTrace& trace, const PlotArea& area) {
+Curve curveOnArea(const CurveTrace& trace, const PlotArea& area) {
   Curve curve;
   curve.color = trace.color;
   for (const Point& p : trace.points_px) curve.points.push_back(area.fromView(p));
@@ -63,33 +63,34 @@ struct Thickness {
 };
 
 /// Thickness of the frame in a curve's colour, if it is drawn on the left and at the top too; else 0.
-double frameLine(const InkOnArea& ink, const PlotArea& area) {
+double frameLine(const InkOnArea& coverage, const PlotArea& area) {
   const Box& frame = area.frame;
-  const auto left = Thickness::between({ink, area, frame.x0}, frame.y0 + 4, frame.y1 - 4);
+  const auto left = Thickness::between({coverage, area, frame.x0}, frame.y0 + 4, frame.y1 - 4);
   std::vector<double> top;
   for (double x = frame.x0 + 4; x < frame.x1 - 4; x += 1)
-    top.push_back(ink.across(x, frame.y0, false).thickness_px);
+    top.push_back(coverage.across(x, frame.y0, false).thickness_px);
   return left && !top.empty() ? std::min(left->usual, quantileOf(top, 0.5)) : 0;
 }
 
 /// Thickness of the plot's own vertical lines, of which the lane may be one; 0 if it is none.
-double ownLine(const InkOnArea& ink, const PlotArea& area, double x, double within_px) {
+double ownLine(const InkOnArea& coverage, const PlotArea& area, double x, double within_px) {
   if (!isAtOneOf(area.columns_px, x, within_px)) return 0;
   std::vector<double> others;
   for (const double column : area.columns_px)
     if (std::abs(column - x) > within_px)
-      if (const auto run = Thickness::between({ink, area, column}, area.frame.y0 + 4, area.frame.y1 - 4))
+      if (const auto run = Thickness::between({coverage, area, column}, area.frame.y0 + 4, area.frame.y1 - 4))
         others.push_back(run->usual);
   const double usual = others.empty() ? 0 : quantileOf(others, 0.75);
-  return std::abs(area.frame.x1 - x) <= within_px ? std::max(usual, frameLine(ink, area)) : usual;
+  return std::abs(area.frame.x1 - x) <= within_px ? std::max(usual, frameLine(coverage, area)) : usual;
 }
 
 /// The plot's own line on a lane, measured below the end; empty if nothing is there for a long distance.
-Thickness lineBelow(const PlumbLane& lane, double foot, double own_px, const Box& frame, double margin_px) {
+Thickness lineBelow(const PlumbLane& lane, double riseStart, double own_px, const Box& frame,
+                    double margin_px) {
   const double end = frame.y1 - margin_px;
-  const auto below = Thickness::between(lane, foot, end);
+  const auto below = Thickness::between(lane, riseStart, end);
   if (!below) return {own_px, own_px, own_px};
-  if (below->thick <= 0 && end - foot > kBareBelow * frame.height()) return {};
+  if (below->thick <= 0 && end - riseStart > kBareBelow * frame.height()) return {};
   return {below->thin, std::max(below->usual, own_px), std::max(below->thick, own_px)};
 }
 
@@ -102,8 +103,8 @@ bool standsOut(const Thickness& above, const Thickness& line, double curve_px) {
   return std::min(more_px, curve_px - line.usual) >= kLittle_px && above.thin > line.thick;
 }
 
-struct Wall {
-  double x = 0, foot = 0, top = 0;  ///< area px
+struct LostBottomOut {
+  double x = 0, riseStart = 0, top = 0;  ///< area px
 };
 
 /// For curves that end beside each other: the bottom-out rises from the uppermost, and below the lowest only
@@ -113,7 +114,8 @@ struct Ends {
 };
 
 /// The bottom-out above a curve's end.
-std::optional<Wall> wallAt(const Curve& curve, Ends ends, const InkOnArea& ink, const PlotArea& area) {
+std::optional<LostBottomOut> bottomOutAt(const Curve& curve, Ends ends, const InkOnArea& coverage,
+                                         const PlotArea& area) {
   const double w = curve.thickness_px, height = area.frame.height(), margin = 1.5 * w + 2;
   const double least_px = std::max(kLeastHeight * height, 3 * w);
   if (ends.uppermost - area.frame.y0 < least_px) return {};
@@ -121,38 +123,39 @@ std::optional<Wall> wallAt(const Curve& curve, Ends ends, const InkOnArea& ink, 
   const double probe = ends.uppermost - margin, room = probe - area.frame.y0;
   const double probed = std::max(kLeastHeight * height, std::min(kProbed_px, room));
   const auto probedAt = [&](double at) {
-    return Thickness::between({ink, area, at}, probe - probed, probe).value_or(Thickness{});
+    return Thickness::between({coverage, area, at}, probe - probed, probe).value_or(Thickness{});
   };
   double x = curve.end().x, most_px = 0;
   for (double at = curve.end().x - w - 2; at <= curve.end().x + w + 2; at += 1)
     if (const double run = probedAt(at).usual; run > most_px) most_px = run, x = at;
-  x = PlumbLane(ink, area, x).middle(probe - probed, probe);
-  const PlumbLane lane(ink, area, x);
+  x = PlumbLane(coverage, area, x).middle(probe - probed, probe);
+  const PlumbLane lane(coverage, area, x);
   const Thickness seen = probedAt(x);
   const Thickness line =
-      lineBelow(lane, ends.lowest + margin, ownLine(ink, area, x, w + 2), area.frame, margin);
-  const auto isWall = [&](const Thickness& its) {
-    return its.usual >= kLeastOfCurve * w && its.usual <= kMostOfCurve * w + 1 && standsOut(its, line, w);
+      lineBelow(lane, ends.lowest + margin, ownLine(coverage, area, x, w + 2), area.frame, margin);
+  const auto isBottomOut = [&](const Thickness& thickness) {
+    return thickness.usual >= kLeastOfCurve * w && thickness.usual <= kMostOfCurve * w + 1 &&
+           standsOut(thickness, line, w);
   };
-  if (!isWall(seen)) return {};
+  if (!isBottomOut(seen)) return {};
   const double top =
       lane.top(probe, std::max(0.5 * (seen.usual + line.usual), 0.8 * kLeastOfCurve * w), 2 * w + 3);
   if (ends.uppermost - top < least_px) return {};
   // If only the corner is thicker, it is the corner.
-  if (!isWall(Thickness::between(lane, top, probe).value_or(seen))) return {};
+  if (!isBottomOut(Thickness::between(lane, top, probe).value_or(seen))) return {};
   const double half = 0.5 * (top + probe);
   if (std::abs(lane.middle(top, half) - lane.middle(half, probe)) > kLean_px) return {};
   const double atFrame = top - area.frame.y0 <= kTopReached_px + w ? area.frame.y0 : top;
-  return Wall{lane.middle(top, probe), curve.end().y, atFrame};
+  return LostBottomOut{lane.middle(top, probe), curve.end().y, atFrame};
 }
 
 /// Row where the vertical rise at the end of a curve begins; the end's own row without one.
-double footOfRise(const Curve& curve) {
+double startOfRise(const Curve& curve) {
   const Point end = curve.end();
-  double foot = end.y;
+  double riseStart = end.y;
   for (auto p = curve.points.rbegin(); p != curve.points.rend() && std::abs(p->x - end.x) <= kPlumb_px; ++p)
-    foot = std::max(foot, p->y);
-  return foot;
+    riseStart = std::max(riseStart, p->y);
+  return riseStart;
 }
 
 /// Returns true if the right ends of two curves are on one lane.
@@ -162,16 +165,16 @@ bool endTogether(const Curve& a, const Curve& b) {
 
 /// The bottom-out of another curve of the same colour, if this one ends beside it: the strokes of one button
 /// separate there.
-std::optional<Wall> sharedWall(const Curve& curve, const std::vector<Curve>& curves, const InkOnArea& ink,
-                               const PlotArea& area) {
+std::optional<LostBottomOut> sharedBottomOut(const Curve& curve, const std::vector<Curve>& curves,
+                                             const InkOnArea& coverage, const PlotArea& area) {
   const double least_px = std::max(kLeastHeight * area.frame.height(), 3 * curve.thickness_px);
   for (const Curve& other : curves) {
     if (&other == &curve || other.color != curve.color || !endTogether(curve, other)) continue;
-    const Wall wall{other.end().x, curve.end().y, other.end().y};
-    const double foot = footOfRise(other);
-    if (foot - wall.top < least_px || wall.foot - wall.top < least_px) continue;
-    const auto between = Thickness::between({ink, area, wall.x}, foot, wall.foot);
-    if (!between || between->usual >= kLeastOfCurve * curve.thickness_px) return wall;
+    const LostBottomOut bottomOut{other.end().x, curve.end().y, other.end().y};
+    const double riseStart = startOfRise(other);
+    if (riseStart - bottomOut.top < least_px || bottomOut.riseStart - bottomOut.top < least_px) continue;
+    const auto between = Thickness::between({coverage, area, bottomOut.x}, riseStart, bottomOut.riseStart);
+    if (!between || between->usual >= kLeastOfCurve * curve.thickness_px) return bottomOut;
   }
   return {};
 }
@@ -199,11 +202,12 @@ void measureThickness(std::vector<Curve>& curves, const PlotScene& scene) {
 }
 
 /// Appends the bottom-out to the trace, at its right end.
-void lengthen(CurveTrace& trace, const Wall& wall, bool reversed, const PlotArea& area) {
+void lengthen(CurveTrace& trace, const LostBottomOut& bottomOut, bool reversed, const PlotArea& area) {
   std::vector<Point> rise;
-  const int steps = trace.fromVector ? 1 : std::max(1, static_cast<int>(wall.foot - wall.top));
+  const int steps = trace.fromVector ? 1 : std::max(1, static_cast<int>(bottomOut.riseStart - bottomOut.top));
   for (int i = trace.fromVector ? 0 : 1; i <= steps; ++i)
-    rise.push_back(area.toView({wall.x, wall.foot + (wall.top - wall.foot) * i / steps}));
+    rise.push_back(
+        area.toView({bottomOut.x, bottomOut.riseStart + (bottomOut.top - bottomOut.riseStart) * i / steps}));
   if (reversed) std::ranges::reverse(rise);
   const auto at = reversed ? trace.points_px.begin() : trace.points_px.end();
   if (!trace.width_px.empty()) {
@@ -221,29 +225,29 @@ void addLostWalls(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   std::vector<Curve> curves;
   for (const CurveTrace& trace : traces) {
     if (trace.points_px.size() < 2) return;
-    curves.push_back(wallCurve(trace, area));
+    curves.push_back(curveOnArea(trace, area));
   }
-  std::vector<std::optional<Wall>> walls(traces.size());
+  std::vector<std::optional<LostBottomOut>> bottomOuts(traces.size());
   measureThickness(curves, scene);
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const InkOnArea& ink = scene.inkOf(traces[i].color);
-    if (!ink.distinct() || curves[i].thickness_px <= 0) continue;
+    const InkOnArea& coverage = scene.inkOf(traces[i].color);
+    if (!coverage.distinct() || curves[i].thickness_px <= 0) continue;
     Ends ends{curves[i].end().y, curves[i].end().y};
     for (const Curve& other : curves)
       if (endTogether(curves[i], other)) {
-        if (other.color == curves[i].color) ends.uppermost = std::min(ends.uppermost, footOfRise(other));
+        if (other.color == curves[i].color) ends.uppermost = std::min(ends.uppermost, startOfRise(other));
         ends.lowest = std::max(ends.lowest, other.end().y);
       }
-    walls[i] = wallAt(curves[i], ends, ink, area);
-    if (!walls[i]) walls[i] = sharedWall(curves[i], curves, ink, area);
+    bottomOuts[i] = bottomOutAt(curves[i], ends, coverage, area);
+    if (!bottomOuts[i]) bottomOuts[i] = sharedBottomOut(curves[i], curves, coverage, area);
   }
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    if (!walls[i]) continue;
-    if (const std::size_t hook = pointsOfHook(curves[i], walls[i]->x)) {
+    if (!bottomOuts[i]) continue;
+    if (const std::size_t hook = pointsOfHook(curves[i], bottomOuts[i]->x)) {
       dropEnd(traces[i], hook, true);
-      walls[i]->foot = curves[i].points[curves[i].points.size() - 1 - hook].y;
+      bottomOuts[i]->riseStart = curves[i].points[curves[i].points.size() - 1 - hook].y;
     }
-    lengthen(traces[i], *walls[i], curves[i].reversed, area);
+    lengthen(traces[i], *bottomOuts[i], curves[i].reversed, area);
   }
 }
 

@@ -22,6 +22,6 @@ struct WorkPlaneOptions {
 };
 
 /// From one colour's coverage of the area.
-WorkPlane makeWorkPlane(const Plane& ink, const PlotArea& area, const WorkPlaneOptions& options = {});
+WorkPlane makeWorkPlane(const Plane& coverage, const PlotArea& area, const WorkPlaneOptions& options = {});
 
 }  // namespace detent::importer::trace

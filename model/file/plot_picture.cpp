@@ -21,28 +21,28 @@ constexpr std::array<std::uint8_t, 15> palette{255, 255, 255, 205, 205, 205, 0, 
 
 struct Raster {
   int width_px, height_px;
-  std::vector<std::uint8_t> inks;
+  std::vector<std::uint8_t> colourIndices;
 
   Raster(int width, int height)
       : width_px(width),
         height_px(height),
-        inks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), paper) {}
-  void dot(int x, int y, Ink ink) {
+        colourIndices(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), paper) {}
+  void dot(int x, int y, Ink colour) {
     if (x < 0 || y < 0 || x >= width_px || y >= height_px) return;
-    inks[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x)] =
-        ink;
+    colourIndices[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
+                  static_cast<std::size_t>(x)] = colour;
   }
-  void block(double x, double y, int size_px, Ink ink) {
+  void block(double x, double y, int size_px, Ink colour) {
     const int left = static_cast<int>(std::lround(x - size_px / 2.0)),
               top = static_cast<int>(std::lround(y - size_px / 2.0));
     for (int row = 0; row < size_px; ++row)
-      for (int column = 0; column < size_px; ++column) dot(left + column, top + row, ink);
+      for (int column = 0; column < size_px; ++column) dot(left + column, top + row, colour);
   }
-  void line(double x0, double y0, double x1, double y1, int size_px, Ink ink) {
+  void line(double x0, double y0, double x1, double y1, int size_px, Ink colour) {
     const int steps = 1 + static_cast<int>(std::fmin(1e5, std::ceil(2 * std::hypot(x1 - x0, y1 - y0))));
     for (int i = 0; i <= steps; ++i) {
       const double share = static_cast<double>(i) / steps;
-      block(x0 + share * (x1 - x0), y0 + share * (y1 - y0), size_px, ink);
+      block(x0 + share * (x1 - x0), y0 + share * (y1 - y0), size_px, colour);
     }
   }
 };
@@ -162,8 +162,9 @@ std::string pngOf(const Raster& raster) {
     rows += '\0';  // no filter
     const std::size_t from = static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width_px);
     for (int x = 0; x < raster.width_px; x += 2) {
-      const unsigned high = raster.inks[from + static_cast<std::size_t>(x)];
-      const unsigned low = x + 1 < raster.width_px ? raster.inks[from + static_cast<std::size_t>(x) + 1] : 0;
+      const unsigned high = raster.colourIndices[from + static_cast<std::size_t>(x)];
+      const unsigned low =
+          x + 1 < raster.width_px ? raster.colourIndices[from + static_cast<std::size_t>(x) + 1] : 0;
       rows += static_cast<char>(high << 4U | low);
     }
   }

@@ -292,11 +292,12 @@ class Plot {
     if (!metrics_.operatingPoint) return;
     const double closes_mm = metrics_.operatingPoint->displacement_mm;
     const double height = sized(2 * dimensionRow_px + 8), end = spot(closes_mm, 0).x;
-    const auto inkBetween = [&](double top, double bottom) {
+    const auto drawnBetween = [&](double top, double bottom) {
       return std::ranges::count_if(ink_,
                                    [&](const Spot& p) { return p.x < end && p.y > top && p.y < bottom; });
     };
-    const bool above = inkBetween(frame_.y0, frame_.y0 + height) <= inkBetween(frame_.y1 - height, frame_.y1);
+    const bool above =
+        drawnBetween(frame_.y0, frame_.y0 + height) <= drawnBetween(frame_.y1 - height, frame_.y1);
     const double first = above ? frame_.y0 + sized(dimensionRow_px) : frame_.y1 - sized(8);
     const double step = sized(dimensionRow_px) * (above ? 1 : -1);
     dimension(out, 0, closes_mm, style_.words.preTravel, first);
@@ -431,9 +432,9 @@ class Plot {
 
   // Returns true if a leader would run under another callout's text.
   bool underAnother(Spot at, Spot edge) const {
-    constexpr int places = 16;
-    for (int i = 0; i <= places; ++i) {
-      const double share = static_cast<double>(i) / places;
+    constexpr int positions = 16;
+    for (int i = 0; i <= positions; ++i) {
+      const double share = static_cast<double>(i) / positions;
       const Spot there{at.x + share * (edge.x - at.x), at.y + share * (edge.y - at.y)};
       if (std::ranges::any_of(taken_, [there](const Box& other) { return other.contains(there); }))
         return true;
@@ -455,9 +456,9 @@ class Plot {
       cost += 1e6;
     for (const Box& other : taken_)
       if (box.overlaps(other)) cost += 1e4;
-    const Box wide{box.x0 - 3, box.y0 - 3, box.x1 + 3, box.y1 + 3};
+    const Box widened{box.x0 - 3, box.y0 - 3, box.x1 + 3, box.y1 + 3};
     for (const Spot& p : ink_)
-      if (wide.contains(p)) cost += 20;
+      if (widened.contains(p)) cost += 20;
     return cost;
   }
 

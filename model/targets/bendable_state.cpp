@@ -19,7 +19,7 @@ constexpr double narrowest = 0.1;        // share of its width that a piece keep
 constexpr double lowest = 0.02;          // share of its height that a rise or fall keeps
 constexpr double same = 1e-9;            // shares of travel and range within which ends coincide
 // share of the travel within which both strokes have one bottom-out
-constexpr double sameFoot = 0.03;
+constexpr double sameBottomOut = 0.03;
 constexpr double contactRoom = 1e-6;  // share of the travel between contacts and ends
 // factor by which the range may grow before a tactile point loses its prominence
 constexpr double roomToProminence = 1.25;
@@ -92,23 +92,23 @@ void reslope(const std::vector<Knot>& old, std::vector<Knot>& knots) {
   }
   for (std::size_t i = 1; i + 1 < count; ++i) {
     if (isTwin(old, i) || isTwin(old, i + 1)) continue;
-    const Slopes both = joined(old[i], {knots[i].slopeBefore_N_per_mm, knots[i].slopeAfter_N_per_mm},
-                               chords[i], chords[i + 1]);
-    knots[i].slopeBefore_N_per_mm = both.before;
-    knots[i].slopeAfter_N_per_mm = both.after;
+    const Slopes joinedSlopes = joined(old[i], {knots[i].slopeBefore_N_per_mm, knots[i].slopeAfter_N_per_mm},
+                                       chords[i], chords[i + 1]);
+    knots[i].slopeBefore_N_per_mm = joinedSlopes.before;
+    knots[i].slopeAfter_N_per_mm = joinedSlopes.after;
   }
 }
 
 // Landmarks of a stroke, in any order.
 std::vector<double> landmarksOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings) {
-  std::vector<double> places{curve.start_mm(), curve.end_mm()};
+  std::vector<double> positions{curve.start_mm(), curve.end_mm()};
   const StrokeMetrics metrics = metricsOf(curve, stroke, settings);
   for (const TactileEvent& event : metrics.tactile) {
-    places.push_back(event.point.displacement_mm);
-    if (event.following) places.push_back(event.following->displacement_mm);
+    positions.push_back(event.point.displacement_mm);
+    if (event.following) positions.push_back(event.following->displacement_mm);
   }
-  if (metrics.bottomOut.wall) places.push_back(metrics.bottomOut.displacement_mm);
-  return places;
+  if (metrics.bottomOut.wall) positions.push_back(metrics.bottomOut.displacement_mm);
+  return positions;
 }
 
 // Position of each knot in a stretch, 0 at the first and 1 at the last, by its share of the force change.
@@ -116,11 +116,12 @@ std::vector<double> climbed(const std::vector<Knot>& knots, std::size_t first, s
   std::vector<double> way{0};
   double whole = 0;
   for (std::size_t i = first; i < last; ++i) whole += std::abs(knots[i + 1].force_N - knots[i].force_N);
-  const double wide = knots[last].displacement_mm - knots[first].displacement_mm;
+  const double width_mm = knots[last].displacement_mm - knots[first].displacement_mm;
   double height = 0;
   for (std::size_t i = first + 1; i <= last; ++i) {
     height += std::abs(knots[i].force_N - knots[i - 1].force_N);
-    const double across = wide > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / wide : 1;
+    const double across =
+        width_mm > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / width_mm : 1;
     way.push_back(whole > 0 ? height / whole : across);
   }
   way.back() = 1;
@@ -129,9 +130,9 @@ std::vector<double> climbed(const std::vector<Knot>& knots, std::size_t first, s
 
 std::vector<double> crossed(const std::vector<Knot>& knots, std::size_t first, std::size_t last) {
   std::vector<double> way;
-  const double wide = knots[last].displacement_mm - knots[first].displacement_mm;
+  const double width_mm = knots[last].displacement_mm - knots[first].displacement_mm;
   for (std::size_t i = first; i <= last; ++i)
-    way.push_back(wide > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / wide : 0);
+    way.push_back(width_mm > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / width_mm : 0);
   return way;
 }
 
@@ -176,9 +177,10 @@ BendableState::BendableState(const ButtonState& state, const SectionSettings& se
   const StrokeCurve& press = state.graph.press();
   travel_mm_ = press.travel_mm();
   double low_N = press.knots().front().force_N, high_N = low_N;
-  const double foot_mm = bottomOutOf(press, settings).displacement_mm;
+  const double bottomOut_mm = bottomOutOf(press, settings).displacement_mm;
   for (int i = 0; i <= 200; ++i) {
-    const double force_N = press.forceBefore_N(press.start_mm() + (foot_mm - press.start_mm()) * i / 200);
+    const double force_N =
+        press.forceBefore_N(press.start_mm() + (bottomOut_mm - press.start_mm()) * i / 200);
     low_N = std::min(low_N, force_N);
     high_N = std::max(high_N, force_N);
   }
@@ -231,8 +233,8 @@ BendableState::Line BendableState::lineOf(const StrokeCurve& curve, Stroke strok
   const std::size_t step = (line.knots.size() + mostHandles - 1) / mostHandles;
   for (std::size_t i = 0; i < line.knots.size(); ++i) {
     const bool landmark = std::count(landmarks.begin(), landmarks.end(), line.knots[i].displacement_mm) > 0;
-    const bool wall = isTwin(line.knots, i) || (i + 1 < line.knots.size() && isTwin(line.knots, i + 1));
-    if (landmark || wall || i % step == 0) line.handles.push_back({i, landmark || wall});
+    const bool isVertical = isTwin(line.knots, i) || (i + 1 < line.knots.size() && isTwin(line.knots, i + 1));
+    if (landmark || isVertical || i % step == 0) line.handles.push_back({i, landmark || isVertical});
   }
   return line;
 }
@@ -285,7 +287,7 @@ void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
     moves.row(row).cwiseAbs().maxCoeff(&column);
     return moves(row, column) == 1 ? column : Eigen::Index{-1};
   };
-  const double foot_mm = bottomOutOf(state_.graph.press(), settings_).displacement_mm;
+  const double bottomOut_mm = bottomOutOf(state_.graph.press(), settings_).displacement_mm;
   for (std::size_t i = 0; i < line.handles.size(); ++i) {
     if (!line.handles[i].landmark) continue;
     const Knot& knot = line.knots[line.handles[i].knot];
@@ -295,11 +297,11 @@ void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
       const Knot& other = met->knots[met->handles[k].knot];
       const double apart = std::abs(other.displacement_mm - knot.displacement_mm) / travel_mm_;
       const bool ends = (i == 0 && k == 0) || (i + 1 == line.handles.size() && k + 1 == met->handles.size());
-      const bool foot =
-          i > 0 && other.displacement_mm == foot_mm && met->handles[k].landmark && apart < sameFoot &&
-          i + 1 < line.handles.size() &&
+      const bool atBottomOut =
+          i > 0 && other.displacement_mm == bottomOut_mm && met->handles[k].landmark &&
+          apart < sameBottomOut && i + 1 < line.handles.size() &&
           bottomOutOf(*state_.graph.release(), settings_).displacement_mm == knot.displacement_mm;
-      if ((ends && apart < same) || foot) {
+      if ((ends && apart < same) || atBottomOut) {
         if (!start) mm[i] = single(met->mm, static_cast<Eigen::Index>(k));
         if (ends && std::abs(other.force_N - knot.force_N) < same * range_N_)
           N[i] = single(met->N, static_cast<Eigen::Index>(k));
@@ -344,8 +346,9 @@ void BendableState::addRulesOf(const Line& line) {
     if (positive) addRule(ShapeRule::noPull, line.N.row(row), -at.force_N / range_N_);
     if (i == 0) continue;
     const Knot& before = line.knots[line.handles[i - 1].knot];
-    const double wide = (at.displacement_mm - before.displacement_mm) / travel_mm_;
-    if (wide > 0) addRule(ShapeRule::width, line.mm.row(row) - line.mm.row(row - 1), (narrowest - 1) * wide);
+    const double widthShare = (at.displacement_mm - before.displacement_mm) / travel_mm_;
+    if (widthShare > 0)
+      addRule(ShapeRule::width, line.mm.row(row) - line.mm.row(row - 1), (narrowest - 1) * widthShare);
     const double rise = (at.force_N - before.force_N) / range_N_;
     if (std::abs(rise) < same) continue;
     const double sign = rise > 0 ? 1 : -1;
@@ -418,12 +421,13 @@ void BendableState::addRulesOfContacts() {
 void BendableState::findGaps() {
   if (!release_) return;
   const StrokeCurve &press = state_.graph.press(), &release = *state_.graph.release();
-  double wall_mm = std::numeric_limits<double>::infinity();  // from there on a tiny displacement is any force
+  double vertical_mm =
+      std::numeric_limits<double>::infinity();  // from there on a tiny displacement is any force
   for (const StrokeCurve* curve : {&press, &release})
-    if (const BottomOut foot = bottomOutOf(*curve, settings_); foot.wall)
-      wall_mm = std::min(wall_mm, foot.displacement_mm);
+    if (const BottomOut bottomOut = bottomOutOf(*curve, settings_); bottomOut.wall)
+      vertical_mm = std::min(vertical_mm, bottomOut.displacement_mm);
   const double from_mm = std::max(press.start_mm(), release.start_mm());
-  const double to_mm = std::min({press.end_mm(), release.end_mm(), wall_mm});
+  const double to_mm = std::min({press.end_mm(), release.end_mm(), vertical_mm});
   const auto below = [&](const Line& line, std::vector<std::size_t>& found) {
     for (std::size_t i = 0; i < line.handles.size(); ++i) {
       const double x = line.knots[line.handles[i].knot].displacement_mm;

@@ -22,7 +22,7 @@ constexpr double exact = 1e-9;          // shares of travel and range: a closer 
 constexpr double leastPart = 1.0 / 32;  // smallest share of the way to the targets that a step must achieve
 constexpr double leastStep = 1.0 / 256;
 // a bottom-out start that moves this many times as far as any landmark is another one
-constexpr double leap = 4;
+constexpr double largestStep = 4;
 constexpr double leastOfWay = 1.0 / 64;  // resolution of the limit of an impossible value
 
 // Rules that can block a step, most informative first.
@@ -236,7 +236,8 @@ class Search {
                           first = metricsOf(before->graph.press(), Stroke::press, settings_);
       if (then.bottomOut.wall != first.bottomOut.wall) return ShapeRule::wall;
       const double moved_mm = std::abs(then.bottomOut.displacement_mm - first.bottomOut.displacement_mm);
-      if (moved_mm > leap * part * way.cwiseAbs().maxCoeff() * bendable_.travel_mm()) return ShapeRule::wall;
+      if (moved_mm > largestStep * part * way.cwiseAbs().maxCoeff() * bendable_.travel_mm())
+        return ShapeRule::wall;
       if (then.tactile.size() != first.tactile.size()) return ShapeRule::tactile;
     }
     return {};

@@ -22,7 +22,8 @@ constexpr double movingShare = 0.1;    // of the fastest: slower samples tell no
 constexpr double standsOut = 3;        // standard errors
 constexpr double slidingShare = 0.02;  // of the fastest: from here on friction has its whole size
 constexpr double mmPerM = 1000;
-constexpr double leastNoiseShare = 0.05;  // of the residual's squares is never taken for rounding
+constexpr double leastNoiseShare =
+    0.05;  // of the squared residual: at least this share counts as noise, not as rounding of positions
 
 /// Columns of the fit, in this order: c, k at the knots, b at the knots, f, m.
 struct Columns {
@@ -249,8 +250,8 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
   const Eigen::VectorXd lengths = design.colwise().norm().cwiseMax(1e-300).transpose();
   design.array().rowwise() /= lengths.transpose().array();
   Solution solution;
-  // Linear, so one decomposition solves it. A combination of parameters of which the record says nothing has
-  // no error to state.
+  // The problem is linear, so one decomposition solves it. No standard error is stated for a combination of
+  // parameters that the record does not determine.
   constexpr double saysNothing = 1e-7;  // of the greatest singular value
   auto svd = design.bdcSvd(Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(saysNothing);
@@ -409,8 +410,8 @@ Failure unusable(Message problem, const std::string& remedy) {
   return {FailureCode::unreadableInput, "record", "", std::move(problem), remedy};
 }
 
-/// The first sample that no button gives.
-std::optional<Failure> wildSampleOf(const ForceRecord& record) {
+/// Failure that names the first sample with a displacement or force that no button can have.
+std::optional<Failure> impossibleSampleOf(const ForceRecord& record) {
   for (std::size_t i = 0; i < record.time_s.size(); ++i) {
     const bool place = std::abs(record.displacement_mm[i]) <= ForceGraph::maxTravel_mm;
     if (place && std::abs(record.force_N[i]) <= ForceGraph::maxForce_N) continue;
@@ -519,7 +520,7 @@ Result<Identification> identified(const ForceRecord& record, const IdentifySetti
 }  // namespace
 
 Result<Identification> identify(const ForceRecord& record, const IdentifySettings& settings) {
-  if (auto wild = wildSampleOf(record)) return *wild;
+  if (auto impossible = impossibleSampleOf(record)) return *impossible;
   const int scale = scaleOf(record.force_N);
   ForceRecord scaled = record;
   for (double& force : scaled.force_N) force = std::scalbn(force, -scale);
@@ -529,10 +530,10 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
 }
 
 Result<Button> buttonFrom(const Identification& found, const std::string& name, double travel_mm) {
-  constexpr int places = 64;
+  constexpr int positions = 64;
   std::vector<CurvePoint> points;
-  for (int i = 0; i <= places; ++i) {
-    const double x_mm = travel_mm * i / places;
+  for (int i = 0; i <= positions; ++i) {
+    const double x_mm = travel_mm * i / positions;
     points.push_back({x_mm, found.offset_N.value + valueAt(found.knots_mm, found.k_N_per_mm, x_mm) * x_mm});
   }
   Result<StrokeCurve> press = StrokeCurve::throughPoints(points);
@@ -540,10 +541,10 @@ Result<Button> buttonFrom(const Identification& found, const std::string& name, 
   Result<ForceGraph> graph = ForceGraph::fromCurves(*press, *press);
   if (!graph) return graph.failure();
   ButtonState state{"", *std::move(graph), {}, {}, {}};
-  for (int i = 0; i <= places && !found.b_Ns_per_mm.empty(); ++i) {
-    const double x_mm = travel_mm * i / places;
+  for (int i = 0; i <= positions && !found.b_Ns_per_mm.empty(); ++i) {
+    const double x_mm = travel_mm * i / positions;
     state.damping.push_back({x_mm, std::max(0.0, valueAt(found.knots_mm, found.b_Ns_per_mm, x_mm))});
-    if (found.knots_mm.size() == 1) i = std::max(i, places - 1);  // a constant needs its ends only
+    if (found.knots_mm.size() == 1) i = std::max(i, positions - 1);  // a constant needs its ends only
   }
   return Button::fromStates(name, {std::move(state)});
 }

@@ -86,10 +86,10 @@ class Motor {
       const double kept = lag_s > 0 ? std::exp(-dt_s / lag_s) : 0.0, meanOff = lag_s / dt_s * (1 - kept);
       for (std::size_t i = firstSubstep_[k]; i < firstSubstep_[k + 1]; ++i) {
         const double from_s = record_.time_s[k] + static_cast<double>(i - firstSubstep_[k]) * dt_s - delay_s;
-        const double asked_N = meanAsked_N(from_s, from_s + dt_s, acting);
-        const double off_N = motor_N - asked_N;
-        motor_N = asked_N + kept * off_N;
-        force_N_[i] = asked_N + off_N * meanOff;
+        const double requested_N = meanRequested_N(from_s, from_s + dt_s, acting);
+        const double off_N = motor_N - requested_N;
+        motor_N = requested_N + kept * off_N;
+        force_N_[i] = requested_N + off_N * meanOff;
       }
     }
   }
@@ -102,7 +102,7 @@ class Motor {
   double force_N(std::size_t substep) const { return force_N_[substep]; }
 
  private:
-  double meanAsked_N(double from_s, double to_s, std::size_t& acting) const {
+  double meanRequested_N(double from_s, double to_s, std::size_t& acting) const {
     const std::vector<double>& t = record_.time_s;
     while (acting + 1 < t.size() && t[acting + 1] <= from_s) ++acting;
     double sum = 0, at_s = from_s;
@@ -142,7 +142,7 @@ class MotionFit {
     adaptStarts(rough);
     Globals theta = solved(rough);
     if (const std::size_t dropped = dropOdd(theta); dropped > 0) theta = solved(theta);
-    return told(theta);
+    return result(theta);
   }
 
  private:
@@ -426,7 +426,7 @@ class MotionFit {
     }
   }
 
-  MotionIdentification told(const Globals& theta) {
+  MotionIdentification result(const Globals& theta) {
     const double cost = costOf(theta);
     const Equations e = equationsAt(theta);
     MotionIdentification found;
@@ -436,8 +436,8 @@ class MotionFit {
     const double used = static_cast<double>(2 * found.stretches + parameters);
     found.residual_mm = std::sqrt(cost / std::max(1.0, n - used));
     found.expected_mm = record_.step_mm / std::sqrt(12.0);
-    // Errors within a stretch go together: they are counted by stretches. No less than independent rounding
-    // would give.
+    // Errors within a stretch are correlated, so stretches are counted, not readings. The variance is at least
+    // that of independent rounding.
     const Square inverse = (e.normal + 1e-15 * Square::Identity()).inverse();
     const double m = static_cast<double>(found.stretches);
     const Square byStretches =

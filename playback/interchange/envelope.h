@@ -12,20 +12,20 @@
 
 namespace detent::playback {
 
-/// Half of a press: what begins before the finger turns, or what begins after.
+/// Half of a press: the sounds that begin before the finger turns back, or those that begin after.
 struct Stretch {
   std::int64_t from = 0, to = 0;  ///< samples
 };
-/// The press and the release; the release is empty where nothing is felt on the way up.
+/// The halves of a press. The release is empty if nothing is felt on the way up.
 Stretch pressOf(const PressPlan& plan);
 Stretch releaseOf(const PressPlan& plan);
-/// The sample of the first burst that begins within, or `stretch.to`.
+/// First sample of the first burst of a half; `stretch.to` if there is none.
 std::int64_t firstOnset(const PressPlan& plan, const Stretch& stretch);
-/// The same; what is no jump or bottom-out and leaves one less than `room_s` behind it is passed over for its
-/// moment.
+/// As firstOnset, but a burst that begins less than `room_s` before a jump or bottom-out is skipped, unless it
+/// is one itself.
 std::int64_t firstOnsetWithRoom(const PressPlan& plan, const Stretch& stretch, double room_s);
-/// The first on a grid of `grid_s` on which the first jump or bottom-out lies, where there is one: at most a
-/// grid's width earlier.
+/// As firstOnset, moved earlier by at most `grid_s`, so that the first jump or bottom-out, if there is one, lies
+/// on a grid of that width.
 std::int64_t firstOnsetOnGrid(const PressPlan& plan, const Stretch& stretch, double grid_s);
 
 /// Level and frequency between two moments.

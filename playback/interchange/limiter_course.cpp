@@ -52,24 +52,24 @@ class Cone {
 
 std::vector<GainPoint> limiterCourse(const std::vector<float>& whole, const std::vector<float>& limited,
                                      double tolerance) {
-  std::vector<GainPoint> course;
+  std::vector<GainPoint> gainPoints;
   const auto count = static_cast<std::int64_t>(std::min(whole.size(), limited.size()));
   const auto gainsAt = [&](std::int64_t frame) {
     const auto i = static_cast<std::size_t>(frame);
     return gainsOf(static_cast<double>(whole[i]), static_cast<double>(limited[i]), tolerance);
   };
-  if (count == 0) return course;
-  course.push_back({0, gainsAt(0).high});
-  Cone cone(course.back());
+  if (count == 0) return gainPoints;
+  gainPoints.push_back({0, gainsAt(0).high});
+  Cone cone(gainPoints.back());
   for (std::int64_t frame = 1; frame < count; ++frame) {
     const Range gains = gainsAt(frame);
     if (cone.narrow(frame, gains)) continue;
-    course.push_back(cone.at(frame - 1));
-    cone = Cone(course.back());
+    gainPoints.push_back(cone.at(frame - 1));
+    cone = Cone(gainPoints.back());
     cone.narrow(frame, gains);
   }
-  if (count > 1) course.push_back(cone.at(count - 1));
-  return course;
+  if (count > 1) gainPoints.push_back(cone.at(count - 1));
+  return gainPoints;
 }
 
 }  // namespace detent::playback

@@ -22,7 +22,7 @@ struct PlannedBurst {
   std::int64_t frame = 0;             ///< sample at which it begins
   Burst burst;                        ///< amplitude > 0, before the filters
   double displacement_mm = 0;
-  std::uint32_t grains = 0;  ///< grain positions merged into it; 0 for what is no grain
+  std::uint32_t grains = 0;  ///< grain positions merged into it; 0 for a jump or bottom-out
 };
 
 /// A press, burst by burst, and the samples that the engine makes of it.

@@ -43,14 +43,14 @@ std::vector<WavePoint> merged(const std::vector<Breakpoint>& amplitudes,
     const bool amplitudeNext = f == frequencies.size() || amplitudes[a].time_s <= frequencies[f].time_s;
     const double time_s = amplitudeNext ? amplitudes[a].time_s : frequencies[f].time_s;
     const double level = amplitudeNext ? amplitudes[a].value : straight(amplitudes, a, time_s);
-    const bool both = amplitudeNext && f < frequencies.size() && frequencies[f].time_s == time_s;
-    const double frequency = frequencies.empty()      ? 0
-                             : !amplitudeNext || both ? frequencies[f].value
-                                                      : straight(frequencies, f, time_s);
+    const bool together = amplitudeNext && f < frequencies.size() && frequencies[f].time_s == time_s;
+    const double frequency = frequencies.empty()          ? 0
+                             : !amplitudeNext || together ? frequencies[f].value
+                                                          : straight(frequencies, f, time_s);
     // Before the envelope begins nothing sounds.
     if (amplitudeNext || a > 0) points.push_back({time_s, level, frequencyOf(frequency)});
     if (amplitudeNext) ++a;
-    if (!amplitudeNext || both) ++f;
+    if (!amplitudeNext || together) ++f;
   }
   return points;
 }

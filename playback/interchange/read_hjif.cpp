@@ -158,10 +158,10 @@ bool readBand(const JsonPlace& entry, Band& band, ReferenceWaves& result) {
   band.kind = kind == "Curve"       ? BandKind::curve
               : kind == "Transient" ? BandKind::transient
                                     : BandKind::vectorial;
-  const std::string course = entry.textOr("curve_type", "Cubic");
-  band.cubic = course == "Cubic";
-  if (band.kind == BandKind::curve && !band.cubic && course != "Linear")
-    result.note(Message("curves of the type %1 are played as straight lines", course));
+  const std::string path = entry.textOr("curve_type", "Cubic");
+  band.cubic = path == "Cubic";
+  if (band.kind == BandKind::curve && !band.cubic && path != "Linear")
+    result.note(Message("curves of the type %1 are played as straight lines", path));
   band.low_Hz = entry.numberOr("lower_frequency_limit", 0, 0, fastest_Hz);
   band.high_Hz = std::max(band.low_Hz, entry.numberOr("upper_frequency_limit", fastest_Hz, 0, 1e9));
   return true;

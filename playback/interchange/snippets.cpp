@@ -20,19 +20,19 @@ constexpr int halvings = 14;                      // of the range between, on a 
 /// The cheapest points of an envelope up to each cell: squared error, and `perByte` for every byte.
 class CheapestPoints {
  public:
-  CheapestPoints(const LevelCourse& course, double perByte)
-      : cells_(course.levels.size()),
+  CheapestPoints(const LevelCourse& levelPath, double perByte)
+      : cells_(levelPath.levels.size()),
         perByte_(perByte),
         nextOnset_(cells_ + 1, cells_),
         reached_(cells_ + 1),
         sums_(cells_ + static_cast<std::size_t>(mostUnits * snippetUnits.back()) + 1) {
     std::vector<bool> begins(cells_, false);
-    for (const std::size_t onset : course.onsets)
+    for (const std::size_t onset : levelPath.onsets)
       if (onset < cells_) begins[onset] = true;
     for (std::size_t cell = cells_; cell-- > 1;)
       nextOnset_[cell - 1] = begins[cell] ? cell : nextOnset_[cell];
     for (std::size_t i = 0; i + 1 < sums_.size(); ++i) {
-      const double level = i < cells_ ? course.levels[i] : 0, place = static_cast<double>(i) + 0.5;
+      const double level = i < cells_ ? levelPath.levels[i] : 0, place = static_cast<double>(i) + 0.5;
       sums_[i + 1] = {sums_[i].levels + level, sums_[i].byPlace + level * place,
                       sums_[i].squares + level * level};
     }
@@ -163,10 +163,10 @@ bool fits(const Rows& rows) {
 }
 
 /// Rows cut to each one's share of the memory.
-Rows cutToShares(const std::array<CheapestPoints, 2>& courses) {
+Rows cutToShares(const std::array<CheapestPoints, 2>& cheapest) {
   Rows rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const CheapestPoints &own = courses[i], &other = courses[1 - i];
+    const CheapestPoints &own = cheapest[i], &other = cheapest[1 - i];
     const auto share = [](std::size_t all, std::size_t othersNeed) {
       return std::max(all / 2, all - std::min(all, othersNeed));
     };
@@ -181,9 +181,9 @@ Rows cutToShares(const std::array<CheapestPoints, 2>& courses) {
 
 }  // namespace
 
-std::array<SnippetRow, 2> snippetsOf(const std::array<LevelCourse, 2>& courses) {
-  const auto at = [&courses](double perByte) {
-    return std::array{CheapestPoints(courses[0], perByte), CheapestPoints(courses[1], perByte)};
+std::array<SnippetRow, 2> snippetsOf(const std::array<LevelCourse, 2>& halves) {
+  const auto at = [&halves](double perByte) {
+    return std::array{CheapestPoints(halves[0], perByte), CheapestPoints(halves[1], perByte)};
   };
   const auto whole = [](const std::array<CheapestPoints, 2>& plans) {
     return Rows{plans[0].upTo(plans[0].cells()), plans[1].upTo(plans[1].cells())};

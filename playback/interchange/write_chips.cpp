@@ -59,7 +59,7 @@ Slice pause(double time_s) {
 class SliceWriter {
  public:
   SliceWriter(const PressPlan& plan, const std::vector<EnvelopeStep>& steps)
-      : plan_(plan), rate_Hz_(plan.sampleRate_Hz), steps_(steps), course_(smoothed(steps, rate_Hz_, 0)) {}
+      : plan_(plan), rate_Hz_(plan.sampleRate_Hz), steps_(steps), levels_(smoothed(steps, rate_Hz_, 0)) {}
 
   void write() {
     const double end_s = static_cast<double>(steps_.back().to) / rate_Hz_;
@@ -120,7 +120,7 @@ class SliceWriter {
   double firstAmplitude(const EnvelopeStep& step) const {
     const double from_s = static_cast<double>(step.from) / rate_Hz_;
     double amplitude = step.amplitude;
-    for (const WavePoint& point : course_.points)
+    for (const WavePoint& point : levels_.points)
       if (std::fabs(point.time_s - from_s) < 1e-9) amplitude = std::fmax(step.amplitude, point.amplitude);
     return amplitude;
   }
@@ -140,7 +140,7 @@ class SliceWriter {
   const PressPlan& plan_;
   double rate_Hz_;
   const std::vector<EnvelopeStep>& steps_;
-  PlayedWave course_;
+  PlayedWave levels_;
   double now_s_ = 0;   // of the press
   double owed_s_ = 0;  // by which the slices are ahead of it: pauses too short to be written
 };
@@ -306,7 +306,7 @@ ExportLoss lraLoss(const PressPlan& plan, double worstTimingError_ms) {
 constexpr double lowestThreshold_g = 110, highestThreshold_g = 190;
 
 struct Touchpad {
-  std::optional<double> asked_g;
+  std::optional<double> requested_g;
   double threshold_g = lowestThreshold_g;
   double releaseRatio = 0.9;  // what systems assume where nothing is said
   bool releaseKnown = false;
@@ -332,8 +332,8 @@ Touchpad touchpadFrom(const ExportSource& source) {
   if (!press_N && program.hasOperatingPoint) press_N = state.graph.press().force_N(program.operating_mm);
   if (!press_N && program.hasBottomOut) press_N = state.graph.press().force_N(program.bottomOut_mm);
   if (press_N) {
-    pad.asked_g = *press_N / newtonsPer(ForceUnit::gramForce);
-    pad.threshold_g = std::clamp(*pad.asked_g, lowestThreshold_g, highestThreshold_g);
+    pad.requested_g = *press_N / newtonsPer(ForceUnit::gramForce);
+    pad.threshold_g = std::clamp(*pad.requested_g, lowestThreshold_g, highestThreshold_g);
   }
   if (state.graph.release()) {
     std::optional<double> release_N = jumpForce(program.release, *state.graph.release());
@@ -358,7 +358,7 @@ std::string touchpadText(const ExportSource& source, const Touchpad& pad, const 
       {"feel", feels.word(source.plan.feel)},
       {"press_threshold_g", pad.threshold_g},
       {"press_threshold_N", pad.threshold_g * perGram},
-      {"press_threshold_of_button_g", pad.asked_g ? Json(*pad.asked_g) : Json(nullptr)},
+      {"press_threshold_of_button_g", pad.requested_g ? Json(*pad.requested_g) : Json(nullptr)},
       {"release_ratio", pad.releaseRatio},
       {"release_ratio_known", pad.releaseKnown},
       {"release_threshold_g", pad.threshold_g * pad.releaseRatio},
@@ -439,9 +439,9 @@ Reduction drv2605Of(const ExportSource& source) {
   return reduction;
 }
 
-Reduction pcmOf(const ExportSource& source, unsigned bits, double asked_Hz) {
+Reduction pcmOf(const ExportSource& source, unsigned bits, double requested_Hz) {
   const PressPlan& plan = source.plan;
-  const double sampleRate_Hz = std::round(asked_Hz);  // what the file states
+  const double sampleRate_Hz = std::round(requested_Hz);  // what the file states
   const int full = bits == 8 ? 127 : 32767;
   std::vector<int> samples;
   std::vector<float> heard;
@@ -478,11 +478,11 @@ Reduction touchpadOf(const ExportSource& source) {
   reduction.loss.grainsMerged = grainsWithin(source.plan, wholeOf(source.plan));
   reduction.loss.dropped = {"the shape of every wave (the pad plays its own Press and Release)",
                             "the bottom-out", "the slope"};
-  if (pad.asked_g && *pad.asked_g != pad.threshold_g)
+  if (pad.requested_g && *pad.requested_g != pad.threshold_g)
     reduction.loss.dropped.push_back("the button's own press force of " +
-                                     std::to_string(std::lround(*pad.asked_g)) +
+                                     std::to_string(std::lround(*pad.requested_g)) +
                                      " g, outside the 110 to 190 g that pads offer");
-  if (!pad.asked_g)
+  if (!pad.requested_g)
     reduction.loss.dropped.emplace_back(
         "a press force: the button has no jump, operating point or bottom-out");
   if (!pad.releaseKnown)

@@ -21,7 +21,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double tolerance = 3e-4;  // of full scale
 constexpr std::size_t mostBandsOfLevel1 = 7;
-constexpr const char* noDate = "1970-01-01";  // one has to stand there, and the same press is the same file
+constexpr const char* noDate =
+    "1970-01-01";  // a date is required; a fixed one makes equal files of equal presses
 
 struct Effect {
   std::int64_t from = 0, to = 0;  ///< samples, both included

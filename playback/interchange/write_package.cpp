@@ -53,7 +53,7 @@ struct StatePackage {
   double settled_N = 0;  ///< at which a release comes to StateProgram::rest_mm
 };
 
-constexpr double courseTolerance = 1e-4;  // of full scale
+constexpr double gainTolerance = 1e-4;  // of full scale
 
 double inGrams(double force_N) { return force_N / newtonsPer(ForceUnit::gramForce); }
 
@@ -292,14 +292,14 @@ Json examplePress(const PressPlan& plan) {
                       {"displacement_mm", planned.displacement_mm},
                       {"quietens_slope", planned.burst.quietensSlope},
                       {"wave", jsonOf(planned.burst)}});
-  Json course = Json::array();
+  Json gains = Json::array();
   if (!plan.unlimited.empty())
-    for (const GainPoint& point : limiterCourse(plan.unlimited, plan.samples, courseTolerance))
-      course.push_back({point.frame, point.gain});
+    for (const GainPoint& point : limiterCourse(plan.unlimited, plan.samples, gainTolerance))
+      gains.push_back({point.frame, point.gain});
   return {{"press", plan.press},
           {"samples", plan.samples.size()},
           {"events", events},
-          {"limiter_gain", {{"columns", {"sample", "gain"}}, {"points", course}}}};
+          {"limiter_gain", {{"columns", {"sample", "gain"}}, {"points", gains}}}};
 }
 
 std::string packageText(const ExportSource& source, const ExportLoss& loss) {
@@ -351,7 +351,7 @@ std::string packageText(const ExportSource& source, const ExportLoss& loss) {
   return jsonText(file, 1) + "\n";
 }
 
-// ---- the same for firmware
+// ---- the package as a C header for firmware
 
 Burst heard(Burst burst, const HapticProgram& program) {
   burst.amplitude *= program.gain;

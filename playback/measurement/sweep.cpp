@@ -24,7 +24,7 @@ constexpr double faintest_dB = 20;       // the response's peak over the rest of
 
 // Lost sound (dropoutsIn). A block of 256 samples is 5 ms; half the expected level is more than distortion
 // makes.
-constexpr double look_s = 0.005, around_s = 0.05;
+constexpr double step_s = 0.005, around_s = 0.05;
 constexpr double lostShare = 0.5, overOrdinary = 6;
 
 using Spectrum = std::vector<std::complex<double>>;
@@ -144,7 +144,7 @@ std::vector<double> sumsOfSquares(std::size_t n, Value value) {
 std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectrum& expected,
                                double sampleRate_Hz) {
   const std::size_t n = recorded.size();
-  const auto width = std::max<std::size_t>(1, static_cast<std::size_t>(look_s * sampleRate_Hz));
+  const auto width = std::max<std::size_t>(1, static_cast<std::size_t>(step_s * sampleRate_Hz));
   const auto around = static_cast<std::size_t>(around_s * sampleRate_Hz);
   const std::vector<double> level = sumsOfSquares(n, [&](std::size_t i) { return expected[i].real(); });
   const std::vector<double> rest =

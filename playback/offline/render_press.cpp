@@ -11,7 +11,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double lookForSilence_s = 0.01;
+constexpr double silenceCheck_s = 0.01;
 constexpr double gapInPeriods = 1.5;           // a gap this long gets readings in between
 constexpr double mostBetween = 20000;          // per gap
 constexpr std::size_t heardBeforehand = 1024;  // readings the noise of a recording is known from
@@ -90,7 +90,7 @@ std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const Haptic
   for (const PressReading& r : trace.readings) {
     if (conditioner.judge(r.time_s, r.value) == ConditionerVerdict::reject) continue;
     const PressReading now{r.time_s, conditioner.value()};
-    // A time proved wrong by those after it: what was put down for it never was.
+    // Later readings prove an earlier time stamp wrong: remove the inputs that came from it.
     while (!inputs.empty() && now.time_s <= last.time_s &&
            inputs.back().time_frames >= (now.time_s - origin_s) * sampleRate_Hz) {
       inputs.pop_back();
@@ -130,14 +130,14 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
   EngineEvent event;
   // After the last reading the sound ends at the first of fixed places where nothing sounds any more: where
   // it ends must not depend on the block.
-  const auto lookEvery = static_cast<std::int64_t>(settings.sampleRate_Hz * lookForSilence_s);
-  std::int64_t look = end + 1;
+  const auto checkEvery = static_cast<std::int64_t>(settings.sampleRate_Hz * silenceCheck_s);
+  std::int64_t nextCheck = end + 1;
   while (engine->frame() < latest) {
-    if (engine->frame() == look) {
+    if (engine->frame() == nextCheck) {
       if (engine->idle()) break;
-      look += lookEvery;
+      nextCheck += checkEvery;
     }
-    const std::int64_t stop = std::min(look, latest);
+    const std::int64_t stop = std::min(nextCheck, latest);
     auto count = static_cast<std::size_t>(
         std::min<std::int64_t>(static_cast<std::int64_t>(settings.block), stop - engine->frame()));
     const auto until = static_cast<double>(engine->frame() + static_cast<std::int64_t>(count));

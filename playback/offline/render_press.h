@@ -77,7 +77,8 @@ struct RenderSummary {
 using SampleSink = std::function<bool(const float* samples, std::size_t count)>;
 
 /// Renders the whole trace through `sink`. Time 0 of the sound is time 0 of the trace, or its first reading
-/// if that is earlier. Failure: as checkRendering; unreadableInput where no reading of the trace can be one.
+/// if that is earlier. Failure: as checkRendering; unreadableInput if no reading of the trace
+/// is possible.
 Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings, const SampleSink& sink);
 

@@ -49,7 +49,7 @@ Result<RenderedPress> renderStandardPress(const HapticProgram& program, double s
   }
   RenderSettings settings;
   settings.sampleRate_Hz = sampleRate_Hz;
-  // A tactile button may ask for a strong press within one reading; the force is what was drawn, not a
+  // The force of a tactile button may rise strongly within one reading: it comes from the curve and is no
   // glitch.
   return renderPress(program, standardPress(program, press), settings);
 }

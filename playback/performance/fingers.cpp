@@ -16,7 +16,7 @@ constexpr double restingMedian_N = 0.4;
 constexpr double restingSpreadBetween = 0.30;  // in the logarithm, as is the spread within a finger
 
 /// One place in every `fingerCount`-th part of 0..1, in an order of its own.
-std::vector<double> places(FixedRandom& random) {
+std::vector<double> positions(FixedRandom& random) {
   std::vector<std::size_t> order(fingerCount);
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = order.size() - 1; i > 0; --i)
@@ -33,7 +33,7 @@ std::vector<Finger> allFingers() {
   FixedRandom random(seed);
   std::vector<Finger> fingers(fingerCount);
   const auto draw = [&](double Finger::*value, double low, double high) {
-    const std::vector<double> shares = places(random);
+    const std::vector<double> shares = positions(random);
     for (std::size_t i = 0; i < fingers.size(); ++i) fingers[i].*value = low + (high - low) * shares[i];
   };
   draw(&Finger::mass_kg, 0.008, 0.016);
@@ -43,7 +43,7 @@ std::vector<Finger> allFingers() {
   draw(&Finger::muscleRise_s, 0.02, 0.04);
   draw(&Finger::extensorShare, 0.7, 1.3);
   draw(&Finger::feedbackDelay_s, 0.06, 0.10);
-  const std::vector<double> weights = places(random);
+  const std::vector<double> weights = positions(random);
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     fingers[i].muscleFall_s = 1.5 * fingers[i].muscleRise_s;
     fingers[i].restingWeightMedian_N =

@@ -151,10 +151,10 @@ class Search {
 
 /// P(the resting finger is heavier than every force on the way down to the contact), the weight log-normal.
 double accidentalShare(const KeyTables& key, double close_m, const Finger& finger) {
-  constexpr int places = 400;
+  constexpr int positions = 400;
   double most_N = 0;
-  for (int i = 0; i <= places; ++i) {
-    const double depth_m = close_m * i / places;
+  for (int i = 0; i <= positions; ++i) {
+    const double depth_m = close_m * i / positions;
     most_N = std::max(most_N, key.mean_N(depth_m) + key.halfWidth_N(depth_m));
   }
   // ln(weight) > ln(most), found without a logarithm: the score at which the weight equals the force.

@@ -10,7 +10,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double look_s = 0.010;
+constexpr double window_s = 0.010;
 constexpr double anyRate_Hz = 192000;  // the highest: there every band lies where it is meant
 
 double dB(double ratio) { return 20 * std::log10(ratio); }
@@ -19,10 +19,10 @@ double raised_dB(double band_Hz, double q, double gain_dB, double frequency_Hz) 
   return dB(magnitude(peaking(anyRate_Hz, band_Hz, q, gain_dB), anyRate_Hz, frequency_Hz));
 }
 
-/// Mean square of a saw-tooth's strongest stretch, at most `look_s` long and seen over all of that.
+/// Mean square of a saw-tooth's strongest stretch, at most `window_s` long and seen over all of that.
 double meanSquareOfSaw(double duration_s) {
-  const double rest = std::max(0.0, 1 - look_s / duration_s);
-  return duration_s / look_s * (1 - rest * rest * rest) / 3;
+  const double rest = std::max(0.0, 1 - window_s / duration_s);
+  return duration_s / window_s * (1 - rest * rest * rest) / 3;
 }
 
 }  // namespace

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double mmPerM = 1000;
 constexpr double flattest_N_per_mm = 1e-3;
-constexpr int halvings = 14;   // of a range of six decades: to 0.1 %
-constexpr double told = 0.92;  // of what was found: encoder steps are left out
+constexpr int halvings = 14;          // of a range of six decades: to 0.1 %
+constexpr double usableShare = 0.92;  // of what was found: encoder steps are left out
 constexpr double timing_s =
     10e-6;  // a delay may be that much longer: what identify-device is off by (19 µs at worst)
 constexpr double start_mm = 1, escaped_mm = 100;  // the loop is linear: only their ratio counts
 constexpr double settled_s = 0.3,
-                 watched_s = 0.4;  // from then on no farther than it was let go: less is a ringing
-constexpr double perRadian = 50;   // time steps in one radian of a swing
+                 watched_s = 0.4;               // stable if the amplitude stays below the start from then on
+constexpr double perRadian = 50;                // time steps in one radian of a swing
 constexpr int fewestSteps = 8, mostSteps = 64;  // in one period of the law
 
 double latest_s(const ForceDeviceProfile& device) {
@@ -109,7 +109,7 @@ bool calmsDown(const ForceDeviceProfile& device, double rate_Hz, double slope_N_
 }  // namespace
 
 double loopLimit_N_per_mm(const ForceDeviceProfile& device, double rate_Hz, double damping_Ns_per_mm) {
-  double calm = flattest_N_per_mm, swinging = device.largestSlope_N_per_mm / told;
+  double calm = flattest_N_per_mm, swinging = device.largestSlope_N_per_mm / usableShare;
   if (swinging <= calm || calmsDown(device, rate_Hz, swinging, damping_Ns_per_mm))
     return device.largestSlope_N_per_mm;
   if (!calmsDown(device, rate_Hz, calm, damping_Ns_per_mm)) return 0;
@@ -117,7 +117,7 @@ double loopLimit_N_per_mm(const ForceDeviceProfile& device, double rate_Hz, doub
     const double middle = std::sqrt(calm * swinging);
     (calmsDown(device, rate_Hz, middle, damping_Ns_per_mm) ? calm : swinging) = middle;
   }
-  return told * calm;
+  return usableShare * calm;
 }
 
 LoopLimits::LoopLimits(const ForceDeviceProfile& device, double rate_Hz, double low_Ns_per_mm,

@@ -30,8 +30,8 @@ constexpr double noticedCrossing_N = 0.001;
 // Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a
 // press.
 constexpr double mostFedShare = 0.02;
-// A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is
-// about as drawn.
+// The position of a moving handle is predicted to the next step, so the felt slope up to the operating point is
+// about the drawn one.
 constexpr double risenShare = 0.96;
 // The push before the first force: more than the friction of a preset, too little to hurt; of a measured
 // device more than its friction.
@@ -209,9 +209,10 @@ class ForcePreparation {
     double from_mm = 0, to_mm = longestTravel_mm;
     for (const ForceGraph* graph : members)
       for (const StrokeCurve* curve : {&graph->press(), &graph->curve(Stroke::release)}) {
-        const BottomOut foot = bottomOutOf(*curve);
+        const BottomOut bottomOut = bottomOutOf(*curve);
         from_mm = std::max(from_mm, curve->start_mm());
-        to_mm = std::min({to_mm, curve->end_mm(), foot.wall ? foot.displacement_mm : curve->end_mm()});
+        to_mm =
+            std::min({to_mm, curve->end_mm(), bottomOut.wall ? bottomOut.displacement_mm : curve->end_mm()});
       }
     return {from_mm, to_mm};
   }
@@ -434,11 +435,11 @@ class ForcePreparation {
 
   /// Distance behind the last row at which the end stop pushes back as strongly as the curve's end pulls; 0
   /// if it does not pull.
-  static double pulledIntoWall_mm(const ForceStateTable& t, float end_N) {
+  static double pulledIntoStop_mm(const ForceStateTable& t, float end_N) {
     return std::max(0.0, -static_cast<double>(end_N)) / t.wallSlope_N_per_mm;
   }
-  static double givenByWall_mJ(const ForceStateTable& t, float end_N) {
-    const double pulled_mm = pulledIntoWall_mm(t, end_N);
+  static double givenByStop_mJ(const ForceStateTable& t, float end_N) {
+    const double pulled_mm = pulledIntoStop_mm(t, end_N);
     return 0.5 * t.wallSlope_N_per_mm * pulled_mm * pulled_mm;
   }
 
@@ -451,7 +452,7 @@ class ForcePreparation {
       sums_mJ[i] = stored_mJ;
       least_mJ = std::min(least_mJ, stored_mJ);
     }
-    least_mJ = std::min(least_mJ, stored_mJ - givenByWall_mJ(to, force_N(to.rowCount - 1)));
+    least_mJ = std::min(least_mJ, stored_mJ - givenByStop_mJ(to, force_N(to.rowCount - 1)));
     for (std::size_t i = 0; i < to.rowCount; ++i)
       to.rows[i].*stored = static_cast<float>(sums_mJ[i] - least_mJ);
   }
@@ -492,9 +493,9 @@ class ForcePreparation {
         t.rows.begin(), end, [held](const ForceRow& a, const ForceRow& b) { return a.*held < b.*held; });
     prepared_.summary.rest_mm = placeOf(t, static_cast<std::size_t>(least - t.rows.begin()));
     const ForceRow& last = t.rows[t.rowCount - 1];
-    if (static_cast<double>(last.*held) - givenByWall_mJ(t, last.*force) <
+    if (static_cast<double>(last.*held) - givenByStop_mJ(t, last.*force) <
         static_cast<double>((*least).*held))
-      prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoWall_mm(t, last.*force);
+      prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoStop_mm(t, last.*force);
   }
 
   // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a button and a force device to what the force loop plays. Only what the button has is prepared: no
-// release curve where it is the press curve, no damping where there is none, no second state for a momentary
-// button.
+// Prepares a button for the force loop of a device. Prepares only parts that the button has: no release curve if
+// it equals the press curve, no damping without damping, no second state for a momentary button.
 
 #include <cstddef>
 #include <optional>

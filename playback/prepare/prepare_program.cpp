@@ -436,7 +436,7 @@ class HapticPreparation {
   };
 
   SlopeLevels levelsAlong(const StrokeCurve& curve, const GrainRange& range) const {
-    constexpr std::int64_t mostLooks = 1024;
+    constexpr std::int64_t mostReadings = 1024;
     const auto placeOf = [&](std::int64_t grain) {
       const double x_mm =
           prepared_.program.gridOrigin_mm + static_cast<double>(grain) / settings_.grainsPerMm;
@@ -445,7 +445,7 @@ class HapticPreparation {
     const double half_mm = range.first == range.last ? 0.5 / settings_.grainsPerMm : 0;
     const double from_mm = std::max(placeOf(range.first) - half_mm, curve.start_mm());
     const double to_mm = std::min(placeOf(range.last) + half_mm, curve.end_mm());
-    SlopeLevels slope{range, (range.last - range.first) / mostLooks + 1, {}};
+    SlopeLevels slope{range, (range.last - range.first) / mostReadings + 1, {}};
     for (std::int64_t grain = range.first; grain <= range.last; grain += slope.stride)
       slope.felt_dB.push_back(levelOf_dB(steepness_N_per_mm(curve, placeOf(grain), from_mm, to_mm)));
     return slope;

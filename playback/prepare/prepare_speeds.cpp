@@ -18,7 +18,7 @@ struct Change {
   double most_N = 0, strongest_N = 0;
 };
 
-void look(const StrokeCurve& slow, const StrokeCurve& fast, Change& change) {
+void examine(const StrokeCurve& slow, const StrokeCurve& fast, Change& change) {
   for (int i = 0; i <= speedSamples; ++i) {
     const double at_mm = slow.start_mm() + slow.travel_mm() * i / speedSamples;
     const double slow_N = slow.force_N(at_mm),
@@ -32,7 +32,7 @@ int stepsAfter(const Button& button, std::size_t index) {
   Change change;
   for (const ButtonState& state : button.states())
     for (const Stroke stroke : {Stroke::press, Stroke::release})
-      look(graphAt(state, index).curve(stroke), graphAt(state, index + 1).curve(stroke), change);
+      examine(graphAt(state, index).curve(stroke), graphAt(state, index + 1).curve(stroke), change);
   if (!(change.most_N > 0)) return 1;
   const double steps = std::ceil(change.most_N / (finestSpeedStep * change.strongest_N));
   return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(mostSpeedSteps)));

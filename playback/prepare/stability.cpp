@@ -85,8 +85,8 @@ class MarginOfState {
       const double from_mm = static_cast<double>(i) * spacing_mm;
       double steepest = steepestOf(state_.graph, from_mm, from_mm + spacing_mm);
       for (const SpeedGraph& other : state_.otherSpeeds) {
-        const double its = steepestOf(other.graph, from_mm, from_mm + spacing_mm);
-        if (std::abs(its) > std::abs(steepest)) steepest = its;
+        const double otherSlope = steepestOf(other.graph, from_mm, from_mm + spacing_mm);
+        if (std::abs(otherSlope) > std::abs(steepest)) steepest = otherSlope;
       }
       const double middle_mm = from_mm + spacing_mm / 2;
       MarginPoint p = allowedFor(device_, loopLimitAt(middle_mm));
@@ -178,7 +178,7 @@ Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, Sta
   }
   if (worst_N == 0) return curve;
   change.largestForceChange_N = std::max(change.largestForceChange_N, worst_N);
-  // No coarser than what is left between the limit and what is allowed over one place.
+  // The fit may deviate by a quarter of the margin between the rendered slope and the allowed one.
   const double spare_N = 0.25 * (1 - limitedTo) * slope_N_per_mm * spacing_mm;
   return curveThroughDensePoints(points, std::min(samplingTolerance * range_N, spare_N));
 }
@@ -251,9 +251,9 @@ Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfil
     if (!graph) return graph.failure();
     state.graph = *std::move(graph);
     for (SpeedGraph& other : state.otherSpeeds) {
-      Result<ForceGraph> its = limited(other.graph, limitedTo * allowed, change);
-      if (!its) return its.failure();
-      other.graph = *std::move(its);
+      Result<ForceGraph> otherSlope = limited(other.graph, limitedTo * allowed, change);
+      if (!otherSlope) return otherSlope.failure();
+      other.graph = *std::move(otherSlope);
     }
     if (change.largestForceChange_N > 0 || change.addedDamping_Ns_per_mm > 0) changes.push_back(change);
   }

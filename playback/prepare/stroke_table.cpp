@@ -20,28 +20,28 @@ constexpr double enoughOfRange = 1e-5;
 /// The curve at all evaluated displacements; vertical rises appear as two samples of one displacement.
 std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
                                       const std::vector<double>& kept_mm) {
-  std::vector<double> places;
+  std::vector<double> positions;
   for (std::size_t i = 0; i <= strokeSamples; ++i) {
-    places.push_back(i == strokeSamples ? to_mm
-                                        : from_mm + (to_mm - from_mm) * static_cast<double>(i) /
-                                                        static_cast<double>(strokeSamples));
+    positions.push_back(i == strokeSamples ? to_mm
+                                           : from_mm + (to_mm - from_mm) * static_cast<double>(i) /
+                                                           static_cast<double>(strokeSamples));
   }
-  const auto evenPlaces = static_cast<std::ptrdiff_t>(places.size());
+  const auto evenPlaces = static_cast<std::ptrdiff_t>(positions.size());
   const std::vector<Knot>& knots = curve.knots();
-  for (const Knot& knot : knots) places.push_back(knot.displacement_mm);
+  for (const Knot& knot : knots) positions.push_back(knot.displacement_mm);
   // A piece narrower than the even places turns between its knots, too.
   for (std::size_t i = 1; i < knots.size() && knots.size() < strokeSamples; ++i)
     for (const double share : {0.25, 0.5, 0.75})
-      places.push_back(knots[i - 1].displacement_mm +
-                       share * (knots[i].displacement_mm - knots[i - 1].displacement_mm));
-  places.insert(places.end(), kept_mm.begin(), kept_mm.end());
-  std::sort(places.begin() + evenPlaces, places.end());
-  std::inplace_merge(places.begin(), places.begin() + evenPlaces, places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+      positions.push_back(knots[i - 1].displacement_mm +
+                          share * (knots[i].displacement_mm - knots[i - 1].displacement_mm));
+  positions.insert(positions.end(), kept_mm.begin(), kept_mm.end());
+  std::sort(positions.begin() + evenPlaces, positions.end());
+  std::inplace_merge(positions.begin(), positions.begin() + evenPlaces, positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
 
   std::vector<TablePoint> samples;
   const auto put = [&](double x, double force) { samples.push_back({x, std::max(force, lowest_N)}); };
-  for (double x : places) {
+  for (double x : positions) {
     if (x < from_mm || x > to_mm) continue;
     const double before = curve.forceBefore_N(x), after = curve.force_N(x);
     if (before != after) put(x, before);

@@ -125,9 +125,9 @@ int runCalibrate(const CalibrateArguments& a, const Cancelled& cancelled) {
   if (!profile) return fail(profile.failure());
   Weighings weighings;
   if (a.weightsFile.empty()) {
-    Result<Weighings> asked = askForWeights(a, cancelled);
-    if (!asked) return fail(asked.failure());
-    weighings = *std::move(asked);
+    Result<Weighings> typedWeights = askForWeights(a, cancelled);
+    if (!typedWeights) return fail(typedWeights.failure());
+    weighings = *std::move(typedWeights);
   } else {
     constexpr std::size_t largest_bytes = 1U << 20;
     const auto text = readTable(a.weightsFile, largest_bytes, "Give a CSV of known weights");

@@ -24,7 +24,7 @@ class ForceLog {
 
  private:
   explicit ForceLog(StagedFile file);
-  StagedFile file_;  // what was not finished goes
+  StagedFile file_;  // an unfinished file is removed
   std::ofstream out_;
 };
 

@@ -8,7 +8,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double shownFor_s = 3;         // a thing counted stays on the status line for so long
-constexpr double toldEvery_s = 10;       // and makes a line of its own no more often than this
+constexpr double reportedEvery_s = 10;   // and makes a line of its own no more often than this
 constexpr double rarestForces_Hz = 100;  // below, a press of 60 ms is six readings
 
 /// One thing that may be wrong.
@@ -115,7 +115,7 @@ std::optional<LiveWarning> LiveWarnings::newsOf(LiveWarningCode code, std::uint6
   if (active && !mostUrgent_) mostUrgent_ = code;
   const bool begins = counted ? value > w.told : active && !w.active;
   w.active = active;
-  if (!begins || now_s - w.told_s < (counted ? toldEvery_s : 1)) return {};
+  if (!begins || now_s - w.told_s < (counted ? reportedEvery_s : 1)) return {};
   w.told_s = now_s;
   const std::uint64_t before = w.told;
   w.told = value;

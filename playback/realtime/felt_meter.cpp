@@ -8,7 +8,7 @@
 namespace detent::playback {
 
 namespace {
-constexpr double look_s = 0.010;
+constexpr double window_s = 0.010;
 }
 
 void FeltMeter::use(const HapticProgram& program, double sampleRate_Hz) {
@@ -24,7 +24,7 @@ void FeltMeter::use(const HapticProgram& program, double sampleRate_Hz) {
   for (std::size_t i = 0; i < pacinianSections; ++i)
     append(bandPass(sampleRate_Hz, pacinianBest_Hz, pacinianQ));
   fullScale_dB_ = program.fullScale_dB;
-  slotLength_ = static_cast<std::size_t>(std::lround(sampleRate_Hz * look_s / slots));
+  slotLength_ = static_cast<std::size_t>(std::lround(sampleRate_Hz * window_s / slots));
   inSlot_ = slot_ = 0;
   sums_ = {};
 }

@@ -80,7 +80,7 @@ double ForceEngine::actingForce_N() const {
 void ForceEngine::observe(double position_mm) {
   last_.energy_mJ += actingForce_N() * (position_mm - steady_mm_);
   steady_mm_ = position_mm;
-  // A force that rises or fades by itself moves energy of its own: the balance begins where it is whole.
+  // A ramp of the force changes the energy by itself, so the balance starts anew once the full force acts.
   const double worked_mJ = last_.energy_mJ + law_.stateEnergy_mJ();
   const bool whole = guard_.gain() == 1 && exchangeLeft_ == 0 && !exchanged_;
   if (whole && !full_) balanceOrigin_mJ_ = law_.stored_mJ(position_mm) - worked_mJ;

@@ -46,7 +46,7 @@ struct ForceStep {
   double periods = 1;      ///< since the step before, by the clock of a loop that keeps time
   double time_s =
       0;  ///< of the reading, on that clock (playback/device/steady_clock.h); 0: the loop keeps none
-  double asked_s = 0;  ///< when the device was asked for it, on that clock; the last force went along
+  double asked_s = 0;  ///< when the reading was requested, with the last force, on that clock
   bool good = true;    ///< the reading was believed; else the position is the last that was
   bool proving =
       false;  ///< motor and encoder are being checked (direction_proof.h): the button's force has not begun

@@ -56,7 +56,7 @@ class ForceGuard {
  public:
   ForceGuard(const ForceLimits& limits, double period_s, double step_mm);
 
-  /// Other limits from now on; what was let through and counted stays.
+  /// Changes the limits; the present force and the counts stay.
   void setLimits(const ForceLimits& limits, double period_s, double step_mm);
 
   /// `fresh`: the device answered in this period. `periods` >= 0: since the call before, 1 where the loop is

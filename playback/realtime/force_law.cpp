@@ -8,8 +8,8 @@ namespace detent::playback {
 
 namespace {
 
-// A finger that makes less than one step in this time counts as slow: half a step of lag is then not led
-// away, so that a tremor across one step's edge moves no force.
+// A finger that moves less than one step in this time counts as slow. Then half a step of lag is not
+// compensated, so that a tremor across the edge of a step does not change the force.
 constexpr double slowStep_s = 0.02;
 constexpr double faded_N = 1e-4;
 constexpr double sameForce = 1.1;  // a rise of less is hardly felt, and waits for no lead
@@ -166,8 +166,8 @@ void ForceLaw::followState(double position_mm, double lead_mm, double velocity_m
   if (!actuated_) {
     if (!caught_ || position_mm + lead_mm < table().operating_mm) return;
     const double at_mm = std::max(position_mm, table().operating_mm);
-    // A force that rises has to be there when the handle is: late, the actuation would take less than it then
-    // holds.
+    // If the force rises at the actuation, the state changes early, so that the new force acts when the handle
+    // arrives: late, the handle would do less work than the state then stores. Otherwise wait for the handle.
     const Place acts = placeAt(at_mm);
     if (position_mm < at_mm &&
         acts.force_N(&ForceRow::press_N) <= sameForce * acts.force_N(&ForceRow::pending_N))

@@ -60,7 +60,7 @@ struct ForceLawSettings {
   double playRadius_mm =
       0.02;                 ///< > 0; way from the press to the release curve is twice this (play operator)
   double holdLead_s = 0;    ///< >= 0; half a period and the device's delay: how late the force will act
-  double settle_mm = 0.05;  ///< this close to its rest an actuated state has come back
+  double settle_mm = 0.05;  ///< an actuated state counts as back at rest this close to it
   double catchDamping_Ns_per_mm =
       0;  ///< >= 0; a latch catches: added from a change of state until the handle is calm
   double crossFade_s = 0.01;  ///< a difference of force between two states fades with this time constant

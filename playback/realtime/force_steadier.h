@@ -53,7 +53,7 @@ class ForceSteadier {
 
   /// The force for this reading. Readings must be finite and evenly spaced but for jitter, times increasing.
   double next(double time_s, double reading);
-  /// The next reading is a new start: what was before is too old. The noise stays known.
+  /// Starts anew with the next reading, after a pause. Keeps the estimate of the noise.
   void startAnew();
   /// Evaluates a reading of a recording about to be played, so that its noise is known from the start.
   void learn(double reading) { noise_.add(reading); }

@@ -11,17 +11,17 @@ namespace detent::playback {
 namespace {
 
 constexpr double gainRamp_s = 0.01;
-constexpr double lookAhead_s = 0.004;  // more than the half wave of a grain, 3.3 ms
+constexpr double scanAhead_s = 0.004;  // more than the half wave of a grain, 3.3 ms
 // Turning down moves the output by at most so much of full scale, as a sine of 240 Hz does: no click.
 constexpr double steepestTurn_per_s = 1500;
 
 // Bursts that keep their distance queue up at most this long; only a trembling no finger can make gets there.
 constexpr double longestQueue_s = 0.1;
 
-// Times that are whole samples but for rounding (0.01 s at 48 kHz) stay whole.
+// Times that are whole samples up to rounding (0.01 s at 48 kHz) give that sample.
 constexpr double frameRounding = 1e-6;
 
-// Times that are none, or that no stream reaches, are the ends of the time line: at once, or never.
+// NaN and times that no stream reaches become the ends of the time line: at once, or never.
 std::int64_t wholeFrame(double time_frames) {
   constexpr double farthest_frames = 0x1p62;  // 0.8 million years at 192 kHz
   if (!(time_frames > -farthest_frames)) return -(std::int64_t{1} << 62);
@@ -85,7 +85,7 @@ void HapticEngine::use(const HapticProgram* program, const std::vector<SpeedProg
   tracker_.use(program, speeds);
   forgetWaiting();  // what was still to come belongs to the old program
   if (program == nullptr) return;
-  // Of a finger that is known by its displacement the force is the old button's.
+  // A finger given by its displacement is placed by it: its force belongs to the previous button.
   if (heldByDisplacement_) {
     tracker_.placeAtDisplacement(held_mm_);
   } else {
@@ -385,10 +385,10 @@ double HapticEngine::loudestWithin(double samples) const {
   return sum * (gain_ > gainTarget_ ? gain_ : gainTarget_);
 }
 
-// The sounding voices are settled until the next event: the limiter gets a peak before it comes, without a
-// delay of the sound.
+// Computes the sounding voices ahead, up to the next event, so that the limiter knows a peak before it comes and
+// the sound needs no delay.
 void HapticEngine::lookAhead() {
-  const double horizon = std::floor(lookAhead_s * sampleRate_Hz_);
+  const double horizon = std::floor(scanAhead_s * sampleRate_Hz_);
   const bool everLoud = loudestWithin(highestSampleRate_Hz) > limiter_.ceiling();
   lookFrame_ = everLoud ? now_ + static_cast<std::int64_t>(horizon / 2) : never;
   if (!everLoud || !(loudestWithin(horizon) > limiter_.ceiling())) {

@@ -19,7 +19,7 @@ constexpr double statusInterval_s = 0.02;
 constexpr double stale_s = 0.2;
 
 /// A message that says where the finger is.
-bool tellsPlace(CommandKind kind) {
+bool carriesPosition(CommandKind kind) {
   return kind == CommandKind::force || kind == CommandKind::displacement || kind == CommandKind::resync ||
          kind == CommandKind::resyncDisplacement;
 }
@@ -54,7 +54,7 @@ struct LiveSession::State {
 
   HapticEngine engine;
   TakePlayer takes;
-  float takePeak = 0;  // of what was heard while a take played, since the last status
+  float takePeak = 0;  // largest sample while a take played, since the last status
   FeltMeter felt;
   std::atomic<double> sampleRate_Hz;  // the engine's, for other threads
   StreamClock clock;
@@ -138,7 +138,7 @@ double LiveSession::frameOf(const SessionCommand& command) const {
     case TimeBase::now:
       return now;
     case TimeBase::clock: {
-      // Never ahead of this block: what was read before the callback has happened.
+      // Not later than this block: the reading was taken before the callback.
       const double frame = s.clock.frameAt(command.time);
       return frame < now ? frame : now;
     }
@@ -153,11 +153,11 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
   SessionCommand command = sent;
   if (command.timeBase == TimeBase::clock && s.entry_s - command.time > stale_s) {
     ++s.status.staleCommands;
-    if (!tellsPlace(command.kind)) return;
+    if (!carriesPosition(command.kind)) return;
     command.kind = placing(command.kind);
   }
   // The first place after the device was away: what lies between was not felt.
-  if (s.placeUnknown && tellsPlace(command.kind)) {
+  if (s.placeUnknown && carriesPosition(command.kind)) {
     command.kind = placing(command.kind);
     s.placeUnknown = false;
   }

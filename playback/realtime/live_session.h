@@ -93,8 +93,8 @@ class LiveSession {
   /// These two belong to whoever opens and closes the stream, while no callback runs. The next stream runs at
   /// this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
   void setSampleRate(double sampleRate_Hz);
-  /// Takes the programs and gains that were sent meanwhile, so that nothing piles up; what was to be felt is
-  /// dropped.
+  /// Takes the programs and gains that were sent while no stream ran and drops all other commands, so that the
+  /// queue does not fill up.
   void takeWhileAway();
 
   /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).

@@ -3,7 +3,9 @@
 """Writes the tables of one room into docs/measurements/coverage.md.
 
 coverage.py ROOM PROGRAM...: what PROGRAM prints takes the place of all between `<!-- ROOM -->` and `<!-- /ROOM -->`.
-Rows of the knots of one button and of the coefficients of one curve become one row with the smallest and the largest share.
+Wilson intervals are left out: the page states them by the number of measurements.
+Rows of the knots of one button and of the coefficients of one curve become one row with the smallest and the largest share;
+other estimates of one record become one row.
     tests/bench/coverage.py playback build/release/tests/bench/detent_playback_coverage
 """
 
@@ -41,6 +43,29 @@ def folded(tables: str) -> str:
     for name, (place, count, shares) in groups.items():
         ranges = [f"{min(column):.1f} to {max(column):.1f}" for column in zip(*shares)]
         lines[place] = f"| {name} | {count} | {' | '.join(ranges)} |"
+    return joined(re.sub(r" \(\d+(\.\d+)?–\d+(\.\d+)?\)", "", "\n".join(lines)))
+
+
+def joined(tables: str) -> str:
+    """The tables with one row for neighbouring rows of the same record and number of measurements ("record: estimate")."""
+    lines, rows, previous = [], {}, None
+    for line in tables.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        record, separator, estimate = cells[0].partition(": ")
+        key = (record, cells[1]) if separator and len(cells) == 4 and cells[2] else None
+        if key is None or key != previous:
+            lines.append(line)
+            rows[len(lines) - 1] = []
+        if key:
+            rows[len(lines) - 1].append((estimate, *cells[2:]))
+        previous = key
+    for place, estimates in rows.items():
+        if len(estimates) > 1:
+            cells = [cell.strip() for cell in lines[place].strip("|").split("|")]
+            names, *figures = zip(*estimates)
+            columns = [column[0] if len(set(column)) == 1 else "; ".join(column) for column in figures]
+            name = cells[0].partition(": ")[0] + ": " + "; ".join(names)
+            lines[place] = "| " + " | ".join([name, cells[1], *columns]) + " |"
     return "\n".join(lines)
 
 

@@ -309,8 +309,9 @@ std::string tableOf(const std::vector<LibrarySwitch>& openSwitch, const std::vec
   for (const Method& method : methods) {
     const auto [thereOther, backOther] =
         leavingOneOut(compared(there, method, 1), compared(back, method, -1));
-    out << rowOf((std::string("other ways: ") + method.name + ", Open-Switch's record").c_str(), thereOther);
-    out << rowOf((std::string("the same, force-curves-tidy's")).c_str(), backOther);
+    const std::string name = method.name;  // figures of docs/develop/decisions/0811, beside the page
+    std::fputs(rowOf((name + ", Open-Switch's record").c_str(), thereOther).c_str(), stderr);
+    std::fputs(rowOf((name + ", force-curves-tidy's record").c_str(), backOther).c_str(), stderr);
   }
   char text[120];
   std::snprintf(text, sizeof text, "\nMedian distance within a pair: %.1f gf, one lab noise.\n",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The forecast of a press against published effects; prints the table of docs/reference/press-forecast.md,
-// "Hits and misses".
+// "Effects".
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -346,14 +346,17 @@ def cells(rows, bar):
     legible = [row for row in rows if row["may"] == "import"]
     read = sum(row["confidence"] is not None and row["confidence"] >= bar and not row["wrong"] for row in legible)
     share = f"{100 * read / len(legible):.0f} %" if legible else "-"
-    return f"{count} | {wrong} | {100 * upper_bound(wrong, count):.1f} % | {share}"
+    return [str(count), str(wrong), f"{100 * upper_bound(wrong, count):.1f} %", share]
 
 
 def table(rows, title, bars=BARS):
-    lines = [f"### {title}", "", "| class, confidence from | accepted | wrong | at most wrong (95 %) | legible pages read right |", "|---|---|---|---|---|"]
+    lines = [f"### {title}", "", "| class | confidence from | accepted | wrong | at most wrong (95 %) | legible pages read right |", "|---|---|---|---|---|---|"]
     for name in CLASSES:
         of_class = [row for row in rows if row["class"] == name]
-        lines += [f"| {name} ({len(of_class)} pages), {bar:g} | {cells(of_class, bar)} |" for bar in bars if accepted(of_class, bar)[0]]
+        reached = [bar for bar in bars if accepted(of_class, bar)[0]]
+        columns = [", ".join(column) for column in zip(*(cells(of_class, bar) for bar in reached))]
+        if reached:
+            lines.append(f"| {name} ({len(of_class)} pages) | {', '.join(f'{bar:g}' for bar in reached)} | {' | '.join(columns)} |")
     return "\n".join(lines)
 
 

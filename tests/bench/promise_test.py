@@ -25,7 +25,7 @@ class Counting(unittest.TestCase):
         self.assertEqual(promise.accepted(rows, 0.5), (3, 1))
 
     def test_what_was_accepted_wrongly_was_not_read(self):
-        self.assertTrue(promise.cells([row(0.95), row(0.95, True), row(0.6), row(None, None)], 0.9).endswith("| 25 %"))
+        self.assertTrue(promise.cells([row(0.95), row(0.95, True), row(0.6), row(None, None)], 0.9)[-1] == "25 %")
 
     def test_a_class_with_too_few_pages_is_promised_nothing_small(self):
         self.assertIn("too few pages", promise.promise([row(0.95)] * 50))

@@ -190,12 +190,14 @@ def engine_cost(binaries, kind, button, folder):
 
 
 def engines(binaries):
-    lines = ["| button | sound, instructions a sample | force, instructions a step |", "|---|---|---|"]
-    for button in ("A", "B", "C", "D", "E", "F", "EF", "push", "latch"):
+    buttons, sounds, forces = ("A", "B", "C", "D", "E", "F", "EF", "push", "latch"), [], []
+    for button in buttons:
         sound, force = (in_folder(lambda folder, kind=kind: engine_cost(binaries, kind, button, folder)) for kind in ENGINES)
-        lines.append(f"| {button} | {sound:.1f} | {force:.0f} |")
-        print(lines[-1], flush=True)
-    return lines
+        sounds.append(f"{sound:.1f}")
+        forces.append(f"{force:.0f}")
+        print(button, sounds[-1], forces[-1], flush=True)
+    return ["| buttons | sound, instructions a sample | force, instructions a step |", "|---|---|---|",
+            f"| {', '.join(buttons)} | {', '.join(sounds)} | {', '.join(forces)} |"]
 
 
 def loaded(binaries):

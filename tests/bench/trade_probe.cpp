@@ -2,7 +2,6 @@
 // Measurements for tests/bench/trade that no program's option reaches: one measurement per call, printed as
 // numbers in a line.
 //
-//   trade_probe spectrogram WINDOW_S         separation of 150 and 200 Hz (dB), excess length of a burst (ms)
 //   trade_probe host BUTTON RATE_HZ          force error (mN rms), bytes on the line a second, bytes before
 //   trade_probe upload BUTTON ROWS           the same, of the sample firmware with a table of so many rows
 
@@ -16,7 +15,6 @@
 
 #include "model/file/button_file.h"
 #include "playback/device/serial_force_device.h"
-#include "playback/measurement/spectrogram.h"
 #include "playback/prepare/prepare_force.h"
 #include "playback/realtime/force_engine.h"
 #include "tests/playback/device/force_firmware.h"
@@ -27,35 +25,6 @@ using namespace detent::playback;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-// ---- spectrogram
-
-constexpr double soundRate_Hz = 48000;
-
-int spectrogramOfWindow(double window_s) {
-  SpectrogramSettings settings;
-  settings.window_s = window_s;
-  std::vector<float> tones(48000), burst(48000, 0.0f);
-  for (std::size_t i = 0; i < tones.size(); ++i) {
-    const double t = static_cast<double>(i) / soundRate_Hz;
-    tones[i] = static_cast<float>(0.5 * std::sin(2 * pi * 150 * t) + 0.5 * std::sin(2 * pi * 200 * t));
-    if (t >= 0.5 && t < 0.53) burst[i] = static_cast<float>(std::sin(2 * pi * 390 * t));
-  }
-  const Spectrogram two = spectrogramOf(tones, soundRate_Hz, settings);
-  const std::size_t middle = two.columns / 2;
-  const auto levelAt = [&](double frequency_Hz) {
-    return two.at(middle, static_cast<std::size_t>(std::lround(frequency_Hz / two.row_Hz)));
-  };
-  const double dip_dB = std::min(levelAt(150), levelAt(200)) - levelAt(175);
-  const Spectrogram one = spectrogramOf(burst, soundRate_Hz, settings);
-  const auto row = static_cast<std::size_t>(std::lround(390 / one.row_Hz));
-  std::size_t drawn = 0;
-  float loudest = lowestLevel_dB;
-  for (std::size_t c = 0; c < one.columns; ++c) loudest = std::max(loudest, one.at(c, row));
-  for (std::size_t c = 0; c < one.columns; ++c) drawn += one.at(c, row) > loudest - 20 ? 1 : 0;
-  std::printf("%.6g %.6g\n", std::max(0.0, dip_dB), 1000 * (static_cast<double>(drawn) * one.hop_s - 0.03));
-  return 0;
-}
 
 // ---- host loop and table
 
@@ -158,9 +127,8 @@ int upload(const char* file, std::uint32_t rows) {
 
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
-  if (what == "spectrogram" && argc == 3) return spectrogramOfWindow(std::atof(argv[2]));
   if (what == "host" && argc == 4) return host(argv[2], std::atof(argv[3]));
   if (what == "upload" && argc == 4) return upload(argv[2], static_cast<std::uint32_t>(std::atoi(argv[3])));
-  std::fprintf(stderr, "trade_probe spectrogram WINDOW_S | host BUTTON RATE_HZ | upload BUTTON ROWS\n");
+  std::fprintf(stderr, "trade_probe host BUTTON RATE_HZ | upload BUTTON ROWS\n");
   return 2;
 }
