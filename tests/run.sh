@@ -46,7 +46,8 @@ if [[ -z $again && ${#ctest_options[@]} -eq 0 && -f $stamp && $(head -n 1 "$stam
 fi
 
 status=0
-ctest --preset release --parallel 2 "${ctest_options[@]}" || status=$?
+# Three places for each core, of which what computes takes all (tests/CMakeLists.txt).
+ctest --preset release --parallel $((3 * $(nproc))) "${ctest_options[@]}" || status=$?
 log=$build/Testing/Temporary/LastTest.log
 if ((status)); then
   echo "tests/run.sh: tests failed; their output stands above, all output in $log."

@@ -12,6 +12,7 @@ Linking rules alone do not catch a wrong include: on Debian every library's head
 
 import argparse
 import fnmatch
+import functools
 import re
 import subprocess
 import sys
@@ -57,6 +58,7 @@ def blank_comments(text):
     return TOKENS.sub(blank, text)
 
 
+@functools.cache
 def includes_of(text):
     """Every include of a file; a target that is neither quoted nor bracketed (a macro) has an empty name."""
     found = []

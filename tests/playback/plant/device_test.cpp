@@ -375,12 +375,20 @@ TEST_CASE("what takes an uploaded table away is told, and arming brings its forc
     SerialEmulatorSettings settings;
     ForceHalt halt;
   };
+  const std::vector<Taken> all = {Taken{"reset", reset, ForceHalt::displaced},
+                                  Taken{"away", away, ForceHalt::displaced},
+                                  Taken{"stopped by its switch", stopped, ForceHalt::stopped}};
   for (const double replyDelay_s : {0.0, 0.004, 0.012}) {
-    for (const Taken& taken :
-         {Taken{"reset", reset, ForceHalt::displaced}, Taken{"away", away, ForceHalt::displaced},
-          Taken{"stopped by its switch", stopped, ForceHalt::stopped}}) {
-      const Regained r = undisturbed([&] { return regained(taken.settings, replyDelay_s); },
-                                     [&](const Regained& one) { return one.fine(taken.halt); });
+    std::vector<std::future<Regained>> runs;
+    for (const Taken& taken : all) {
+      runs.push_back(std::async(std::launch::async, [&taken, replyDelay_s] {
+        return undisturbed([&] { return regained(taken.settings, replyDelay_s); },
+                           [&](const Regained& one) { return one.fine(taken.halt); });
+      }));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Taken& taken = all[i];
+      const Regained r = runs[i].get();
       INFO(taken.what << ", answers after " << replyDelay_s << " s " << r.refused);
       CHECK(r.before_N > 0.3);
       CHECK(r.untilArmed_N == 0);
