@@ -51,17 +51,25 @@ int lineThickness(const cv::Mat& marks, double x, int y0, int y1) {
   return medianOf(std::move(widths));
 }
 
-/// Length of each column's line below row `edge` until it gets wider: its tick. Wider marks are labels close
+/// Thickness of a nearly horizontal line at row `y` between two columns; 0 if there is none.
+int rowLineThickness(const cv::Mat& marks, double y, int x0, int x1) {
+  if (marks.rows < 4) return 0;
+  const int at = std::clamp(static_cast<int>(std::lround(y)), 1, marks.rows - 2);
+  const int from = std::max(0, at - 2 * maxHalfEdge_px - 2);
+  const int to = std::min(marks.rows, at + 2 * maxHalfEdge_px + 3);
+  return lineThickness(marks.rowRange(from, to).t(), at - from, x0, x1);
+}
+
+/// Length of each column's line from row 0 down until it gets wider: its tick. Wider marks are labels close
 /// to it.
-std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns, int edge, int atMost,
-                            int thickest) {
+std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns, int atMost, int thickest) {
   std::vector<int> lengths;
   for (const double at : columns) {
     const int x = std::clamp(static_cast<int>(std::lround(at)), 1, d.cols - 2);
-    const int width = darkRunWidth(d.ptr<std::uint8_t>(edge), d.cols, x, atMost);
+    const int width = darkRunWidth(d.ptr<std::uint8_t>(0), d.cols, x, atMost);
     int n = 0;
-    while (width > 0 && width <= thickest && n < atMost && edge + n < d.rows) {
-      const int here = darkRunWidth(d.ptr<std::uint8_t>(edge + n), d.cols, x, atMost);
+    while (width > 0 && width <= thickest && n < atMost && n < d.rows) {
+      const int here = darkRunWidth(d.ptr<std::uint8_t>(n), d.cols, x, atMost);
       if (here == 0 || here > width + 2) break;
       ++n;
     }
@@ -88,22 +96,21 @@ int commonLength(const std::vector<int>& lengths) {
   return ticks ? best : 0;
 }
 
-/// Erases ticks below row `edge` (towards larger rows). A run longer than the others ends in a label, which
-/// is kept.
-void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, double frameHeight,
-                     int thickest) {
-  if (edge >= d.rows || edge < 0 || d.cols < 4 || columns.empty()) return;
-  const int longest = std::max(4, static_cast<int>(0.1 * frameHeight));
-  const auto lengths = ticksBelow(d, columns, edge, longest, thickest);
+int longestTick(double frameHeight) { return std::max(4, static_cast<int>(0.1 * frameHeight)); }
+
+/// Erases ticks below the frame's edge, which is row 0. A run longer than the others ends in a label, which is
+/// kept. Nothing beyond `longest` + 1 rows is looked at.
+void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int longest, int thickest) {
+  if (d.cols < 4 || columns.empty()) return;
+  const auto lengths = ticksBelow(d, columns, longest, thickest);
   const int common = commonLength(lengths);
   if (common == 0 || common >= longest) return;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const int length = std::min(lengths[i], common + 1);
     const int at = std::clamp(static_cast<int>(std::lround(columns[i])), 1, d.cols - 2);
-    const int half = darkRunWidth(d.ptr<std::uint8_t>(edge), d.cols, at, longest) / 2 + 2;
+    const int half = darkRunWidth(d.ptr<std::uint8_t>(0), d.cols, at, longest) / 2 + 2;
     const int x0 = std::clamp(at - half, 0, d.cols), x1 = std::clamp(at + half + 1, 0, d.cols);
-    const int y1 = std::min(d.rows, edge + length + 1);
-    d(cv::Rect(x0, edge, x1 - x0, y1 - edge)).setTo(0);
+    d(cv::Rect(x0, 0, x1 - x0, std::min(d.rows, length + 1))).setTo(0);
   }
 }
 
@@ -148,27 +155,33 @@ cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vecto
   y0 = std::max(0, y0 - 1);
   x1 = std::min(marks.cols, x1 + 1);
   y1 = std::min(marks.rows, y1 + 1);
-  const cv::Mat sideways = marks.t();
   const int thickness =
       std::max({lineThickness(marks, frame.x0, y0, y1), lineThickness(marks, frame.x1, y0, y1),
-                lineThickness(sideways, frame.y0, x0, x1), lineThickness(sideways, frame.y1, x0, x1)});
+                rowLineThickness(marks, frame.y0, x0, x1), rowLineThickness(marks, frame.y1, x0, x1)});
   const int thickest = std::max(4, 2 * thickness);  // ticks have about the frame's line width
   out(cv::Rect(x0, y0, x1 - x0, y1 - y0)).setTo(0);
   const auto mirrored = [](std::vector<double> positions, int size) {
     for (auto& p : positions) p = size - 1 - p;
     return positions;
   };
-  // Every side in turn is rotated to the bottom.
-  eraseTicksBelow(out, xLines, y1, frame.height(), thickest);
-  cv::flip(out, out, -1);
-  eraseTicksBelow(out, mirrored(xLines, out.cols), out.rows - y0, frame.height(), thickest);
-  cv::flip(out, out, -1);
-  cv::Mat side = out.t();
-  eraseTicksBelow(side, yLines, x1, frame.width(), thickest);
-  cv::flip(side, side, -1);
-  eraseTicksBelow(side, mirrored(yLines, side.cols), side.rows - x0, frame.width(), thickest);
-  cv::flip(side, side, -1);
-  return side.t();
+  // The strip beyond each side in turn is rotated to the bottom; the rest of the picture has no ticks.
+  const int tall = longestTick(frame.height()), wide = longestTick(frame.width());
+  const auto eraseIn = [&](cv::Mat strip, bool sideways, bool mirror, const std::vector<double>& at,
+                           int longest) {
+    if (strip.empty()) return;
+    cv::Mat turned = sideways ? cv::Mat(strip.t()) : strip.clone();
+    if (mirror) cv::flip(turned, turned, -1);
+    eraseTicksBelow(turned, at, longest, thickest);
+    if (mirror) cv::flip(turned, turned, -1);
+    if (sideways) turned = cv::Mat(turned.t());
+    turned.copyTo(strip);
+  };
+  eraseIn(out.rowRange(std::min(y1, out.rows), std::min(out.rows, y1 + tall + 1)), false, false, xLines,
+          tall);
+  eraseIn(out.rowRange(std::max(0, y0 - tall - 1), y0), false, true, mirrored(xLines, out.cols), tall);
+  eraseIn(out.colRange(std::min(x1, out.cols), std::min(out.cols, x1 + wide + 1)), true, false, yLines, wide);
+  eraseIn(out.colRange(std::max(0, x0 - wide - 1), x0), true, true, mirrored(yLines, out.rows), wide);
+  return out;
 }
 
 cv::Mat inkOf(const cv::Mat& darkness) {

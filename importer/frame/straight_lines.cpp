@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include <opencv2/imgproc.hpp>
 
@@ -42,6 +43,17 @@ struct Run {
   int y = 0, from = 0, to = 0, lineDarkness = 0;
 };
 
+/// Number of zeros at the beginning. Nearly all of a page is blank, so eight bytes are compared at once.
+int blanksAt(const std::uint8_t* bytes, int count) {
+  int n = 0;
+  for (std::uint64_t eight = 0; n + 8 <= count; n += 8) {
+    std::memcpy(&eight, bytes + n, 8);
+    if (eight != 0) break;
+  }
+  while (n < count && bytes[n] == 0) ++n;
+  return n;
+}
+
 std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
   std::vector<Run> runs;
   for (int y = 0; y < crests.rows; ++y) {
@@ -53,7 +65,8 @@ std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
         runs.push_back(run);
     };
     for (int x = 0; x < crests.cols; ++x) {
-      if (!row[x]) continue;
+      x += blanksAt(row + x, crests.cols - x);
+      if (x == crests.cols) break;
       if (run.from >= 0 && x - run.to <= maxGap + 1) {
         run.to = x;
         ++run.lineDarkness;

@@ -20,6 +20,7 @@ const cv::Scalar leftOverColor(230, 159, 0), pressColor(213, 94, 0), releaseColo
 
 constexpr int subPixelBits = 4;
 constexpr double subPixel = 1 << subPixelBits;
+constexpr double keptContrast = 0.45;  // contrast that the page keeps
 
 /// Draws in view pixels on a picture enlarged by `scale`; one that was followed in a mirror is shown as it
 /// stands on the page.
@@ -31,10 +32,12 @@ class Canvas {
         last_px_{view.raster.width_px - 1.0, view.raster.height_px - 1.0} {
     const Raster& page = view.raster;
     const cv::Mat source(page.height_px, page.width_px, CV_8UC3, const_cast<std::uint8_t*>(page.rgb.data()));
-    cv::resize(source, picture_, {}, scale, scale, scale > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
+    // Pale: what we drew must stand out. Before it is enlarged, while there are fewer pixels.
+    cv::Mat pale;
+    source.convertTo(pale, CV_8U, keptContrast, 255 * (1 - keptContrast));
+    cv::resize(pale, picture_, {}, scale, scale, scale > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
     if (mirrored_.across) cv::flip(picture_, picture_, 1);
     if (mirrored_.upsideDown) cv::flip(picture_, picture_, 0);
-    picture_ = picture_ * 0.45 + cv::Scalar::all(255 * 0.55);  // pale: what we drew must stand out
   }
 
   void polyline(const std::vector<Point>& points_px, const cv::Scalar& color, int thickness) {

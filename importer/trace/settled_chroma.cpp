@@ -24,15 +24,7 @@ Tone toneOf(double r, double g, double b) {
 class ChromaSettler {
  public:
   ChromaSettler(Raster& raster, Rgb paper, const ChromaOptions& options)
-      : raster_(raster), paper_(toneOf(paper.r, paper.g, paper.b)), options_(options) {
-    tones_.reserve(static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px));
-    for (int y = 0; y < raster.height_px; ++y)
-      for (int x = 0; x < raster.width_px; ++x) {
-        const std::uint8_t* p = raster.at(x, y);
-        const Tone tone = toneOf(p[0], p[1], p[2]);
-        tones_.push_back({tone.bright - paper_.bright, tone.colour - paper_.colour});
-      }
-  }
+      : raster_(raster), paper_(toneOf(paper.r, paper.g, paper.b)), options_(options) {}
 
   bool run() {
     if (sharpnessOfColour() >= options_.sharpness) return false;
@@ -44,7 +36,7 @@ class ChromaSettler {
     for (int y = 0; y < raster_.height_px; ++y)
       for (int x = 0; x < raster_.width_px; ++x) {
         const Tone here = at(x, y);
-        if (norm(here.colour) < options_.leastChroma) continue;
+        if (isColourless(here)) continue;
         const Tone core = coreAround(x, y);
         if (std::abs(core.bright) < options_.leastContrast) continue;
         const Point due = std::clamp(here.bright / core.bright, 0.0, 1.0) * core.colour;
@@ -55,9 +47,17 @@ class ChromaSettler {
   }
 
  private:
-  const Tone& at(int x, int y) const {
-    return tones_[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.width_px) +
-                  static_cast<std::size_t>(x)];
+  // Calculated anew each time: tones of all pixels would take eight times the memory of the picture.
+  Tone at(int x, int y) const {
+    const std::uint8_t* p = raster_.at(x, y);
+    const Tone tone = toneOf(p[0], p[1], p[2]);
+    return {tone.bright - paper_.bright, tone.colour - paper_.colour};
+  }
+
+  bool isColourless(const Tone& tone) const {
+    // Most pixels are paper, far below the limit in either norm; this one takes no root.
+    const double most = std::abs(tone.colour.x) + std::abs(tone.colour.y);
+    return most < 0.99 * options_.leastChroma || norm(tone.colour) < options_.leastChroma;
   }
 
   /// Second against first differences along rows and columns where there is colour, colour against
@@ -66,8 +66,8 @@ class ChromaSettler {
     double colour1 = 0, colour2 = 0, bright1 = 0, bright2 = 0;
     for (int y = 1; y + 1 < raster_.height_px; ++y)
       for (int x = 1; x + 1 < raster_.width_px; ++x) {
-        const Tone& here = at(x, y);
-        if (norm(here.colour) < options_.leastChroma) continue;
+        const Tone here = at(x, y);
+        if (isColourless(here)) continue;
         for (const auto& [before, after] :
              {std::pair(at(x - 1, y), at(x + 1, y)), std::pair(at(x, y - 1), at(x, y + 1))}) {
           colour1 += norm(here.colour - before.colour);
@@ -86,7 +86,7 @@ class ChromaSettler {
     const int reach = options_.reach_px;
     for (int v = std::max(0, y - reach); v <= std::min(raster_.height_px - 1, y + reach); ++v)
       for (int u = std::max(0, x - reach); u <= std::min(raster_.width_px - 1, x + reach); ++u) {
-        const Tone& tone = at(u, v);
+        const Tone tone = at(u, v);
         if (std::abs(tone.bright) <= std::abs(core.bright)) continue;
         if (dot(tone.colour, hue) >= options_.sameHue * norm(tone.colour) * norm(hue) &&
             norm(tone.colour) >= options_.leastChroma)
@@ -108,7 +108,6 @@ class ChromaSettler {
   Raster& raster_;
   Tone paper_;
   const ChromaOptions& options_;
-  std::vector<Tone> tones_;
 };
 
 }  // namespace
