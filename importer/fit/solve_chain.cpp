@@ -179,6 +179,7 @@ class ChainProblem {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (footpoints[i].piece >= fromPiece && footpoints[i].piece < toPiece)
         points_.push_back({points[i], footpoints[i].piece, footpoints[i].t});
+    footpoints_.resize(points_.size());
     for (std::size_t k = range.from; k < range.to; ++k) {
       weak_.emplace_back(chain, k);
       if (points.size() > 1) stay_.emplace_back(points, chain[k]);
@@ -191,25 +192,24 @@ class ChainProblem {
 
   /// Half the sum of squares.
   double costAt(const KnotChain& chain) {
-    const std::vector<ChainPiece> pieces = piecesOf(chain);
+    findFootpoints(piecesOf(chain));
     double sum = 0;
     const auto add = [&sum](double residual) { sum += residual * residual; };
-    for (AssignedPoint& assigned : points_) {
-      const double distance = std::sqrt(nearestAround(pieces, assigned).squaredDistance);
-      add(robust(assigned.point.weight * distance, robustScale_).value);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double distance = std::sqrt(footpoints_[i].squaredDistance);
+      add(robust(points_[i].point.weight * distance, robustScale_).value);
     }
     holdsAt(chain, [&add](const ResidualRow& row) { add(row.value); });
     return 0.5 * sum;
   }
 
-  /// Passes every residual to `take`.
+  /// Passes every residual to `take`. `isPriced`: costAt() was just asked for this chain and found the footpoints.
   template <class Take>
-  void rowsAt(const KnotChain& chain, const Take& take) {
+  void rowsAt(const KnotChain& chain, bool isPriced, const Take& take) {
     const std::vector<ChainPiece> pieces = piecesOf(chain);
-    for (AssignedPoint& assigned : points_) {
-      const Footpoint footpoint = nearestAround(pieces, assigned);
-      take(distanceRow(chain, pieces[footpoint.piece], footpoint, assigned.point, robustScale_));
-    }
+    if (!isPriced) findFootpoints(pieces);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      take(distanceRow(chain, pieces[footpoints_[i].piece], footpoints_[i], points_[i].point, robustScale_));
     holdsAt(chain, take);
   }
 
@@ -226,6 +226,10 @@ class ChainProblem {
   }
 
  private:
+  void findFootpoints(const std::vector<ChainPiece>& pieces) {
+    for (std::size_t i = 0; i < points_.size(); ++i) footpoints_[i] = nearestAround(pieces, points_[i]);
+  }
+
   /// Residuals that belong to knots only.
   template <class Take>
   void holdsAt(const KnotChain& chain, const Take& take) const {
@@ -242,8 +246,9 @@ class ChainProblem {
   KnotRange range_;
   double robustScale_;
   std::vector<AssignedPoint> points_;
-  std::vector<WeakPlace> weak_;       // of each moving knot
-  std::vector<StayWithPoints> stay_;  // of each moving knot
+  std::vector<Footpoint> footpoints_;  // of each point, on the chain that was asked for last
+  std::vector<WeakPlace> weak_;        // of each moving knot
+  std::vector<StayWithPoints> stay_;   // of each moving knot
   std::vector<std::size_t> free_;
 };
 
@@ -253,9 +258,9 @@ struct NormalEquations {
   std::vector<double> gradient;  ///< 0 for fixed parameters
   BandMatrix information;        ///< J'J; fixed parameters are decoupled
 
-  NormalEquations(ChainProblem& problem, const KnotChain& chain)
+  NormalEquations(ChainProblem& problem, const KnotChain& chain, bool isPriced)
       : gradient(perKnot * (chain.size() + 1)), information(chain.size()) {
-    problem.rowsAt(chain, [this](const ResidualRow& row) {
+    problem.rowsAt(chain, isPriced, [this](const ResidualRow& row) {
       cost += 0.5 * row.value * row.value;
       information.add(row);
       for (std::size_t i = 0; i < bandWidth; ++i) gradient[perKnot * row.knot + i] += row.value * row.by[i];
@@ -310,7 +315,7 @@ bool minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& sett
   constexpr double firstRadius = 1e4, greatestRadius = 1e16;  // relative to each parameter's scale
   constexpr double leastShareKept = 1e-3;                     // of the predicted decrease
   constexpr double leastInformation = 1e-6;  // of the initial value, if a parameter loses its influence
-  NormalEquations here(problem, chain);
+  NormalEquations here(problem, chain, false);
   std::vector<double> leastDamping;
   for (std::size_t i = 0; i < here.information.size(); ++i)
     leastDamping.push_back(leastInformation * std::pow(1 + std::sqrt(here.information.diagonal(i)), 2));
@@ -330,7 +335,7 @@ bool minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& sett
     }
     if (kept > leastShareKept) {
       chain = moved(chain, step);
-      here = NormalEquations(problem, chain);
+      here = NormalEquations(problem, chain, true);
       radius = std::min(greatestRadius, radius / std::max(1.0 / 3, 1 - std::pow(2 * kept - 1, 3)));
       shrinking = 2, stepped = true;
     } else {
@@ -381,7 +386,7 @@ KnotErrors knotErrors(const KnotChain& chain, const std::vector<SigmaPoint>& poi
   ChainProblem problem(chain, points, {0, chain.size()}, settings);
   // J'J and, with the actual residuals, J'RRJ.
   BandMatrix informationBand(chain.size()), scatterBand(chain.size());
-  problem.rowsAt(chain, [&](const ResidualRow& row) {
+  problem.rowsAt(chain, false, [&](const ResidualRow& row) {
     informationBand.add(row);
     scatterBand.add(row, row.value * row.value);
   });

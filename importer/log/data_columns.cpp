@@ -767,6 +767,18 @@ class ColumnFinder {
     if (named == Quantity::travel) column.quantity = ColumnQuantity::displacement;
   }
 
+  /// A word that names a force or a displacement in one language and another quantity in the next ("charge") counts where the
+  /// unit agrees; without a unit it is a name that no list knows.
+  static void settleSharedWords(DataColumn& column) {
+    constexpr auto other = static_cast<std::uint32_t>(ColumnWord::other);
+    for (KnownWords::Word& word : column.words.words) {
+      const bool isShared = word.has(ColumnWord::force) || word.has(ColumnWord::displacement);
+      if (!isShared || !word.has(ColumnWord::other)) continue;
+      word.meanings &= ~other;
+      column.isUnknownName = column.unit.kind == ColumnUnit::Kind::none;
+    }
+  }
+
   static void settle(DataColumn& column) {
     column.words = knownWordsIn(outsideBrackets(column.title));
     column.groupWords = knownWordsIn(outsideBrackets(splitTitle(column.group).name));
@@ -797,6 +809,7 @@ class ColumnFinder {
     if (lowered(column.unit.text) == "oz" && !column.title.empty() && !column.has(ColumnWord::force) &&
         !column.has(ColumnWord::forceWeak))
       column.unit.kind = ColumnUnit::Kind::unknown;
+    settleSharedWords(column);
     settleRecordName(column);
     weigh(column);
   }

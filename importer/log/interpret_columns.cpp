@@ -524,11 +524,7 @@ class Interpreter {
       return off / static_cast<double>(all.size());
     };
     evidence.add("steps", "even displacement", 4 * (unevenness(f) - unevenness(x)));
-    const DataColumn& displacement = column(x);
-    const bool counts = displacement.isInteger &&
-                        displacement.high - displacement.low + 1 == static_cast<double>(displacement.count) &&
-                        displacement.count >= 3;
-    if (counts && data_.columns.size() > 2) evidence.add("counter", displacement.label(), -4);
+    if (column(x).countsRows() && data_.columns.size() > 2) evidence.add("counter", column(x).label(), -4);
     return evidence;
   }
 

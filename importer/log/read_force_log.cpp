@@ -921,12 +921,23 @@ class LogReader {
       margins.push_back(best.evidence.total());
       for (std::size_t i = 1; i < found.best.size(); ++i) {
         const LogInterpretation& rival = found.best[i];
-        if (sameButton(best, rival)) continue;
+        if (sameButton(best, rival) || isAnswered(best, rival)) continue;
         if (margins.size() == 1) reading_.question = between(best, rival, *found.data);
         margins.push_back(best.evidence.total() - rival.evidence.total());
       }
     }
     log_.confidence = confidenceOfMargins(margins);
+  }
+
+  /// Returns true if a person chose among the records of the best reading, and the rival holds only columns of such records.
+  bool isAnswered(const LogInterpretation& best, const LogInterpretation& rival) const {
+    const auto isRecordOfBest = [&](const ColumnGroup& group) {
+      return !group.stroke && std::ranges::any_of(best.groups, [&](const ColumnGroup& each) {
+        return !each.stroke && each.displacement == group.displacement && each.force == group.force;
+      });
+    };
+    return !hints_.curve.empty() && best.records.size() > 1 && best.xUnit.symbol == rival.xUnit.symbol &&
+           best.yUnit.symbol == rival.yUnit.symbol && std::ranges::all_of(rival.groups, isRecordOfBest);
   }
 
   bool sameButton(const LogInterpretation& a, const LogInterpretation& b) const {
