@@ -102,7 +102,8 @@ void addNew(CLI::App& parent, Action& chosen) {
                   "*.button.json, at least two; one is enough for thresholds, scales and timing")
       ->required();
   addChoice(*app, "--kind", a->design.kind, studyKinds,
-            "Which of two is X (abx), or which of all (matching); which of two has more (threshold); how "
+            "Which of two is X (abx), whether two are the same (same-different), which of all is X "
+            "(matching); which of two has more (threshold); how "
             "good, how strong, which is better "
             "(rating); when is it pressed (timing)",
             "abx");
@@ -129,8 +130,9 @@ void addNew(CLI::App& parent, Action& chosen) {
       ->check(numberWithin(shortestRun_s, longestRun_s));
   app->add_option(
          "--trials", a->trials,
-         "Trials per pair (abx, pairwise) or button (else), and mode; tapping: runs; " + range(1, mostTrials))
-      ->default_str("10; threshold, timing 60; rating 4; tapping 3");
+         "Trials per pair (abx, same-different, pairwise) or button (else), and mode; tapping: runs; " +
+             range(1, mostTrials))
+      ->default_str("10; same-different 20; threshold, timing 60; rating 4; tapping 3");
   app->add_option("--modes", a->modes, "Modes to compare: full, click-only, slope-only, separated by commas")
       ->delimiter(',')
       ->default_str("full");
@@ -219,7 +221,8 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation,
-                  "The program answers: guess, perfect, errors=P (0..1); threshold studies also threshold=T, "
+                  "The program answers: guess, perfect, errors=P (0..1); same-different also d-prime=D; "
+                  "threshold studies also threshold=T, "
                   "the increase noticed in 75 of 100 trials (0.1: a tenth); timing studies "
                   "timing=PLACE,SPREAD or presses=FILE (trial,press_s)");
   addChoice(*app, "--condition", a->condition, listenings,

@@ -102,6 +102,7 @@
 
   // -- trials -----------------------------------------------------------------------------------------------------
   const scaled = data.kind === "rating" && data.scale !== "pairwise";
+  const twoAnswers = data.kind === "same-different";
   const hasX = (data.kind === "abx" || data.kind === "matching") && !data.physical;
 
   // The next trial; in a threshold study with the difference that follows from the answers.
@@ -188,11 +189,11 @@
     if (busy || !current) return;
     const left = missing();
     if (left.length) return say((scaled ? words.pressIt : words.pressThem) + (scaled ? "" : " " + left.map(nameOf).join(" ")));
-    const { trial, slots, shown_s, firstPress_s } = current, labelOf = (i) => data.labels[trial.choices[i]], end_s = now_s();
+    const { trial, slots, shown_s, firstPress_s } = current, answerOf = (i) => (twoAnswers ? ["same", "different"][i] : data.labels[trial.choices[i]]), end_s = now_s();
     const told = ({ presses, whole, peak_N, travel_mm }) => ({ presses, whole, peak_N, travel_mm });
-    const line = { event: "answer", trial: trial.number, practice: trial.practice, mode: trial.mode, choices: trial.choices.map((_, i) => labelOf(i)) };
-    if (data.kind !== "rating") line.x = labelOf(trial.target);
-    line.answer = labelOf(choice);
+    const line = { event: "answer", trial: trial.number, practice: trial.practice, mode: trial.mode, choices: trial.choices.map((i) => data.labels[i]) };
+    if (data.kind !== "rating") line.x = answerOf(trial.target);
+    line.answer = answerOf(choice);
     if (data.kind !== "rating") line.correct = choice === trial.target;
     if (rating !== undefined) line.rating = rating;
     Object.assign(line, { replays: slots.slice(0, -1).map((s) => s.tries), replays_x: slots.at(-1).tries, felt: slots.slice(0, -1).map(told), felt_x: told(slots.at(-1)),
@@ -250,7 +251,7 @@
     const parts = [paragraph(filled(trial.practice ? words.practice : words.trial, trial.number, journal.person.trials.length), { id: "number" }),
                    paragraph(scaled ? words.spaceScale : words.space), row(...pads)];
     if (data.physical) parts.push(paragraph(filled(words.realSwitch, trial.choices[trial.target] + 1)));
-    if (!scaled) parts.push(row(...choices.map((i) => given(i, filled(words.comparisons[data.comparison], nameOf(i)), () => answer(i)))));
+    if (!scaled) parts.push(row(...choices.map((i) => given(i, twoAnswers ? words.sameDifferent[i] : filled(words.comparisons[data.comparison], nameOf(i)), () => answer(i)))));
     if (scaled) parts.push(paragraph(data.scale === "magnitude" ? words.magnitude : words.preference));
     if (scaled && data.scale === "preference") parts.push(row(...[1, 2, 3, 4, 5, 6, 7].map((n) => given(n, String(n), () => answer(0, n)))));
     if (scaled && data.scale === "magnitude") {

@@ -96,7 +96,7 @@ StationJson jsonOfPerson(const Study& study, const ParticipantRecord& person) {
     trials.push_back({{"number", trial.number},
                       {"practice", trial.practice},
                       {"mode", nameOf(trial.mode)},
-                      {"choices", trial.choices},
+                      {"choices", feltButtons(study.design, trial)},
                       {"target", trial.target},
                       {"rest_before", trial.breakBefore}});
   return {{"id", person.participant}, {"header", headerOfBrowser(study, person)}, {"trials", trials}};
