@@ -104,6 +104,7 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
 QLayout* StudyMaker::designForm() {
   kind_ = comboBox("makerKind", tr("The participants' task"));
   addChoice(kind_, tr("Which of two is X?"), static_cast<int>(playback::StudyKind::abx));
+  addChoice(kind_, tr("Are the two the same?"), static_cast<int>(playback::StudyKind::sameDifferent));
   addChoice(kind_, tr("Which of all is X?"), static_cast<int>(playback::StudyKind::matching));
   addChoice(kind_, tr("Which of two has more? A threshold"),
             static_cast<int>(playback::StudyKind::threshold));

@@ -189,6 +189,8 @@ TrialWords StudyWindow::trialWords() const {
   said.feelOne = words("Feel %1");
   said.feelIt = words("Feel it");
   said.answer = answerWords();
+  if (work_.study->design.kind == playback::StudyKind::sameDifferent)
+    said.answers = {words("They are the same"), words("They differ")};
   said.space = words("space bar");
   said.enter = words("Enter");
   said.backspace = words("Backspace");
@@ -203,6 +205,8 @@ QString StudyWindow::taskWords() const {
   const playback::StudyDesign& design = work_.study->design;
   if (playback::asksForX(design.kind))
     return words("X is one of those below. Feel X and the others, then say which one it is.");
+  if (design.kind == playback::StudyKind::sameDifferent)
+    return words("Feel both, then say whether they are the same. If you are not sure, guess.");
   if (design.kind == playback::StudyKind::threshold)
     return words("Feel both, then say which one has more. If you are not sure, guess.");
   if (isTimed()) {

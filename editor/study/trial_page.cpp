@@ -57,8 +57,9 @@ void TrialPage::addChoices(const playback::Study& study, const TrialWords& words
     auto* press =
         makeFeelButton({pressName, words.feelOne.arg(i + 1), digitKey(i), largeText_pt, pressHeight_px},
                        [this, i] { emit felt(i); });
-    auto* answer =
-        makeButton({answerName, words.answer.arg(i + 1), letterKey(i)}, [this, i] { emit answered(i); });
+    auto* answer = makeButton(
+        {answerName, words.answers.value(static_cast<qsizetype>(i), words.answer.arg(i + 1)), letterKey(i)},
+        [this, i] { emit answered(i); });
     const int row = 2 * (static_cast<int>(i) / mostColumns), at = static_cast<int>(i) % mostColumns;
     grid->addWidget(press, row, at);
     grid->addWidget(answer, row + 1, at);

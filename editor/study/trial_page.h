@@ -15,6 +15,7 @@ namespace detent::editor {
 struct TrialWords {
   QString feelX, feelOne, feelIt;  ///< "Feel X", "Feel %1", "Feel it"
   QString answer;                  ///< "X is %1", "%1 is better"
+  QStringList answers{};           ///< of each choice, in place of answer
   QString space, enter, backspace, takeBack, take;
   QString least, most;  ///< ends of the scale 1 to 7
 };

@@ -246,8 +246,10 @@ class Player final : public StudyPlayer {
       const PlayerStatus status = player_->status();
       return (!heard_ || status.blockFrames > 0) && (!sensor() || status.sensor == SensorCondition::running);
     };
+    // A cue's delay stands in the journal's first line; some sound systems tell it a little later.
+    const bool toldDelay = heard_ && timed_ == TimingTask::cue;
     for (double waited_s = 0; waited_s < firstReading_s; waited_s += look_s) {
-      if (running()) return true;
+      if (running() && (!toldDelay || waited_s > 1 || player_->status().outputLatency_s > 0)) return true;
       std::this_thread::sleep_for(std::chrono::duration<double>(look_s));
     }
     return !sensor();  // a sound device that is slow to begin is watched all the time

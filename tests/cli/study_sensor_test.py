@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Studies whose force sensor dies while an impatient participant goes on answering: none may end complete as real.
 
-    study_sensor_test.py --detent-play BIN --samples DIR [--studies N] [--jobs N]
+    study_sensor_test.py --detent-play BIN --participant BIN --samples DIR [--studies N] [--jobs N]
 
 The sensor is a pty that speaks docs/reference/serial-protocol.md. It works until a moment in the first trials, then fails in one of the ways below for
-good. The participant presses, answers, and answers again, whatever the screen says. Asked of each study:
+good. The participant presses, answers, and answers again, whatever is said. Asked of each study:
 
 - its journal holds no answer to a trial whose three stimuli the finger did not press past the bottom-out while the sensor worked;
 - it is not complete; a sensor that works throughout brings it to its end (one study in nine, so that the harness itself is seen to work).
@@ -121,49 +121,46 @@ class Sensor(threading.Thread):
             pass  # nobody reads
 
 
-class Terminal:
-    """The program at a terminal of its own."""
+class Participant:
+    """study_participant.cpp at a study of its own."""
 
-    def __init__(self, command, folder):
-        self.screen = ""
-        self.pid, self.master = pty.fork()
-        if self.pid == 0:
-            os.chdir(folder)
-            os.execv(command[0], command)
+    def __init__(self, program, *arguments):
+        self.said = ""
+        self.process = subprocess.Popen([program, *map(str, arguments)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
     def type(self, keys):
         try:
-            os.write(self.master, keys.encode())
+            os.write(self.process.stdin.fileno(), keys.encode())
         except OSError:
             pass
         self.look(0)
 
     def look(self, seconds):
-        """Reads what is shown; False once the program has ended."""
+        """Reads what is said; False once the program has ended."""
         end = time.monotonic() + seconds
-        while select.select([self.master], [], [], max(0, end - time.monotonic()))[0]:
-            try:
-                data = os.read(self.master, 4096)
-            except OSError:
-                return False
+        while select.select([self.process.stdout], [], [], max(0, end - time.monotonic()))[0]:
+            data = os.read(self.process.stdout.fileno(), 4096)
             if not data:
                 return False
-            self.screen += data.decode(errors="replace")
+            self.said += data.decode(errors="replace")
         return True
 
+    def says(self, words, seconds, start=0):
+        end = time.monotonic() + seconds
+        while words not in self.said[start:] and time.monotonic() < end and self.look(0.01):
+            pass
+        return words in self.said[start:]
+
     def end(self):
-        self.type("\x03")
-        for _ in range(200):
-            if not self.look(0.05):
-                time.sleep(0.05)
-            pid, status = os.waitpid(self.pid, os.WNOHANG)
-            if pid:
-                os.close(self.master)
-                return os.waitstatus_to_exitcode(status)
-        os.kill(self.pid, 9)
-        os.waitpid(self.pid, 0)
-        os.close(self.master)
-        return -9
+        self.type("q")
+        try:
+            return self.process.wait(10)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            return -9
+        finally:
+            self.process.stdin.close()
+            self.process.stdout.close()
 
 
 def answers(journal):
@@ -171,60 +168,51 @@ def answers(journal):
     return [e for e in events if e.get("event") == "answer"], [e for e in events if e.get("event") == "interruption"]
 
 
-def work(terminal, sensor):
+def work(participant, sensor):
     """Presses and answers until the time is over; how many trials had all three stimuli pressed through by a working sensor."""
     felt = 0
     end = time.monotonic() + WORK_S
-    while time.monotonic() < end and "That was the last one" not in terminal.screen:
+    while time.monotonic() < end and "end" not in participant.said:
         whole = True
         for key in "12x":
-            terminal.type(key)
+            participant.type(key)
             time.sleep(0.03)
             whole = sensor.press() and whole
         felt += whole
-        for key in "abA":
-            terminal.type(key)
+        for key in "aba":
+            participant.type(key)
             time.sleep(0.02)
-        if not terminal.look(0.08):
+        if not participant.look(0.08):
             break
     return felt
 
 
-def run(program, samples, folder, number, seed):
+def run(program, station, samples, folder, number, seed):
     chance = random.Random(seed * 1000003 + number)
     fault = list(FAULTS)[number % len(FAULTS)]
-    participant, study = f"P{number}", folder / f"s{number}"
+    study = folder / f"s{number}"
     subprocess.run([program, "study", "new", str(study), str(samples / "A.button.json"), str(samples / "B.button.json"),
                     "--trials", str(TRIALS), "--seed", str(number)], check=True, stderr=subprocess.DEVNULL)
     from_start = fault != "healthy" and chance.random() < 0.2
     sensor = Sensor(fault, 0 if from_start else chance.uniform(0.1, FAULT_WITHIN_S), number,
                     folder / f"sensor{number}")
     sensor.start()
-    terminal = Terminal([program, "study", "run", str(study), "--participant", participant, "--device", "JACK", "--sensor",
-                         str(sensor.port)], str(folder))
-    started = False
-    for _ in range(100):
-        if not terminal.look(0.1):
-            break
-        if "I agree" in terminal.screen and "Trial" not in terminal.screen:
-            terminal.type("y")
-        started = "Trial 1 of" in terminal.screen
-        if started:
-            break
+    participant = Participant(station, study, "P1", "--device", "JACK", "--sensor", sensor.port)
+    started = participant.says("trial 1\n", 10)
     if not from_start:
         sensor.begun = time.monotonic()
-    felt = work(terminal, sensor) if started else 0
-    code = terminal.end()
+    felt = work(participant, sensor) if started else 0
+    code = participant.end()
     sensor.ending.set()
     sensor.join()
-    told, interruptions = answers(study / "participants" / f"{participant}.jsonl")
+    told, interruptions = answers(study / "participants" / "P1.jsonl")
     status = json.loads(subprocess.run([program, "study", "status", str(study), "--json"], capture_output=True, text=True,
                                        check=True).stdout)["participants"]
     complete = bool(status) and status[0]["complete"]
     real = bool(status) and status[0]["kind"] == "real"
     trouble = []
     if not started and (not from_start or code != 6):
-        trouble.append("did not start: " + terminal.screen[-200:])
+        trouble.append("did not start: " + participant.said[-200:])
     if fault == "healthy" and not (complete and real):
         trouble.append(f"a working sensor brought {len(told)} of {TRIALS} answers")
     if fault != "healthy" and complete:
@@ -236,7 +224,7 @@ def run(program, samples, folder, number, seed):
         most_N = 30 if fault == "saturated" else 1.1 * PEAK_N  # what is under the finger goes on being measured
         if not all(THROUGH_N < peak < most_N for peak in peaks):
             trouble.append(f"trial {answer['trial']} says peaks of {peaks} N")
-    if code < 0 and not complete:  # Ctrl-C may meet a program that is about to end
+    if code < 0:
         trouble.append(f"ended by signal {-code}")
     return fault, len(told), len(interruptions), complete, trouble
 
@@ -261,6 +249,7 @@ def sound_server():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--detent-play", required=True)
+    parser.add_argument("--participant", required=True, help="study_participant.cpp")
     parser.add_argument("--samples", required=True, type=pathlib.Path)
     parser.add_argument("--studies", type=int, default=len(FAULTS))
     parser.add_argument("--jobs", type=int, default=len(FAULTS))
@@ -274,7 +263,7 @@ def main():
     counted, failed = collections.defaultdict(lambda: [0, 0, 0, 0]), 0
     with tempfile.TemporaryDirectory(prefix="detent-sensor-") as folder, \
             concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = pool.map(lambda n: run(program, options.samples.resolve(), pathlib.Path(folder), n, options.seed),
+        results = pool.map(lambda n: run(program, options.participant, options.samples.resolve(), pathlib.Path(folder), n, options.seed),
                            range(options.studies))
         for number, (fault, told, interrupted, complete, trouble) in enumerate(results):
             counted[fault] = [a + b for a, b in zip(counted[fault], [1, told, interrupted, complete])]

@@ -16,11 +16,10 @@
 #include "playback/device/steady_clock.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
-#include "playback/program/real_device_options.h"
 #include "playback/program/shared_options.h"
 #include "playback/study.h"
-#include "playback/study/program/study_terminal.h"
 #include "playback/study/station/station_page.h"
+#include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/printed_counts.h"
 #include "playback/study/trials/study_plan.h"
 #include "playback/study/trials/timing_tables.h"
@@ -28,8 +27,6 @@
 namespace detent::playback {
 
 namespace {
-
-constexpr double usualNoiseLevel = 0.1;
 
 // ---- new
 
@@ -105,7 +102,8 @@ void addNew(CLI::App& parent, Action& chosen) {
                   "*.button.json, at least two; one is enough for thresholds, scales and timing")
       ->required();
   addChoice(*app, "--kind", a->design.kind, studyKinds,
-            "Which of two is X (abx), or which of all (matching); which of two has more (threshold); how "
+            "Which of two is X (abx), whether two are the same (same-different), which of all is X "
+            "(matching); which of two has more (threshold); how "
             "good, how strong, which is better "
             "(rating); when is it pressed (timing)",
             "abx");
@@ -132,8 +130,9 @@ void addNew(CLI::App& parent, Action& chosen) {
       ->check(numberWithin(shortestRun_s, longestRun_s));
   app->add_option(
          "--trials", a->trials,
-         "Trials per pair (abx, pairwise) or button (else), and mode; tapping: runs; " + range(1, mostTrials))
-      ->default_str("10; threshold, timing 60; rating 4; tapping 3");
+         "Trials per pair (abx, same-different, pairwise) or button (else), and mode; tapping: runs; " +
+             range(1, mostTrials))
+      ->default_str("10; same-different 20; threshold, timing 60; rating 4; tapping 3");
   app->add_option("--modes", a->modes, "Modes to compare: full, click-only, slope-only, separated by commas")
       ->delimiter(',')
       ->default_str("full");
@@ -162,20 +161,51 @@ void addNew(CLI::App& parent, Action& chosen) {
 struct RunArguments {
   std::string folder, participant, simulation;
   std::optional<Listening> condition;  ///< empty: as in the journal
-  Listening listening = Listening::quiet;
-  StudyDevices devices;
-  std::string forceDevice;  ///< as forceDeviceFrom() reads it
-  RealDeviceOptions force;
-  std::string language;  ///< as AskedParticipant::language
   bool json = false;
+  std::vector<std::string> others;  ///< options of the station that a terminal was
 };
 
-int reportProgress(const RunArguments& a, const ParticipantRecord& record) {
-  if (record.plan.empty())
-    std::fprintf(stderr, "%s: not begun\n", a.participant.c_str());
-  else
-    std::fprintf(stderr, "%s: %zu of %zu trials answered%s\n", a.participant.c_str(), record.answers.size(),
-                 record.plan.size(), record.complete() ? ", complete" : "");
+Result<Done> checkAnswering(const RunArguments& a) {
+  if (a.simulation.empty())
+    return Failure{
+        FailureCode::wrongUsage, "study run", "",
+        "people do not answer in a terminal; this command only simulates",
+        "Run the study in detent-edit (Button > Study with people), write a page for browsers with "
+        "detent-play study station, or pass --simulate"};
+  if (!a.others.empty())
+    return Failure{FailureCode::wrongUsage, Subject::option(a.others.front()), "",
+                   "is nothing that a simulated participant needs", "Leave it out"};
+  return Done{};
+}
+
+/// Says each answer on stderr only once it is on the disk.
+int runRun(const RunArguments& a, const Cancelled& cancelled) {
+  if (Result<Done> ok = checkAnswering(a); !ok) return fail(ok.failure());
+  const Result<Study> study = openStudy(a.folder);
+  if (!study) return fail(study.failure());
+  if (Result<Done> ok = checkParticipantId(a.participant); !ok) return fail(ok.failure());
+  if (Result<Done> ok = checkStimuli(*study); !ok) return fail(ok.failure());
+  const Result<Simulation> simulation = simulationNamed(a.simulation);
+  if (!simulation) return fail(simulation.failure());
+  if (Result<Done> ok = checkSimulation(*study, *simulation); !ok) return fail(ok.failure());
+  const SessionStart start{SessionKind::simulated, listeningOf(*study, a.participant, a.condition), "",
+                           a.simulation, wallClock_s()};
+  Result<ParticipantSession> session = ParticipantSession::open(*study, a.participant, start);
+  if (!session) return fail(session.failure());
+  for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
+  while (const Trial* trial = session->trial()) {
+    if (cancelled()) break;
+    const std::size_t number = trial->number;
+    if (Result<Done> ok = session->record(simulatedAnswer(*study, a.participant, *trial, *simulation)); !ok)
+      return fail(ok.failure());
+    std::fprintf(stderr, "recorded %zu\n", number);
+    if (session->trial() == nullptr) {
+      if (Result<Done> ok = session->end("complete"); !ok) return fail(ok.failure());
+    }
+  }
+  const ParticipantRecord& record = session->record();
+  std::fprintf(stderr, "%s: %zu of %zu trials answered%s\n", a.participant.c_str(), record.answers.size(),
+               record.plan.size(), record.complete() ? ", complete" : "");
   if (a.json)
     print({{"status", "ok"},
            {"participant", a.participant},
@@ -185,82 +215,26 @@ int reportProgress(const RunArguments& a, const ParticipantRecord& record) {
   return 0;
 }
 
-/// Says each answer on stderr only once it is on the disk.
-int simulate(const RunArguments& a, const Study& study, const Cancelled& cancelled) {
-  Result<Simulation> simulation = simulationNamed(a.simulation);
-  if (!simulation) return fail(simulation.failure());
-  if (Result<Done> ok = checkSimulation(study, *simulation); !ok) return fail(ok.failure());
-  SessionStart start{SessionKind::simulated, a.listening, "", a.simulation, wallClock_s()};
-  Result<ParticipantSession> session = ParticipantSession::open(study, a.participant, start);
-  if (!session) return fail(session.failure());
-  for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
-  while (const Trial* trial = session->trial()) {
-    if (cancelled()) break;
-    const std::size_t number = trial->number;
-    if (Result<Done> ok = session->record(simulatedAnswer(study, a.participant, *trial, *simulation)); !ok)
-      return fail(ok.failure());
-    std::fprintf(stderr, "recorded %zu\n", number);
-    if (session->trial() == nullptr) {
-      if (Result<Done> ok = session->end("complete"); !ok) return fail(ok.failure());
-    }
-  }
-  return reportProgress(a, session->record());
-}
-
-int runRun(RunArguments a, const Cancelled& cancelled) {
-  Result<Study> study = openStudy(a.folder);
-  if (!study) return fail(study.failure());
-  if (Result<Done> ok = checkParticipantId(a.participant); !ok) return fail(ok.failure());
-  a.listening = listeningOf(*study, a.participant, a.condition);
-  if (a.listening == Listening::quiet) a.devices.player.masking = {};
-  if (Result<Done> ok = checkStimuli(*study); !ok) return fail(ok.failure());
-  if (!a.simulation.empty()) return simulate(a, *study, cancelled);
-  if (!a.forceDevice.empty()) {
-    Result<ForceDeviceChoice> choice = forceDeviceFrom(a.forceDevice);
-    if (!choice) return fail(choice.failure());
-    a.force.applyTo(*choice);
-    a.devices.force = *std::move(choice);
-  }
-  const Result<ParticipantRecord> record =
-      askParticipant(*study, {a.participant, a.language, a.listening}, a.devices, cancelled);
-  if (!record) return fail(record.failure());
-  return reportProgress(a, *record);
-}
-
 void addRun(CLI::App& parent, Action& chosen) {
-  CLI::App* app = parent.add_subcommand("run", "Begin or resume a participant's session");
+  CLI::App* app = parent.add_subcommand("run", "Simulate a participant's session, or the rest of it");
   const auto a = std::make_shared<RunArguments>();
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation,
-                  "The program answers: guess, perfect, errors=P (0..1); threshold studies also threshold=T, "
+                  "The program answers: guess, perfect, errors=P (0..1); same-different also d-prime=D; "
+                  "threshold studies also threshold=T, "
                   "the increase noticed in 75 of 100 trials (0.1: a tenth); timing studies "
                   "timing=PLACE,SPREAD or presses=FILE (trial,press_s)");
   addChoice(*app, "--condition", a->condition, listenings,
             "Listening: quiet, or masked by rain from headphones; recorded in every row, the same for all "
             "trials of a participant. Default: as before, quiet at first",
             "");
-  app->add_option(
-         "--language", a->language,
-         "Language of the consent text: en, de, ...; keys and questions are German for de, else English")
-      ->default_str("the one agreed in, en at first");
-  app->add_option("--noise-level", a->devices.player.masking.level,
-                  "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
-      ->default_str(CLI::detail::to_string(usualNoiseLevel))
-      ->check(numberWithin(0, 0.3));
-  app->add_option("--noise-device", a->devices.player.masking.device,
-                  "masked: the headphones' sound device; default: the outputs behind the vibration's");
-  app->add_flag("--rehearse", a->devices.rehearse, "Rehearse without a sound device; recorded in every row");
-  app->add_option("--profile", a->devices.sensorProfileFile, "Calibration of the sensor");
-  addDeviceOptions(*app, a->devices.player);
-  addSensorOptions(*app, a->devices.sensor);
-  app->add_option("--force-device", a->forceDevice,
-                  std::string("Feel and press the button on a force-feedback device: ") + forceDeviceWords)
-      ->group(realDeviceGroup);
-  addForceDeviceOptions(*app, a->force, "Largest force in N; default: the preset's");
   app->add_flag("--json", a->json, "One JSON object on stdout");
-  a->devices.player.masking.level = usualNoiseLevel;
-  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
+  app->allow_extras();  // to name what replaces the options of the station that a terminal was
+  app->callback([&chosen, a, app] {
+    a->others = app->remaining();
+    chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); };
+  });
 }
 
 // ---- station

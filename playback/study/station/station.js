@@ -14,34 +14,11 @@
   const now_s = () => performance.now() / 1000;
   const utc_s = () => Date.now() / 1000;
 
-  const own = {
-    en: { who: "Who takes part?", agree: "I agree: begin", decline: "No, thank you", language: "Language", masked: "Play the noise over your headphones now.",
-          check: "Connect the device that vibrates. Hold the pad and let go: you should feel a button.", feltIt: "I feel it: begin",
-          space: "Hold and let go. Keys: digits and x press, letters answer.", spaceScale: "Hold and let go. The space bar presses, too.", pad: "Press",
-          pause: "Pause", stop: "Stop for good", paused: "Paused. Your answers are kept in this browser; this page goes on at this trial.",
-          resume: "Go on", stopAsked: "Stop for good?", stopYes: "Yes, stop", early: "You have stopped. Thank you.",
-          download: "Download your answers", send: "Send your answers", sending: "Sending …", sent: "Your answers have been sent.",
-          notSent: "Your answers could not be sent (%1). Try again, or download them and hand them over.",
-          handOver: "Download your answers and hand them over.", number: "Number", twoWindows: "this study is open in another window: close this one",
-          notStored: "this browser keeps nothing", lost: "The kept answers are damaged (line %1). Nothing more is written; tell the experimenter.",
-          otherPage: "Answers of %1 were begun with another page of this study. Open that one, or download them.",
-          engineStopped: "the engine stopped: load the page again", restOver: "Go on" },
-    de: { who: "Wer nimmt teil?", agree: "Ich bin einverstanden: beginnen", decline: "Nein, danke", language: "Sprache", masked: "Spielen Sie jetzt das Rauschen über die Kopfhörer.",
-          check: "Schließen Sie das Gerät an, das vibriert. Feld halten und loslassen: Sie sollten einen Taster fühlen.", feltIt: "Ich fühle ihn: beginnen",
-          space: "Halten und loslassen. Tasten: Ziffern und x drücken, Buchstaben antworten.", spaceScale: "Halten und loslassen. Auch die Leertaste drückt.", pad: "Drücken",
-          pause: "Pause", stop: "Endgültig aufhören", paused: "Pause. Ihre Antworten sind in diesem Browser aufgehoben; diese Seite geht an dieser Frage weiter.",
-          resume: "Weiter", stopAsked: "Endgültig aufhören?", stopYes: "Ja, aufhören", early: "Sie haben aufgehört. Vielen Dank.",
-          download: "Antworten herunterladen", send: "Antworten senden", sending: "Wird gesendet …", sent: "Ihre Antworten sind gesendet.",
-          notSent: "Ihre Antworten konnten nicht gesendet werden (%1). Versuchen Sie es noch einmal, oder laden Sie sie herunter und geben Sie sie ab.",
-          handOver: "Laden Sie Ihre Antworten herunter und geben Sie sie ab.", number: "Zahl", twoWindows: "diese Studie ist in einem anderen Fenster offen: schließen Sie dieses",
-          notStored: "dieser Browser hebt nichts auf", lost: "Die aufgehobenen Antworten sind beschädigt (Zeile %1). Es wird nichts mehr geschrieben; sagen Sie es dem Versuchsleiter.",
-          otherPage: "Antworten von %1 wurden mit einer anderen Seite dieser Studie begonnen. Öffnen Sie jene, oder laden Sie sie herunter.",
-          engineStopped: "die Maschine hat angehalten: laden Sie die Seite neu", restOver: "Weiter" } };
   let words = null;
   const speak = (language) => {
     const known = language === "de" ? "de" : "en";
     root.lang = known;
-    words = { ...own[known], ...data.words[known] };
+    words = data.words[known];
   };
   const filled = (text, ...values) => text.replace(/%(\d)/g, (_, n) => values[n - 1]);
 
@@ -125,6 +102,7 @@
 
   // -- trials -----------------------------------------------------------------------------------------------------
   const scaled = data.kind === "rating" && data.scale !== "pairwise";
+  const twoAnswers = data.kind === "same-different";
   const hasX = (data.kind === "abx" || data.kind === "matching") && !data.physical;
 
   // The next trial; in a threshold study with the difference that follows from the answers.
@@ -211,11 +189,11 @@
     if (busy || !current) return;
     const left = missing();
     if (left.length) return say((scaled ? words.pressIt : words.pressThem) + (scaled ? "" : " " + left.map(nameOf).join(" ")));
-    const { trial, slots, shown_s, firstPress_s } = current, labelOf = (i) => data.labels[trial.choices[i]], end_s = now_s();
+    const { trial, slots, shown_s, firstPress_s } = current, answerOf = (i) => (twoAnswers ? ["same", "different"][i] : data.labels[trial.choices[i]]), end_s = now_s();
     const told = ({ presses, whole, peak_N, travel_mm }) => ({ presses, whole, peak_N, travel_mm });
-    const line = { event: "answer", trial: trial.number, practice: trial.practice, mode: trial.mode, choices: trial.choices.map((_, i) => labelOf(i)) };
-    if (data.kind !== "rating") line.x = labelOf(trial.target);
-    line.answer = labelOf(choice);
+    const line = { event: "answer", trial: trial.number, practice: trial.practice, mode: trial.mode, choices: trial.choices.map((i) => data.labels[i]) };
+    if (data.kind !== "rating") line.x = answerOf(trial.target);
+    line.answer = answerOf(choice);
     if (data.kind !== "rating") line.correct = choice === trial.target;
     if (rating !== undefined) line.rating = rating;
     Object.assign(line, { replays: slots.slice(0, -1).map((s) => s.tries), replays_x: slots.at(-1).tries, felt: slots.slice(0, -1).map(told), felt_x: told(slots.at(-1)),
@@ -273,7 +251,7 @@
     const parts = [paragraph(filled(trial.practice ? words.practice : words.trial, trial.number, journal.person.trials.length), { id: "number" }),
                    paragraph(scaled ? words.spaceScale : words.space), row(...pads)];
     if (data.physical) parts.push(paragraph(filled(words.realSwitch, trial.choices[trial.target] + 1)));
-    if (!scaled) parts.push(row(...choices.map((i) => given(i, filled(words.comparison, nameOf(i)), () => answer(i)))));
+    if (!scaled) parts.push(row(...choices.map((i) => given(i, twoAnswers ? words.sameDifferent[i] : filled(words.comparisons[data.comparison], nameOf(i)), () => answer(i)))));
     if (scaled) parts.push(paragraph(data.scale === "magnitude" ? words.magnitude : words.preference));
     if (scaled && data.scale === "preference") parts.push(row(...[1, 2, 3, 4, 5, 6, 7].map((n) => given(n, String(n), () => answer(0, n)))));
     if (scaled && data.scale === "magnitude") {

@@ -14,7 +14,6 @@
 #include "playback/page/page_text.h"
 #include "playback/study/station/station_parts.h"
 #include "playback/study/trials/participant_session.h"
-#include "playback/study/trials/participant_words.h"
 
 namespace detent::playback {
 
@@ -97,7 +96,7 @@ StationJson jsonOfPerson(const Study& study, const ParticipantRecord& person) {
     trials.push_back({{"number", trial.number},
                       {"practice", trial.practice},
                       {"mode", nameOf(trial.mode)},
-                      {"choices", trial.choices},
+                      {"choices", feltButtons(study.design, trial)},
                       {"target", trial.target},
                       {"rest_before", trial.breakBefore}});
   return {{"id", person.participant}, {"header", headerOfBrowser(study, person)}, {"trials", trials}};
@@ -116,24 +115,6 @@ StationJson stimuliAsJson(const Study& study) {
            settings.jumpAmplitudePerArea_per_mJ, settings.faintestJump}}});
   }
   return list;
-}
-
-StationJson wordsAsJson(const Study& study, const std::string& language) {
-  const ParticipantWords& w = participantWords(language);
-  return {{"trial", w.trial},
-          {"practice", w.practice},
-          {"realSwitch", w.realSwitch},
-          {"comparison", comparisonWords(w, study.design)},
-          {"magnitude", w.magnitude},
-          {"preference", w.preference},
-          {"typeMagnitude", w.typeMagnitude},
-          {"pressThem", w.pressThem},
-          {"pressIt", w.pressIt},
-          {"rest", w.rest},
-          {"last", w.last},
-          {"goodbye", w.goodbye},
-          {"interrupted", w.interrupted},
-          {"notKept", w.notKept}};
 }
 
 /// A text for each language there is one for, English first.
@@ -195,7 +176,9 @@ Result<std::string> stationPage(const Study& study, const StationSettings& setti
       {"levels", levels},
       {"stimuli", stimuliAsJson(study)},
       {"consents", *std::move(consents)},
-      {"words", {{"en", wordsAsJson(study, "en")}, {"de", wordsAsJson(study, "de")}}},
+      {"words", StationJson::parse(station_parts::words)},
+      {"comparison",
+       study.design.kind == StudyKind::threshold ? nameOf(study.design.quantity) : nameOf(study.design.kind)},
       {"engine", base64(station_parts::engine)}};
   const std::string engineScript(page_parts::engineScript);
   return filled(station_parts::html,

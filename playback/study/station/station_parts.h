@@ -6,7 +6,7 @@
 
 namespace detent::playback::station_parts {
 
-extern const std::string_view html, style, worklet, script;
+extern const std::string_view html, words, style, worklet, script;
 extern const std::string_view engine;  ///< WebAssembly; empty in a build without it
 
 }  // namespace detent::playback::station_parts

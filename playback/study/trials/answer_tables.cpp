@@ -12,6 +12,7 @@
 #include "playback/study/statistics/bradley_terry.h"
 #include "playback/study/statistics/paired_difference.h"
 #include "playback/study/statistics/resampling.h"
+#include "playback/study/statistics/same_different.h"
 #include "playback/study/trials/study_results.h"
 
 namespace detent::playback {
@@ -482,7 +483,71 @@ void addMatches(const Study& study, const std::string& condition, const std::vec
   addChance(confused, before, evenChance, p);
 }
 
+// ---- same/different
+
+FigureTable pairsToldApartTable() {
+  return {
+      "same_different",
+      "Pairs told apart: same or different",
+      "d' by differencing (mixed pairs), its 95 % by likelihood, and by independent observations (one known "
+      "pair); a share of 0 or 100 % counts half an answer less or more (*). p: so many hits where nobody "
+      "tells the two apart, whatever each person's bias, exact; Holm over the pairs of a condition.",
+      {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+       {"first", "first", 0, "button"},
+       {"second", "second", 0, "button"},
+       {"different", "different", 0, "trials with both"},
+       {"hits_percent", "hits %", 1, "of those, called different"},
+       {"same", "same", 0, "trials with one of them twice"},
+       {"false_alarms_percent", "false %", 1, "of those, called different"},
+       {"d_prime_differencing", "d' differ.", 2, "mixed pairs"},
+       {"d_prime_low", "low", 2, "lower end, 95 %"},
+       {"d_prime_high", "high", 2, "upper end, 95 %"},
+       {"d_prime_independent", "d' indep.", 2, "one pair that is known"},
+       {"moved", "*", 0, "*: a share of 0 or 100 % was moved by half an answer"},
+       {"p", "p", 4, "that people who do not tell them apart have as many hits"},
+       {"p_holm", "p, Holm", 4, "for all pairs of the condition together"}},
+      {}};
+}
+
+void addToldApart(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
+                  FigureTable& table) {
+  std::map<std::size_t, std::map<std::size_t, SameDifferentCount>> byPair;
+  for (const Counted& c : answers) {
+    const auto [first, second] = std::minmax(c.trial().choices[0], c.trial().choices[1]);
+    SameDifferentCount& own = byPair[pairAt(first, second)][c.person];
+    const bool saidDifferent = c.answer().choice == 1, differ = c.trial().target == 1;
+    ++(differ ? own.different : own.same);
+    if (saidDifferent) ++(differ ? own.hits : own.falseAlarms);
+  }
+  std::vector<double> p;
+  const std::size_t before = table.rows.size();
+  for (const auto& [pair, people] : byPair) {
+    std::vector<SameDifferentCount> persons;
+    for (const auto& [person, own] : people) persons.push_back(own);
+    const SameDifferentCount all = sumOf(persons);
+    if (all.different == 0 || all.same == 0) continue;
+    const SameDifferentDPrime d = dPrimeOf(all);
+    const auto [first, second] = pairsOf(study.buttons.size())[pair];
+    p.push_back(guessedP(persons));
+    table.rows.push_back({condition, study.buttons[first].label, study.buttons[second].label,
+                          count(all.different), answerPercent * rateOf({all.hits, all.different}),
+                          count(all.same), answerPercent * rateOf({all.falseAlarms, all.same}),
+                          d.differencing, d.low, cell(d.high), d.independent, std::string(d.moved ? "*" : ""),
+                          p.back(), FigureCell()});
+  }
+  const std::vector<double> adjusted = holm(p);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) table.rows[before + i].back() = adjusted[i];
+}
+
 }  // namespace
+
+std::vector<FigureTable> sameDifferentTables(const Study& study,
+                                             const std::vector<ParticipantRecord>& participants) {
+  FigureTable table = pairsToldApartTable();
+  for (const auto& [condition, answers] : conditionsOf(study, participants))
+    addToldApart(study, condition, answers, table);
+  return {table};
+}
 
 std::vector<FigureTable> matchingTables(const Study& study,
                                         const std::vector<ParticipantRecord>& participants) {

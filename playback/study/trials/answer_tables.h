@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Results of thresholds, ratings and matching, as tables. Any thread.
+// Results of same/different, thresholds, ratings and matching, as tables. Any thread.
 
 #include <vector>
 
@@ -8,6 +8,10 @@
 #include "playback/study/trials/participant_record.h"
 
 namespace detent::playback {
+
+/// Same/different: hits, false alarms and d' of each pair, against people who do not tell the two apart.
+std::vector<FigureTable> sameDifferentTables(const Study& study,
+                                             const std::vector<ParticipantRecord>& participants);
 
 /// Thresholds of each participant, and of each button over participants. A condition of its own for each of
 /// listening, mode and who answered, as in the rows.

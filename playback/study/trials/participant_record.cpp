@@ -47,10 +47,6 @@ std::optional<SplitLine> splitLine(const std::string& line) {
   return SplitLine{line.substr(0, at) + "}", line.substr(at + chainKey.size(), chainDigits)};
 }
 
-std::string labelOf(const Study& study, const Trial& trial, std::size_t choice) {
-  return study.buttons[trial.choices[choice]].label;
-}
-
 Json jsonOf(const Felt& felt) {
   return {{"presses", felt.presses},
           {"whole", felt.whole},
@@ -192,14 +188,14 @@ class Replay {
     a.trial = trial->number;
     a.choice = trial->choices.size();
     for (std::size_t i = 0; i < trial->choices.size(); ++i)
-      if (labelOf(study_, *trial, i) == chosen) a.choice = i;
+      if (answerName(study_, *trial, i) == chosen) a.choice = i;
     if (json.contains("rating")) a.rating = json.at("rating").get<double>();
     if (json.contains("presses_s")) {
       a.presses_s = json.at("presses_s").get<std::vector<double>>();
       a.pressWithin_s = json.at("press_within_s");
     }
     if (a.choice == trial->choices.size() || !ratingFits(study_, a.rating) || !timesFit(*trial, a, json) ||
-        (hasRightAnswer(study_.design.kind) && json.at("x") != labelOf(study_, *trial, trial->target)))
+        (hasRightAnswer(study_.design.kind) && json.at("x") != answerName(study_, *trial, trial->target)))
       return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
     a.replays = json.at("replays").get<std::vector<std::size_t>>();
     a.replaysX = json.at("replays_x");
@@ -465,7 +461,8 @@ std::string sessionLine(const SessionStart& s, std::size_t cutBytes, std::string
 
 std::string answerLine(const Study& study, const Trial& trial, const Answer& a, std::string& chain) {
   Json choices = Json::array(), felt = Json::array();
-  for (std::size_t i = 0; i < trial.choices.size(); ++i) choices.push_back(labelOf(study, trial, i));
+  for (const std::size_t button : feltButtons(study.design, trial))
+    choices.push_back(study.buttons[button].label);
   for (const Felt& each : a.felt) felt.push_back(jsonOf(each));
   Json line{{"event", "answer"},
             {"trial", trial.number},
@@ -473,8 +470,8 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& a, 
             {"mode", nameOf(trial.mode)},
             {"choices", choices}};
   const bool right = hasRightAnswer(study.design.kind);
-  if (right) line["x"] = labelOf(study, trial, trial.target);
-  line["answer"] = labelOf(study, trial, a.choice);
+  if (right) line["x"] = answerName(study, trial, trial.target);
+  line["answer"] = answerName(study, trial, a.choice);
   if (right) line["correct"] = a.choice == trial.target;
   if (a.rating) line["rating"] = *a.rating;
   if (study.design.kind == StudyKind::timing) {

@@ -235,6 +235,11 @@ std::size_t simulatedChoice(const Study& study, const Trial& trial, const Simula
                             StudyRandom& random) {
   const std::size_t choices = trial.choices.size();
   if (simulation.guess) return drawBelow(random, choices);
+  if (simulation.dPrime) {
+    const double apart = trial.target == 1 ? *simulation.dPrime : 0, criterion = 1 + *simulation.dPrime / 2;
+    const double felt = drawNormal(random) - drawNormal(random) - apart;
+    return std::abs(felt) > criterion ? 1 : 0;
+  }
   if (!errs(study, trial, simulation, random)) return trial.target;
   return (trial.target + 1 + drawBelow(random, choices - 1)) % choices;
 }
@@ -327,6 +332,12 @@ Result<Simulation> simulationNamed(const std::string& name) {
   if (const auto rate = numberBehind(name, "errors=", 0, 1)) return Simulation{*rate, false, 0, name};
   if (const auto threshold = numberBehind(name, "threshold=", 0.001, 10))
     return Simulation{0, false, *threshold, name};
+  if (const auto dPrime = numberBehind(name, "d-prime=", 0, 10)) {
+    Simulation simulation;
+    simulation.name = name;
+    simulation.dPrime = dPrime;
+    return simulation;
+  }
   if (const auto timing = timingNamed(name)) {
     Simulation simulation;
     simulation.name = name;
@@ -339,7 +350,7 @@ Result<Simulation> simulationNamed(const std::string& name) {
       FailureCode::wrongUsage, Subject::option("--simulate"), "",
       Message("\"%1\" is not a way to answer", name),
       Message("Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, "
-              "timing=PLACE,SPREAD or presses=FILE")};
+              "d-prime=D with D from 0 to 10, timing=PLACE,SPREAD or presses=FILE")};
 }
 
 Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
@@ -353,6 +364,10 @@ Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
                    Message("a place of tapping is the seconds between presses"),
                    Message("Give 0.01 or more")};
+  if (simulation.dPrime && study.design.kind != StudyKind::sameDifferent)
+    return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
+                   Message("a d' answers same/different studies only"),
+                   Message("Give guess, perfect or errors=P")};
   if (simulation.threshold == 0 || study.design.kind == StudyKind::threshold) return Done{};
   return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
                  Message("a threshold answers threshold studies only"),

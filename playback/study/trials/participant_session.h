@@ -65,12 +65,14 @@ struct Simulation {
   double threshold =
       0;  ///< threshold studies: a person who notices this increase in 75 of 100 trials; 0: errors as above
   std::string name;                     ///< as given
+  std::optional<double> dPrime{};       ///< same/different: of an observer by differencing
   std::optional<PressTiming> timing{};  ///< timing studies: of the person
   /// Timing studies: what another program says a person pressed, by trial, as Answer::presses_s.
   std::map<std::size_t, std::vector<double>> presses_s{};
 };
 
-/// "guess", "perfect", "errors=P" with P in [0, 1], "threshold=T" with T in [0.001, 10],
+/// "guess", "perfect", "errors=P" with P in [0, 1], "threshold=T" with T in [0.001, 10], "d-prime=D" with
+/// D in [0, 10],
 /// "timing=PLACE,SPREAD" (PressTiming), or "presses=FILE", CSV `trial,press_s`. Failure wrongUsage;
 /// unreadableInput: of the file.
 Result<Simulation> simulationNamed(const std::string& name);

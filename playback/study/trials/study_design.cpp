@@ -354,7 +354,8 @@ std::string spokenId(const std::string& id) {
 }
 
 bool asksForPairs(const StudyDesign& d) {
-  return d.kind == StudyKind::abx || (d.kind == StudyKind::rating && d.scale == RatingScale::pairwise);
+  return d.kind == StudyKind::abx || d.kind == StudyKind::sameDifferent ||
+         (d.kind == StudyKind::rating && d.scale == RatingScale::pairwise);
 }
 
 std::size_t usualTrials(StudyKind kind, TimingTask task) {
@@ -362,6 +363,8 @@ std::size_t usualTrials(StudyKind kind, TimingTask task) {
     case StudyKind::abx:
     case StudyKind::matching:
       break;
+    case StudyKind::sameDifferent:
+      return 20;  // half of them with one button twice
     case StudyKind::threshold:
       return 60;
     case StudyKind::rating:

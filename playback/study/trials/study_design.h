@@ -23,13 +23,15 @@
 namespace detent::playback {
 
 enum class StudyKind : std::uint8_t {
-  abx,        ///< K&L, Experiment 1: which of two is X?
-  matching,   ///< K&L, Experiment 2: which of all is X?
-  threshold,  ///< which of two has more of a quantity? The differences follow the answers (QUEST+)
-  rating,     ///< how good is it, how strong is it, which of two is preferred?
-  timing      ///< press with a cue, within a window, as fast as can be kept up: when counts, not which
+  abx,            ///< K&L, Experiment 1: which of two is X?
+  sameDifferent,  ///< are these two the same button or two?
+  matching,       ///< K&L, Experiment 2: which of all is X?
+  threshold,      ///< which of two has more of a quantity? The differences follow the answers (QUEST+)
+  rating,         ///< how good is it, how strong is it, which of two is preferred?
+  timing          ///< press with a cue, within a window, as fast as can be kept up: when counts, not which
 };
 inline constexpr auto studyKinds = named<StudyKind>({{"abx", StudyKind::abx},
+                                                     {"same-different", StudyKind::sameDifferent},
                                                      {"matching", StudyKind::matching},
                                                      {"threshold", StudyKind::threshold},
                                                      {"rating", StudyKind::rating},

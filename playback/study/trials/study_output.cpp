@@ -342,13 +342,17 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
                {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}},
                {"feel", {{"Description", "how slopes, jumps and bottom-out were played: Detent's --feel"}}}};
   for (const auto& [column, words] :
-       {std::pair{"trial_type", "kind of question: abx, matching, threshold, rating or timing"},
+       {std::pair{"trial_type",
+                  "kind of question: abx, same-different, matching, threshold, rating or timing"},
         {"trial", "number within the participant, from 1, practice not counted"},
         {"pair", "the two buttons compared; matching: the button X was; else: the button asked about"},
         {"alpha", "button offered first; n/a in matching and scales"},
         {"beta", "button offered second; n/a in matching and scales"},
-        {"x", "button that X was; threshold: the one that has more; n/a in rating and timing"},
-        {"answer", "button that was said to be X, or to have more, or preferred, or rated, or pressed"},
+        {"x",
+         "button that X was; threshold: the one that has more; same or different; n/a in rating and timing"},
+        {"answer",
+         "button that was said to be X, or to have more, or preferred, or rated, or pressed; same or "
+         "different"},
         {"replays_alpha", "times alpha was asked for; matching: all choices together"},
         {"replays_beta", "times beta was asked for"},
         {"replays_x", "times X was asked for"}})

@@ -37,7 +37,7 @@ std::size_t mostChoices(const std::vector<Trial>& trials) {
 std::string xOf(const Study& study, const Trial& trial) {
   if (!hasRightAnswer(study.design.kind)) return {};
   if (study.design.kind == StudyKind::threshold) return "choice_" + std::to_string(trial.target + 1);
-  return study.buttons[trial.choices[trial.target]].label;
+  return answerName(study, trial, trial.target);
 }
 
 FigureTable table(const std::string& key, const std::string& title, const std::string& note,
@@ -343,6 +343,9 @@ std::string taskOf(const Study& study) {
     case StudyKind::abx:
       return "ABX: two buttons α and β and X, which is one of them; the participant feels each as often as "
              "wanted and says which one X is.";
+    case StudyKind::sameDifferent:
+      return "Same or different: two stimuli, in half of the trials one button twice; the participant feels "
+             "each as often as wanted and says whether they are the same.";
     case StudyKind::matching:
       return std::string("Matching: X is one of all buttons") +
              (d.targets == TargetKind::physicalButton ? ", the real switch handed over by number" : "") +
@@ -363,7 +366,7 @@ std::string taskOf(const Study& study) {
 std::vector<std::string> hypotheses(const Study& study) {
   const StudyDesign& d = study.design;
   std::vector<std::string> all;
-  if (d.kind == StudyKind::abx || d.kind == StudyKind::matching)
+  if (asksForX(d.kind) || d.kind == StudyKind::sameDifferent)
     all.push_back("For each pair, participants tell the buttons apart: fewer errors than by guessing.");
   if (d.kind == StudyKind::threshold)
     all.push_back("The threshold of each button lies below ... %, or differs between ... and ...");
@@ -384,6 +387,15 @@ std::vector<std::string> analysis(const Study& study) {
         "Per participant and button: median and 95 % credible interval of the difference told in 75 of "
         "100, by QUEST+'s belief; prior and ranges as in Detent's docs/guide/studies.md.");
     all.push_back("Over participants: geometric mean with Student's 95 % interval of the logarithm.");
+    return all;
+  }
+  if (d.kind == StudyKind::sameDifferent) {
+    all.push_back(
+        "Per pair: hits (\"different\" to two buttons) and false alarms (to one twice), exact p of so many "
+        "hits "
+        "if nobody tells them apart, whatever each person's bias; Holm over the pairs. d' by differencing "
+        "with "
+        "its likelihood interval, and by independent observations.");
     return all;
   }
   if (d.kind == StudyKind::timing) {
@@ -512,7 +524,8 @@ std::string listCsv(const Study& study, const std::string& participant, std::siz
   for (const Trial& trial : trials) {
     text += participant + "," + std::to_string(trial.number) + "," + (trial.practice ? "1," : "0,") +
             (trial.breakBefore ? "1," : "0,") + nameOf(trial.mode);
-    for (const std::size_t choice : trial.choices) text += "," + csvField(study.buttons[choice].label);
+    for (const std::size_t button : feltButtons(study.design, trial))
+      text += "," + csvField(study.buttons[button].label);
     text += "," + csvField(xOf(study, trial));
     if (timed) text += "," + shortestText(trial.interval_s) + "," + shortestText(trial.window_s);
     text += "\n";
@@ -567,6 +580,8 @@ std::vector<FigureTable> powerTables(const Study& study) {
       return {oneTest(study), twoConditions(study), peopleNeeded(study)};
     case StudyKind::matching:
       return {twoConditions(study), peopleNeeded(study)};
+    case StudyKind::sameDifferent:
+      return {};
     case StudyKind::threshold:
       return thresholdPower();
     case StudyKind::timing:

@@ -34,11 +34,11 @@ std::string conditionOf(const Study& study, const TrialRow& row) {
 /// The compared buttons of a trial, and how often each was replayed.
 void describe(const Study& study, const Trial& trial, const Answer& answer, TrialRow& row) {
   const StudyKind kind = study.design.kind;
-  const auto label = [&](std::size_t choice) { return study.buttons[trial.choices[choice]].label; };
+  const std::vector<std::size_t> buttons = feltButtons(study.design, trial);
   const std::vector<std::size_t>& replays = answer.replays;
-  row.x = hasRightAnswer(kind) ? label(trial.target) : std::string();
+  row.x = hasRightAnswer(kind) ? answerName(study, trial, trial.target) : std::string();
   row.first = row.second = trial.choices[trial.target];
-  row.pair = label(trial.target);
+  row.pair = study.buttons[row.first].label;
   row.replaysA = std::accumulate(replays.begin(), replays.end(), std::size_t{0});
   if (const StudyLevel* level = levelOf(study, row.first)) {
     row.level = level->increase;
@@ -46,8 +46,8 @@ void describe(const Study& study, const Trial& trial, const Answer& answer, Tria
   }
   row.rating = answer.rating;
   if (kind == StudyKind::matching || trial.choices.size() != 2) return;
-  row.a = label(0);
-  row.b = label(1);
+  row.a = study.buttons[buttons[0]].label;
+  row.b = study.buttons[buttons[1]].label;
   row.replaysA = !replays.empty() ? replays[0] : 0;
   row.replaysB = replays.size() > 1 ? replays[1] : 0;
   if (kind == StudyKind::threshold) return;
@@ -60,18 +60,18 @@ void describe(const Study& study, const Trial& trial, const Answer& answer, Tria
 TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::size_t at) {
   const Trial& trial = participant.plan[at];
   const RecordedAnswer& recorded = participant.answers[at];
-  const auto label = [&](std::size_t choice) { return study.buttons[trial.choices[choice]].label; };
   TrialRow row;
   row.participant = participant.participant;
   row.trial = trial.number - study.design.practice;
   describe(study, trial, recorded.answer, row);
   row.answered = trial.choices[recorded.answer.choice];
-  for (std::size_t i = 0; i < trial.choices.size(); ++i) row.choices.push_back(label(i));
+  for (const std::size_t button : feltButtons(study.design, trial))
+    row.choices.push_back(study.buttons[button].label);
   if (!recorded.answer.felt.empty()) {
     row.felt = recorded.answer.felt;
     row.felt.push_back(recorded.answer.feltX);
   }
-  row.answer = label(recorded.answer.choice);
+  row.answer = answerName(study, trial, recorded.answer.choice);
   row.correct = hasRightAnswer(study.design.kind) && recorded.answer.choice == trial.target;
   row.replaysX = recorded.answer.replaysX;
   row.onset_s = recorded.onset_s;
@@ -319,6 +319,8 @@ std::vector<FigureTable> tablesOf(const Study& study, const std::vector<Particip
     case StudyKind::abx:
     case StudyKind::matching:
       break;
+    case StudyKind::sameDifferent:
+      return sameDifferentTables(study, participants);
     case StudyKind::threshold:
       return thresholdTables(study, participants);
     case StudyKind::rating:

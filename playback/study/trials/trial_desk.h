@@ -23,7 +23,7 @@ class TrialDesk {
   /// Index of the stimulus under the finger: the choices, and X behind them.
   std::size_t slotOfX() const { return trial_->choices.size(); }
   std::size_t buttonIn(std::size_t slot) const {
-    return trial_->choices[slot == slotOfX() ? trial_->target : slot];
+    return feltButtons(study_->design, *trial_)[slot == slotOfX() ? trial_->target : slot];
   }
 
   /// Records that this stimulus is under the finger now.

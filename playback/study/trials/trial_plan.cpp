@@ -191,6 +191,7 @@ std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, 
                             StudyRandom& random) {
   switch (study.design.kind) {
     case StudyKind::abx:
+    case StudyKind::sameDifferent:
       break;
     case StudyKind::matching:
       return matchingTrials(study, mode, random);
@@ -225,6 +226,16 @@ void addBlock(const Study& study, std::vector<Trial> block, StudyRandom& random,
 }
 
 }  // namespace
+
+std::vector<std::size_t> feltButtons(const StudyDesign& design, const Trial& trial) {
+  if (design.kind != StudyKind::sameDifferent || trial.target == 1) return trial.choices;
+  return {trial.choices[0], trial.choices[0]};
+}
+
+std::string answerName(const Study& study, const Trial& trial, std::size_t choice) {
+  if (study.design.kind == StudyKind::sameDifferent) return choice == 0 ? "same" : "different";
+  return study.buttons[trial.choices[choice]].label;
+}
 
 std::size_t countedTrials(const Study& study) {
   const StudyDesign& d = study.design;

@@ -11,21 +11,22 @@
 
 namespace detent::playback {
 
-/// One question: which of `choices` is X? Threshold: which has more? Rating: how is it, or which is better?
+/// One question: which of `choices` is X? Are the two the same? Threshold: which has more? Rating: how is it, or which is better?
 /// Timing: press, at a time.
 struct Trial {
   std::size_t number = 0;  ///< from 1, practice first, as the participant meets them
   bool practice = false;   ///< answered and kept, but counted nowhere
   FeedbackMode mode = FeedbackMode::full;
-  std::vector<std::size_t> choices;     ///< indices of buttons in the order shown; abx: alpha, beta
-  std::size_t target = 0;               ///< which of `choices` X is, or has more; 0 in rating and timing
+  std::vector<std::size_t> choices;  ///< indices of buttons in the order shown; abx: alpha, beta
+  std::size_t target = 0;  ///< which of `choices` X is, or has more; same/different: 1 if they differ; else 0
   double interval_s = 0, window_s = 0;  ///< timing: cue and window; else 0
   bool breakBefore = false;             ///< the participant rests first, as long as they like
 };
 
 /// abx: every pair `trials` times in every mode. Within a pair and mode the four cells of who is alpha and
 /// who is X are filled alike; of two trials that remain each has another alpha and another X, and which side
-/// X falls on then alternates from pair to pair. matching: every button `trials` times in every mode, the
+/// X falls on then alternates from pair to pair. same/different: likewise, for who is first and whether the
+/// second is the other. matching: every button `trials` times in every mode, the
 /// choices in a new order each time. threshold: every button `trials` times in every mode; what has more
 /// stands first as often as second, and which level it is follows from the answers (next_level.cpp): until
 /// then its place holds the button itself. timing: every button `trials` times in every mode, intervals and
@@ -36,6 +37,12 @@ struct Trial {
 /// So are the pairs where each gets some: they differ by at most one. Studies of version 1 were shuffled as
 /// one list, and X was balanced by sides alone.
 std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t place = 0);
+
+/// The buttons that are felt, in the order shown: `choices`; in same/different the first of them twice where
+/// the right answer is "same".
+std::vector<std::size_t> feltButtons(const StudyDesign& design, const Trial& trial);
+/// An answer as journals and tables name it: "same", "different", or the label of the choice.
+std::string answerName(const Study& study, const Trial& trial, std::size_t choice);
 
 /// Number of trials that count.
 std::size_t countedTrials(const Study& study);
