@@ -4,7 +4,7 @@
 
 coverage.py ROOM PROGRAM...: what PROGRAM prints takes the place of all between `<!-- ROOM -->` and `<!-- /ROOM -->`.
 Rows of the knots of one button and of the coefficients of one curve become one row with the smallest and the largest share.
-    tests/bench/coverage.py playback build/release/tests/bench/detent_playback_coverage
+    tests/bench/coverage.py playback build/release/bin/detent_playback_coverage
 """
 
 import re
