@@ -6,7 +6,7 @@ coverage.py ROOM PROGRAM...: what PROGRAM prints takes the place of all between 
 Wilson intervals are left out: the page states them by the number of measurements.
 Rows of the knots of one button and of the coefficients of one curve become one row with the smallest and the largest share;
 other estimates of one record become one row.
-    tests/bench/coverage.py playback build/release/tests/bench/detent_playback_coverage
+    tests/bench/coverage.py playback build/release/bin/detent_playback_coverage
 """
 
 import re

@@ -146,7 +146,8 @@ class Station(unittest.TestCase):
         self.click("#download")
         file = into / f"{person}.jsonl"
         end = time.monotonic() + 20
-        while not file.exists():
+        # The browser makes an empty file of that name before it writes beside it.
+        while not file.exists() or not file.stat().st_size or list(into.glob("*.crdownload")):
             self.assertLess(time.monotonic(), end, list(into.iterdir()))
             time.sleep(0.05)
         shutil.move(file, study / "participants" / file.name)
