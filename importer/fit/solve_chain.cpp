@@ -179,7 +179,7 @@ class ChainProblem {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (footpoints[i].piece >= fromPiece && footpoints[i].piece < toPiece)
         points_.push_back({points[i], footpoints[i].piece, footpoints[i].t});
-    footpoints_.resize(points_.size());
+    nearest_.resize(points_.size());
     for (std::size_t k = range.from; k < range.to; ++k) {
       weak_.emplace_back(chain, k);
       if (points.size() > 1) stay_.emplace_back(points, chain[k]);
@@ -192,24 +192,24 @@ class ChainProblem {
 
   /// Half the sum of squares.
   double costAt(const KnotChain& chain) {
-    findFootpoints(piecesOf(chain));
+    findNearest(piecesOf(chain));
     double sum = 0;
     const auto add = [&sum](double residual) { sum += residual * residual; };
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double distance = std::sqrt(footpoints_[i].squaredDistance);
+      const double distance = std::sqrt(nearest_[i].squaredDistance);
       add(robust(points_[i].point.weight * distance, robustScale_).value);
     }
     holdsAt(chain, [&add](const ResidualRow& row) { add(row.value); });
     return 0.5 * sum;
   }
 
-  /// Passes every residual to `take`. `isPriced`: costAt() was just asked for this chain and found the footpoints.
+  /// Passes every residual to `take`. `isPriced`: costAt() just evaluated this chain and found the footpoints.
   template <class Take>
   void rowsAt(const KnotChain& chain, bool isPriced, const Take& take) {
     const std::vector<ChainPiece> pieces = piecesOf(chain);
-    if (!isPriced) findFootpoints(pieces);
+    if (!isPriced) findNearest(pieces);
     for (std::size_t i = 0; i < points_.size(); ++i)
-      take(distanceRow(chain, pieces[footpoints_[i].piece], footpoints_[i], points_[i].point, robustScale_));
+      take(distanceRow(chain, pieces[nearest_[i].piece], nearest_[i], points_[i].point, robustScale_));
     holdsAt(chain, take);
   }
 
@@ -226,8 +226,8 @@ class ChainProblem {
   }
 
  private:
-  void findFootpoints(const std::vector<ChainPiece>& pieces) {
-    for (std::size_t i = 0; i < points_.size(); ++i) footpoints_[i] = nearestAround(pieces, points_[i]);
+  void findNearest(const std::vector<ChainPiece>& pieces) {
+    for (std::size_t i = 0; i < points_.size(); ++i) nearest_[i] = nearestAround(pieces, points_[i]);
   }
 
   /// Residuals that belong to knots only.
@@ -246,9 +246,9 @@ class ChainProblem {
   KnotRange range_;
   double robustScale_;
   std::vector<AssignedPoint> points_;
-  std::vector<Footpoint> footpoints_;  // of each point, on the chain that was asked for last
-  std::vector<WeakPlace> weak_;        // of each moving knot
-  std::vector<StayWithPoints> stay_;   // of each moving knot
+  std::vector<Footpoint> nearest_;    // of each point, on the chain evaluated last
+  std::vector<WeakPlace> weak_;       // of each moving knot
+  std::vector<StayWithPoints> stay_;  // of each moving knot
   std::vector<std::size_t> free_;
 };
 

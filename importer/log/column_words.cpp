@@ -310,7 +310,7 @@ ColumnUnit unitOf(std::string_view text) {
   ColumnUnit unit = unitSpelled(whole);
   if (unit.kind != ColumnUnit::Kind::unknown) return unit.text = std::string(whole), unit;
   if (auto fraction = fractionOfUnit(whole)) return *fraction;
-  // A factor before or behind it: "x0.1 N", "×10⁻³ N", "0.1 N", "N x 10".
+  // A factor before it: "x0.1 N", "×10⁻³ N", "0.1 N".
   constexpr std::array<std::string_view, 5> signs{"x", "X", "×", "*", "·"};
   std::string_view bare = whole;
   for (const std::string_view sign : signs)
@@ -326,14 +326,6 @@ ColumnUnit unitOf(std::string_view text) {
     if (!factor || rest.empty()) continue;
     ColumnUnit scaled = unitSpelled(rest);
     if (scaled.kind == ColumnUnit::Kind::unknown || scaled.kind == ColumnUnit::Kind::other) continue;
-    return scaled.size *= *factor, scaled.text = std::string(whole), scaled;
-  }
-  for (const std::string_view sign : signs) {
-    const std::size_t at = whole.find(sign, 1);
-    if (at == std::string_view::npos) continue;
-    ColumnUnit scaled = unitSpelled(trimmed(whole.substr(0, at)));
-    const auto factor = factorIn(whole.substr(at + sign.size()));
-    if (!factor || scaled.kind == ColumnUnit::Kind::unknown) continue;
     return scaled.size *= *factor, scaled.text = std::string(whole), scaled;
   }
   // Compound units measure something else, whatever they are made of: "N m", "N/mm".

@@ -159,17 +159,6 @@ std::vector<std::string> projectWords(const std::string& name) {
   return words;
 }
 
-std::optional<Stroke> strokeOfWord(const std::string& word) {
-  static const std::set<std::string> press = {"press",   "pressing", "down",    "downstroke", "load",
-                                              "loading", "make",     "forward", "drücken",    "hinweg"};
-  static const std::set<std::string> release = {"release",  "releasing", "return",    "up",
-                                                "upstroke", "unload",    "unloading", "break",
-                                                "reverse",  "back",      "loslassen", "rückweg"};
-  if (press.contains(word)) return Stroke::press;
-  if (release.contains(word)) return Stroke::release;
-  return {};
-}
-
 struct SetName {
   std::string name;  ///< without the words that say the stroke
   std::optional<Stroke> stroke;
@@ -178,7 +167,7 @@ struct SetName {
 SetName understood(const std::string& name) {
   SetName is;
   for (const std::string& word : projectWords(name)) {
-    const std::optional<Stroke> stroke = strokeOfWord(word);
+    const std::optional<Stroke> stroke = strokeNamedIn(word);
     if (stroke)
       is.stroke = stroke;
     else

@@ -15,17 +15,6 @@
 namespace detent::importer {
 namespace {
 
-/// The stroke that a label means; nullopt: none, or both.
-std::optional<Stroke> strokeOfLabel(std::string_view text) {
-  const KnownWords known = knownWordsIn(text);
-  const bool press = known.has(ColumnWord::press), release = known.has(ColumnWord::release);
-  if (press == release) {
-    // "load" in "unload cell" and the like: the more special word wins.
-    return {};
-  }
-  return press ? Stroke::press : Stroke::release;
-}
-
 /// One row of the chosen columns.
 struct Sample {
   CurvePoint point;
@@ -212,7 +201,7 @@ class RecordFormer {
                          named.has(ColumnWord::press) || named.has(ColumnWord::release);
       if (isTitle || !names) continue;
       cuts.at[each.row] = first;
-      if (const auto stroke = strokeOfLabel(first);
+      if (const auto stroke = strokeNamedIn(first);
           stroke && !named.has(ColumnWord::record) && !named.has(ColumnWord::cycle)) {
         if (cuts.strokeOfRow.empty()) cuts.strokeOfRow.resize(data_.rows());
         std::size_t end = data_.rows();
@@ -228,7 +217,7 @@ class RecordFormer {
       const KnownWords named = knownWordsIn(caption);
       const bool isHeading = named.has(ColumnWord::displacement) && named.has(ColumnWord::force);
       if (!isHeading && (named.has(ColumnWord::record) || named.has(ColumnWord::cycle))) cuts.at[0] = caption;
-      if (const auto stroke = strokeOfLabel(caption); stroke && !isHeading && !cuts.strokeOfRow.empty())
+      if (const auto stroke = strokeNamedIn(caption); stroke && !isHeading && !cuts.strokeOfRow.empty())
         for (std::size_t row = 0; row < data_.breaks.front().row; ++row)
           if (!cuts.strokeOfRow[row]) cuts.strokeOfRow[row] = stroke;
     }
@@ -250,7 +239,7 @@ class RecordFormer {
           if (cell.empty()) continue;
           ++filled;
           if (const auto place = known.find(cell); place != known.end()) continue;
-          const auto stroke = strokeOfLabel(cell);
+          const auto stroke = strokeNamedIn(cell);
           constexpr std::size_t mostWords = 3;  // a switch may be called "Sunny Side Up Linear"
           const KnownWords words = knownWordsIn(cell);
           all = stroke.has_value() && known.size() < mostLabels && words.unknown == 0 &&
@@ -486,6 +475,13 @@ class RecordFormer {
 };
 
 }  // namespace
+
+std::optional<Stroke> strokeNamedIn(std::string_view text) {
+  const KnownWords known = knownWordsIn(text);
+  const bool press = known.has(ColumnWord::press), release = known.has(ColumnWord::release);
+  if (press == release) return {};
+  return press ? Stroke::press : Stroke::release;
+}
 
 TableLack formRecords(const RecordRequest& request, LogInterpretation& made) {
   return RecordFormer(request, made).form();

@@ -3,6 +3,7 @@
 // The rows of chosen columns cut into strokes, and strokes joined to records.
 
 #include <optional>
+#include <string_view>
 
 #include "importer/log/log_interpretation.h"
 
@@ -19,6 +20,9 @@ struct RecordRequest {
 /// Fills in the records of an interpretation whose columns and units are settled, and adds what the cuts say for it.
 /// TableLack::none: there is at least one record, each with a press of two samples or more.
 TableLack formRecords(const RecordRequest& request, LogInterpretation& made);
+
+/// The stroke that a text names; nullopt: none, or both.
+std::optional<Stroke> strokeNamedIn(std::string_view text);
 
 /// Press and release of points that stand sorted by displacement, as digitizers export a loop: the force goes to and fro.
 bool holdsSortedLoop(const std::vector<CurvePoint>& points);

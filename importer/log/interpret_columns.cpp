@@ -46,8 +46,6 @@ std::optional<std::size_t> columnGiven(const DataTable& data, const std::string&
   return part;
 }
 
-double spanOf(const DataColumn& column) { return (column.high - column.low) * column.unit.size; }
-
 /// Returns true if b is the running maximum of the magnitude of a.
 bool isPeakHold(const DataColumn& a, const DataColumn& b) {
   double most = 0, off = 0;
@@ -289,14 +287,6 @@ class Interpreter {
       if (!copy) kept.push_back(c);
     }
     all = kept;
-    // An axis that only trembles beside one that moves, where their units can be compared.
-    if (!std::ranges::all_of(all,
-                             [&](std::size_t c) { return column(c).unit.kind != ColumnUnit::Kind::none; }))
-      return;
-    double widest = 0;
-    for (const std::size_t c : all) widest = std::max(widest, spanOf(column(c)));
-    constexpr double stillShare = 0.1;  // of the widest
-    erase([&](std::size_t c) { return spanOf(column(c)) < stillShare * widest; });
   }
 
   /// The stroke that the words of a column name; words that name quantities too count only beside another stroke's.

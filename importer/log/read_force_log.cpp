@@ -376,8 +376,8 @@ class LogReader {
     std::map<std::string, Button> buttons;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
       const std::string& name = sheets[i].name;
-      const KnownWords words = knownWordsIn(name);
-      if (words.has(ColumnWord::press) == words.has(ColumnWord::release)) continue;
+      const std::optional<Stroke> stroke = strokeNamedIn(name);
+      if (!stroke) continue;
       std::string rest;
       constexpr std::string_view separators = " ._-()";
       for (std::size_t at = 0; at < name.size();) {
@@ -390,7 +390,7 @@ class LogReader {
         at = end + 1;
       }
       Button& button = buttons[rest];
-      (words.has(ColumnWord::press) ? button.press : button.release).push_back(i);
+      (*stroke == Stroke::press ? button.press : button.release).push_back(i);
     }
     std::vector<SheetPair> pairs;
     for (const auto& [name, button] : buttons)
@@ -491,6 +491,10 @@ class LogReader {
           Message("its unit of %1, \"%2\", is not known", force ? "force" : "displacement", read.unknownUnit),
           force ? Remedies(RemedyKind::giveYUnit) : Remedies(RemedyKind::giveXUnit));
     }
+    if (saysNothing(read.best.front(), data)) {
+      read.lack = TableLack::columns;
+      return lacking(read, data, refuse);
+    }
     if (auto unknown = unknownName(read.best.front(), data))
       return refuse(FailureCode::notCertain, {}, std::move(*unknown),
                     Message("If so, pass %1", reading_.question->choices.front().option));
@@ -498,6 +502,14 @@ class LogReader {
     found.records = found.best.front().records;
     found.xUnit = found.best.front().xUnit, found.yUnit = found.best.front().yUnit;
     return found;
+  }
+
+  /// Returns true if a table has titles, and neither titles nor units speak for its displacement or its force.
+  bool saysNothing(const LogInterpretation& made, const DataTable& data) const {
+    if (made.groups.size() != 1 || hasColumnHints()) return false;
+    return data.columns[made.groups.front().displacement].displacement <= 0 &&
+           data.columns[made.groups.front().force].force <= 0 &&
+           std::ranges::any_of(data.columns, [](const DataColumn& each) { return !each.title.empty(); });
   }
 
   /// A column of one record that is taken for what its title does not say: a question, which is left in
@@ -602,14 +614,14 @@ class LogReader {
     const std::vector<LogRecord>& records = found.records;
     if (hints_.curve.empty() && records.size() == 1) return records.front();
     const std::string wanted = lowered(hints_.curve);
-    const bool namedMean =
-        std::ranges::any_of(records, [&](const LogRecord& each) { return lowered(each.name) == wanted; });
-    if (wanted == "mean" && !namedMean) {
+    const auto isWanted = [&](const LogRecord& each) { return lowered(each.name) == wanted; };
+    if (wanted == "mean" && std::ranges::none_of(records, isWanted)) {
       if (records.size() > 1) remark(Message("the mean of %1 records was taken", records.size()));
       return records.size() > 1 ? meanOf(records) : records.front();
     }
-    for (std::size_t i = 0; i < records.size() && !wanted.empty(); ++i)
-      if (wanted == lowered(records[i].name)) return taken(records, i);
+    if (!wanted.empty() && std::ranges::count_if(records, isWanted) == 1)
+      return taken(records,
+                   static_cast<std::size_t>(std::ranges::find_if(records, isWanted) - records.begin()));
     for (std::size_t i = 0; i < records.size() && !wanted.empty(); ++i)
       if (wanted == std::to_string(i + 1)) return taken(records, i);
     if (wanted.empty()) {
@@ -1033,12 +1045,10 @@ StrokeFile strokeFileOf(const std::string& given) {
   const std::string stem = path.stem().string();
   const std::size_t at = stem.find_last_of(" ._-");
   if (at == std::string::npos || at == 0) return {given, {}};
-  const KnownWords words = knownWordsIn(stem.substr(at + 1));
-  const bool press = words.has(ColumnWord::press), release = words.has(ColumnWord::release);
-  if (press == release) return {given, {}};
+  const std::optional<Stroke> stroke = strokeNamedIn(stem.substr(at + 1));
+  if (!stroke) return {given, {}};
   const std::string rest = stem.substr(0, stem.find_last_not_of(" ._-", at) + 1);
-  return {(path.parent_path() / (rest + path.extension().string())).string(),
-          press ? Stroke::press : Stroke::release};
+  return {(path.parent_path() / (rest + path.extension().string())).string(), stroke};
 }
 
 }  // namespace

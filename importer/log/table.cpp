@@ -204,13 +204,13 @@ std::size_t lineEnd(std::string_view text, std::size_t at) {
 /// Lines spread over the whole text, blank ones left out.
 std::vector<std::string_view> sampledLines(std::string_view text) {
   constexpr std::size_t most = 400;
-  std::vector<std::string_view> lines;
-  std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size(); ++count) at = lineEnd(text, at) + 1;
+  const char sign = text.find('\n') != std::string_view::npos ? '\n' : '\r';
+  const std::size_t count = static_cast<std::size_t>(std::ranges::count(text, sign)) + 1;
   const std::size_t every = std::max<std::size_t>(1, count / most);
+  std::vector<std::string_view> lines;
   std::size_t index = 0;
   for (std::size_t at = 0; at < text.size(); ++index) {
-    const std::size_t end = lineEnd(text, at);
+    const std::size_t end = std::min(text.find(sign, at), text.size());
     if (index % every == 0 || index < most / 4) {
       const std::string_view line = text.substr(at, end - at);
       if (!trimmed(line).empty()) lines.push_back(line);

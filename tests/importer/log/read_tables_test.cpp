@@ -335,6 +335,22 @@ TEST_CASE("a unit that is not known is a question, never newton") {
   checkButton(*log);
 }
 
+TEST_CASE("titles that speak for neither a displacement nor a force are refused") {
+  const auto rows = [](const char* form) {
+    return rowsOf([&](double x, double f, int) { return formatted(form, x, f, 0.5 * f); });
+  };
+  for (const std::string& text :
+       {"Foo,Bar\n" + rows("%.4f,%.4f\n"), "std,average\n" + rows("%.4f,%.4f,%.4f\n"),
+        "raw,average,std,stdstd\n" + rows("%.4f,%.4f,%.4f\n")}) {
+    CAPTURE(text.substr(0, 30));
+    const LayoutFile file(text);
+    const auto log = readForceLog(file.path());
+    REQUIRE_FALSE(log);
+    CHECK(log.failure().code == FailureCode::noForceGraph);
+    CHECK(log.failure().sentence().find("no column is a displacement") != std::string::npos);
+  }
+}
+
 TEST_CASE("a column whose name no list knows is a question, whatever its unit") {
   struct Case {
     const char *header, *option;
@@ -342,7 +358,7 @@ TEST_CASE("a column whose name no list knows is a question, whatever its unit") 
   for (const Case& c : {Case{"Travel (mm),Fluffiness (N)", "--force-column 2"},
                         Case{"Travel (mm),Fluffiness", "--force-column 2"},
                         Case{"Teeth,Force (N)", "--displacement-column 1"},
-                        Case{"Foo,Bar", "--displacement-column 1 --force-column 2"}}) {
+                        Case{"Foo (mm),Bar (N)", "--displacement-column 1 --force-column 2"}}) {
     CAPTURE(c.header);
     const LayoutFile file(std::string(c.header) + "\n" +
                           rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
@@ -546,6 +562,40 @@ TEST_CASE("columns titled by conditions or specimens are records, never the firs
     REQUIRE(log);
     CHECK_FALSE(log->strokes.release);
     CHECK(log->strokes.press.points.back().force_N == Approx(1.4 * buttonForce_N(4, true)).margin(0.001));
+    if (each.newton == 1) CHECK(log->confidence > 0.9);  // which of the columns is meant was answered
+  }
+}
+
+TEST_CASE("a name that several records have chooses none of them") {
+  const LayoutFile file(
+      "Travel (mm);Probe 1 (N);Probe 1 (N)\n" +
+      rowsOf([](double x, double f, int) { return formatted("%.4f;%.5f;%.5f\n", x, f, 1.4 * f); }, false));
+  LogHints hints;
+  hints.curve = "Probe 1";
+  const auto log = readForceLog(file.path(), hints);
+  REQUIRE_FALSE(log);
+  CHECK(log.failure().code == FailureCode::wrongUsage);
+}
+
+TEST_CASE("a word that is a force in one language and another quantity in the next counts with its unit") {
+  const auto rows = rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); });
+  for (const char* word : {"Charge", "压力", "압력"}) {
+    CAPTURE(word);
+    const LayoutFile bare("Travel (mm)," + std::string(word) + "\n" + rows);
+    const LogReading open = readLog(bare.path());
+    REQUIRE_FALSE(open.log);
+    CHECK(open.log.failure().code == FailureCode::notCertain);
+    REQUIRE(open.question);
+    REQUIRE(open.question->choices.size() == 1);
+    CHECK(open.question->choices.front().option == "--force-column 2");
+    LogHints answered;
+    answered.columns.force = "2";
+    CHECK(readForceLog(bare.path(), answered));
+    const LayoutFile whole("Travel (mm)," + std::string(word) + " (N)\n" + rows);
+    const auto log = readForceLog(whole.path());
+    REQUIRE(log);
+    CHECK(log->confidence > 0.9);
+    checkButton(*log);
   }
 }
 
