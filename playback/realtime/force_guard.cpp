@@ -45,8 +45,6 @@ constexpr double gainedAtLimit = 0.2,  // the handle may be heavier than the pro
     gainedBeyond = 0.8;                // a strong finger may still gain speed just beyond the travel
 constexpr double farBeyond_mm = 2, slowing = 0.8, notSlowingFor_s = 0.0015, pinnedFor_s = 0.1,
                  comingBack_mm_per_s = 10;
-// A handle that has gained half of that at such a speed, and then reads what no movement explains, runs away too.
-constexpr double halfway = 0.5, swiftlyAgainst_mm_per_s = 150;
 
 double kinetic_mJ(double mass_kg, double speed_mm_per_s) {
   return 0.5e-3 * mass_kg * speed_mm_per_s * speed_mm_per_s;
@@ -66,11 +64,13 @@ void ForceGuard::setLimits(const ForceLimits& limits, double period_s, double st
 }
 
 // A hand that stops, or a spring, slows the handle down over several readings; only a broken encoder goes
-// from a steady pace to none. Where it was a hard stop, the force comes back with the next step.
+// from a steady pace to none, or a handle that comes back to its stop. Where it was another hard stop, the
+// force comes back with the next step.
 bool ForceGuard::frozen(double force_N) const {
   const double way_mm = std::abs(paces_mm_[0] + paces_mm_[1] + paces_mm_[2]);
   const auto readings = static_cast<double>(paces_mm_.size());
-  return way_mm >= std::max(swift_mm_per_s * readings * period_s_, swiftSteps * step_mm_) &&
+  return last_mm_ > limits_.deadCountFrom_mm &&
+         way_mm >= std::max(swift_mm_per_s * readings * period_s_, swiftSteps * step_mm_) &&
          (unchanged_ + 1) * period_s_ >= deadStill_s - 1e-9 &&
          std::abs(force_N) > std::min(dangerous_N, limits_.deadCountAbove_N);
 }
@@ -223,7 +223,7 @@ void ForceGuard::rearm() {
   latched_ = ForceHalt::none;
   uncounted_s_ = 0;
   believed_ = 1;
-  resisting_ = gaining_ = false;
+  resisting_ = false;
   dropOuts_s_.fill(longAgo_s);
 }
 
@@ -290,7 +290,7 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
   const bool whole = std::abs(output_N_) >= std::max(leastResisting_N, wholeShare * most_N);
   const double beyond_mm = last_mm_ - limits_.travelEnd_mm;
   if (!whole && !(beyond_mm > 0 && output_N_ > leastResisting_N)) {
-    resisting_ = gaining_ = false;
+    resisting_ = false;
     return;
   }
   const double read_mm_per_s = elapsed_s_ > 0 ? moved_mm_ / elapsed_s_ : 0;
@@ -311,13 +311,7 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
   const bool gained = resisted_mJ_ >= runawayWork_mJ &&
                       (whole ? gained_mJ >= std::max(leastGain_mJ, gainedAtLimit * resisted_mJ_)
                              : gained_mJ >= gainedBeyond * resisted_mJ_);
-  gaining_ = whole && speed_mm_per_s > swiftlyAgainst_mm_per_s &&
-             gained_mJ >= halfway * std::max(leastGain_mJ, gainedAtLimit * resisted_mJ_);
   if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
-  runAway();
-}
-
-void ForceGuard::runAway() {
   // A force that came and went threw it there.
   latch(droppedOutLately() ? ForceHalt::dropOuts : ForceHalt::runaway);
   riseAnew();  // at once: each millisecond of such a force adds speed
@@ -333,7 +327,6 @@ double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s
     tooFast_ = false;
   }
   if (bad_ == 0) watchRunaway(velocity_mm_per_s);
-  if (bad_ > 0 && jumpedTo_mm_ && gaining_) runAway();
   moveGain();
   if (gain_ == 0 || !std::isfinite(force_N)) return output_N_ = 0;
   if (std::abs(force_N) > limits_.force_N) {

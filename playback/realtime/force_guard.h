@@ -109,7 +109,6 @@ class ForceGuard {
   void moveGain();
   double watchedCount(double force_N);
   void watchRunaway(std::optional<double> velocity_mm_per_s);
-  void runAway();
   void countDropOut();
   bool droppedOutLately() const;
 
@@ -136,7 +135,6 @@ class ForceGuard {
   double believed_ = 1;     ///< 1..0: share of the force that a count without movement is given
   double moved_mm_ = 0;     ///< between the last two good readings
   bool resisting_ = false;  ///< the handle is where only the whole force or the end holds it
-  bool gaining_ = false;    ///< it gains speed there
   double resisted_mJ_ = 0;  ///< work that force has taken there
   double entered_mJ_ = 0;   ///< kinetic energy with which the handle came there
   double fastest_mm_per_s_ = 0, beyond_s_ = 0, pinned_s_ = 0;

@@ -141,6 +141,13 @@ TEST_CASE("force guard: a count that stops dead out of a movement takes the forc
     stay(450);
     CHECK((guard.halt() == ForceHalt::deadCount) == (c.force_N > c.watchedAbove_N));
   }
+  ForceGuard returned({}, period_s, step_mm);  // to its stop, where it rests under the button's first force
+  double kept_N = 0;
+  for (int i = 0; i < 600; ++i) {
+    returned.judge(std::max(0.0, 30 - 0.1 * i), true);
+    kept_N = returned.limit(2, i < 300 ? -100 : 0);
+  }
+  CHECK(kept_N == Approx(2));
   ForceGuard finger({}, period_s, step_mm);  // turns on a bottom-out, 0.5 mm deep
   for (int i = 0; i < 600; ++i) {
     const double at_mm = std::round(0.5 * std::sin(0.18 * 0.05 * i * 20) / step_mm) * step_mm;
