@@ -12181,10 +12181,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kennt %1 Baud nicht</translation>
     </message>
     <message>
-        <source>Give a usual rate of 1200 to 4000000: 9600, 115200, 230400, 921600, 1000000</source>
-        <translation>Geben Sie eine übliche Rate von 1200 bis 4000000 an: 9600, 115200, 230400, 921600, 1000000</translation>
-    </message>
-    <message>
         <source>cannot be opened (%1)</source>
         <translation>kann nicht geöffnet werden (%1)</translation>
     </message>
@@ -12203,6 +12199,26 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>End that program, then try again</source>
         <translation>Dieses Programm beenden, dann noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Give a rate from %1 to %2</source>
+        <translation>Geben Sie eine Rate von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>is the name of two devices with one serial number; the other is %1</source>
+        <translation>ist der Name zweier Geräte mit derselben Seriennummer; das andere ist %1</translation>
+    </message>
+    <message>
+        <source>Unplug one of them, or give a name under /dev/serial/by-path</source>
+        <translation>Eines davon abstecken oder einen Namen unter /dev/serial/by-path angeben</translation>
+    </message>
+    <message>
+        <source>cannot run at %1 baud</source>
+        <translation>kann nicht mit %1 Baud laufen</translation>
+    </message>
+    <message>
+        <source>Give another --baud, and set it in the firmware too</source>
+        <translation>Geben Sie ein anderes --baud an und stellen Sie es auch in der Firmware ein</translation>
     </message>
 </context>
 <context>

@@ -166,7 +166,10 @@ void ForceLoop::run() {
     if (settings_.paced) sleepUntil(due_s += program_->period_s);
     step(device_->exchange(command_));
   }
-  device_->exchange(ForceCommand{});
+  // Whatever law the device runs by itself, and whoever stopped it: no force follows from here on.
+  ForceCommand nothing;
+  nothing.halted = true;
+  device_->exchange(nothing);
   publish(true);
 }
 

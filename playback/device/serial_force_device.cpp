@@ -335,10 +335,10 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
   if (!limitHeld_) send(limitLine_);
   if (command.halted) {
     send("S");
-    toldStop_ = true;
-  } else if (toldStop_ || arming_) {
+    stopSent_ = true;
+  } else if (stopSent_ || arming_) {
     send("U");
-    toldStop_ = arming_ = false;
+    stopSent_ = arming_ = false;
     armedSince_ = sequence_;
   }
   std::array<char, 64> body{};
@@ -391,7 +391,7 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
     loseLaw();
   }
   reading.stopped =
-      state == stoppedState && !toldStop_ && static_cast<std::int32_t>(sequence - armedSince_) >= 0;
+      state == stoppedState && !stopSent_ && static_cast<std::int32_t>(sequence - armedSince_) >= 0;
   reading.position_mm = last_mm_ = static_cast<double>(position_nm) / nmPerMm;
   reading.fresh = true;
   if (std::exchange(zeroLost_, false)) reading.zero = ForceReading::Zero::lost;
@@ -466,7 +466,8 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
 }
 
 SerialForceDevice::~SerialForceDevice() {
-  send("X");  // and where the link is gone, the firmware's own watchdog takes the force away
+  send("X");                 // and where the link is gone, the firmware's own watchdog takes the force away
+  if (stopSent_) send("U");  // only now: it has no table that could run
 }
 
 }  // namespace detent::playback

@@ -88,7 +88,7 @@ class SerialForceDevice : public ForceDevice {
   std::uint32_t lineSent_ = 0;        ///< the last one with which a line was sent
   std::uint32_t heard_ = 0;           ///< the last one that was answered
   bool lineTaken_ = false;            ///< an acknowledgement came since the last answer
-  bool toldStop_ = false, arming_ = false, zeroLost_ = false;
+  bool stopSent_ = false, arming_ = false, zeroLost_ = false;
   bool tableDue_ = false;         ///< a person has armed: the table goes out once the limits are held
   std::uint32_t armedSince_ = 0;  ///< the first question after the last word that a person wants force
   std::uint32_t sequence_ = 0;

@@ -5,18 +5,17 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
-#include <termios.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "playback/device/port_names.h"
+#include "playback/device/raw_port.h"
 #include "playback/device/steady_clock.h"
 
 namespace detent::playback {
@@ -25,42 +24,6 @@ namespace {
 
 constexpr double longestWrite_s = 0.001;
 constexpr std::size_t longestLine = 250, reserved = 4096;
-
-std::optional<speed_t> speedOf(unsigned baud) {
-  constexpr std::pair<unsigned, speed_t> known[] = {
-      {1200, B1200},       {2400, B2400},       {4800, B4800},       {9600, B9600},       {19200, B19200},
-      {38400, B38400},     {57600, B57600},     {115200, B115200},   {230400, B230400},   {460800, B460800},
-      {500000, B500000},   {576000, B576000},   {921600, B921600},   {1000000, B1000000}, {1152000, B1152000},
-      {1500000, B1500000}, {2000000, B2000000}, {2500000, B2500000}, {3000000, B3000000}, {3500000, B3500000},
-      {4000000, B4000000}};
-  for (const auto& [rate, speed] : known) {
-    if (rate == baud) return speed;
-  }
-  return {};
-}
-
-/// Which program has a port open, as "detent-play (process 4711)"; empty where that cannot be seen.
-std::string holderOf(const std::string& port) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path device = fs::canonical(port, error);
-  for (fs::directory_iterator process("/proc", error), end; !error && process != end;
-       process.increment(error)) {
-    const std::string number = process->path().filename().string();
-    if (number.find_first_not_of("0123456789") != std::string::npos || std::stol(number) == ::getpid())
-      continue;
-    std::error_code hidden;  // of another user, or gone meanwhile
-    for (fs::directory_iterator open(process->path() / "fd", hidden); !hidden && open != end;
-         open.increment(hidden)) {
-      std::error_code closed;
-      if (fs::read_symlink(open->path(), closed) != device) continue;
-      std::string name;
-      std::getline(std::ifstream(process->path() / "comm"), name);
-      return name.append(" (process ").append(number).append(")");
-    }
-  }
-  return {};
-}
 
 bool ready(int descriptor, short events, double wait_s) {
   pollfd poll{descriptor, events, 0};
@@ -76,9 +39,8 @@ bool SerialLink::openPort() {
   lastTry_s_ = now_s();
   received_.clear();
   descriptor_ = ::open(port_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  termios mode{};
   if (!isOpen()) return false;
-  if (::tcgetattr(descriptor_, &mode) != 0) {
+  if (::isatty(descriptor_) == 0) {
     ::close(std::exchange(descriptor_, -1));
     errno = ENOTTY;
     return false;
@@ -90,18 +52,23 @@ bool SerialLink::openPort() {
     return false;
   }
   ::ioctl(descriptor_, TIOCEXCL);
-  ::cfmakeraw(&mode);
-  mode.c_cflag |= CLOCAL | CREAD;
-  ::cfsetspeed(&mode, *speedOf(baud_));
-  ::tcsetattr(descriptor_, TCSANOW, &mode);
-  ::tcflush(descriptor_, TCIOFLUSH);  // what waited in the port was read at another time
+  if (const int error = makeRaw(descriptor_, baud_); error != 0) {
+    close();
+    errno = error;
+    return false;
+  }
   return true;
 }
 
 Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, double reopenPause_s) {
-  if (!speedOf(baud)) {
+  if (baud < slowestBaud || baud > fastestBaud) {
     return Failure{FailureCode::wrongUsage, port, "", Message("does not know %1 baud", baud),
-                   Message("Give a usual rate of 1200 to 4000000: 9600, 115200, 230400, 921600, 1000000")};
+                   Message("Give a rate from %1 to %2", slowestBaud, fastestBaud)};
+  }
+  if (const std::string other = sameSerialNumber(port); !other.empty()) {
+    return Failure{FailureCode::deviceTrouble, port, "",
+                   Message("is the name of two devices with one serial number; the other is %1", other),
+                   Message("Unplug one of them, or give a name under /dev/serial/by-path")};
   }
   SerialLink link;
   link.port_ = port;
@@ -116,6 +83,10 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
         FailureCode::deviceTrouble, port, "",
         holder.empty() ? Message("is in use by another program") : Message("is in use by %1", holder),
         Message("End that program, then try again")};
+  }
+  if (errno == EINVAL) {
+    return Failure{FailureCode::deviceTrouble, port, "", Message("cannot run at %1 baud", baud),
+                   Message("Give another --baud, and set it in the firmware too")};
   }
   return Failure{FailureCode::deviceTrouble, port, "", Message("cannot be opened (%1)", std::strerror(errno)),
                  Message("Check the name, the cable and your right to use it (group dialout)")};

@@ -12,10 +12,11 @@ namespace {
 // After too fast a movement the device must have slowed to this share of the limit before force comes back.
 constexpr double calmShare = 0.5;
 
-// Frozen: such a distance within such a time, then not one step for this long, under a force that could
-// surprise. The turn of a finger on the steepest bottom-out keeps within 38 um for 5 ms and has gone 0.3 mm
-// in the 4 ms before; with 0.4 mm, 8 of 10,000 presses at 1 m/s passed for broken.
-constexpr double swiftWay_mm = 1, swiftSteps = 5, swift_s = 0.004, deadStill_s = 0.010, dangerous_N = 1;
+// Frozen: at least such a speed and so many steps over the last three movements, then not one step for this
+// long, under a force that could surprise. Of 20,000 standstills of healthy presses none lasted longer than
+// 7 ms after 30 mm/s (docs/develop/decisions/1114-dead-encoders.md).
+constexpr double swift_mm_per_s = 30, swiftSteps = 4, deadStill_s = 0.008, dangerous_N = 1;
+constexpr double frozenRamp_s = 0.005;
 
 // No stroke is longer than this unseen: a device that comes back farther away is somewhere else.
 constexpr double longestUnseen_mm = 10;
@@ -31,8 +32,8 @@ constexpr double longestStall = 4;  // periods, where that is more
 
 // Dead count: after so long without a step the force is lowered slowly. A handle that only sticks moves at
 // once, because its friction carries less than the force; the force then comes back before much is felt. One
-// that does not move at all has no encoder.
-constexpr double uncountedFor_s = 0.2, probe_s = 0.11, probed_s = 0.02;
+// that does not move at all, not even without force for a moment, has no encoder.
+constexpr double uncountedFor_s = 0.2, probe_s = 0.11, withoutForce_s = 0.1, probed_s = 0.02;
 
 // Runaway: a motor that works as it should takes energy out of a handle that moves against it. So much work,
 // of which so much came back as speed instead, or so far beyond the travel at the whole force without slowing
@@ -62,10 +63,16 @@ void ForceGuard::setLimits(const ForceLimits& limits, double period_s, double st
   step_mm_ = step_mm;
 }
 
-// A hand that stops, or an end stop, slows the handle down first; only a broken encoder stays at one value.
-bool ForceGuard::frozenAt(double position_mm) const {
-  return position_mm == last_mm_ && way_mm_ >= std::max(swiftWay_mm, swiftSteps * step_mm_) &&
-         (unchanged_ + 1) * period_s_ >= deadStill_s && std::abs(output_N_) >= (bad_ == 0 ? dangerous_N : 0);
+// A hand that stops, or a spring, slows the handle down over several readings; only a broken encoder goes
+// from a steady pace to none, or a handle that comes back to its stop. Where it was another hard stop, the
+// force comes back with the next step.
+bool ForceGuard::frozen(double force_N) const {
+  const double way_mm = std::abs(paces_mm_[0] + paces_mm_[1] + paces_mm_[2]);
+  const auto readings = static_cast<double>(paces_mm_.size());
+  return last_mm_ > limits_.deadCountFrom_mm &&
+         way_mm >= std::max(swift_mm_per_s * readings * period_s_, swiftSteps * step_mm_) &&
+         (unchanged_ + 1) * period_s_ >= deadStill_s - 1e-9 &&
+         std::abs(force_N) > std::min(dangerous_N, limits_.deadCountAbove_N);
 }
 
 std::uint32_t ForceGuard::held() const {
@@ -99,7 +106,7 @@ ReadingVerdict ForceGuard::verdictOn(double position_mm, bool fresh) const {
       (started_ && !reachable(position_mm))) {
     return ReadingVerdict::absurd;
   }
-  return frozenAt(position_mm) ? ReadingVerdict::frozen : ReadingVerdict::good;
+  return ReadingVerdict::good;
 }
 
 void ForceGuard::count(ReadingVerdict verdict) {
@@ -112,9 +119,6 @@ void ForceGuard::count(ReadingVerdict verdict) {
       return;
     case ReadingVerdict::notFinite:
       ++counts_.notFinite;
-      return;
-    case ReadingVerdict::frozen:
-      ++counts_.frozen;
       return;
     case ReadingVerdict::absurd:
       ++counts_.absurd;
@@ -129,9 +133,9 @@ void ForceGuard::follow(double position_mm) {
     unchanged_ += unchanged_ < std::numeric_limits<std::uint32_t>::max() ? 1 : 0;
     return;
   }
-  if (started_)
-    way_mm_ =
-        way_mm_ * std::exp(-(unchanged_ + 1.0) * period_s_ / swift_s) + std::abs(position_mm - last_mm_);
+  if (unchanged_ > 0) paces_mm_.fill(0);
+  std::rotate(paces_mm_.begin(), paces_mm_.end() - 1, paces_mm_.end());
+  paces_mm_[0] = started_ ? pace_mm_ : 0;
   unchanged_ = 0;
   last_mm_ = position_mm;
   started_ = true;
@@ -182,7 +186,8 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
 void ForceGuard::forgetPlace() {
   started_ = false;
   settled_ = unchanged_ = 0;
-  pace_mm_ = since_ = unseen_ = jumps_ = way_mm_ = 0;
+  pace_mm_ = since_ = unseen_ = jumps_ = 0;
+  paces_mm_.fill(0);
   jumpedTo_mm_.reset();
 }
 
@@ -263,17 +268,20 @@ void ForceGuard::moveGain() {
 /// the force does.
 double ForceGuard::watchedCount(double force_N) {
   const bool watched = std::abs(force_N) > limits_.deadCountAbove_N && last_mm_ > limits_.deadCountFrom_mm;
-  if (moved_mm_ != 0 || (!watched && believed_ == 1)) {
-    uncounted_s_ = 0;
+  const bool stoppedDead = moved_mm_ == 0 && frozen(force_N);
+  const double before_s = uncounted_s_;
+  uncounted_s_ = moved_mm_ != 0 || (!watched && !stoppedDead) ? 0 : uncounted_s_ + elapsed_s_;
+  if (stoppedDead) {
+    ++counts_.frozen;
+    believed_ = std::max(0.0, believed_ - elapsed_s_ / frozenRamp_s);
+  } else if (uncounted_s_ >= uncountedFor_s) {
+    counts_.probed += before_s < uncountedFor_s ? 1 : 0;
+    believed_ = std::max(0.0, believed_ - elapsed_s_ / probe_s);
+  } else {
     believed_ = std::min(1.0, believed_ + elapsed_s_ / probed_s);
-    return believed_ * force_N;
   }
-  const bool before = uncounted_s_ < uncountedFor_s;
-  uncounted_s_ += elapsed_s_;
-  if (uncounted_s_ < uncountedFor_s) return believed_ * force_N;
-  counts_.probed += before ? 1 : 0;
-  believed_ = std::max(0.0, believed_ - elapsed_s_ / probe_s);
-  if (believed_ == 0) latch(ForceHalt::deadCount);
+  if (believed_ == 0 && watched && uncounted_s_ >= uncountedFor_s + probe_s + withoutForce_s)
+    latch(ForceHalt::deadCount);
   return believed_ * force_N;
 }
 

@@ -16,7 +16,6 @@ enum class ReadingVerdict : std::uint8_t {
   good,
   missing,  ///< late: no answer, or the same answer again
   notFinite,
-  frozen,    ///< stopped dead out of a swift movement, under force: the encoder counts no more
   absurd,    ///< outside the device's range, or where no movement from the last good place leads
   displaced  ///< any after the place was lost, until it is known again
 };
@@ -35,7 +34,10 @@ enum class ForceHalt : std::uint8_t {
 };
 
 struct ForceGuardCounts {
-  std::uint64_t readings = 0, missing = 0, notFinite = 0, frozen = 0, absurd = 0;
+  std::uint64_t readings = 0, missing = 0, notFinite = 0, absurd = 0;
+  /// Readings of a handle that stopped dead out of a movement, under force: the encoder counts no more. They
+  /// take the force away until it counts.
+  std::uint64_t frozen = 0;
   std::uint64_t displaced = 0;  ///< times the place was lost
   std::uint64_t stopped = 0;    ///< emergency stops
   std::uint64_t faded = 0;      ///< times the force fell to nothing because readings stayed bad
@@ -101,7 +103,7 @@ class ForceGuard {
   std::uint32_t held() const;
   void forgetPlace();
   void count(ReadingVerdict verdict);
-  bool frozenAt(double position_mm) const;
+  bool frozen(double force_N) const;
   void follow(double position_mm);
   bool mayRise() const;
   void moveGain();
@@ -113,8 +115,8 @@ class ForceGuard {
   ForceLimits limits_;
   double period_s_, step_mm_;
   ForceGuardCounts counts_;
-  double way_mm_ = 0;            ///< gone in the last milliseconds, up to the last change
-  std::uint32_t unchanged_ = 0;  ///< readings since
+  std::array<double, 3> paces_mm_{};  ///< gone per period in the last movements without a rest, newest first
+  std::uint32_t unchanged_ = 0;       ///< readings since
   double last_mm_ = 0, output_N_ = 0, gain_ = 0;
   bool started_ = false, stopping_ = false, running_ = false, tooFast_ = false;
   std::uint32_t bad_ = 0, good_ = 0;

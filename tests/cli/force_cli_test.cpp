@@ -92,7 +92,7 @@ TEST_CASE("force: wrong words, files and devices leave no log and say what to gi
       {{"--max-N", "nan"}, 2},
       {{"--device", "serial:/nowhere"}, 6},
       {{"--device", "odrive:/nowhere"}, 6},
-      {{"--device", "serial:/dev/null", "--baud", "1234"}, 2},
+      {{"--device", "serial:/dev/null", "--baud", "1199"}, 2},
       {{"--device", "falcon:99"}, 6},
       {{"--device", "falcon", "--firmware", "none.bin"}, 3},
       {{"--device", "falcon", "--firmware", "B.button.json"}, 3},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Serial force devices over pseudo terminals: the sample firmware on a simulated board, an ODrive, and what goes wrong.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -9,22 +10,29 @@
 #include <cstdlib>
 #include <deque>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include "playback/device/force_loop.h"
 #include "playback/device/odrive_force_device.h"
+#include "playback/device/port_names.h"
 #include "playback/device/sensor_line.h"
 #include "playback/device/serial_force_device.h"
+#include "playback/device/serial_link.h"
 #include "playback/device/steady_clock.h"
 #include "playback/prepare/prepare_force.h"
 #include "playback/prepare/spring_button.h"
@@ -35,6 +43,7 @@ namespace {
 
 using namespace detent;
 using namespace detent::playback;
+namespace fs = std::filesystem;
 
 /// The other end of a serial line, behind a link with a stable name: answers each line by a function, on a thread of its own.
 class FakeDevice {
@@ -855,6 +864,134 @@ TEST_CASE("serial ports are for one program alone, and the other one is named") 
   const auto second = SerialForceDevice::open(fake.port, 230400, 0.001, benchLimits());
   REQUIRE_FALSE(second);
   CHECK(second.failure().sentence().find("in use") != std::string::npos);
+}
+
+TEST_CASE(
+    "force loop: its last word is that there must be no force, whatever law the device runs by itself") {
+  class Heard : public ForceDevice {
+   public:
+    explicit Heard(std::vector<ForceCommand>& all) : all_(all) {}
+    ForceReading exchange(const ForceCommand& command) override {
+      all_.push_back(command);
+      return {};
+    }
+
+   private:
+    std::vector<ForceCommand>& all_;
+  };
+  for (const bool stopped : {false, true}) {
+    std::vector<ForceCommand> heard;
+    {
+      ForceLoopSettings settings;
+      settings.paced = false;
+      ForceLoop loop(std::make_unique<Heard>(heard), benchProgram(test::linearButton()), settings);
+      if (stopped) loop.emergencyStop();
+    }
+    REQUIRE_FALSE(heard.empty());
+    CHECK(heard.back().halted);
+    CHECK(heard.back().force_N == 0);
+  }
+}
+
+TEST_CASE("serial force device: a stopped board with a table is armed only once the table is gone") {
+  std::mutex mutex;
+  std::string orders;
+  const auto said = [&] {
+    const std::lock_guard lock(mutex);
+    return orders;
+  };
+  FakeDevice fake([&](const std::string& line) {
+    const std::string body = bodyOf(line);
+    if (body == "S" || body == "U" || body == "X") {
+      const std::lock_guard lock(mutex);
+      if (orders.empty() || orders.back() != body.front()) orders += body;
+    }
+    return goodBoard(line, 0);
+  });
+  {
+    auto device = opened(fake);
+    REQUIRE(takesTable(*device, benchProgram(test::linearButton())));
+    answered(*device);
+    ForceCommand none;
+    none.halted = true;
+    answered(*device, none);
+  }
+  for (int i = 0; i < 1000 && !said().ends_with("U"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  CHECK(said().ends_with("SXU"));
+}
+
+namespace {
+
+/// Rate of a port as the kernel holds it: the last number of its termios2.
+std::uint32_t rateOf(const std::string& port) {
+  using Termios2 = std::array<std::uint32_t, 11>;
+  Termios2 mode{};
+  const int descriptor = ::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+  ::ioctl(descriptor, _IOR('T', 0x2A, Termios2), mode.data());
+  ::close(descriptor);
+  return mode.back();
+}
+
+/// Ports of USB devices as the system lists them, in a folder.
+class ListedPorts {
+ public:
+  ListedPorts() { fs::create_directories(root_ / "by-id"); }
+  ~ListedPorts() { fs::remove_all(root_); }
+
+  void add(const std::string& name, const std::string& serial, const std::string& product) {
+    const fs::path device = root_ / "usb" / name, interface = device / "1.0";
+    fs::create_directories(interface);
+    fs::create_directories(root_ / "tty" / name);
+    write(device / "idVendor", "2341");
+    write(device / "idProduct", product);
+    if (!serial.empty()) write(device / "serial", serial);
+    write(interface / "bInterfaceNumber", "00");
+    fs::create_directory_symlink(interface, root_ / "tty" / name / "device");
+    write(root_ / name, "");
+  }
+  fs::path byId(const std::string& name) const {
+    const fs::path link = root_ / "by-id" / ("usb-" + name);
+    if (!fs::exists(link)) fs::create_symlink(root_ / name, link);
+    return link;
+  }
+  fs::path plain(const std::string& name) const { return root_ / name; }
+  fs::path ttys() const { return root_ / "tty"; }
+
+ private:
+  static void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text << '\n'; }
+  fs::path root_ = fs::temp_directory_path() / ("detent-ports-" + std::to_string(::getpid()));
+};
+
+}  // namespace
+
+TEST_CASE("two devices with one serial number are one name for two ports, which is seen") {
+  ListedPorts ports;
+  ports.add("ttyACM0", "A1", "8036");
+  ports.add("ttyACM1", "B2", "8036");
+  ports.add("ttyACM2", "A1", "0043");  // the same number on another product
+  ports.add("ttyACM3", "", "8036");
+  ports.add("ttyACM4", "", "8036");
+  CHECK(sameSerialNumber(ports.byId("ttyACM0"), ports.ttys()).empty());
+  ports.add("ttyACM5", "A1", "8036");
+  CHECK(sameSerialNumber(ports.byId("ttyACM0"), ports.ttys()) == "/dev/ttyACM5");
+  CHECK(sameSerialNumber(ports.byId("ttyACM5"), ports.ttys()) == "/dev/ttyACM0");
+  CHECK(sameSerialNumber(ports.plain("ttyACM0"), ports.ttys()).empty());  // names a port, not a device
+  for (const char* alone : {"ttyACM1", "ttyACM2", "ttyACM3"})
+    CHECK(sameSerialNumber(ports.byId(alone), ports.ttys()).empty());
+  CHECK(sameSerialNumber(ports.byId("ttyACM9"), ports.ttys()).empty());
+  CHECK(sameSerialNumber(ports.byId("ttyACM0"), "/nowhere").empty());
+}
+
+TEST_CASE("a serial port runs at any rate: 250000 baud is exact on a 16 MHz AVR") {
+  FakeDevice fake([](const std::string& line) { return goodBoard(line, 0); });
+  for (const unsigned baud : {1200U, 115200U, 230400U, 250000U, 4000000U}) {
+    INFO(baud << " baud");
+    const Result<SerialLink> link = SerialLink::open(fake.port, baud);
+    REQUIRE(link);
+    CHECK(rateOf(fake.port) == baud);
+  }
+  for (const unsigned baud : {0U, 1199U, 4000001U}) CHECK_FALSE(SerialLink::open(fake.port, baud));
 }
 
 TEST_CASE(

@@ -225,30 +225,41 @@ TEST_CASE("a motor that turns round under a finger is off within 50 ms and 3 mm 
   }
 }
 
+namespace {
+
+/// Checks that an encoder that turns round as the finger leaves is off within 50 ms and 3 mm outside the travel.
+void turnsRound(double mass_kg, double jitter, double lost) {
+  const ForceDeviceProfile profile = wiredDevice();
+  const Button button = plainSpring(1, 10);
+  const PreparedForce prepared = forceOf(button, profile);
+  SimulatedDeviceSettings handle = simulationOf(profile, prepared);
+  handle.mass_kg = mass_kg;
+  handle.lowest_mm = -40;
+  Wired w(button, profile, FingerForcePath{{0, 0.3, 0.5, 1.2, 1.202}, {0, 0, 2.7, 2.7, 0}}, &handle);
+  w.runUntil(1.2);
+  INFO(mass_kg << " kg, readings early by " << jitter << " periods, lost " << lost);
+  REQUIRE(w.engine().last().force_N > 2);
+  w.encoder = -1;
+  w.turnedAt_mm = w.true_mm;
+  w.jitter = jitter;
+  w.lost = lost;
+  CHECK(w.secondsToNothing() <= 0.05);
+  CHECK(w.engine().halt() == ForceHalt::runaway);
+  CHECK(w.true_mm >= -3);
+}
+
+}  // namespace
+
 TEST_CASE("an encoder that turns round as the finger leaves: off within 50 ms and 3 mm outside the travel") {
-  for (const double mass_kg : {0.05, 0.1}) {
-    for (const double jitter : {0.0, 0.25, 0.5}) {
-      for (const double lost : {0.0, 0.05, 0.1}) {
-        const ForceDeviceProfile profile = wiredDevice();
-        const Button button = plainSpring(1, 10);
-        const PreparedForce prepared = forceOf(button, profile);
-        SimulatedDeviceSettings handle = simulationOf(profile, prepared);
-        handle.mass_kg = mass_kg;
-        handle.lowest_mm = -40;
-        Wired w(button, profile, FingerForcePath{{0, 0.3, 0.5, 1.2, 1.202}, {0, 0, 2.7, 2.7, 0}}, &handle);
-        w.runUntil(1.2);
-        INFO(mass_kg << " kg, readings early by " << jitter << " periods, lost " << lost);
-        REQUIRE(w.engine().last().force_N > 2);
-        w.encoder = -1;
-        w.turnedAt_mm = w.true_mm;
-        w.jitter = jitter;
-        w.lost = lost;
-        CHECK(w.secondsToNothing() <= 0.05);
-        CHECK(w.engine().halt() == ForceHalt::runaway);
-        CHECK(w.true_mm >= -3);
-      }
-    }
-  }
+  for (const double mass_kg : {0.05, 0.1})
+    for (const double jitter : {0.0, 0.25, 0.5})
+      for (const double lost : {0.0, 0.05, 0.1}) turnsRound(mass_kg, jitter, lost);
+  for (const double lost : {0.0, 0.05, 0.1}) turnsRound(0.1, 1, lost);
+}
+
+// 13.9 mm outside: the readings pass for a lost place, which takes the force away less quickly.
+TEST_CASE("a turned encoder of 50 g, read up to a whole period early", "[!shouldfail]") {
+  turnsRound(0.05, 1, 0);
 }
 
 TEST_CASE("a handle that drop-outs of the force threw beyond its travel: it is the drop-outs that are said") {

@@ -99,26 +99,55 @@ TEST_CASE("force guard: after a stop the force is gone within 10 ms and stays go
   }
 }
 
-TEST_CASE("force guard: an encoder that stops dead under force is frozen; a finger that slows down is not") {
-  const auto movedAt = [](double mm_per_s, double force_N) {
-    ForceGuard guard({}, period_s, step_mm);
-    double at_mm = 0;
-    for (int i = 0; i < 300; ++i) {
-      guard.judge(at_mm += mm_per_s * period_s, true);
-      guard.limit(force_N, mm_per_s);
-    }
-    for (int i = 0; i < 30; ++i) {
-      guard.judge(at_mm, true);
-      guard.limit(force_N, 0);
-    }
-    return guard;
+TEST_CASE("force guard: a count that stops dead out of a movement takes the force, and gives it back") {
+  struct Case {
+    double mm_per_s, force_N, watchedAbove_N;
+    bool gone;
   };
-  const ForceGuard broken = movedAt(400, 2);
-  CHECK(broken.counts().frozen > 0);
-  CHECK(broken.counts().faded == 1);
-  CHECK(broken.silent());
-  CHECK_FALSE(movedAt(400, 0.5).silent());  // too little to surprise anybody
-  CHECK_FALSE(movedAt(150, 2).silent());
+  constexpr double never = std::numeric_limits<double>::infinity();
+  for (const Case& c : {Case{400, 2, never, true}, Case{60, 2, never, true}, Case{20, 2, never, false},
+                        Case{60, 0.5, never, false},  // too little to surprise anybody
+                        Case{60, 0.5, 0.25, true}, Case{60, 0.2, 0.25, false}}) {
+    ForceLimits limits;
+    limits.deadCountAbove_N = c.watchedAbove_N;
+    ForceGuard guard(limits, period_s, step_mm);
+    double at_mm = 0, force_N = 0;
+    for (int i = 0; i < 300; ++i) {
+      guard.judge(std::round((at_mm += c.mm_per_s * period_s) / step_mm) * step_mm, true);
+      force_N = guard.limit(c.force_N, c.mm_per_s);
+    }
+    INFO(c.mm_per_s << " mm/s, " << c.force_N << " N, watched above " << c.watchedAbove_N << " N");
+    CHECK(force_N == Approx(c.force_N));
+    const auto stay = [&](int readings) {
+      for (int i = 0; i < readings; ++i) {
+        guard.judge(std::round(at_mm / step_mm) * step_mm, true);
+        force_N = guard.limit(c.force_N, 0);
+      }
+    };
+    stay(6);
+    CHECK(force_N == Approx(c.force_N));
+    stay(7);
+    CHECK(force_N == Approx(c.gone ? 0 : c.force_N).margin(1e-9));
+    CHECK((guard.counts().frozen > 0) == c.gone);
+    CHECK(guard.halt() == ForceHalt::none);
+    at_mm += 2 * step_mm;  // it stood at something hard
+    stay(1);
+    for (int i = 0; i < 20; ++i) {
+      at_mm += 2 * step_mm;
+      stay(1);
+    }
+    CHECK(force_N == Approx(c.force_N));
+    // An encoder that never counts again is given up, if it is watched.
+    stay(450);
+    CHECK((guard.halt() == ForceHalt::deadCount) == (c.force_N > c.watchedAbove_N));
+  }
+  ForceGuard returned({}, period_s, step_mm);  // to its stop, where it rests under the button's first force
+  double kept_N = 0;
+  for (int i = 0; i < 600; ++i) {
+    returned.judge(std::max(0.0, 30 - 0.1 * i), true);
+    kept_N = returned.limit(2, i < 300 ? -100 : 0);
+  }
+  CHECK(kept_N == Approx(2));
   ForceGuard finger({}, period_s, step_mm);  // turns on a bottom-out, 0.5 mm deep
   for (int i = 0; i < 600; ++i) {
     const double at_mm = std::round(0.5 * std::sin(0.18 * 0.05 * i * 20) / step_mm) * step_mm;

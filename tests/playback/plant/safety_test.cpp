@@ -274,6 +274,50 @@ TEST_CASE("no press of a healthy device is taken for a fault", "[speed]") {
   }
 }
 
+TEST_CASE("an encoder that dies under a pressing finger: no force after 20 ms, nowhere far beyond the travel",
+          "[dead]") {
+  playback::ForceDeviceProfile device = playback::voiceCoilRig();
+  device.limits.force_N = 5;
+  device.watchesEncoder = true;
+  constexpr double dies_mm = 1.5, swift_mm = 0.12;  // the latter in three readings
+  int died = 0;
+  for (const char* name : {"A", "B", "C", "D"}) {
+    const playback::ForceProgram program = preparedFor(sampleButton(name), device);
+    for (const double mass_kg : {0.05, 0.1}) {
+      for (const double down_s : {0.04, 0.08, 0.12}) {
+        LoopSettings settings;
+        settings.handle = handleOf(device);
+        settings.handle.mass_kg = mass_kg;
+        settings.encoderStep_mm = device.step_mm;
+        Presses press;
+        press.down_s = down_s;
+        press.rest_s = 0.02;
+        press.up_s = 0.04;
+        std::int64_t dies = 0;
+        std::vector<LoopStep> healthy = ClosedLoop(program, settings, pressing(press)).runUntil(1);
+        while (dies < 999 && healthy[static_cast<std::size_t>(dies)].read_mm < dies_mm) ++dies;
+        INFO(name << ", " << mass_kg << " kg, pressed in " << down_s << " s, dies in step " << dies);
+        REQUIRE(dies < 999);
+        const auto at = static_cast<std::size_t>(dies);
+        if (healthy[at].read_mm - healthy[at - 3].read_mm < swift_mm) continue;
+        ++died;
+        ClosedLoop loop(program, settings, pressing(press), {{FaultKind::stuck, dies, 100000, 0}});
+        std::int64_t k = 0;
+        for (const LoopStep& step : loop.runUntil(1.5)) {
+          const std::int64_t since = k++ - dies;
+          if (since >= 20) REQUIRE(step.command_N == 0);
+          if (since >= 0 && std::abs(step.motor_N) > 0.1) {
+            REQUIRE(step.position_mm > -3);
+            REQUIRE(step.position_mm < program.limits.travelEnd_mm + 3);
+          }
+        }
+        CHECK(loop.engine().halt() == playback::ForceHalt::deadCount);
+      }
+    }
+  }
+  CHECK(died >= 12);
+}
+
 namespace {
 
 /// What a careful person would want of any stretch of readings, kept apart from how the engine does it.

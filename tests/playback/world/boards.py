@@ -35,12 +35,28 @@ class SerialBoard(Board):
         self.greeting, self.confuses, self.doubles_limit, self.largest_N = greeting, confuses, doubles_limit, largest_N
         self.limit_N = self.command_N = self.given_N = self.share = self.heard_s = self.law_s = 0.0
         self.silence_s = 0.05
+        self.running = self.stopped = self.clock_stands = False
+        self.clock_s = 0.0
+        self.table = []
+
+    def reset(self):
+        self.limit_N = self.command_N = self.given_N = self.share = 0.0
         self.running = self.stopped = False
         self.table = []
 
+    def press_switch(self):
+        self.stopped = True
+
+    def confuse(self):
+        self.confuses = True
+
+    def stop_clock(self):
+        self.clock_stands = True
+
     def position(self, sequence, view):
         state = 1 if self.stopped else 2 if self.limit_N == 0 else 0
-        return with_checksum(f"P,{sequence},{round(view.now_s / MICRO) % 2**32},{round(view.position_mm / MICRO)},{state}")
+        self.clock_s = self.clock_s if self.clock_stands else view.now_s
+        return with_checksum(f"P,{sequence},{round(self.clock_s / MICRO) % 2**32},{round(view.position_mm / MICRO)},{state}")
 
     def take(self, line, view):
         star = line.rfind("*")
@@ -62,7 +78,7 @@ class SerialBoard(Board):
             return self.position(v[0] + 7 if self.confuses else words[0], view)
         if letter == "H" and len(v) == 1:
             self.began = self.began or self.running
-            return self.position(words[0], view)
+            return self.position(v[0] + 7 if self.confuses else words[0], view)
         if letter == "T":
             self.running, self.command_N = False, 0.0
             if len(v) != 6 or v[5] * MICRO > self.limit_N + 1e-9:
@@ -166,8 +182,25 @@ class ODrive(Board):
         self.values = factory(firmware) | (saved or {})
         self.state, self.errors = IDLE, 0
         self.input_Nm = self.setpoint_Nm = self.fed_s = self.began_s = self.last_s = 0.0
-        self.failed = False
+        self.failed = self.confused = False
         self.settle()
+
+    def reset(self):
+        self.values = factory(self.firmware)
+        self.state, self.errors, self.input_Nm, self.setpoint_Nm = IDLE, 0, 0.0, 0.0
+        self.settle()
+
+    def press_switch(self):
+        """The axis leaves closed-loop control."""
+        self.state = IDLE
+
+    def confuse(self):
+        """From now on it answers another question."""
+        self.confused = True
+
+    def stop_clock(self):
+        """Has none: its controller reports a failure instead."""
+        self.fail(0x200)
 
     def kept(self):
         return dict(self.values)
@@ -215,6 +248,8 @@ class ODrive(Board):
 
     def answers(self, words, view):
         letter = words[0]
+        if letter == "f" and self.confused:
+            return ["24.087200"]
         if letter == "f":
             return [f"{self.turns(view):.6f} {view.speed_mm_per_s / self.mm_per_turn:.6f}"]
         if letter == "c":

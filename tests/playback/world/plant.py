@@ -48,6 +48,34 @@ class Link:
     jitter_s: float = 0.0
     mute: bool = False  # answers are lost, questions arrive
     lost: float = 0.0  # share of the answers
+    # What the encoder counts besides, from the moment this link begins.
+    scale: float = 1.0
+    offset_mm: float = 0.0
+    drift_mm_per_s: float = 0.0
+    noise_mm: float = 0.0
+    flicker_mm: float = 0.0  # in turns
+    # Shares of the answers that come with a wrong byte, cut off, twice, or behind random bytes.
+    garbled: float = 0.0
+    cut: float = 0.0
+    doubled: float = 0.0
+    rubbish: float = 0.0
+
+    def counted_mm(self, true_mm, began_mm, since_s, chance, turn):
+        moved = began_mm + self.scale * (true_mm - began_mm) + self.offset_mm + self.drift_mm_per_s * since_s
+        return moved + self.noise_mm * (2 * chance.random() - 1) + self.flicker_mm * (1 if turn % 2 else -1)
+
+    def arrives_as(self, answer, chance):
+        """The bytes that arrive for the bytes of one answer."""
+        if chance.random() < self.garbled:
+            at = chance.randrange(len(answer) - 1)
+            answer = answer[:at] + bytes([answer[at] ^ (1 << chance.randrange(7))]) + answer[at + 1:]
+        if chance.random() < self.cut:
+            answer = answer[:chance.randrange(1, len(answer))]
+        if chance.random() < self.doubled:
+            answer += answer
+        if chance.random() < self.rubbish:
+            answer = chance.randbytes(200) + answer
+        return answer
 
 
 class Plant:

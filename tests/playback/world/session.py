@@ -41,6 +41,9 @@ class Scene:
     healed_s: float = 1e9
     stall_s: float = 0.0  # at the fault the program stands still for this time
     second: bool = False  # at the fault the same command runs a second time
+    signal: int = 0  # at the fault the program gets this signal
+    board_event: str = ""  # at the fault: a method of the board
+    away_s: float = 0.0  # at the fault the port is gone for this time
     wait_s: float = 9.0
     seed: int = 1
 
@@ -110,14 +113,18 @@ def play(program, scene, board):
     master, slave = os.openpty()
     tty.setraw(slave)
     os.set_blocking(master, False)
-    arguments = [program, *scene.arguments, "--device", scene.port_option + os.ttyname(slave)]
+    folder = tempfile.TemporaryDirectory()
+    port = os.path.join(folder.name, "port")  # a name that stays when the board is plugged in again
+    os.symlink(os.ttyname(slave), port)
+    arguments = [program, *scene.arguments, "--device", scene.port_option + port]
     if scene.seconds is not None:
         arguments += ["--seconds", str(scene.seconds)]
     outcome, plant, view = Outcome(), Plant(scene.handle), View()
     outcome.kept_before = board.kept()
     answers, received, moments = deque(), b"", outcome.moments
     began_s, plant_s, wakes_s, ended_s = None, 0.0, math.inf, math.inf
-    fault_done, second, woken_s = False, None, math.inf
+    fault_done, second, woken_s, back_s = False, None, math.inf, math.inf
+    fault_mm, turn = 0.0, 0
     start_s = time.monotonic()
     first = Program(arguments)
     while True:
@@ -130,7 +137,14 @@ def play(program, scene, board):
         link = scene.after if faulty else scene.before
         while plant_s < now_s:
             plant_s += PLANT_STEP_S
-            view.now_s, view.position_mm = plant_s, plant.counts * scene.handle.step_mm
+            counted_mm = plant.counts * scene.handle.step_mm
+            if not faulty:
+                fault_mm = counted_mm
+            else:
+                turn += 1
+                counted_mm = link.counted_mm(counted_mm, fault_mm, since_s - scene.fault_s, chance, turn // 5)
+                counted_mm = round(counted_mm / scene.handle.step_mm) * scene.handle.step_mm
+            view.now_s, view.position_mm = plant_s, counted_mm
             view.speed_mm_per_s = 0.0 if link.encoder_dead else link.encoder_sign * plant.speed_mm_per_s
             plant_since_s = -1.0 if began_s is None else plant_s - began_s
             plant.step(PLANT_STEP_S, board.force_N(view), link, scene.finger.end_mm(plant_since_s), scene.finger)
@@ -143,11 +157,27 @@ def play(program, scene, board):
                 wakes_s = now_s + scene.stall_s
             if scene.second:
                 second = Program(arguments)
+            if scene.signal:
+                first.process.send_signal(scene.signal)
+            if scene.board_event:
+                getattr(board, scene.board_event)()
+            if scene.away_s > 0:
+                os.close(master)
+                os.close(slave)
+                os.unlink(port)
+                answers.clear()
+                master, slave, received, back_s = -1, -1, b"", now_s + scene.away_s
+        if now_s >= back_s:
+            back_s = math.inf
+            master, slave = os.openpty()
+            tty.setraw(slave)
+            os.set_blocking(master, False)
+            os.symlink(os.ttyname(slave), port)
         if now_s >= wakes_s:
             first.process.send_signal(signal.SIGCONT)
             wakes_s = math.inf
         try:
-            received += os.read(master, 4096)
+            received += os.read(master, 4096) if master >= 0 else b""
         except BlockingIOError:
             pass
         while b"\n" in received:
@@ -158,17 +188,19 @@ def play(program, scene, board):
             if not answer or link.mute or chance.random() < link.lost:
                 continue
             due_s = now_s + link.delay_s + link.jitter_s * chance.random()
-            answers.append((max(due_s, answers[-1][0]) if answers else due_s, answer.encode()))
+            answers.append((max(due_s, answers[-1][0]) if answers else due_s, link.arrives_as(answer.encode(), chance)))
         while answers and answers[0][0] <= now_s:
             os.write(master, answers.popleft()[1])
         if ended_s == math.inf and first.ended() and (second is None or second.ended()):
             ended_s = now_s
         until_s = min(now_s + 0.0004, answers[0][0] if answers else math.inf)
-        select.select([master], [], [], max(0.0, until_s - (time.monotonic() - start_s)))
+        select.select([master] if master >= 0 else [], [], [], max(0.0, until_s - (time.monotonic() - start_s)))
     outcome.exit_code, outcome.json, outcome.said = first.finish()
     if second is not None:
         outcome.second_exit_code, _, outcome.second_said = second.finish()
-    os.close(master)
-    os.close(slave)
+    if master >= 0:
+        os.close(master)
+        os.close(slave)
+    folder.cleanup()
     outcome.kept_after, outcome.unknown = board.kept(), board.unknown
     return outcome

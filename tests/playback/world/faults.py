@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""faults.py DETENT-PLAY [--buttons N] [--only FAULT] [--workers N]: 64 faults on N of 20 buttons, by serial, ODrive and --upload.
+
+Runs `detent-play force` at the plant and the boards beside this file and prints one row for each fault: runs, largest force, the
+longest time from the fault to no force, the largest distance beyond the travel with force on, and what was said. A run that the
+computer kept from answering is repeated. Exit code 1 where a force was above the limit or a bar was missed. Figures:
+docs/measurements/bench-force.md. In real time: 3 s a run and worker, so that all 20 buttons take hours.
+"""
+
+import argparse
+import math
+import os
+import pathlib
+import signal
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+
+from boards import ODrive, SerialBoard
+from plant import Finger, Link
+from session import Scene, play
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+LIMIT_N, TRAVEL_MM, OUTSIDE_MM, SLACK_S, PAUSE_S, ATTEMPTS = 3.0, 4.0, 3.0, 0.006, 0.003, 3
+FAULT_S, END_S = 1.2, 1.75
+LINKS = ("serial", "ODrive", "upload")
+SAMPLES = [str(ROOT / f"samples/buttons/{name}.button.json") for name in ("A", "B", "C", "D", "E", "F", "EF", "push")]
+# Springs and dampers of our choice: nothing about them is known to the program in advance.
+SPRINGS = [["--stiffness=" + k, "--travel", "4", *(["--damping=" + b] if b else [])] for k, b in (
+    ("0.1", ""), ("0.2", "0.001"), ("0.3", ""), ("0.5", ""), ("0.8", "0.002"), ("1.0", ""), ("1.5", ""), ("0.6,-0.1", ""),
+    ("0.3325,-0.25,0.05", "0.001,0.004,-0.0008"), ("0.2,0.1", ""), ("0.9,-0.2,0.02", ""), ("0.4", "0.004"))]
+BUTTONS = [[path] for path in SAMPLES] + SPRINGS
+
+STOPS, PLACE, POLARITY = ("late", "answer", "drop-outs", "place lost", "absurd"), ("place lost", "absurd", "drop-outs"), ("revers", "runaway")
+
+
+@dataclass
+class Fault:
+    name: str
+    none_s: float | None = 0.020  # from the fault to no force; none: the button may play on
+    says: tuple = ()
+    change: dict = field(default_factory=dict)  # of the scene
+    link: dict = field(default_factory=dict)
+    odrive_s: float = 0.055
+    upload_none_s: float | None = -1.0  # -1: as `none_s`
+    links: tuple = LINKS
+
+    def bar_s(self, link):
+        if self.none_s is None or (link == "upload" and self.upload_none_s is None):
+            return None
+        return self.odrive_s if link == "ODrive" else self.none_s
+
+
+def faults():
+    yield Fault("motor reversed", 0.05, POLARITY, link={"motor_sign": -1}, links=("serial", "ODrive"))
+    yield Fault("motor dead", None, link={"motor_sign": 0})
+    yield Fault("encoder reversed", None, link={"encoder_sign": -1})
+    yield Fault("encoder reversed, the finger leaves", None, link={"encoder_sign": -1}, change={"leaves_s": FAULT_S})
+    yield Fault("encoder dead under a resting finger", 0.35, ("encoder",), link={"encoder_dead": True}, odrive_s=0.35,
+                links=("serial", "ODrive"))
+    for scale in (0.1, 10):
+        yield Fault(f"encoder counts {scale} times as much", None, link={"scale": scale})
+    for jump_mm in (0.3, 1, 5, 50, -0.3, -1, -5, -50):
+        none_s = 0.020 if abs(jump_mm) >= 1 else None
+        yield Fault(f"position jumps by {jump_mm} mm", none_s, PLACE if none_s else (), link={"offset_mm": jump_mm}, odrive_s=0.020)
+    for drift in (5, 50, -50, 500):
+        yield Fault(f"position drifts by {drift} mm/s", None, link={"drift_mm_per_s": drift})
+    for noise_mm in (0.02, 0.1, 1):
+        yield Fault(f"noise of {noise_mm} mm", None, link={"noise_mm": noise_mm})
+    for flicker_mm in (0.5, 1.5, 4):
+        yield Fault(f"flicker of {flicker_mm} mm", None, link={"flicker_mm": flicker_mm})
+    for delay_ms in (0.5, 1, 2, 3, 4.2, 8, 20):
+        late = {"link": {"delay_s": delay_ms / 1000}}
+        if delay_ms < 3 or delay_ms == 20:
+            yield Fault(f"answers {delay_ms} ms late", 0.020 if delay_ms == 20 else None, STOPS if delay_ms == 20 else (), **late)
+        else:  # a board that runs its table is watched for 10 ms
+            yield Fault(f"answers {delay_ms} ms late", 0.020, STOPS, **late, upload_none_s=None)
+    for jitter_ms in (1, 3, 10):
+        yield Fault(f"answers 0 to {jitter_ms} ms late", None, link={"jitter_s": jitter_ms / 1000})
+    for lost in (0.05, 0.34, 0.6):
+        yield Fault(f"{lost:.0%} of the answers lost", None, link={"lost": lost})
+    yield Fault("answers stop", 0.020, STOPS, link={"mute": True})
+    for kind, shares in (("garbled", (0.01, 0.1, 1)), ("cut", (0.1, 1)), ("doubled", (0.1, 1)), ("rubbish", (0.05, 1))):
+        for share in shares:
+            ends = share == 1 and kind in ("garbled", "cut")
+            yield Fault(f"{share:.0%} of the answers {kind}", 0.020 if ends else None, STOPS if ends else (), link={kind: share})
+    yield Fault("the board's clock stands; an ODrive's controller fails", 0.020, (*STOPS, "error", "under-voltage", "repeated"),
+                {"board_event": "stop_clock"}, odrive_s=0.020)
+    yield Fault("the board is reset", 0.020, ("place lost", "no force"), {"board_event": "reset"}, odrive_s=0.020)
+    yield Fault("the board's switch; an axis that goes idle", 0.020, ("stop", "closed loop", "closed-loop"),
+                {"board_event": "press_switch"}, odrive_s=0.020)
+    yield Fault("answers to another question", 0.020, STOPS, {"board_event": "confuse"})
+    yield Fault("unplugged", 0.020, ("place lost", "gone", "away"), {"away_s": 9.0})
+    yield Fault("unplugged for 0.1 s", 0.020, ("place lost", "gone", "away"), {"away_s": 0.1})
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGUSR1"):
+        yield Fault(name, 0.020, (), {"signal": getattr(signal, name)}, odrive_s=0.020)
+    for name in ("SIGKILL", "SIGSEGV", "SIGQUIT"):
+        yield Fault(name, 0.020, (), {"signal": getattr(signal, name)})
+    yield Fault("the program stands still for 58 ms", None, (), {"stall_s": 0.058})
+    yield Fault("the program stands still for 500 ms", 0.020, (), {"stall_s": 0.5})
+    yield Fault("a second program at the port", None, (), {"second": True})
+
+
+def scene_of(fault, link, button):
+    finger = Finger(depth_mm=3.0, comes_s=0.4, takes_s=0.2, leaves_s=fault.change.get("leaves_s", 1e9))
+    changes = {key: value for key, value in fault.change.items() if key != "leaves_s"}
+    words = ["force", *button, "--max-N", str(LIMIT_N), "--json"]
+    words += ["--upload"] if link == "upload" else ["--mm-per-turn", "60", "--step-mm", "0.01"] if link == "ODrive" else []
+    return Scene(arguments=words, port_option="odrive:" if link == "ODrive" else "serial:", seconds=END_S, finger=finger,
+                 fault_s=FAULT_S, after=Link(**fault.link), wait_s=4.5, **changes)
+
+
+@dataclass
+class Found:
+    fault: str
+    link: str
+    there: bool = False
+    judged: bool = True
+    largest_N: float = 0.0
+    none_s: float = 0.0
+    outside_mm: float = 0.0
+    wrong: list = field(default_factory=list)
+
+
+def until_none_s(moments):
+    """From the fault to the last moment with 0.1 N or more; infinite where there is force at the end of the record."""
+    last_s = max((t for t, n, _ in moments if t >= FAULT_S and abs(n) >= 0.1), default=FAULT_S)
+    return math.inf if last_s > moments[-1][0] - 0.03 else last_s - FAULT_S
+
+
+def judge(program, fault, link, number):
+    found = Found(fault.name, link)
+    for attempt in range(ATTEMPTS):
+        outcome = play(program, scene_of(fault, link, BUTTONS[number]), ODrive() if link == "ODrive" else SerialBoard())
+        said, bar_s = outcome.said.lower(), fault.bar_s(link)
+        found.largest_N, found.there = outcome.largest_N(), outcome.largest_N(FAULT_S - 0.2, FAULT_S - 0.005) > 0.15
+        found.none_s = until_none_s(outcome.moments) if found.there and bar_s else 0.0
+        found.outside_mm = outcome.outside_mm(TRAVEL_MM, FAULT_S)
+        found.wrong = [f"{found.largest_N:.3f} N"] if found.largest_N > LIMIT_N + 0.001 else []
+        if bar_s and found.none_s > bar_s + SLACK_S:
+            found.wrong.append(f"no force after {1000 * found.none_s:.0f} ms")
+        if found.outside_mm > OUTSIDE_MM:
+            found.wrong.append(f"{found.outside_mm:.1f} mm outside")
+        if found.there and bar_s and fault.says and not any(word in said for word in fault.says):
+            found.wrong.append(f"does not say {fault.says[0]}")
+        found.judged = outcome.pause_s <= PAUSE_S or not found.wrong
+        if found.largest_N > LIMIT_N + 0.001 or (found.there and not found.wrong):
+            break
+    if found.wrong:
+        found.wrong.append(f"button {number}, the board paused for {1000 * outcome.pause_s:.1f} ms: " + " | ".join(outcome.said.splitlines())[-300:])
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--buttons", type=int, default=len(BUTTONS), help="for each fault and link, in turns from all 20")
+    parser.add_argument("--only", default="")
+    parser.add_argument("--workers", type=int, default=2)
+    chosen = parser.parse_args()
+    table = [fault for fault in faults() if chosen.only.lower() in fault.name.lower()]
+    jobs = [(fault, link, (7 * k + 3 * at + 11 * LINKS.index(link)) % len(BUTTONS))
+            for at, fault in enumerate(table) for link in fault.links for k in range(chosen.buttons)]
+    print(f"{len(table)} faults, {len(jobs)} runs, at most {LIMIT_N} N", flush=True)
+    missed = 0
+    with ProcessPoolExecutor(chosen.workers) as pool:
+        results = list(pool.map(judge, [os.path.abspath(chosen.program)] * len(jobs), *zip(*jobs)))
+    print("| fault | link | runs, judged | largest force, N | longest to none, ms | farthest outside, mm | missed |\n|---|---|---|---|---|---|---|")
+    for fault in table:
+        for link in fault.links:
+            rows = [r for r in results if (r.fault, r.link) == (fault.name, link)]
+            judged = [r for r in rows if r.judged and r.there]
+            wrong = [r for r in judged if r.wrong]
+            missed += len(wrong)
+            longest_s = max((r.none_s for r in judged), default=0.0)
+            print(f"| {fault.name} | {link} | {len(rows)}, {len(judged)} | {max(r.largest_N for r in rows):.2f} | "
+                  + (("for ever" if math.isinf(longest_s) else f"{1000 * longest_s:.0f}") if fault.bar_s(link) else "plays on")
+                  + f" | {max((r.outside_mm for r in judged), default=0.0):.1f} | {len(wrong)} |", flush=True)
+            for r in wrong if not chosen.only else [r for r in rows if r.wrong]:
+                print("    " + "; ".join(r.wrong))
+    judged = [r for r in results if r.judged and r.there]
+    over = sum(r.largest_N > LIMIT_N + 0.001 for r in results)
+    print(f"{len(results)} runs, {len(judged)} judged: above the limit {over}, a bar missed {missed}")
+    return 1 if over or missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
