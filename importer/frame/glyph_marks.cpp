@@ -165,7 +165,7 @@ cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vecto
     return positions;
   };
   // The strip beyond each side in turn is rotated to the bottom; the rest of the picture has no ticks.
-  const int tall = longestTick(frame.height()), wide = longestTick(frame.width());
+  const int rows = longestTick(frame.height()), columns = longestTick(frame.width());
   const auto eraseIn = [&](cv::Mat strip, bool sideways, bool mirror, const std::vector<double>& at,
                            int longest) {
     if (strip.empty()) return;
@@ -176,11 +176,12 @@ cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vecto
     if (sideways) turned = cv::Mat(turned.t());
     turned.copyTo(strip);
   };
-  eraseIn(out.rowRange(std::min(y1, out.rows), std::min(out.rows, y1 + tall + 1)), false, false, xLines,
-          tall);
-  eraseIn(out.rowRange(std::max(0, y0 - tall - 1), y0), false, true, mirrored(xLines, out.cols), tall);
-  eraseIn(out.colRange(std::min(x1, out.cols), std::min(out.cols, x1 + wide + 1)), true, false, yLines, wide);
-  eraseIn(out.colRange(std::max(0, x0 - wide - 1), x0), true, true, mirrored(yLines, out.rows), wide);
+  eraseIn(out.rowRange(std::min(y1, out.rows), std::min(out.rows, y1 + rows + 1)), false, false, xLines,
+          rows);
+  eraseIn(out.rowRange(std::max(0, y0 - rows - 1), y0), false, true, mirrored(xLines, out.cols), rows);
+  eraseIn(out.colRange(std::min(x1, out.cols), std::min(out.cols, x1 + columns + 1)), true, false, yLines,
+          columns);
+  eraseIn(out.colRange(std::max(0, x0 - columns - 1), x0), true, true, mirrored(yLines, out.rows), columns);
   return out;
 }
 
