@@ -465,6 +465,18 @@
         const count = engine.detent_render(i, 48000);
         return new Float32Array(engine.memory.buffer, engine.detent_rendered(), count).slice();
       },
+      // What is felt and heard in the second after a stimulus is pressed, at 48 kHz.
+      heard(i) {
+        engine.detent_start(48000);
+        detentSound(engine, sound);
+        engine.detent_begin_trial();
+        engine.detent_place(0, i);
+        engine.detent_press();
+        const samples = [[], []];
+        for (let block = 0; block < 375; ++block)
+          [engine.detent_process(128), engine.detent_heard()].forEach((at, c) => samples[c].push(...new Float32Array(engine.memory.buffer, at, 128)));
+        return samples;
+      },
     };
     await showPeople();
     root.dataset.detent = "ready";

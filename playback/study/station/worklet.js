@@ -12,9 +12,7 @@ class DetentStation extends AudioWorkletProcessor {
     this.engine = detentInstance(module, stimuli);
     this.engine.detent_start(sampleRate);
     if (sound) {
-      const at = this.engine.detent_sound_samples(sound.samples.length);
-      new Float32Array(this.engine.memory.buffer, at, sound.samples.length).set(sound.samples);
-      this.engine.detent_sound(sound.rendered ? 1 : 0, sound.rate, sound.level_dB, sound.delay_s);
+      detentSound(this.engine, sound);
       this.ears = new Float32Array(this.engine.memory.buffer, this.engine.detent_heard(), 8192);
     }
     this.toldEvery = Math.max(1, Math.round(sampleRate / 128 / 60));
