@@ -384,7 +384,7 @@ TEST_CASE("same/different: order and sameness are balanced, felt and kept", "[st
   CHECK_FALSE(feltEnough(*made.study, both));
   both.felt[1].whole = 1;
   CHECK(feltEnough(*made.study, both));
-  Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P1", simulatedStart());
+  Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P1", simulatedStart);
   REQUIRE(session);
   const Simulation perfect = *simulationNamed("perfect");
   while (const Trial* trial = session->trial())
