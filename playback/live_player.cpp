@@ -36,6 +36,7 @@ AudioSettings audioSettings(const PlayerSettings& s) {
           s.bufferFrames,
           s.channels,
           s.masking.device.empty() ? s.masking.level : 0,
+          s.sound.audible(),
           s.jackThroughPortAudio ? JackRoute::portAudio : JackRoute::ownClient};
 }
 
@@ -79,6 +80,10 @@ class Player : public LivePlayer {
 
   Result<Done> open(const PlayerSettings& settings, const LiveProgram& program, CallbackHooks hooks) {
     setProgram(program);
+    PressSound sound = settings.sound;
+    sound.samples = resampled(sound.samples, sound.sampleRate_Hz, session_.sampleRate_Hz());
+    sound.sampleRate_Hz = session_.sampleRate_Hz();
+    session_.setPressSound(std::move(sound));
     Result<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audioSettings(settings), session_, hooks);
     if (!output) return output.failure();
     output_ = std::move(*output);

@@ -36,6 +36,7 @@
 #include "playback/prepare/prepare_speeds.h"
 #include "playback/realtime/live_program.h"
 #include "playback/realtime/press_counter.h"
+#include "playback/realtime/press_sound.h"
 
 namespace detent::playback {
 
@@ -71,6 +72,7 @@ struct PlayerSettings {
   /// JACK through PortAudio instead of a client of our own; cannot recover a lost server
   /// (docs/develop/decisions/0904).
   bool jackThroughPortAudio = false;
+  PressSound sound;  ///< of presses, on up to two outputs behind the signal's
 };
 
 enum class SensorCondition : std::uint8_t { none, starting, running, silent, stuck, unplugged };

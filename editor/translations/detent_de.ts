@@ -8172,6 +8172,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>From the first press on, %1 to %2</source>
         <translation>Vom ersten Druck an, %1 bis %2</translation>
     </message>
+    <message>
+        <source>Are the two the same?</source>
+        <translation>Sind die zwei gleich?</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::StudyWindow</name>
@@ -8482,6 +8486,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>There is no force. Please call the experimenter: F9 brings it back.</source>
         <translation>Es ist keine Kraft da. Bitte rufen Sie die Versuchsleitung: F9 bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>They are the same</source>
+        <translation>Sie sind gleich</translation>
+    </message>
+    <message>
+        <source>They differ</source>
+        <translation>Sie sind verschieden</translation>
+    </message>
+    <message>
+        <source>Feel both, then say whether they are the same. If you are not sure, guess.</source>
+        <translation>Fühlen Sie beide und sagen Sie dann, ob sie gleich sind. Wenn Sie unsicher sind, raten Sie.</translation>
     </message>
 </context>
 <context>
@@ -11197,10 +11213,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>„%1“ ist keine Art zu antworten</translation>
     </message>
     <message>
-        <source>Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, timing=PLACE,SPREAD or presses=FILE</source>
-        <translation>Geben Sie guess, perfect, errors=P mit P von 0 bis 1, threshold=T mit T von 0.001 bis 10, timing=STELLE,STREUUNG oder presses=DATEI an</translation>
-    </message>
-    <message>
         <source>presses answer timing studies only</source>
         <translation>Drücke beantworten nur Studien des Timings</translation>
     </message>
@@ -11691,6 +11703,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Friction of %1 N would carry it</source>
         <translation>Eine Reibung von %1 N würde genügen</translation>
+    </message>
+    <message>
+        <source>Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, d-prime=D with D from 0 to 10, timing=PLACE,SPREAD or presses=FILE</source>
+        <translation>Geben Sie guess, perfect, errors=P mit P von 0 bis 1, threshold=T mit T von 0.001 bis 10, d-prime=D mit D von 0 bis 10, timing=ORT,STREUUNG oder presses=DATEI an</translation>
+    </message>
+    <message>
+        <source>a d&apos; answers same/different studies only</source>
+        <translation>ein d&apos; beantwortet nur Studien same-different</translation>
     </message>
 </context>
 <context>

@@ -223,7 +223,7 @@ class AudioOutput::Stream {
 
   OutputChannels channelsOf(const AudioDeviceInfo& info) const {
     const int there = std::clamp(info.outputChannels, 1, 32), wanted = std::min(settings_.channels, there);
-    if (!(settings_.rainLevel > 0)) return {std::max(1, wanted), 0};
+    if (!(settings_.rainLevel > 0) && !settings_.ears) return {std::max(1, wanted), 0};
     const int signal = std::min(wanted, there - 1);
     return {signal, std::min(2, there - signal)};
   }

@@ -41,6 +41,7 @@ struct AudioSettings {
       2;  ///< the same signal on each; fewer where the device has fewer; 0: none, it is for the rain alone
   double rainLevel =
       0;  ///< masking noise on up to two channels behind the signal's, which leave it at least one; 0: none
+  bool ears = false;  ///< channels behind the signal's also without rain, for the sound of presses
   JackRoute jackRoute = JackRoute::ownClient;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What every sound callback does, whichever library calls it: let the session render, add the rain for the ears, copy to all
+// What every sound callback does, whichever library calls it: let the session render, add rain and press sound for the ears, copy to all
 // channels, account.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -21,7 +22,7 @@ struct CallbackHooks {
 /// Which of a stream's channels carry what, in this order.
 struct OutputChannels {
   int signal = 2;  ///< the same vibration on each
-  int rain = 0;    ///< the same masking noise on each (rain_noise.h)
+  int rain = 0;    ///< the same for the ears on each: masking noise (rain_noise.h), sound of presses
 
   int all() const { return signal + rain; }
   bool isSignal(int channel) const { return channel < signal; }
@@ -42,6 +43,10 @@ class StreamRenderer {
       const std::size_t left = frames - done, count = left < largestRun ? left : largestRun;
       session_.process(mono_.data(), count, entry_s + static_cast<double>(done) / session_.sampleRate_Hz());
       if (rain_.audible()) rain_.render(drops_.data(), count);
+      if (session_.pressSounds()) {
+        if (!rain_.audible()) std::fill_n(drops_.begin(), count, 0.0F);
+        session_.addPressSound(drops_.data(), mono_.data(), count);
+      }
       put(done, mono_.data(), drops_.data(), count);
       done += count;
     }

@@ -17,3 +17,10 @@ function detentInstance(module, buttons) {
   }
   return exports;
 }
+
+// What is heard of the presses of a study, beside what is felt; after detent_start.
+function detentSound(engine, sound) {
+  const at = engine.detent_sound_samples(sound.samples.length);
+  new Float32Array(engine.memory.buffer, at, sound.samples.length).set(sound.samples);
+  engine.detent_sound(sound.rendered ? 1 : 0, sound.rate, sound.level_dB, sound.delay_s);
+}

@@ -24,6 +24,7 @@
 #include "playback/realtime/force_conditioner.h"
 #include "playback/realtime/haptic_engine.h"
 #include "playback/realtime/press_counter.h"
+#include "playback/realtime/press_sound.h"
 
 namespace detent::playback {
 
@@ -163,10 +164,29 @@ class Page {
     engine_->render(block_.data(), frames);
     presses_.take(engine_->position());
     EngineEvent event;
-    while (engine_->nextEvent(event)) {
-    }
+    while (engine_->nextEvent(event)) sounder_.take(event);
+    if (!sounder_.audible()) return block_.data();
+    sounder_.take(engine_->program(), engine_->position());
+    ears_.assign(frames, 0.0F);
+    sounder_.addTo(ears_.data(), block_.data(), frames, engine_->frame());
     return block_.data();
   }
+
+  /// Of a study: what is heard of presses.
+  float* soundSamples(std::size_t count) {
+    sound_.samples.assign(count, 0.0F);
+    return sound_.samples.data();
+  }
+  void useSound(bool rendered, double sampleRate_Hz, double level_dB, double delay_s) {
+    sound_.rendered = rendered;
+    sound_.level_dB = level_dB;
+    sound_.delay_s = delay_s;
+    sound_.sampleRate_Hz = sampleRate_Hz;
+    ears_.reserve(mostFrames);
+    if (engine_) sounder_.setSampleRate(engine_->sampleRate_Hz());
+    sounder_.use(sound_);
+  }
+  const float* heard() const { return ears_.data(); }
 
   const ShownState* shown() {
     if (!engine_) return &shown_;
@@ -236,6 +256,9 @@ class Page {
   std::array<bool, mostSlots> locked_{};
   std::size_t slot_ = noSlot;
   std::array<double, 4> felt_{};
+  PressSound sound_;
+  PressSounder sounder_;
+  std::vector<float> ears_;
 };
 
 Page& page() {
@@ -284,6 +307,16 @@ DETENT_EXPORT(detent_begin_trial) void detent_begin_trial() { page().beginTrial(
 DETENT_EXPORT(detent_place) void detent_place(std::uint32_t slot, std::uint32_t index) {
   page().place(slot, index);
 }
+/// Studies, after detent_start: room for a recording; then what is heard of presses
+/// (press_sound.h). detent_heard: beside the samples of the last detent_process.
+DETENT_EXPORT(detent_sound_samples) float* detent_sound_samples(std::uint32_t count) {
+  return page().soundSamples(count);
+}
+DETENT_EXPORT(detent_sound)
+void detent_sound(std::uint32_t rendered, double sampleRate_Hz, double level_dB, double delay_s) {
+  page().useSound(rendered == 1, sampleRate_Hz, level_dB, delay_s);
+}
+DETENT_EXPORT(detent_heard) const float* detent_heard() { return page().heard(); }
 DETENT_EXPORT(detent_felt) const double* detent_felt() { return page().felt(); }
 /// Samples of a standard press (`detent-play render --standard-press`), or -1; detent_rendered is where they
 /// lie.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <utility>
 
 #include <readerwriterqueue/readerwriterqueue.h>
 
@@ -50,12 +51,14 @@ struct LiveSession::State {
   explicit State(double wanted_Hz)
       : engine(wanted_Hz), sampleRate_Hz(engine.sampleRate_Hz()), clock(engine.sampleRate_Hz()) {
     takes.setSampleRate(engine.sampleRate_Hz());
+    pressSound.setSampleRate(engine.sampleRate_Hz());
   }
 
   HapticEngine engine;
   TakePlayer takes;
   float takePeak = 0;  // largest sample while a take played, since the last status
   FeltMeter felt;
+  PressSounder pressSound;
   std::atomic<double> sampleRate_Hz;  // the engine's, for other threads
   StreamClock clock;
   double lastInput_frames = 0;
@@ -83,6 +86,7 @@ void LiveSession::setSampleRate(double sampleRate_Hz) {
   takeWhileAway();
   s.engine.setSampleRate(sampleRate_Hz);
   s.takes.setSampleRate(s.engine.sampleRate_Hz());
+  s.pressSound.setSampleRate(s.engine.sampleRate_Hz());
   s.sampleRate_Hz.store(s.engine.sampleRate_Hz(), std::memory_order_relaxed);
   s.clock = StreamClock(s.engine.sampleRate_Hz());
   if (s.engine.program() != nullptr) s.felt.use(*s.engine.program(), s.engine.sampleRate_Hz());
@@ -214,6 +218,12 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
   }
 }
 
+void LiveSession::setPressSound(PressSound sound) { state_->pressSound.use(std::move(sound)); }
+bool LiveSession::pressSounds() const { return state_->pressSound.audible(); }
+void LiveSession::addPressSound(float* ears, const float* felt, std::size_t count) {
+  state_->pressSound.addTo(ears, felt, count, state_->engine.frame());
+}
+
 void LiveSession::account(double spent_s, std::size_t count, bool xrun) {
   SessionStatus& status = state_->status;
   const double share = count > 0 ? spent_s * sampleRate_Hz() / static_cast<double>(count) : 0;
@@ -251,8 +261,10 @@ void LiveSession::publish() {
   SessionReport report;
   report.kind = ReportKind::event;
   while (s.engine.nextEvent(report.event)) {
+    s.pressSound.take(report.event);
     if (!s.reports.try_enqueue(report)) ++s.status.droppedReports;
   }
+  s.pressSound.take(s.engine.program(), s.engine.position());
   const std::int64_t now = s.engine.frame();
   if (static_cast<double>(now - s.lastStatusFrame) < statusInterval_s * sampleRate_Hz()) return;
   s.lastStatusFrame = now;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "playback/realtime/haptic_engine.h"
+#include "playback/realtime/press_sound.h"
 #include "playback/realtime/take_player.h"
 
 namespace detent::playback {
@@ -96,6 +97,8 @@ class LiveSession {
   /// Takes the programs and gains that were sent while no stream ran and drops all other commands, so that the
   /// queue does not fill up.
   void takeWhileAway();
+  /// What is heard of a press, beside the signal.
+  void setPressSound(PressSound sound);
 
   /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).
   bool send(Lane lane, const SessionCommand& command);
@@ -106,6 +109,11 @@ class LiveSession {
   /// Callback thread: handles what arrived, renders `count` samples. `entry_s`: the callback's entry on the
   /// clock that time-stamped messages use.
   void process(float* out, std::size_t count, double entry_s);
+
+  /// Callback thread, after process: adds what is heard of presses, if anything is, to `count` samples; `felt`:
+  /// what process gave.
+  bool pressSounds() const;
+  void addPressSound(float* ears, const float* felt, std::size_t count);
 
   /// Callback thread, after process: what the block cost, and whether the device reported an xrun.
   void account(double spent_s, std::size_t count, bool xrun);

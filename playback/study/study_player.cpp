@@ -342,7 +342,8 @@ class Player final : public StudyPlayer {
 
 Result<std::unique_ptr<StudyPlayer>> StudyPlayer::start(const Study& study,
                                                         const StudyPlayerSettings& settings) {
-  const bool unheard = settings.force && settings.player.device.empty() && settings.player.masking.level == 0;
+  const bool unheard = settings.force && settings.player.device.empty() &&
+                       settings.player.masking.level == 0 && study.design.sound.source.empty();
   const bool heard = !settings.rehearse && !unheard;
   Result<std::vector<PreparedStimulus>> stimuli = prepareAll(study);
   if (!stimuli) return stimuli.failure();
@@ -353,8 +354,12 @@ Result<std::unique_ptr<StudyPlayer>> StudyPlayer::start(const Study& study,
     force = *std::move(started);
   }
   const HapticProgram& first = stimuli->front().program;
+  Result<PressSound> sound = pressSoundOf(study);
+  if (!sound) return sound.failure();
+  PlayerSettings audible = settings.player;
+  audible.sound = *std::move(sound);
   Result<std::unique_ptr<LivePlayer>> player =
-      heard ? LivePlayer::start(settings.player, first) : LivePlayer::startSilent(first);
+      heard ? LivePlayer::start(audible, first) : LivePlayer::startSilent(first);
   if (!player) return player.failure();
   if (!settings.sensorPort.empty()) {
     if (Result<Done> ok = (*player)->attachSensor(settings.sensorPort, settings.baud, settings.calibration);

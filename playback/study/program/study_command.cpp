@@ -138,6 +138,14 @@ void addNew(CLI::App& parent, Action& chosen) {
       ->default_str("full");
   addChoice(*app, "--feel", a->design.feel, feels,
             "clear: as render, live, page and export play; paper: as in the paper", "clear");
+  app->add_option(
+      "--sound", a->design.sound.source,
+      "What is heard of each press, on the outputs behind the vibration's: rendered (the vibration "
+      "itself), or a sound file of at most 5 s that begins with the click; default: nothing");
+  app->add_option("--sound-level", a->design.sound.level_dB, "dB added to the sound, -60..20")
+      ->capture_default_str();
+  app->add_option("--sound-delay", a->design.sound.delay_ms, "ms from the click to its sound, 0..500")
+      ->capture_default_str();
   app->add_option("--seed", a->seed, "Seed of the random order; default: random, recorded");
   app->add_option("--practice", a->design.practice,
                   "Practice trials before the first that counts, " + range(0, mostPractice))

@@ -11,6 +11,7 @@
   const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   const stimuli = data.stimuli.map((s) => ({ numbers: new Float64Array(bytes(s.numbers).buffer), settings: s.settings }));
   const stimulusOf = new Map(data.stimuli.map((s, i) => [`${s.mode} ${s.button}`, i]));
+  const sound = data.sound && { ...data.sound, samples: new Float32Array(bytes(data.sound.samples).buffer) };
   const now_s = () => performance.now() / 1000;
   const utc_s = () => Date.now() / 1000;
 
@@ -438,7 +439,7 @@
     if (audio) return audio.resume();
     audio = new AudioContext({ latencyHint: 0 });
     await audio.audioWorklet.addModule("data:text/javascript;charset=utf-8," + encodeURIComponent(byId("worklet").textContent));
-    node = new AudioWorkletNode(audio, "detent-station", { numberOfInputs: 0, outputChannelCount: [2], processorOptions: { module, stimuli } });
+    node = new AudioWorkletNode(audio, "detent-station", { numberOfInputs: 0, outputChannelCount: [2], processorOptions: { module, stimuli, sound } });
     node.onprocessorerror = () => { interrupted("sound device lost"); say(words.engineStopped); };
     node.port.onmessage = ({ data: message }) => felt(message);
     node.connect(audio.destination);
@@ -463,6 +464,18 @@
       render(i) {
         const count = engine.detent_render(i, 48000);
         return new Float32Array(engine.memory.buffer, engine.detent_rendered(), count).slice();
+      },
+      // What is felt and heard in the second after a stimulus is pressed, at 48 kHz.
+      heard(i) {
+        engine.detent_start(48000);
+        detentSound(engine, sound);
+        engine.detent_begin_trial();
+        engine.detent_place(0, i);
+        engine.detent_press();
+        const samples = [[], []];
+        for (let block = 0; block < 375; ++block)
+          [engine.detent_process(128), engine.detent_heard()].forEach((at, c) => samples[c].push(...new Float32Array(engine.memory.buffer, at, 128)));
+        return samples;
       },
     };
     await showPeople();

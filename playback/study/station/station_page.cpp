@@ -117,6 +117,17 @@ StationJson stimuliAsJson(const Study& study) {
   return list;
 }
 
+/// Base64 of little-endian numbers, as a browser reads them; null: nothing is heard.
+StationJson soundAsJson(const PressSound& sound) {
+  if (!sound.audible()) return nullptr;
+  return {{"rendered", sound.rendered},
+          {"samples", base64({reinterpret_cast<const char*>(sound.samples.data()),
+                              sound.samples.size() * sizeof(float)})},
+          {"rate", sound.sampleRate_Hz},
+          {"level_dB", sound.level_dB},
+          {"delay_s", sound.delay_s}};
+}
+
 /// A text for each language there is one for, English first.
 Result<StationJson> consentsAsJson(const Study& study) {
   std::set<std::string> languages;
@@ -162,6 +173,8 @@ Result<std::string> stationPage(const Study& study, const StationSettings& setti
   for (const StudyLevel& level : study.levels)
     levels.push_back(
         {{"button", level.button}, {"reference", level.reference}, {"increase", level.increase}});
+  Result<PressSound> sound = pressSoundOf(study);
+  if (!sound) return sound.failure();
   const StationJson data{
       {"title", study.name},
       {"sha256", study.sha256},
@@ -174,6 +187,7 @@ Result<std::string> stationPage(const Study& study, const StationSettings& setti
       {"people", persons},
       {"labels", labels},
       {"levels", levels},
+      {"sound", soundAsJson(*sound)},
       {"stimuli", stimuliAsJson(study)},
       {"consents", *std::move(consents)},
       {"words", StationJson::parse(station_parts::words)},

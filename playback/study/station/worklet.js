@@ -8,9 +8,13 @@ const tapHold_s = 0.15;  // a shorter press lasts as long as one by a key at a t
 class DetentStation extends AudioWorkletProcessor {
   constructor(options) {
     super();
-    const { module, stimuli } = options.processorOptions;
+    const { module, stimuli, sound } = options.processorOptions;
     this.engine = detentInstance(module, stimuli);
     this.engine.detent_start(sampleRate);
+    if (sound) {
+      detentSound(this.engine, sound);
+      this.ears = new Float32Array(this.engine.memory.buffer, this.engine.detent_heard(), 8192);
+    }
     this.toldEvery = Math.max(1, Math.round(sampleRate / 128 / 60));
     this.blocks = 0;
     this.trial = this.slot = -1;
@@ -51,7 +55,8 @@ class DetentStation extends AudioWorkletProcessor {
       this.engine.detent_lift();
     }
     this.engine.detent_process(frames);
-    for (const channel of channels) for (let i = 0; i < frames; ++i) channel[i] = this.out[i];
+    // With a sound of presses: the vibration is left, the sound right.
+    channels.forEach((channel, c) => channel.set((this.ears && c === 1 ? this.ears : this.out).subarray(0, frames)));
     if (++this.blocks % this.toldEvery === 0) this.tell();
     return true;
   }

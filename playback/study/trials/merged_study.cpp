@@ -22,7 +22,8 @@ Failure cannotMerge(const fs::path& folder, Message problem, const Message& reme
 bool comparable(const Study& a, const Study& b) {
   const auto taskOf = [](const StudyDesign& d) {
     return std::tie(d.kind, d.targets, d.modes, d.feel, d.quantity, d.scale, d.task, d.intervals_s,
-                    d.windows_s, d.run_s, d.trials, d.practice, d.pairsEach);
+                    d.windows_s, d.run_s, d.trials, d.practice, d.pairsEach, d.sound.source, d.sound.sha256,
+                    d.sound.level_dB, d.sound.delay_ms);
   };
   const auto sameButtons = [&] {
     if (a.buttons.size() != b.buttons.size() || a.stimuli.size() != b.stimuli.size()) return false;

@@ -409,16 +409,19 @@ Json headerOf(const Study& study, const ParticipantRecord& participant) {
   Json buttons = Json::array();
   for (std::size_t i = 0; i < study.givenButtons(); ++i)
     buttons.push_back({{"label", study.buttons[i].label}, {"sha256", study.buttons[i].sha256}});
-  return {{"format", "detent-study-journal"},
-          {"version", journalVersion},
-          {"participant", participant.participant},
-          {"place", participant.place},
-          {"study", study.name},
-          {"study_sha256", study.sha256},
-          {"program", version()},
-          {"seed", study.design.seed},
-          {"profile_sha256", study.profileSha256},
-          {"buttons", buttons}};
+  Json header{{"format", "detent-study-journal"},
+              {"version", journalVersion},
+              {"participant", participant.participant},
+              {"place", participant.place},
+              {"study", study.name},
+              {"study_sha256", study.sha256},
+              {"program", version()},
+              {"seed", study.design.seed},
+              {"profile_sha256", study.profileSha256},
+              {"buttons", buttons}};
+  if (const StudySound& sound = study.design.sound; !sound.source.empty())
+    header["sound"] = {{"source", sound.source}, {"level_dB", sound.level_dB}, {"delay_ms", sound.delay_ms}};
+  return header;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "model/text.h"
 #include "model/version.h"
 #include "playback/measurement/profile_file.h"
+#include "playback/offline/press_files.h"
 #include "playback/offline/render_press.h"
 #include "playback/offline/standard_press.h"
 #include "playback/study/statistics/shuffle.h"
@@ -116,6 +117,11 @@ Json jsonOf(const Study& study) {
             {"profile_sha256", study.profileSha256},
             {"buttons", buttons},
             {"stimuli", stimuli}};
+  if (!d.sound.source.empty())
+    json["sound"] = {{"source", d.sound.source},
+                     {"sha256", d.sound.sha256},
+                     {"level_dB", d.sound.level_dB},
+                     {"delay_ms", d.sound.delay_ms}};
   if (d.kind == StudyKind::rating) json["scale"] = nameOf(d.scale);
   if (d.kind == StudyKind::timing) {
     json["task"] = nameOf(d.task);
@@ -196,6 +202,10 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
                         Message("Restore the file as it was made"));
     d.feel = *feel;
   }
+  if (json.contains("sound")) {
+    const Json& sound = json.at("sound");
+    d.sound = {sound.at("source"), sound.at("sha256"), sound.at("level_dB"), sound.at("delay_ms")};
+  }
   d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
   d.modes.clear();
   for (const Json& name : json.at("modes")) {
@@ -259,6 +269,14 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!profile) return profile.failure();
     study.profile = *std::move(profile);
   }
+  if (study.design.sound.source != renderedSound && !study.design.sound.source.empty()) {
+    const fs::path file = study.folder / fs::path(study.design.sound.source).filename();
+    const Result<std::string> bytes = readTextFile(file.string());
+    if (!bytes) return bytes.failure();
+    if (sha256Hex(*bytes) != study.design.sound.sha256)
+      return unreadable(file, Message("was changed after the study was made"),
+                        Message("Restore it, or make a new study"));
+  }
   if (Result<Done> ok = readLevels(study, json); !ok) return ok;
   for (const Json& entry : json.at("stimuli")) {
     const std::string label = entry.at("button");
@@ -305,7 +323,7 @@ Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
 }
 
 Result<Done> writeParts(const fs::path& folder, const Study& study, const std::vector<std::string>& files,
-                        const std::string& profileFile) {
+                        const std::string& profileFile, const std::string& soundFile) {
   std::error_code error;
   fs::create_directories(folder / "buttons", error);
   if (!error) fs::create_directory(folder / "participants", error);
@@ -315,6 +333,7 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
   for (std::size_t i = 0; i < files.size(); ++i)
     copy(files[i], folder / "buttons" / (study.buttons[i].label + buttonEnding));
   if (!profileFile.empty()) copy(profileFile, folder / "device.device");
+  if (!soundFile.empty()) copy(soundFile, folder / study.design.sound.source);
   if (error)
     return unreadable(folder, Message("cannot be made (%1)", error.message()),
                       Message("Check the folder, its rights and the free space"));
@@ -436,7 +455,31 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
                        Message("Give full, click-only or slope-only"));
   if (d.targets == TargetKind::physicalButton && d.kind != StudyKind::matching)
     return wrongOption("--physical", Message("needs a matching study"), Message("Add --kind matching"));
+  if (!(d.sound.level_dB >= softestSound_dB && d.sound.level_dB <= loudestSound_dB))
+    return wrongOption(
+        "--sound-level",
+        Message("%1 lies outside %2 to %3", d.sound.level_dB, softestSound_dB, loudestSound_dB),
+        Message("Give a number inside"));
+  if (!(d.sound.delay_ms >= 0 && d.sound.delay_ms <= longestSoundDelay_ms))
+    return wrongOption("--sound-delay",
+                       Message("%1 lies outside %2 to %3", d.sound.delay_ms, 0, longestSoundDelay_ms),
+                       Message("Give a number inside"));
   return d.kind == StudyKind::timing ? checkTimes(d) : Result<Done>(Done{});
+}
+
+Result<PressSound> pressSoundOf(const Study& study) {
+  constexpr double longestSound_s = 5;
+  const StudySound& asked = study.design.sound;
+  PressSound sound;
+  sound.rendered = asked.source == renderedSound;
+  sound.level_dB = asked.level_dB;
+  sound.delay_s = asked.delay_ms / 1000;
+  if (sound.rendered || asked.source.empty()) return sound;
+  Result<SoundSamples> samples = readSoundFile(study.folder / asked.source, longestSound_s);
+  if (!samples) return samples.failure();
+  sound.samples = std::move(samples->samples);
+  sound.sampleRate_Hz = samples->sampleRate_Hz;
+  return sound;
 }
 
 PlaybackSettings settingsFor(const Study& study, std::size_t button, FeedbackMode mode) {
@@ -474,6 +517,17 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
     study.profile = *std::move(profile);
     study.profileSha256 = sha256Hex(*text);
   }
+  std::string soundFile;
+  if (!design.sound.source.empty() && design.sound.source != renderedSound) {
+    soundFile = design.sound.source;
+    study.folder = fs::path();
+    if (const Result<PressSound> sound = pressSoundOf(study); !sound) return sound.failure();
+    study.folder = folder;
+    const Result<std::string> bytes = readTextFile(soundFile);
+    if (!bytes) return bytes.failure();
+    study.design.sound.source = "sound" + fs::path(soundFile).extension().string();
+    study.design.sound.sha256 = sha256Hex(*bytes);
+  }
   if (design.kind == StudyKind::threshold)
     if (Result<Done> ok = addUsualLevels(study); !ok) return ok.failure();
   Result<std::vector<StudyStimulus>> stimuli = stimuliOf(study);
@@ -483,7 +537,7 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
   fs::path draft = folder;
   draft += ".part";
   fs::remove_all(draft, error);
-  Result<Done> written = writeParts(draft, study, buttonFiles, profileFile);
+  Result<Done> written = writeParts(draft, study, buttonFiles, profileFile, soundFile);
   if (written) {
     fs::rename(draft, folder, error);
     if (!error) {

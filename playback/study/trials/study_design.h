@@ -16,6 +16,7 @@
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/realtime/press_sound.h"
 #include "playback/study/statistics/press_timing.h"
 #include "playback/study/trials/consent.h"
 #include "playback/study/trials/planned_places.h"
@@ -73,6 +74,15 @@ inline constexpr double worstPreference = 1, bestPreference = 7, greatestMagnitu
 /// Kind of X. Physical: the experimenter hands over the real switch of that number.
 enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
 
+/// What is heard of each press, on a channel of its own (press_sound.h).
+struct StudySound {
+  std::string source;  ///< "rendered", a sound file (of a study: in its folder); empty: nothing
+  std::string sha256;  ///< of the file
+  double level_dB = 0, delay_ms = 0;
+};
+inline constexpr double softestSound_dB = -60, loudestSound_dB = 20, longestSoundDelay_ms = 500;
+inline constexpr const char* renderedSound = "rendered";
+
 /// Limits of a design; checkDesign().
 inline constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
 inline constexpr std::size_t mostTimes = 9;  ///< intervals, windows: each once
@@ -95,6 +105,7 @@ struct StudyDesign {
   std::size_t practice = 0;  ///< trials before the first that counts
   std::size_t pairsEach = 0;  ///< a random subset of so many pairs for each participant; 0: all
   std::uint64_t seed = 0;
+  StudySound sound{};
   std::vector<ConsentText>
       consents;  ///< one for each language; empty: a short standard text in English and in German
 };
@@ -173,6 +184,9 @@ Result<Study> openStudy(const std::filesystem::path& folder);
 /// Checks that this program would make the stimuli feel as the one that made them. Failure unreadableInput
 /// names the button and mode. For running, not for reading results.
 Result<Done> checkStimuli(const Study& study);
+
+/// The sound of presses, read from the study's folder. Failure: as readSoundFile.
+Result<PressSound> pressSoundOf(const Study& study);
 
 /// Settings of a button in a mode, and its program.
 PlaybackSettings settingsFor(const Study& study, std::size_t button, FeedbackMode mode);

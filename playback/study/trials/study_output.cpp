@@ -218,6 +218,18 @@ std::vector<KindColumn> kindColumns(StudyKind kind) {
   return {};
 }
 
+/// Columns of a study whose presses are heard.
+std::string soundFields(const StudyResults& results, const char* between, bool names) {
+  const StudySound& sound = results.sound;
+  std::string text;
+  if (sound.source.empty()) return text;
+  for (const std::string& field :
+       names ? std::vector<std::string>{"sound", "sound_level_dB", "sound_delay_ms"}
+             : std::vector<std::string>{sound.source, exact(sound.level_dB), exact(sound.delay_ms)})
+    text += between + field;
+  return text;
+}
+
 std::string taskName(const StudyResults& results) {
   std::string task;  // BIDS: letters and digits only
   for (const char c : results.study)
@@ -253,7 +265,7 @@ std::string eventsOf(const StudyResults& results, const std::string& participant
       "replays_x\tfirst_press\tcondition";
   const std::vector<KindColumn> more = kindColumns(results.kind);
   for (const KindColumn& column : more) text.append("\t").append(column.name);
-  text += "\tfeel\n";
+  text += "\tfeel" + soundFields(results, "\t", true) + "\n";
   for (const TrialRow& r : results.rows) {
     if (r.participant != participant) continue;
     text += seconds(r.onset_s) + "\t" + seconds(r.answer_s) + "\t" + nameOf(results.kind) + "\t" +
@@ -263,8 +275,7 @@ std::string eventsOf(const StudyResults& results, const std::string& participant
             std::to_string(r.replaysX) + "\t" + seconds(r.firstPress_s) + "\t" + tsvField(r.condition);
     for (const KindColumn& column : more)
       text += "\t" + (r.*column.value ? exact(*(r.*column.value)) : std::string("n/a"));
-    text += "\t" + tsvField(results.feel);
-    text += "\n";
+    text += "\t" + tsvField(results.feel) + soundFields(results, "\t", false) + "\n";
   }
   return text;
 }
@@ -276,7 +287,7 @@ std::string resultsCsv(const StudyResults& results) {
       "study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,answer_s,condition";
   const std::vector<KindColumn> more = kindColumns(results.kind);
   for (const KindColumn& column : more) text.append(",").append(column.name);
-  text += ",feel,finished,site\n";
+  text += ",feel,finished,site" + soundFields(results, ",", true) + "\n";
   for (const TrialRow& r : results.rows) {
     for (const std::string& field :
          {results.study, r.participant, std::to_string(r.trial), r.pair, r.a, r.b, r.x, r.answer})
@@ -287,7 +298,7 @@ std::string resultsCsv(const StudyResults& results) {
     for (const KindColumn& column : more)
       text += "," + (r.*column.value ? exact(*(r.*column.value)) : std::string());
     text += "," + results.feel + (r.finished ? ",1," : ",0,") + csvField(r.site);
-    text += "\n";
+    text += soundFields(results, ",", false) + "\n";
   }
   return text;
 }
@@ -357,6 +368,12 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
         {"replays_beta", "times beta was asked for"},
         {"replays_x", "times X was asked for"}})
     columns[column] = {{"Description", words}};
+  if (!results.sound.source.empty())
+    for (const auto& [column, words] :
+         {std::pair{"sound", "what was heard of each press: a file of the study, or rendered, the vibration"},
+          {"sound_level_dB", "added to it"},
+          {"sound_delay_ms", "after the click that was felt"}})
+      columns[column] = {{"Description", words}};
   for (const KindColumn& column : kindColumns(results.kind))
     columns[column.name] = {{"Description", column.description}};
   const Json people{{"study_id", {{"Description", "the participant's id in the study"}}},
@@ -413,6 +430,9 @@ std::string resultsText(const StudyResults& results) {
   if (results.anyRehearsal) text += "REHEARSAL: there was no sound device; nothing was felt.\n";
   if (!results.source.empty()) text += wrapped(results.source, "");
   if (!results.feel.empty()) text += "Feel: " + results.feel + "\n";
+  if (const StudySound& sound = results.sound; !sound.source.empty())
+    text += "Sound of presses: " + sound.source + ", " + exact(sound.level_dB) + " dB, " +
+            exact(sound.delay_ms) + " ms after the click\n";
   if (!results.groups.empty()) text += "\n" + table1(results);
   for (const FigureTable& table : results.tables) text += "\n" + tableText(table);
   for (const GroupResult& group : results.groups) {

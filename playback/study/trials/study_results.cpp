@@ -460,6 +460,7 @@ StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>&
   results.study = study.name;
   results.kind = study.design.kind;
   results.feel = feels.word(study.design.feel);
+  results.sound = study.design.sound;
   for (std::size_t i = 0; i < study.givenButtons(); ++i) {
     results.labels.push_back(study.buttons[i].label);
     results.names.push_back(study.buttons[i].button.name());

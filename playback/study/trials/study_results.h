@@ -121,6 +121,7 @@ struct StudyResults {
   std::string study;
   std::string source;  ///< of printed counts: where they stand
   StudyKind kind = StudyKind::abx;
+  StudySound sound;                          ///< of presses
   std::string feel;                          ///< "clear", "paper"; empty: printed counts do not tell
   std::vector<std::string> labels, names;    ///< of the buttons
   std::vector<TrialRow> rows;                ///< of all participants

@@ -6,7 +6,7 @@ Real key and pointer events answer; the browser is killed at random moments and 
 No answer may be lost, none may be kept that was not felt, and `study report` and `study merge` read what was downloaded.
 --trials and --kills: how long the test with kills is. SKIPPED where Chromium or its driver is missing.
 """
-import http.client, http.server, json, os, pathlib, random, shutil, signal, subprocess, sys, tempfile, threading, time, unittest
+import http.client, http.server, json, os, pathlib, random, shutil, signal, struct, subprocess, sys, tempfile, threading, time, unittest, wave
 
 FIGURES = {name: int(sys.argv[sys.argv.index(f"--{name}") + 1]) if f"--{name}" in sys.argv else usual for name, usual in (("trials", 10), ("kills", 4))}
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "page"))
@@ -237,6 +237,49 @@ class Station(unittest.TestCase):
             self.assertEqual(len(expected), len(got))
             self.assertLessEqual(max(abs(a - b) for a, b in zip(expected, got)), 1e-6)
             self.assertGreater(max(map(abs, got)), 0.05)
+
+    def test_a_press_is_heard_at_its_delay_and_level(self):
+        recording = self.folder / "click.wav"
+        with wave.open(str(recording), "wb") as out:
+            out.setnchannels(1)
+            out.setsampwidth(2)
+            out.setframerate(48000)
+            out.writeframes(struct.pack("<3h", 16384, -8192, 4096))
+        onsets = []
+        for delay_ms, source in ((0, recording), (20, recording), (10, "rendered")):
+            study = self.study(f"heard{delay_ms}", "B", "--kind", "rating", "--trials", 1, "--sound", source, "--sound-delay", delay_ms, "--sound-level", -6)
+            self.open(self.station(study))
+            felt, heard = self.browser.run("return detent.heard(0)")
+            gain, late = 10 ** (-6 / 20), 48 * delay_ms
+            if source == "rendered":
+                self.assertGreater(max(map(abs, heard)), 0.01)
+                self.assertLess(max(abs(h - gain * f) for h, f in zip(heard[late:], felt)), 1e-6)
+                continue
+            onsets.append(next(i for i, sample in enumerate(heard) if sample))
+            for got, expected in zip(heard[onsets[-1]:onsets[-1] + 4], (0.5, -0.25, 0.125, 0)):
+                self.assertAlmostEqual(got, gain * expected, 6)
+            self.assertEqual(sum(1 for sample in heard if sample), 3)
+        self.assertEqual(onsets[1] - onsets[0], 960)
+        self.begin()
+        self.key(" ")
+        self.browser.wait("return document.querySelector('[data-felt]')")
+        self.key("5")
+        self.browser.wait("return document.getElementById('end')")
+        header = json.loads(self.journal().splitlines()[0])
+        self.assertEqual(header["sound"], {"source": "rendered", "level_dB": -6.0, "delay_ms": 10.0})
+
+    def test_same_or_different(self):
+        study = self.study("same", "AB", "--kind", "same-different", "--trials", 4)
+        self.open(self.station(study))
+        self.begin()
+        for target in self.targets():
+            self.answer("1", "2", "ab"[target])
+        self.browser.wait("return document.getElementById('end')")
+        told = events(self.handed_over(study), "answer")
+        self.assertEqual(sorted((*a["choices"], a["x"], a["answer"]) for a in told),
+                         [("A", "A", "same", "same"), ("A", "B", "different", "different"), ("B", "A", "different", "different"), ("B", "B", "same", "same")])
+        [row] = json.loads(play("study", "report", study, "--json").stdout)["tables"][0]["rows"]
+        self.assertEqual((row["hits_percent"], row["false_alarms_percent"]), (100, 0))
 
     def test_a_threshold_study_asks_what_the_program_asks(self):
         study = self.study("threshold", "C", "--kind", "threshold", "--quantity", "travel", "--trials", 6)

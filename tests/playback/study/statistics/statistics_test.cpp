@@ -9,6 +9,7 @@
 #include "playback/study/statistics/paired_difference.h"
 #include "playback/study/statistics/rank_correlation.h"
 #include "playback/study/statistics/resampling.h"
+#include "playback/study/statistics/same_different.h"
 #include "playback/study/statistics/shuffle.h"
 
 using namespace detent::playback;
@@ -252,4 +253,27 @@ TEST_CASE("Spearman: its p by shuffling") {
   CHECK(spearmanP(x, {10, 9, 8, 7, 6, 5, 4, 3, 2, 1}) == Approx(1).margin(1e-3));
   CHECK(spearmanP(x, std::vector<double>(10, 1)) == 1);
   CHECK(spearmanP(x, {2, 1, 4, 3, 6, 5, 7, 10, 9, 8}) < 0.01);
+}
+
+// Right values: tests/cli/same_different_test.py, by scipy.
+TEST_CASE("same/different: d' by both models, its likelihood interval, and an exact p", "[study]") {
+  const SameDifferentDPrime d = dPrimeOf({60, 48, 60, 21});
+  CHECK(d.differencing == Approx(2.4944355544765506).epsilon(1e-9));
+  CHECK(d.independent == Approx(1.982979769666547).epsilon(1e-9));
+  CHECK(d.low == Approx(1.8467755691813572).epsilon(1e-5));
+  REQUIRE(d.high);
+  CHECK(*d.high == Approx(3.132826477253325).epsilon(1e-5));
+  CHECK_FALSE(d.moved);
+  const SameDifferentDPrime perfect = dPrimeOf({10, 10, 10, 0});
+  CHECK(perfect.differencing == Approx(5.097981776093407).epsilon(1e-9));
+  CHECK(perfect.independent == Approx(3.8976437250145435).epsilon(1e-9));
+  CHECK(perfect.moved);
+  CHECK_FALSE(perfect.high);
+  CHECK(perfect.low > 1);
+  const SameDifferentDPrime none = dPrimeOf({40, 12, 40, 14});
+  CHECK(none.differencing == 0);
+  CHECK(none.low == 0);
+  CHECK(none.high);
+  CHECK(guessedP({{10, 7, 10, 3}, {10, 9, 10, 6}}) == Approx(0.021648169785911924).epsilon(1e-9));
+  CHECK(guessedP({{10, 0, 10, 0}, {10, 10, 10, 10}}) == Approx(1));  // always the same answer says nothing
 }

@@ -365,3 +365,33 @@ TEST_CASE("a threshold answers threshold studies only") {
   CHECK_FALSE(simulationNamed("threshold=0"));
   CHECK_FALSE(simulationNamed("threshold=0.1x"));
 }
+
+TEST_CASE("same/different: order and sameness are balanced, felt and kept", "[study]") {
+  StudyDesign design;
+  design.kind = StudyKind::sameDifferent;
+  design.trials = 8;
+  const StudyFolder made(design, {"A", "B"});
+  std::map<std::vector<std::size_t>, std::size_t> felt;
+  for (const Trial& trial : planTrials(*made.study, "P1")) {
+    const std::vector<std::size_t> buttons = feltButtons(design, trial);
+    ++felt[buttons];
+    CHECK((buttons[0] == buttons[1]) == (answerName(*made.study, trial, trial.target) == "same"));
+  }
+  CHECK(felt ==
+        std::map<std::vector<std::size_t>, std::size_t>{{{0, 0}, 2}, {{0, 1}, 2}, {{1, 0}, 2}, {{1, 1}, 2}});
+  Answer both;
+  both.felt = {{1, 1, 0, 0}, {1, 0, 0, 0}};
+  CHECK_FALSE(feltEnough(*made.study, both));
+  both.felt[1].whole = 1;
+  CHECK(feltEnough(*made.study, both));
+  Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P1", simulatedStart);
+  REQUIRE(session);
+  const Simulation perfect = *simulationNamed("perfect");
+  while (const Trial* trial = session->trial())
+    REQUIRE(session->record(simulatedAnswer(*made.study, "P1", *trial, perfect)));
+  const StudyResults results = resultsIn(*made.study);
+  REQUIRE(results.tables.size() == 1);
+  CHECK(number(results.tables[0], 0, "hits_percent") == 100);
+  CHECK(number(results.tables[0], 0, "false_alarms_percent") == 0);
+  CHECK(number(results.tables[0], 0, "different") == 4);
+}
