@@ -291,7 +291,8 @@ TEST_CASE("an encoder that dies under a pressing finger: no force after 20 ms, n
         settings.encoderStep_mm = device.step_mm;
         Presses press;
         press.down_s = down_s;
-        press.rest_s = 0.02;
+        press.push_N = 1;
+        press.rest_s = 0.08;
         press.up_s = 0.04;
         std::int64_t dies = 0;
         std::vector<LoopStep> healthy = ClosedLoop(program, settings, pressing(press)).runUntil(1);
