@@ -277,7 +277,7 @@ double ForceGuard::watchedCount(double force_N) {
   } else if (uncounted_s_ >= uncountedFor_s) {
     counts_.probed += before_s < uncountedFor_s ? 1 : 0;
     believed_ = std::max(0.0, believed_ - elapsed_s_ / probe_s);
-  } else {
+  } else if (running_) {  // a force that fades does not come back by the way
     believed_ = std::min(1.0, believed_ + elapsed_s_ / probed_s);
   }
   if (believed_ == 0 && watched && uncounted_s_ >= uncountedFor_s + probe_s + withoutForce_s)

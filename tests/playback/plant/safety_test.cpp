@@ -69,9 +69,9 @@ TEST_CASE("a start at any depth rises no faster than the ramp of the largest for
     for (double max_N : {1.0, 5.0}) {
       const playback::ForceProgram program = preparedFor(sampleButton(name), limitedTo(max_N));
       for (double depth_mm = 0; depth_mm <= 50; depth_mm += 0.5) {
-        Told told(program);
+        Told started(program);
         for (std::int64_t k = 0; k < 300; ++k) {
-          const double force_N = told.step(depth_mm);
+          const double force_N = started.step(depth_mm);
           INFO(name << ", at most " << max_N << " N, started at " << depth_mm << " mm, after " << k + 1
                     << " ms");
           REQUIRE(std::abs(force_N) <= rampAt(k + 1, program.period_s, max_N));
@@ -274,6 +274,32 @@ TEST_CASE("no press of a healthy device is taken for a fault", "[speed]") {
   }
 }
 
+TEST_CASE("a finger that holds still is not taken for a dead encoder", "[dead]") {
+  for (const std::string& name : buttons) {
+    for (const double step_mm : {0.01, 0.038}) {
+      playback::ForceDeviceProfile device = playback::voiceCoilRig();
+      device.limits.force_N = 5;
+      device.watchesEncoder = true;
+      device.step_mm = step_mm;
+      device.mass_kg = 0.1;
+      const playback::ForceProgram program = preparedFor(sampleButton(name), device);
+      for (const double share : {0.2, 0.5, 0.65}) {
+        const double at_mm = share * program.limits.travelEnd_mm;
+        LoopSettings settings;
+        settings.handle = handleOf(device);
+        settings.handle.motorLag_s = 0.0003;
+        settings.encoderStep_mm = step_mm;
+        settings.start_mm = at_mm;
+        settings.finger.stiffness_N_per_mm = 0.5;
+        ClosedLoop loop(program, settings, holding(at_mm, Told(program).restAt(at_mm)));
+        loop.runUntil(2.5);
+        INFO(name << " at " << at_mm << " mm, steps of " << step_mm << " mm");
+        CHECK(loop.engine().halt() == playback::ForceHalt::none);
+      }
+    }
+  }
+}
+
 TEST_CASE("an encoder that dies under a pressing finger: no force after 20 ms, nowhere far beyond the travel",
           "[dead]") {
   playback::ForceDeviceProfile device = playback::voiceCoilRig();
@@ -291,7 +317,8 @@ TEST_CASE("an encoder that dies under a pressing finger: no force after 20 ms, n
         settings.encoderStep_mm = device.step_mm;
         Presses press;
         press.down_s = down_s;
-        press.rest_s = 0.02;
+        press.push_N = 1;
+        press.rest_s = 0.08;
         press.up_s = 0.04;
         std::int64_t dies = 0;
         std::vector<LoopStep> healthy = ClosedLoop(program, settings, pressing(press)).runUntil(1);

@@ -53,7 +53,7 @@ class Fault:
 
 
 def faults():
-    yield Fault("motor reversed", 0.05, POLARITY, link={"motor_sign": -1}, links=("serial", "ODrive"))
+    yield Fault("motor reversed", 0.05, POLARITY, link={"motor_sign": -1}, odrive_s=0.05)
     yield Fault("motor dead", None, link={"motor_sign": 0})
     yield Fault("encoder reversed", None, link={"encoder_sign": -1})
     yield Fault("encoder reversed, the finger leaves", None, link={"encoder_sign": -1}, change={"leaves_s": FAULT_S})
