@@ -340,7 +340,7 @@ TEST_CASE("titles that speak for neither a displacement nor a force are refused"
     return rowsOf([&](double x, double f, int) { return formatted(form, x, f, 0.5 * f); });
   };
   for (const std::string& text :
-       {"Foo,Bar\n" + rows("%.4f,%.4f\n"), "std,average\n" + rows("%.4f,%.4f,%.4f\n"),
+       {"Foo,Bar\n" + rows("%.4f,%.4f\n"), "std,average,more\n" + rows("%.4f,%.4f,%.4f\n"),
         "raw,average,std,stdstd\n" + rows("%.4f,%.4f,%.4f\n")}) {
     CAPTURE(text.substr(0, 30));
     const LayoutFile file(text);
