@@ -27,6 +27,11 @@ std::string memberOf(const nlohmann::json& object, const char* name) {
   return object.is_object() && object.contains(name) && object[name].is_string() ? object[name] : "";
 }
 
+/// A name as the report and the journal have it: bytes that are no UTF-8 are replaced there.
+std::string asWritten(const std::string& input) {
+  return nlohmann::json::parse(jsonText(nlohmann::json(input))).get<std::string>();
+}
+
 std::string journalLine(const std::string& input, const Entry& entry) {
   return jsonText(nlohmann::json{{"input", input}, {"key", entry.key}, {"lines", entry.lines}}) + "\n";
 }
@@ -83,12 +88,13 @@ Result<BatchReport> BatchReport::open(const std::string& folder, const std::vect
     auto linesOf = linesOfInputs(report.path_);
     std::string lines, journalLines;
     for (const std::string& input : inputs) {
-      const auto known = entries.find(input);
+      const std::string written = asWritten(input);
+      const auto known = entries.find(written);
       if (known == entries.end() || known->second.key.empty() || report.has(input)) continue;
-      if (countLines(linesOf[input]) != known->second.lines || keyOf(input) != known->second.key) continue;
+      if (countLines(linesOf[written]) != known->second.lines || keyOf(input) != known->second.key) continue;
       report.done_.insert(input);
       journalLines += journalLine(input, known->second);
-      lines += linesOf[input];
+      lines += std::exchange(linesOf[written], "");
     }
     // The journal shrinks first: what it names is in the report at any moment.
     if (!writeTextFileAtomically(journal, journalLines) || !writeTextFileAtomically(report.path_, lines))
@@ -121,7 +127,7 @@ Result<Done> BatchReport::sortAs(const std::vector<std::string>& inputs) {
   report_.close();
   auto linesOf = linesOfInputs(path_);
   std::string lines;
-  for (const std::string& input : inputs) lines += std::exchange(linesOf[input], "");
+  for (const std::string& input : inputs) lines += std::exchange(linesOf[asWritten(input)], "");
   return writeTextFileAtomically(path_, lines);
 }
 

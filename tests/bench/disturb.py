@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Workflow engines that are disturbed: python3 tests/bench/disturb.py [--pages N] [--build FOLDER] [--engine NAME...]
 
-N drawn pages (a quarter SVG, the rest logs of a force meter) are read by Snakemake on Slurm, Snakemake alone, GNU parallel and `detent-import
+N drawn pages (one in 16 SVG, the rest logs of a force meter) are read by Snakemake on Slurm, Snakemake alone, GNU parallel and `detent-import
 --batch --resume`, one after the other in the same folder of pages. Each disturbance first replaces pages by others, older than all results,
 so that there is work; after it the engine runs until it is content, and its merged report is compared line by line with a serial run.
 Slurm: one node, set up as tests/samples/cluster_test.py does, as root.
@@ -33,6 +33,11 @@ def scaled_log(log, factor):
     return re.sub(r"^(\d+,[^,]*,)(-?[\d.]+)", lambda row: f"{row[1]}{float(row[2]) * factor:.4f}", log, flags=re.M)
 
 
+def as_written(name):
+    """A name as a report has it: bytes that are no UTF-8 are replaced."""
+    return os.fsencode(name).decode(errors="replace")
+
+
 class Pages:
     """The pages on disk, and what a serial run makes of each content."""
 
@@ -44,7 +49,7 @@ class Pages:
         self.folder, self.program, self.drawn, self.truth = folder, build / "bin/detent-import", 0, {}
         (folder / "pages").mkdir()
         for number in range(count):
-            self.write(f"page-{number:04}{'.csv' if number % 4 else '.svg'}")
+            self.write(f"page-{number:04}{'.csv' if number % 16 else '.svg'}")
 
     def write(self, name, age_s=None):
         """A page with numbers that no page had before."""
@@ -80,10 +85,11 @@ class Pages:
         for name in unseen:
             self.truth[digest[name]] = []
         if unseen:
+            written = {as_written(name): digest[name] for name in unseen}
             for graph in self.serial(unseen, "unseen"):
-                self.truth[digest[graph["input"].removeprefix("pages/")]].append(graph)
+                self.truth[written[graph["input"].removeprefix("pages/")]].append(graph)
             shutil.rmtree(self.folder / "unseen")
-        return [{**graph, "input": f"pages/{name}"} for name in self.names() for graph in self.truth[digest[name]]]
+        return [{**graph, "input": f"pages/{as_written(name)}"} for name in self.names() for graph in self.truth[digest[name]]]
 
 
 def page_at_work(folder):
@@ -322,7 +328,7 @@ class Recipe:
         by_page = {}
         for graph in whole:
             by_page.setdefault("./" + graph["input"], []).append(graph)
-        return [{**graph, "input": page} for names in self.lists().values() for page in names for graph in by_page[page]]
+        return [{**graph, "input": as_written(page)} for names in self.lists().values() for page in names for graph in by_page[as_written(page)]]
 
 
 class Alone(Recipe):
@@ -402,6 +408,7 @@ def disturbances(engine, pages):
         yield "a batch killed", replace(12), engine.kill_batch
         yield "terminated", replace(13), lambda: engine.kill_engine(signal.SIGTERM)
         yield "a list between old ones", lambda: pages.write("page-0100b.csv", LONG_AGO_s), None
+        yield "pages renamed, odd names", lambda: rename_oddly(pages), None
 
 
 def differences(found, wanted):

@@ -515,6 +515,21 @@ TEST_CASE("No results are written over those of a page that is kept") {
                                             "x/q/p.csv out/q-p-3.button.json"});
 }
 
+TEST_CASE("A resumed batch keeps the lines of pages whose names are no UTF-8") {
+  const ProgramFolder folder("import_bytes_in_names");
+  for (const char* name : {"\xff.txt", "\xfe.txt", "z.txt"}) folder.write(name, "not a picture");
+  const auto batch = [&] {
+    REQUIRE(import(folder, {"--batch", "\xff.txt", "\xfe.txt", "z.txt", "--out-dir", "out", "--resume"})
+                .exitCode == 0);
+    return folder.read("out/report.jsonl");
+  };
+  const std::string first = batch();
+  CHECK(std::count(first.begin(), first.end(), '\n') == 3);
+  CHECK(batch() == first);
+  folder.write("z.txt", "changed");
+  CHECK(batch() == first);
+}
+
 TEST_CASE("an SVG without the program that draws it is refused by that program's name") {
   const ProgramFolder folder("import_without_worker");
   const std::string alone = (folder.path() / "detent-import").string();
