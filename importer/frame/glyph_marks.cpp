@@ -52,12 +52,12 @@ int lineThickness(const cv::Mat& ink, double x, int y0, int y1) {
 }
 
 /// Thickness of a nearly horizontal line at row `y` between two columns; 0 if there is none.
-int rowLineThickness(const cv::Mat& ink, double y, int x0, int x1) {
-  if (ink.rows < 4) return 0;
-  const int at = std::clamp(static_cast<int>(std::lround(y)), 1, ink.rows - 2);
+int rowLineThickness(const cv::Mat& marks, double y, int x0, int x1) {
+  if (marks.rows < 4) return 0;
+  const int at = std::clamp(static_cast<int>(std::lround(y)), 1, marks.rows - 2);
   const int from = std::max(0, at - 2 * maxHalfEdge_px - 2);
-  const int to = std::min(ink.rows, at + 2 * maxHalfEdge_px + 3);
-  return lineThickness(ink.rowRange(from, to).t(), at - from, x0, x1);
+  const int to = std::min(marks.rows, at + 2 * maxHalfEdge_px + 3);
+  return lineThickness(marks.rowRange(from, to).t(), at - from, x0, x1);
 }
 
 /// Length of each column's line from row 0 down until it gets wider: its tick. Wider marks are labels close
@@ -163,7 +163,7 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
     return places;
   };
   // The strip beyond each side in turn is rotated to the bottom; the rest of the picture has no ticks.
-  const int tall = longestTick(frame.height()), wide = longestTick(frame.width());
+  const int rows = longestTick(frame.height()), columns = longestTick(frame.width());
   const auto eraseIn = [&](cv::Mat strip, bool sideways, bool mirror, const std::vector<double>& at,
                            int longest) {
     if (strip.empty()) return;
@@ -174,11 +174,12 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
     if (sideways) turned = cv::Mat(turned.t());
     turned.copyTo(strip);
   };
-  eraseIn(out.rowRange(std::min(y1, out.rows), std::min(out.rows, y1 + tall + 1)), false, false, xLines,
-          tall);
-  eraseIn(out.rowRange(std::max(0, y0 - tall - 1), y0), false, true, mirrored(xLines, out.cols), tall);
-  eraseIn(out.colRange(std::min(x1, out.cols), std::min(out.cols, x1 + wide + 1)), true, false, yLines, wide);
-  eraseIn(out.colRange(std::max(0, x0 - wide - 1), x0), true, true, mirrored(yLines, out.rows), wide);
+  eraseIn(out.rowRange(std::min(y1, out.rows), std::min(out.rows, y1 + rows + 1)), false, false, xLines,
+          rows);
+  eraseIn(out.rowRange(std::max(0, y0 - rows - 1), y0), false, true, mirrored(xLines, out.cols), rows);
+  eraseIn(out.colRange(std::min(x1, out.cols), std::min(out.cols, x1 + columns + 1)), true, false, yLines,
+          columns);
+  eraseIn(out.colRange(std::max(0, x0 - columns - 1), x0), true, true, mirrored(yLines, out.rows), columns);
   return out;
 }
 
