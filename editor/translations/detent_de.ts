@@ -9878,6 +9878,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>whether column %1 is a force is not known</source>
         <translation>ob Spalte %1 eine Kraft ist, ist nicht bekannt</translation>
     </message>
+    <message>
+        <source>its %1 formulas have no results: no program has calculated them</source>
+        <translation>seine %1 Formeln haben keine Ergebnisse: kein Programm hat sie berechnet</translation>
+    </message>
+    <message>
+        <source>Open it in a spreadsheet program and save it there</source>
+        <translation>In einem Tabellenprogramm öffnen und dort speichern</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::LogReader::Refuse</name>

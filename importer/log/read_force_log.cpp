@@ -210,7 +210,13 @@ class LogReader {
                             Message("Export fewer switches into one file"));
         auto sheets = tablesOfSpreadsheet(*bytes, subject);
         if (!sheets) return sheets.failure();
-        return fromSheets(std::move(*sheets), subject, eitherStroke);
+        auto found = fromSheets(std::move(*sheets), subject, eitherStroke);
+        if (!found && found.failure().code == FailureCode::noForceGraph)
+          if (const std::size_t formulas = uncalculatedFormulas(*bytes); formulas > 0)
+            return unreadable(
+                Message("its %1 formulas have no results: no program has calculated them", formulas),
+                Message("Open it in a spreadsheet program and save it there"));
+        return found;
       }
       default:
         break;

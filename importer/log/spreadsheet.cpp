@@ -190,9 +190,25 @@ std::size_t columnOfReference(std::string_view reference) {
   return column == 0 ? 0 : column - 1;
 }
 
+/// Number of formulas if no program has calculated them: each result is 0, as XlsxWriter writes it, or none. 0 if
+/// one has another result, or there are so few that zeros may be true.
+std::size_t uncalculatedIn(const pugi::xml_node& worksheet) {
+  constexpr std::size_t fewest = 5;
+  std::size_t formulas = 0;
+  for (const pugi::xml_node row : worksheet.child("sheetData").children("row"))
+    for (const pugi::xml_node cell : row.children("c")) {
+      if (!cell.child("f")) continue;
+      const std::string_view result = cell.child("v").text().get();
+      if (!result.empty() && result != "0") return 0;
+      ++formulas;
+    }
+  return formulas < fewest ? 0 : formulas;
+}
+
 Table tableOfXlsx(const pugi::xml_node& worksheet, const std::vector<std::string>& shared, std::string name) {
   Table table;
   table.name = std::move(name);
+  const bool isUncalculated = uncalculatedIn(worksheet) > 0;
   SheetRows rows(table);
   long number = 0;
   for (const pugi::xml_node row : worksheet.child("sheetData").children("row")) {
@@ -211,7 +227,7 @@ Table tableOfXlsx(const pugi::xml_node& worksheet, const std::vector<std::string
           text = shared[static_cast<std::size_t>(index)];
       } else if (type == "inlineStr") {
         appendText(cell.child("is"), text);
-      } else if (type != "e") {
+      } else if (type != "e" && !(isUncalculated && cell.child("f"))) {
         text = cell.child("v").text().get();
       }
       rows.set(column++, std::move(text));
@@ -300,6 +316,18 @@ Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const s
     keep(tableOfXlsx((*document)->child("worksheet"), shared, name));
   }
   return tables;
+}
+
+std::size_t uncalculatedFormulas(const std::string& bytes) {
+  const Libzip* const libzip = Libzip::get();
+  if (libzip == nullptr) return 0;
+  const Archive archive(*libzip, bytes);
+  std::size_t formulas = 0;
+  if (!archive) return 0;
+  for (const auto& [path, name] : worksheetsOf(archive))
+    if (const auto document = xmlOf(archive.read(path)))
+      formulas += uncalculatedIn((*document)->child("worksheet"));
+  return formulas;
 }
 
 }  // namespace detent::importer

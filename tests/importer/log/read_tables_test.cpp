@@ -590,6 +590,40 @@ TEST_CASE("a pair of files is one button") {
   checkButton(*log);
 }
 
+TEST_CASE("results of formulas that no program has calculated are no numbers") {
+  enum class Results { right, zero, none };
+  // Force as a formula, as XlsxWriter (0) and openpyxl (none) save it; beside it a load in grams, or nothing.
+  const auto sheet = [](Results results, bool withLoad) {
+    std::string xml =
+        "<worksheet><sheetData><row><c t=\"inlineStr\"><is><t>Travel (mm)</t></is></c>"
+        "<c t=\"inlineStr\"><is><t>Force (N)</t></is></c>";
+    if (withLoad) xml += "<c t=\"inlineStr\"><is><t>Load (gf)</t></is></c>";
+    xml += "</row>";
+    for (int i = 0; i <= 320; ++i) {
+      const bool press = i <= 160;
+      const double x = travel_mm * (press ? i : 320 - i) / 160, force_N = buttonForce_N(x, press);
+      const auto value = [](double v) { return "<v>" + std::to_string(v) + "</v>"; };
+      xml += "<row><c>" + value(x) + "</c><c><f>C2*0.00980665</f>" +
+             (results == Results::right  ? value(force_N)
+              : results == Results::zero ? "<v>0</v>"
+                                         : "") +
+             "</c>" + (withLoad ? "<c>" + value(force_N / 0.00980665) + "</c>" : "") + "</row>";
+    }
+    return test::zipOf("xl/worksheets/sheet1.xml", xml + "</sheetData></worksheet>");
+  };
+  for (const Results results : {Results::right, Results::zero, Results::none}) {
+    CAPTURE(static_cast<int>(results));
+    const LayoutFile beside(sheet(results, true), "beside.xlsx");
+    const auto log = readForceLog(beside.path());
+    if (!log) FAIL(log.failure().sentence());
+    checkButton(*log);
+    const LayoutFile alone(sheet(results, false), "alone.xlsx");
+    const auto read = readForceLog(alone.path());
+    CHECK(read.ok() == (results == Results::right));
+    if (!read) CHECK_THAT(read.failure().sentence(), Catch::Contains("its 321 formulas have no results"));
+  }
+}
+
 TEST_CASE("sheets named as strokes are one button") {
   const auto table = [](const std::string& name, const char* titles, bool press, bool rises, double newton,
                         double scale) {
