@@ -274,7 +274,7 @@ class Recipe:
                 path.write_text("".join(f"{name}\n" for name in kept), errors="surrogateescape")
         new = sorted(there - listed)
         if new:
-            self.write_list(f"list {len(self.lists()) // 2} and a half", [name.removeprefix("./pages/") for name in new])
+            self.write_list(f"list {len(self.lists()) // 2} and {len(self.lists())}", [name.removeprefix("./pages/") for name in new])
 
     def environment(self):
         return {**os.environ, "PATH": f"{self.bin}:/usr/bin:/bin", "HOME": str(self.folder)}

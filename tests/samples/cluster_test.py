@@ -29,7 +29,7 @@ STATUS = Path(__file__).resolve().parents[2] / "samples/cluster/profiles/slurm/s
 RUNNING = " PENDING CONFIGURING RUNNING COMPLETING SUSPENDED STOPPED RESIZING REQUEUED REQUEUE_FED SIGNALING STAGE_OUT"
 HELD = " RESV_DEL_HOLD REQUEUE_HOLD SPECIAL_EXIT REVOKED"
 FAILED = " BOOT_FAIL CANCELLED DEADLINE FAILED NODE_FAIL OUT_OF_MEMORY PREEMPTED TIMEOUT"
-ODD_NAMES = ["log {3f2504e0}.csv", "#it's $HOME 100%.csv", "[1]*, -ü.csv", "log-1.csv"]
+ODD_NAMES = [os.fsdecode(b"log {3f2504e0} \xff.csv"), "#it's $HOME 100%.csv", "[1]*, -ü.csv", "log-1.csv"]
 # Stands in for detent-import: waits until a file is there, and tells of each batch that begins and of two that share a folder.
 WATCHED = """#!/bin/bash
 case " $* " in *" --batch "*) ;; *) exec {program} "$@" ;; esac

@@ -663,10 +663,12 @@ TEST_CASE("results of formulas that no program has calculated are no numbers") {
   };
   for (const Results results : {Results::right, Results::zero, Results::none}) {
     CAPTURE(static_cast<int>(results));
-    const LayoutFile beside(sheet(results, true), "beside.xlsx");
-    const auto log = readForceLog(beside.path());
-    if (!log) FAIL(log.failure().sentence());
-    checkButton(*log);
+    if (results != Results::right) {  // calculated ones are a second record
+      const LayoutFile beside(sheet(results, true), "beside.xlsx");
+      const auto log = readForceLog(beside.path());
+      if (!log) FAIL(log.failure().sentence());
+      checkButton(*log);
+    }
     const LayoutFile alone(sheet(results, false), "alone.xlsx");
     const auto read = readForceLog(alone.path());
     CHECK(read.ok() == (results == Results::right));
