@@ -57,6 +57,8 @@ class Participant {
   }
 
  private:
+  StudyTrouble trouble() { return player_.troubleSinceAsked(); }
+
   /// Keys that go to the device. False: the participant leaves.
   bool obeyed(char typed) {
     if (typed == 'e') player_.stopForce();
@@ -65,9 +67,9 @@ class Participant {
   }
 
   /// Waits until the device is there again.
-  bool deviceBack(StudyTrouble trouble) {
-    say(std::string("lost: ") + nameOf(trouble));
-    while (player_.troubleSinceAsked() != StudyTrouble::none)
+  bool deviceBack(StudyTrouble why) {
+    say(std::string("lost: ") + nameOf(why));
+    while (trouble() != StudyTrouble::none)
       if (const auto typed = key(answerPoll_s); typed && !obeyed(*typed)) return false;
     return true;
   }
@@ -87,31 +89,31 @@ class Participant {
   }
 
   Result<bool> answered() {
-    TrialDesk desk(study_, *session_.trial(), began_s_, player_.clock_s());
+    TrialDesk work(study_, *session_.trial(), began_s_, player_.clock_s());
     player_.beginTrial();
-    player_.troubleSinceAsked();
+    trouble();
     for (;;) {
-      if (const StudyTrouble trouble = player_.troubleSinceAsked(); trouble != StudyTrouble::none) {
-        if (Result<Done> ok = session_.interrupted(nameOf(trouble)); !ok) return ok.failure();
-        return deviceBack(trouble);
+      if (const StudyTrouble why = trouble(); why != StudyTrouble::none) {
+        if (Result<Done> ok = session_.interrupted(nameOf(why)); !ok) return ok.failure();
+        return deviceBack(why);
       }
       const std::optional<char> typed = key(answerPoll_s);
-      desk.felt(player_.takeFelt());
+      work.felt(player_.takeFelt());
       if (!typed) continue;
       if (!obeyed(*typed)) return false;
-      const std::size_t choices = desk.trial().choices.size();
-      const std::size_t slot = *typed == 'x' ? desk.slotOfX() : static_cast<std::size_t>(*typed - '1');
+      const std::size_t choices = work.trial().choices.size();
+      const std::size_t slot = *typed == 'x' ? work.slotOfX() : static_cast<std::size_t>(*typed - '1');
       if (*typed == 'x' || (*typed >= '1' && slot < choices)) {
-        player_.press(slot, desk.buttonIn(slot), desk.trial().mode);
-        desk.tried(slot, player_.clock_s());
+        player_.press(slot, work.buttonIn(slot), work.trial().mode);
+        work.tried(slot, player_.clock_s());
       }
       const auto choice = static_cast<std::size_t>(*typed - 'a');
       if (*typed < 'a' || choice >= choices) continue;
-      if (!desk.mayAnswer()) {
+      if (!work.mayAnswer()) {
         say("early");
         continue;
       }
-      if (Result<Done> ok = session_.record(desk.answer(choice, player_.clock_s())); !ok) return ok.failure();
+      if (Result<Done> ok = session_.record(work.answer(choice, player_.clock_s())); !ok) return ok.failure();
       say("answered");
       return true;
     }

@@ -379,11 +379,11 @@ TEST_CASE("same/different: order and sameness are balanced, felt and kept", "[st
   }
   CHECK(felt ==
         std::map<std::vector<std::size_t>, std::size_t>{{{0, 0}, 2}, {{0, 1}, 2}, {{1, 0}, 2}, {{1, 1}, 2}});
-  Answer both;
-  both.felt = {{1, 1, 0, 0}, {1, 0, 0, 0}};
-  CHECK_FALSE(feltEnough(*made.study, both));
-  both.felt[1].whole = 1;
-  CHECK(feltEnough(*made.study, both));
+  Answer given;
+  given.felt = {{1, 1, 0, 0}, {1, 0, 0, 0}};
+  CHECK_FALSE(feltEnough(*made.study, given));
+  given.felt[1].whole = 1;
+  CHECK(feltEnough(*made.study, given));
   Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P1", simulatedStart);
   REQUIRE(session);
   const Simulation perfect = *simulationNamed("perfect");
