@@ -10,7 +10,6 @@
 #include <tuple>
 #include <vector>
 
-#include "importer/page/mupdf_context.h"
 #include "importer/page/page.h"
 
 namespace detent::importer {
@@ -97,9 +96,5 @@ std::optional<Box> uprightRectangle(const std::vector<std::vector<Point>>& polyl
 
 /// Leaves one of lines that have one colour and form and stand nearly in one place.
 void dropRepeats(std::vector<VectorPath>& paths);
-
-/// Device that hands the letters of `seen` on to `target` (kept), each once, and nothing else of a page. It counts in `seen`,
-/// which outlives the device.
-fz_device* newSeenTextDevice(fz_context* context, fz_device* target, LetterKeys* seen);
 
 }  // namespace detent::importer

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace detent::importer {
 namespace {
@@ -123,16 +122,6 @@ double turnedAngle(double angle_deg, int quarterTurns) {
   double angle = std::remainder(angle_deg - 90.0 * quarterTurns, 360.0);
   if (angle <= -180) angle += 360;
   return angle == 0 ? 0 : angle;
-}
-
-VectorPath transformedPath(const VectorPath& path, const Affine& map) {
-  VectorPath out = path;
-  for (auto& line : out.polylines)
-    for (Point& p : line) p = map(p);
-  out.strokeWidth = path.strokeWidth * std::sqrt(std::abs(map.a * map.d - map.b * map.c));
-  out.box = map.boxOf(path.box);
-  if (path.clip) out.clip = map.boxOf(*path.clip);
-  return out;
 }
 
 }  // namespace
