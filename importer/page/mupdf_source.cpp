@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <list>
+#include <span>
 #include <string_view>
 
 #include "importer/page/broken_images.h"
@@ -21,6 +22,7 @@ constexpr double overviewDpi = 150;  // enough for labels of 5 pt
 /// Points up and down of one object that are drawn in a second at the least, from lines over the whole page: 1.5e7 took 13 s.
 constexpr double risePerSecond = 2.5e5;
 constexpr double overviewMaxSide_px = 2000;
+constexpr int letterContrast = 60;        // levels, in the box of a letter that is seen
 constexpr int overviewAntialiasBits = 6;  // half the time of 8 on pages with 1e5 glyph outlines
 
 /// Calls a function at the end of its scope.
@@ -45,12 +47,6 @@ struct RecordedPage {
   RecordedPage(const RecordedPage&) = delete;
   RecordedPage& operator=(const RecordedPage&) = delete;
   ~RecordedPage() { fz_drop_display_list(context, list); }
-
-  void startOver() {
-    fz_drop_display_list(context, list);
-    list = nullptr;
-    collected = {};
-  }
 };
 
 class MupdfSource : public PageSource {
@@ -91,14 +87,11 @@ class MupdfSource : public PageSource {
   bool measure(RecordedPage& page, fz_page* loaded, std::string& error);
   bool runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control, const Progress& progress,
                    std::string& error);
-  std::optional<Failure> drawn(const RecordedPage& page, const Progress& progress,
-                               const std::function<void(fz_cookie&)>& draw);
   std::optional<Failure> drawnOn(const RecordedPage& page, const fz_matrix& matrix, const fz_rect& area,
                                  const Progress& progress, const std::function<fz_device*()>& newDevice);
   Result<std::vector<TextBox>> textsOf(const RecordedPage& page, LetterKeys seen, const Progress& progress);
   Result<Raster> render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits,
                         const Progress& progress);
-  std::vector<Remark> remarksFor(int number) const;
 
   SourceFile file_;
   MupdfContext context_;
@@ -115,19 +108,15 @@ Failure MupdfSource::damaged(const std::string& place, const std::string& error)
       Message("Open it in a viewer and print or export it again, or import a picture of the page"));
 }
 
-bool endsWithMark(const Bytes& bytes) {
-  constexpr std::size_t tail = 4096;
-  const std::size_t n = std::min(bytes.size(), tail);
-  const std::string_view end(reinterpret_cast<const char*>(bytes.data()) + bytes.size() - n, n);
-  return end.find("%%EOF") != std::string_view::npos;
-}
-
 std::optional<Failure> MupdfSource::open() {
   fz_context* context = context_.get();
+  constexpr std::string_view endMark = "%%EOF";
+  constexpr std::size_t endMarkWithin = 4096;  // bytes
+  const auto end = std::span(*file_.bytes).last(std::min(file_.bytes->size(), endMarkWithin));
   if (!context)
     return unreadable(file_.name, "", Message("there is no memory to open it"),
                       Message("Close other programs and try again"));
-  if (kind() == "PDF" && !endsWithMark(*file_.bytes))
+  if (kind() == "PDF" && std::search(end.begin(), end.end(), endMark.begin(), endMark.end()) == end.end())
     return unreadable(file_.name, Message("end of file"),
                       Message("the PDF is truncated (its end mark is missing)"),
                       Message("Copy or download the file again"));
@@ -252,8 +241,8 @@ Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Prog
   if (!done && control.stop == CollectStop::none) {
     if (const int broken = leaveOutBrokenImages(context, loaded); broken > 0) {
       brokenImages_ += broken;
-      page->startOver();
-      done = runIntoList(*page, loaded, control, progress, error);
+      page = std::make_unique<RecordedPage>(number, context);
+      done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, progress, error);
     }
   }
   fz_drop_page(context, loaded);
@@ -278,26 +267,15 @@ Result<RecordedPage*> MupdfSource::recorded(int number, const Progress& progress
   return recorded_.front().get();
 }
 
-/// Runs the display list somewhere, under the limit on time. The failure: why there is nothing to use.
-std::optional<Failure> MupdfSource::drawn(const RecordedPage& page, const Progress& progress,
-                                          const std::function<void(fz_cookie&)>& draw) {
-  fz_cookie cookie{};
-  std::string error;
-  bool done = false;
-  const RunStop stop = runStoppable(cookie, endOfPage_s(), progress,
-                                    [&] { done = guarded(context_.get(), error, [&] { draw(cookie); }); });
-  if (stop == RunStop::cancelled) return Failure::cancelled(file_.name);
-  if (stop == RunStop::tooSlow)
-    return unreadable(file_.name, placeOf(page.number), Message("it takes too long to draw"), simplify());
-  if (!done) return damaged(placeOf(page.number), error);
-  return std::nullopt;
-}
-
+/// Runs the display list into a device, under the limit on time. The failure: why there is nothing to use.
 std::optional<Failure> MupdfSource::drawnOn(const RecordedPage& page, const fz_matrix& matrix,
                                             const fz_rect& area, const Progress& progress,
                                             const std::function<fz_device*()>& newDevice) {
   fz_context* context = context_.get();
-  return drawn(page, progress, [&](fz_cookie& cookie) {
+  fz_cookie cookie{};
+  std::string error;
+  bool done = false;
+  auto draw = [&] {
     fz_device* device = nullptr;
     fz_var(device);
     fz_try(context) {
@@ -307,7 +285,14 @@ std::optional<Failure> MupdfSource::drawnOn(const RecordedPage& page, const fz_m
     }
     fz_always(context) fz_drop_device(context, device);
     fz_catch(context) fz_rethrow(context);
-  });
+  };
+  const RunStop stop =
+      runStoppable(cookie, endOfPage_s(), progress, [&] { done = guarded(context, error, draw); });
+  if (stop == RunStop::cancelled) return Failure::cancelled(file_.name);
+  if (stop == RunStop::tooSlow)
+    return unreadable(file_.name, placeOf(page.number), Message("it takes too long to draw"), simplify());
+  if (!done) return damaged(placeOf(page.number), error);
+  return std::nullopt;
 }
 
 Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, LetterKeys seen,
@@ -328,46 +313,34 @@ Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, Lett
 
 /// Levels between the darkest and the brightest pixel of a box, of the channel where they are most.
 int contrastIn(const Raster& picture, const Box& box) {
-  std::array<int, 3> darkest{255, 255, 255}, brightest{};
-  for (int y = std::max(0, static_cast<int>(box.y0)); y <= box.y1 && y < picture.height_px; ++y)
-    for (int x = std::max(0, static_cast<int>(box.x0)); x <= box.x1 && x < picture.width_px; ++x)
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        const int level = picture.at(x, y)[channel];
-        darkest[channel] = std::min(darkest[channel], level);
-        brightest[channel] = std::max(brightest[channel], level);
-      }
   int most = 0;
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    most = std::max(most, brightest[channel] - darkest[channel]);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    int darkest = 255, brightest = 0;
+    for (int y = std::max(0, static_cast<int>(box.y0)); y <= box.y1 && y < picture.height_px; ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0)); x <= box.x1 && x < picture.width_px; ++x) {
+        const int level = picture.at(x, y)[channel];
+        darkest = std::min(darkest, level);
+        brightest = std::max(brightest, level);
+      }
+    most = std::max(most, brightest - darkest);
+  }
   return most;
-}
-
-/// Returns true if something is drawn in a box of a picture.
-bool hasContrast(const Raster& picture, const Box& box) {
-  constexpr int leastContrast = 60;  // levels
-  return contrastIn(picture, box) >= leastContrast;
 }
 
 /// Returns true if a line has the colour of what it is drawn on, or is blended into it: nobody sees it.
 bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPicture) {
-  if (!path.stroke) return false;
-  constexpr int leastContrast = 2;   // levels: thin grey lines are seen
-  constexpr double leastSeen = 0.2;  // of the samples: unseen lines cross seen ones
-  constexpr std::size_t samplesOfLine = 32;
+  constexpr int leastContrast = 2, seenForSure = 32;  // levels: thin grey lines are seen; samples
+  constexpr double leastSeen = 0.2;                   // of the samples: unseen lines cross seen ones
   const double reach = path.strokeWidth / 2 * std::hypot(toPicture.a, toPicture.b) + 1.5;
-  std::size_t samples = 0, seen = 0;
-  for (const auto& line : path.polylines) {
-    const std::size_t step = std::max<std::size_t>(1, line.size() / samplesOfLine);
-    for (std::size_t i = step; i < line.size(); i += step) {
+  int samples = 0, seen = 0;
+  for (const auto& line : path.polylines)
+    for (std::size_t i = 1; i < line.size() && seen < seenForSure; i += 1 + line.size() / seenForSure)
       for (const double along : {0.2, 0.5, 0.8}) {
         const Point at = toPicture(line[i - 1] + along * (line[i] - line[i - 1]));
         ++samples;
         seen += contrastIn(picture, Box{at.x, at.y, at.x, at.y}.grown(reach, reach)) >= leastContrast;
       }
-      if (seen >= samplesOfLine) return false;
-    }
-  }
-  return samples > 0 && static_cast<double>(seen) < leastSeen * static_cast<double>(samples);
+  return path.stroke && samples > 0 && seen < std::min(leastSeen * samples, 1.0 * seenForSure);
 }
 
 /// MuPDF's rows may be padded and its pixels may have other channels; the renders here are plain RGB.
@@ -404,11 +377,6 @@ Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& gri
   return copyPixels(fz_pixmap_samples(context, pixmap), fz_pixmap_stride(context, pixmap), width, height);
 }
 
-std::vector<Remark> MupdfSource::remarksFor(int number) const {
-  if (brokenImages_ == 0) return {};
-  return {{RemarkCode::imagesUndecoded, {number, brokenImages_}}};
-}
-
 Result<Page> MupdfSource::page(int number, const Progress& progress) {
   recorded_.remove_if([&](const auto& p) { return p->number == number && p->pathsHandedOut; });
   auto found = recorded(number, progress);
@@ -419,7 +387,7 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
   if (!overview) return overview.failure();
   const Affine toOverview = grid.viewToPage(0).inverse();
   const LetterKeys seen = source.collected.visibility.seen(
-      [&](const Box& letter) { return hasContrast(*overview, toOverview.boxOf(letter)); });
+      [&](const Box& letter) { return contrastIn(*overview, toOverview.boxOf(letter)) >= letterContrast; });
   auto texts = textsOf(source, seen, progress);
   if (!texts) return texts.failure();
 
@@ -438,7 +406,7 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
                 [&](const VectorPath& path) { return isUnseen(path, page.overview, toOverview); });
   source.pathsHandedOut = true;
   for (const ImagePlacement& placement : source.collected.images) page.images.push_back(placement.image);
-  page.remarks = remarksFor(number);
+  if (brokenImages_ > 0) page.remarks = {{RemarkCode::imagesUndecoded, {number, brokenImages_}}};
   return page;
 }
 
