@@ -20,9 +20,7 @@ Affine Affine::inverse() const {
   return {ia, ib, ic, id, -(ia * e + ic * f), -(ib * e + id * f)};
 }
 
-Box Affine::boxOf(const Box& box) const {
-  return boundsOf({(*this)(Point{box.x0, box.y0}), (*this)(Point{box.x1, box.y1})});
-}
+Box Affine::boxOf(const Box& box) const { return Homography(*this).boxOf(box); }
 
 Affine::operator Homography() const { return {{a, c, e, b, d, f, 0, 0, 1}}; }
 

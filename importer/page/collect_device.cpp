@@ -20,31 +20,18 @@ Affine toAffine(const fz_matrix& m) { return {m.a, m.b, m.c, m.d, m.e, m.f}; }
 
 double expansion(const Affine& m) { return std::sqrt(std::abs(m.a * m.d - m.b * m.c)); }
 
-Box unitSquareUnder(const Affine& map) {
-  Box box{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-          -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Point corner : {Point{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
-    const Point p = map(corner);
-    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
-  }
-  return box;
-}
+constexpr Box unitSquare{0, 0, 1, 1};  // where MuPDF draws an image before its map
 
-struct Bounds {
-  Box box;
-  bool finite = true;
-};
-
-Bounds boundsOf(const std::vector<std::vector<Point>>& polylines) {
+/// Nothing if a point is not finite.
+std::optional<Box> finiteBox(const std::vector<std::vector<Point>>& polylines) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  Bounds out{{inf, inf, -inf, -inf}, true};
+  Box box{inf, inf, -inf, -inf};
   for (const auto& line : polylines)
     for (const Point& p : line) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y)) out.finite = false;
-      out.box = {std::min(out.box.x0, p.x), std::min(out.box.y0, p.y), std::max(out.box.x1, p.x),
-                 std::max(out.box.y1, p.y)};
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) return {};
+      box = box.joined({p.x, p.y, p.x, p.y});
     }
-  return out;
+  return box;
 }
 
 const fz_path_walker flattenWalker = {
@@ -121,7 +108,7 @@ class Collector {
       return halt(CollectStop::imageTooLarge);
     }
     const Affine map = toAffine(matrix);
-    const Box box = unitSquareUnder(map);
+    const Box box = map.boxOf(unitSquare);
     const Box seen = box.common(clips_.back());
     if (hidden(alpha) || image->w <= 0 || image->h <= 0 || !(seen.width() > 0) || !(seen.height() > 0))
       return true;
@@ -145,9 +132,8 @@ class Collector {
     fz_walk_path(context, path, &flattenWalker, &flattener);
     const auto polylines = flattener.takePolylines();
     if (!drawnInTime(polylines)) return halt(CollectStop::tooDense);
-    const Bounds bounds = boundsOf(polylines);
-    pushClip(bounds.finite ? bounds.box.grown(grow, grow) : clips_.back(),
-             grow == 0 && uprightRectangle(polylines));
+    const auto box = finiteBox(polylines);
+    pushClip(box ? box->grown(grow, grow) : clips_.back(), grow == 0 && uprightRectangle(polylines));
     return true;
   }
   void pushUnknownClip() { pushClip(clips_.back(), false); }
@@ -221,11 +207,11 @@ class Collector {
 
   void noteFilled(const std::vector<std::vector<Point>>& polylines, const Paint& paint) {
     constexpr double leastSide = 6;  // page units: smaller areas are no background of a letter
-    const auto rectangle = uprightRectangle(polylines);
-    const Bounds bounds = boundsOf(polylines);
-    const Box box = (rectangle ? *rectangle : bounds.box).common(clips_.back());
-    if (!bounds.finite || std::min(box.width(), box.height()) < leastSide) return;
-    const bool hides = rectangle && covers(paint.alpha);
+    const auto whole = finiteBox(polylines);
+    if (!whole) return;
+    const Box box = whole->common(clips_.back());
+    if (std::min(box.width(), box.height()) < leastSide) return;
+    const bool hides = uprightRectangle(polylines) && covers(paint.alpha);
     page_->visibility.cover(box, hides ? CoverKind::rectangle : CoverKind::shape, paint.color, hides,
                             page_->paths);
   }
@@ -256,13 +242,10 @@ class Collector {
   }
 
   bool store(VectorPath path) {
-    const Bounds bounds = boundsOf(path.polylines);
-    if (!bounds.finite) return true;
-    path.box = bounds.box.grown(path.strokeWidth / 2, path.strokeWidth / 2);
-    const Box& clip = clips_.back();
-    const Box seen = path.box.common(clip);
-    if (seen.x1 < seen.x0 || seen.y1 < seen.y0) return true;
-    if (!clip.contains(path.box)) path.clip = clip;
+    const auto box = finiteBox(path.polylines);
+    if (!box) return true;
+    path.box = box->grown(path.strokeWidth / 2, path.strokeWidth / 2);
+    if (!clipped(path)) return true;
     if (path.stroke && !page_->paths.empty() && isFillOf(page_->paths.back(), path)) {
       path.fill = page_->paths.back().fill;
       page_->paths.back() = std::move(path);
@@ -303,18 +286,19 @@ class Collector {
 
   void copyShifted(const Tile& tile, std::size_t count, double dx, double dy) {
     const Affine& map = tile.toPage;
-    const Point shift{map.a * dx + map.c * dy, map.b * dx + map.d * dy};
+    const Affine shift{1, 0, 0, 1, map.a * dx + map.c * dy, map.b * dx + map.d * dy};
     for (std::size_t i = 0; i < count; ++i) {
-      VectorPath copy = page_->paths[tile.firstPath + i];
-      for (auto& line : copy.polylines)
-        for (Point& p : line) p = {p.x + shift.x, p.y + shift.y};
-      copy.box = {copy.box.x0 + shift.x, copy.box.y0 + shift.y, copy.box.x1 + shift.x, copy.box.y1 + shift.y};
-      const Box seen = copy.box.common(clips_.back());
-      if (seen.x1 < seen.x0 || seen.y1 < seen.y0) continue;
-      copy.clip.reset();
-      if (!clips_.back().contains(copy.box)) copy.clip = clips_.back();
-      page_->paths.push_back(std::move(copy));
+      VectorPath copy = transformedPath(page_->paths[tile.firstPath + i], shift);
+      if (clipped(copy)) page_->paths.push_back(std::move(copy));
     }
+  }
+
+  /// Notes the clip in force if it cuts the path. False: nothing of it is left.
+  bool clipped(VectorPath& path) const {
+    const Box& clip = clips_.back();
+    path.clip.reset();
+    if (!clip.contains(path.box)) path.clip = clip;
+    return clip.touches(path.box);
   }
 
   CollectedPage* page_;
@@ -369,34 +353,6 @@ Paint toPaint(fz_context* context, fz_colorspace* space, const float* color, flo
   return {{byte(rgb[0]), byte(rgb[1]), byte(rgb[2])}, alpha};
 }
 
-void fillPath(fz_context* context, fz_device* device, const fz_path* path, int evenOdd, fz_matrix matrix,
-              fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
-  const Paint paint = toPaint(context, space, color, alpha, params);
-  inCollector(context, device, [&](Collector& c) { return c.fill(context, path, matrix, paint); });
-  fz_fill_path(context, self(device).recorder, path, evenOdd, matrix, space, color, alpha, params);
-}
-
-void strokePath(fz_context* context, fz_device* device, const fz_path* path, const fz_stroke_state* state,
-                fz_matrix matrix, fz_colorspace* space, const float* color, float alpha,
-                fz_color_params params) {
-  const Paint paint = toPaint(context, space, color, alpha, params);
-  inCollector(context, device, [&](Collector& c) { return c.stroke(context, path, state, matrix, paint); });
-  fz_stroke_path(context, self(device).recorder, path, state, matrix, space, color, alpha, params);
-}
-
-void clipPath(fz_context* context, fz_device* device, const fz_path* path, int evenOdd, fz_matrix matrix,
-              fz_rect scissor) {
-  inCollector(context, device, [&](Collector& c) { return c.pushClipOfPath(context, path, 0, matrix); });
-  fz_clip_path(context, self(device).recorder, path, evenOdd, matrix, scissor);
-}
-
-void clipStrokePath(fz_context* context, fz_device* device, const fz_path* path, const fz_stroke_state* state,
-                    fz_matrix matrix, fz_rect scissor) {
-  const double grow = state->linewidth * expansion(toAffine(matrix));
-  inCollector(context, device, [&](Collector& c) { return c.pushClipOfPath(context, path, grow, matrix); });
-  fz_clip_stroke_path(context, self(device).recorder, path, state, matrix, scissor);
-}
-
 bool nothingToNote(Collector&) { return true; }
 
 bool unknownClip(Collector& c) {
@@ -417,162 +373,153 @@ void noteLetters(fz_context* context, fz_device* device, const fz_text* text, fz
       place.e = item.x;
       place.f = item.y;
       place = fz_concat(place, matrix);
-      const fz_point begin = fz_transform_point_xy(item.x, item.y, matrix);
       const fz_rect box = fz_transform_rect(fz_make_rect(0, below_em, advance_em, above_em), place);
       const double size = expansion(toAffine(place));
-      const SetLetter letter{item.ucs, begin.x, begin.y, toBox(box), size, size * advance_em, paint.color};
+      const SetLetter letter{item.ucs, place.e, place.f, toBox(box), size, size * advance_em, paint.color};
       inCollector(context, device, [&](Collector& c) { return c.letter(letter, paint.alpha, drawn), true; });
     }
 }
 
 constexpr Paint notKnown{{128, 128, 128}, 1};
 
-void fillText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
-              fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
-  noteLetters(context, device, text, matrix, toPaint(context, space, color, alpha, params), true);
-  fz_fill_text(context, self(device).recorder, text, matrix, space, color, alpha, params);
-}
-
-void strokeText(fz_context* context, fz_device* device, const fz_text* text, const fz_stroke_state* state,
-                fz_matrix matrix, fz_colorspace* space, const float* color, float alpha,
-                fz_color_params params) {
-  noteLetters(context, device, text, matrix, toPaint(context, space, color, alpha, params), true);
-  fz_stroke_text(context, self(device).recorder, text, state, matrix, space, color, alpha, params);
-}
-
-void clipText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
-              fz_rect scissor) {
-  noteLetters(context, device, text, matrix, notKnown, true);
-  inCollector(context, device, unknownClip);
-  fz_clip_text(context, self(device).recorder, text, matrix, scissor);
-}
-
-void clipStrokeText(fz_context* context, fz_device* device, const fz_text* text, const fz_stroke_state* state,
-                    fz_matrix matrix, fz_rect scissor) {
-  noteLetters(context, device, text, matrix, notKnown, true);
-  inCollector(context, device, unknownClip);
-  fz_clip_stroke_text(context, self(device).recorder, text, state, matrix, scissor);
-}
-
-void ignoreText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix) {
-  noteLetters(context, device, text, matrix, notKnown, false);
-  fz_ignore_text(context, self(device).recorder, text, matrix);
-}
-
-void fillShade(fz_context* context, fz_device* device, fz_shade* shade, fz_matrix matrix, float alpha,
-               fz_color_params params) {
-  inCollector(context, device, nothingToNote);
-  fz_fill_shade(context, self(device).recorder, shade, matrix, alpha, params);
-}
-
-void fillImage(fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix, float alpha,
-               fz_color_params params) {
-  inCollector(context, device, [&](Collector& c) { return c.image(image, matrix, alpha); });
-  fz_fill_image(context, self(device).recorder, image, matrix, alpha, params);
-}
-
-void fillImageMask(fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix,
-                   fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
-  inCollector(context, device, [&](Collector& c) { return c.image(image, matrix, alpha); });
-  fz_fill_image_mask(context, self(device).recorder, image, matrix, space, color, alpha, params);
-}
-
-void clipImageMask(fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix,
-                   fz_rect scissor) {
-  const Box box = unitSquareUnder(toAffine(matrix));
-  inCollector(context, device, [&](Collector& c) {
-    if (!c.image(image, matrix, 0)) return false;  // only its size is of interest here
-    c.pushClip(box, false);
-    return true;
-  });
-  fz_clip_image_mask(context, self(device).recorder, image, matrix, scissor);
-}
-
-void popClip(fz_context* context, fz_device* device) {
-  inCollector(context, device, [](Collector& c) { return c.popClip(), true; });
-  fz_pop_clip(context, self(device).recorder);
-}
-
-void beginMask(fz_context* context, fz_device* device, fz_rect area, int luminosity, fz_colorspace* space,
-               const float* color, fz_color_params params) {
-  inCollector(context, device, [](Collector& c) { return c.beginMask(), true; });
-  fz_begin_mask(context, self(device).recorder, area, luminosity, space, color, params);
-}
-
-void endMask(fz_context* context, fz_device* device) {
-  inCollector(context, device, [](Collector& c) { return c.endMask(), true; });
-  fz_end_mask(context, self(device).recorder);
-}
-
-void beginGroup(fz_context* context, fz_device* device, fz_rect area, fz_colorspace* space, int isolated,
-                int knockout, int blendMode, float alpha) {
-  inCollector(context, device, [&](Collector& c) { return c.beginGroup(alpha, blendMode != 0), true; });
-  fz_begin_group(context, self(device).recorder, area, space, isolated, knockout, blendMode, alpha);
-}
-
-void endGroup(fz_context* context, fz_device* device) {
-  inCollector(context, device, [](Collector& c) { return c.endGroup(), true; });
-  fz_end_group(context, self(device).recorder);
-}
-
-int beginTile(fz_context* context, fz_device* device, fz_rect area, fz_rect view, float stepX, float stepY,
-              fz_matrix matrix, int id) {
-  inCollector(context, device,
-              [&](Collector& c) { return c.beginTile(toBox(area), toBox(view), stepX, stepY, matrix); });
-  // The recorder would answer "known already" for a repeated id; the paths are wanted each time.
-  static_cast<void>(id);
-  fz_begin_tile(context, self(device).recorder, area, view, stepX, stepY, matrix);
-  return 0;
-}
-
-void endTile(fz_context* context, fz_device* device) {
-  inCollector(context, device, [](Collector& c) { return c.endTile(), true; });
-  fz_end_tile(context, self(device).recorder);
-}
-
-void renderFlags(fz_context* context, fz_device* device, int set, int clear) {
-  fz_render_flags(context, self(device).recorder, set, clear);
-}
-
-void setDefaultColorspaces(fz_context* context, fz_device* device, fz_default_colorspaces* spaces) {
-  fz_set_default_colorspaces(context, self(device).recorder, spaces);
-}
-
-void closeDevice(fz_context* context, fz_device* device) { fz_close_device(context, self(device).recorder); }
-
-void dropDevice(fz_context* context, fz_device* device) {
-  delete self(device).collector;
-  fz_drop_device(context, self(device).recorder);
-}
-
 void setCallbacks(fz_device& base) {
-  base.close_device = closeDevice;
-  base.drop_device = dropDevice;
-  base.fill_path = fillPath;
-  base.stroke_path = strokePath;
-  base.clip_path = clipPath;
-  base.clip_stroke_path = clipStrokePath;
-  base.fill_text = fillText;
-  base.stroke_text = strokeText;
-  base.clip_text = clipText;
-  base.clip_stroke_text = clipStrokeText;
-  base.ignore_text = ignoreText;
-  base.fill_shade = fillShade;
-  base.fill_image = fillImage;
-  base.fill_image_mask = fillImageMask;
-  base.clip_image_mask = clipImageMask;
-  base.pop_clip = popClip;
-  base.begin_mask = beginMask;
-  base.end_mask = endMask;
-  base.begin_group = beginGroup;
-  base.end_group = endGroup;
-  base.begin_tile = beginTile;
-  base.end_tile = endTile;
-  base.render_flags = renderFlags;
-  base.set_default_colorspaces = setDefaultColorspaces;
+  base.close_device = [](fz_context* context, fz_device* device) {
+    fz_close_device(context, self(device).recorder);
+  };
+  base.drop_device = [](fz_context* context, fz_device* device) {
+    delete self(device).collector;
+    fz_drop_device(context, self(device).recorder);
+  };
+  base.fill_path = [](fz_context* context, fz_device* device, const fz_path* path, int evenOdd,
+                      fz_matrix matrix, fz_colorspace* space, const float* color, float alpha,
+                      fz_color_params params) {
+    const Paint paint = toPaint(context, space, color, alpha, params);
+    inCollector(context, device, [&](Collector& c) { return c.fill(context, path, matrix, paint); });
+    fz_fill_path(context, self(device).recorder, path, evenOdd, matrix, space, color, alpha, params);
+  };
+  base.stroke_path = [](fz_context* context, fz_device* device, const fz_path* path,
+                        const fz_stroke_state* state, fz_matrix matrix, fz_colorspace* space,
+                        const float* color, float alpha, fz_color_params params) {
+    const Paint paint = toPaint(context, space, color, alpha, params);
+    inCollector(context, device, [&](Collector& c) { return c.stroke(context, path, state, matrix, paint); });
+    fz_stroke_path(context, self(device).recorder, path, state, matrix, space, color, alpha, params);
+  };
+  base.clip_path = [](fz_context* context, fz_device* device, const fz_path* path, int evenOdd,
+                      fz_matrix matrix, fz_rect scissor) {
+    inCollector(context, device, [&](Collector& c) { return c.pushClipOfPath(context, path, 0, matrix); });
+    fz_clip_path(context, self(device).recorder, path, evenOdd, matrix, scissor);
+  };
+  base.clip_stroke_path = [](fz_context* context, fz_device* device, const fz_path* path,
+                             const fz_stroke_state* state, fz_matrix matrix, fz_rect scissor) {
+    const double grow = state->linewidth * expansion(toAffine(matrix));
+    inCollector(context, device, [&](Collector& c) { return c.pushClipOfPath(context, path, grow, matrix); });
+    fz_clip_stroke_path(context, self(device).recorder, path, state, matrix, scissor);
+  };
+  base.fill_text = [](fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
+                      fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
+    noteLetters(context, device, text, matrix, toPaint(context, space, color, alpha, params), true);
+    fz_fill_text(context, self(device).recorder, text, matrix, space, color, alpha, params);
+  };
+  base.stroke_text = [](fz_context* context, fz_device* device, const fz_text* text,
+                        const fz_stroke_state* state, fz_matrix matrix, fz_colorspace* space,
+                        const float* color, float alpha, fz_color_params params) {
+    noteLetters(context, device, text, matrix, toPaint(context, space, color, alpha, params), true);
+    fz_stroke_text(context, self(device).recorder, text, state, matrix, space, color, alpha, params);
+  };
+  base.clip_text = [](fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
+                      fz_rect scissor) {
+    noteLetters(context, device, text, matrix, notKnown, true);
+    inCollector(context, device, unknownClip);
+    fz_clip_text(context, self(device).recorder, text, matrix, scissor);
+  };
+  base.clip_stroke_text = [](fz_context* context, fz_device* device, const fz_text* text,
+                             const fz_stroke_state* state, fz_matrix matrix, fz_rect scissor) {
+    noteLetters(context, device, text, matrix, notKnown, true);
+    inCollector(context, device, unknownClip);
+    fz_clip_stroke_text(context, self(device).recorder, text, state, matrix, scissor);
+  };
+  base.ignore_text = [](fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix) {
+    noteLetters(context, device, text, matrix, notKnown, false);
+    fz_ignore_text(context, self(device).recorder, text, matrix);
+  };
+  base.fill_shade = [](fz_context* context, fz_device* device, fz_shade* shade, fz_matrix matrix, float alpha,
+                       fz_color_params params) {
+    inCollector(context, device, nothingToNote);
+    fz_fill_shade(context, self(device).recorder, shade, matrix, alpha, params);
+  };
+  base.fill_image = [](fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix, float alpha,
+                       fz_color_params params) {
+    inCollector(context, device, [&](Collector& c) { return c.image(image, matrix, alpha); });
+    fz_fill_image(context, self(device).recorder, image, matrix, alpha, params);
+  };
+  base.fill_image_mask = [](fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix,
+                            fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
+    inCollector(context, device, [&](Collector& c) { return c.image(image, matrix, alpha); });
+    fz_fill_image_mask(context, self(device).recorder, image, matrix, space, color, alpha, params);
+  };
+  base.clip_image_mask = [](fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix,
+                            fz_rect scissor) {
+    const Box box = toAffine(matrix).boxOf(unitSquare);
+    inCollector(context, device, [&](Collector& c) {
+      if (!c.image(image, matrix, 0)) return false;  // only its size is of interest here
+      c.pushClip(box, false);
+      return true;
+    });
+    fz_clip_image_mask(context, self(device).recorder, image, matrix, scissor);
+  };
+  base.pop_clip = [](fz_context* context, fz_device* device) {
+    inCollector(context, device, [](Collector& c) { return c.popClip(), true; });
+    fz_pop_clip(context, self(device).recorder);
+  };
+  base.begin_mask = [](fz_context* context, fz_device* device, fz_rect area, int luminosity,
+                       fz_colorspace* space, const float* color, fz_color_params params) {
+    inCollector(context, device, [](Collector& c) { return c.beginMask(), true; });
+    fz_begin_mask(context, self(device).recorder, area, luminosity, space, color, params);
+  };
+  base.end_mask = [](fz_context* context, fz_device* device) {
+    inCollector(context, device, [](Collector& c) { return c.endMask(), true; });
+    fz_end_mask(context, self(device).recorder);
+  };
+  base.begin_group = [](fz_context* context, fz_device* device, fz_rect area, fz_colorspace* space,
+                        int isolated, int knockout, int blendMode, float alpha) {
+    inCollector(context, device, [&](Collector& c) { return c.beginGroup(alpha, blendMode != 0), true; });
+    fz_begin_group(context, self(device).recorder, area, space, isolated, knockout, blendMode, alpha);
+  };
+  base.end_group = [](fz_context* context, fz_device* device) {
+    inCollector(context, device, [](Collector& c) { return c.endGroup(), true; });
+    fz_end_group(context, self(device).recorder);
+  };
+  base.begin_tile = [](fz_context* context, fz_device* device, fz_rect area, fz_rect view, float stepX,
+                       float stepY, fz_matrix matrix, int) {
+    inCollector(context, device,
+                [&](Collector& c) { return c.beginTile(toBox(area), toBox(view), stepX, stepY, matrix); });
+    // The recorder would answer "known already" for a repeated id; the paths are wanted each time.
+    fz_begin_tile(context, self(device).recorder, area, view, stepX, stepY, matrix);
+    return 0;
+  };
+  base.end_tile = [](fz_context* context, fz_device* device) {
+    inCollector(context, device, [](Collector& c) { return c.endTile(), true; });
+    fz_end_tile(context, self(device).recorder);
+  };
+  base.render_flags = [](fz_context* context, fz_device* device, int set, int clear) {
+    fz_render_flags(context, self(device).recorder, set, clear);
+  };
+  base.set_default_colorspaces = [](fz_context* context, fz_device* device, fz_default_colorspaces* spaces) {
+    fz_set_default_colorspaces(context, self(device).recorder, spaces);
+  };
 }
 
 }  // namespace
+
+VectorPath transformedPath(const VectorPath& path, const Affine& map) {
+  VectorPath out = path;
+  for (auto& line : out.polylines)
+    for (Point& p : line) p = map(p);
+  out.strokeWidth = path.strokeWidth * expansion(map);
+  out.box = map.boxOf(path.box);
+  if (path.clip) out.clip = map.boxOf(*path.clip);
+  return out;
+}
 
 fz_device* newCollectDevice(fz_context* context, fz_device* recorder, const Box& bounds, CollectedPage* page,
                             CollectControl* control) {

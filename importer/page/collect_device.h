@@ -48,6 +48,8 @@ struct CollectControl {
   int imageWidth_px = 0, imageHeight_px = 0;  ///< of the image that was too large
 };
 
+VectorPath transformedPath(const VectorPath& path, const Affine& map);
+
 /// Device that fills `page`, and forwards everything to `recorder` (kept). `bounds`: the page in page units.
 /// `page` and `control` outlive the device. Throws as MuPDF does; FZ_ERROR_ABORT after `control.stop` was
 /// set.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include <opencv2/core.hpp>
+
 #include "importer/page/quantile.h"
 #include "model/check.h"
 
@@ -108,23 +110,14 @@ Raster turnedCrop(const Raster& raster, const PixelRect& rect, int quarterTurns)
   Raster out;
   out.width_px = lying ? rect.height : rect.width;
   out.height_px = lying ? rect.width : rect.height;
-  const std::size_t rowBytes = 3 * static_cast<std::size_t>(out.width_px);
-  out.rgb.resize(rowBytes * static_cast<std::size_t>(out.height_px));
-  if (quarterTurns == 0) {
-    for (int y = 0; y < rect.height; ++y)
-      std::memcpy(out.rgb.data() + rowBytes * static_cast<std::size_t>(y), raster.at(rect.x, rect.y + y),
-                  rowBytes);
-    return out;
-  }
-  const Affine map = turnedCropToRaster(rect, quarterTurns);
-  const int stepX = static_cast<int>(map.a), stepY = static_cast<int>(map.b);
-  std::uint8_t* to = out.rgb.data();
-  for (int y = 0; y < out.height_px; ++y) {
-    const Point start = map({0, static_cast<double>(y)});
-    int fromX = static_cast<int>(start.x), fromY = static_cast<int>(start.y);
-    for (int x = 0; x < out.width_px; ++x, to += 3, fromX += stepX, fromY += stepY)
-      std::memcpy(to, raster.at(fromX, fromY), 3);
-  }
+  out.rgb.resize(3 * static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
+  const cv::Mat whole(raster.height_px, raster.width_px, CV_8UC3, const_cast<std::uint8_t*>(raster.at(0, 0)));
+  const cv::Mat part = whole(cv::Rect(rect.x, rect.y, rect.width, rect.height));
+  cv::Mat to(out.height_px, out.width_px, CV_8UC3, out.rgb.data());
+  if (quarterTurns == 0)
+    part.copyTo(to);
+  else
+    cv::rotate(part, to, cv::ROTATE_90_CLOCKWISE + quarterTurns - 1);
   return out;
 }
 

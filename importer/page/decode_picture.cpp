@@ -101,26 +101,15 @@ struct StoredOrder {
   bool swapped = false, flipX = false, flipY = false;
 };
 
-StoredOrder storedOrder(int orientation) {
-  switch (orientation) {
-    case 2:
-      return {false, true, false};
-    case 3:
-      return {false, true, true};
-    case 4:
-      return {false, false, true};
-    case 5:
-      return {true, false, false};
-    case 6:
-      return {true, false, true};
-    case 7:
-      return {true, true, true};
-    case 8:
-      return {true, true, false};
-    default:
-      return {};
-  }
-}
+constexpr StoredOrder storedOrders[] = {{},
+                                        {},
+                                        {false, true, false},
+                                        {false, true, true},
+                                        {false, false, true},
+                                        {true, false, false},
+                                        {true, false, true},
+                                        {true, true, true},
+                                        {true, true, false}};
 
 std::uint8_t over(std::uint8_t ink, std::uint8_t alpha, std::uint8_t background) {
   const int mixed = ink * alpha + background * (255 - alpha);
@@ -147,7 +136,7 @@ Raster flattenedInPlace(StoredPicture in, bool opaque, std::uint8_t background) 
 }
 
 Raster flattened(StoredPicture in, int orientation) {
-  const StoredOrder order = storedOrder(orientation);
+  const StoredOrder order = storedOrders[orientation];
   const bool opaque = !in.hasAlpha || !isSeeThrough(in);
   const std::uint8_t background = opaque ? std::uint8_t{255} : backgroundFor(in);
   if (!order.swapped && !order.flipX && !order.flipY)

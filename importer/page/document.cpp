@@ -41,8 +41,7 @@ std::optional<Failure> tooLarge(const std::string& name, double bytes, const Pag
                     {{RemedyKind::advice, Message("Give a smaller file")}, {RemedyKind::raiseLimit, {}}});
 }
 
-Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std::string& name,
-                                              const PageLimits& limits) {
+Result<Bytes> readFile(const std::string& path, const std::string& name, const PageLimits& limits) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
@@ -62,13 +61,13 @@ Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std
     return unreadable(name, "", Message("the file's size cannot be read"),
                       Message("Check that you may read %1", path));
   if (auto failure = tooLarge(name, static_cast<double>(size), limits)) return *failure;
-  auto bytes = std::make_shared<Bytes>(static_cast<std::size_t>(size));
-  in.read(reinterpret_cast<char*>(bytes->data()), static_cast<std::streamsize>(size));
+  Bytes bytes(static_cast<std::size_t>(size));
+  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (in.gcount() != static_cast<std::streamsize>(size))
     return unreadable(name, Message("byte %1", std::to_string(in.gcount())),
                       Message("the file could not be read to its end"),
                       Message("Copy the file to a local disk and import the copy"));
-  return std::shared_ptr<const Bytes>(std::move(bytes));
+  return bytes;
 }
 
 bool looksLikeText(const Bytes& bytes) {
@@ -132,6 +131,7 @@ OpenedSource openSource(const SourceFile& asGiven) {
                       Message("Copy or download the file again"));
   const FileKind kind = sniffFileKind(*file.bytes);
   if (auto failure = wrongKind(file, kind)) return *failure;
+  if (kind == FileKind::bmp) return openBmpSource(file);
   if (kind == FileKind::pdf) return openPdfSource(file);
   if (kind == FileKind::svg) return openSvgSource(file);
   return openPictureSource(file);
@@ -158,11 +158,7 @@ Result<Document> Document::open(const std::string& path, const PageLimits& limit
   try {
     auto bytes = readFile(path, name.empty() ? path : name, limits);
     if (!bytes) return bytes.failure();
-    auto impl = std::make_unique<Impl>(Impl{{std::move(*bytes), name, limits}, nullptr});
-    auto source = openSource(impl->file);
-    if (!source) return source.failure();
-    impl->source = std::move(source.value());
-    return Document(std::move(impl));
+    return fromBytes(std::move(*bytes), name, limits);
   } catch (const std::bad_alloc&) {
     return outOfMemory(name);
   }

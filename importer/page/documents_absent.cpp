@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Built where DETENT_WITH_MUPDF is off: PDF and SVG are named, and refused; no words are drawn.
+// Built where DETENT_WITH_MUPDF is off: PDF, SVG and BMP are named, and refused; no words are drawn.
 
 #include "importer/page/drawn_words.h"
 #include "importer/page/page_source.h"
+#include "importer/page/stored_picture.h"
 
 namespace detent::importer {
 namespace {
@@ -15,9 +16,11 @@ Failure absent(const SourceFile& file, const std::string& kind) {
 
 }  // namespace
 
+OpenedSource openBmpSource(const SourceFile& file) { return absent(file, "BMP"); }
 OpenedSource openPdfSource(const SourceFile& file) { return absent(file, "PDF"); }
 OpenedSource openSvgSource(const SourceFile& file) { return absent(file, "SVG"); }
 
+std::optional<StoredPicture> decodeBmp(std::span<const unsigned char>, int, int) { return {}; }
 std::optional<Raster> wordsDrawn(const std::string&, int) { return {}; }
 
 }  // namespace detent::importer

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <opencv2/imgproc.hpp>
+
 #include "importer/page/luma.h"
 #include "importer/page/quantile.h"
 
@@ -86,17 +88,9 @@ Light lightest(const Light& light) {
   return out;
 }
 
-Light smooth(const Light& light) {
-  Light out = light;
-  for (int row = 0; row < light.rows; ++row)
-    for (int column = 0; column < light.columns; ++column) {
-      LightColor sum{};
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          for (std::size_t c = 0; c < 3; ++c) sum[c] += light.near(column + dx, row + dy)[c] / 9;
-      out.at(column, row) = sum;
-    }
-  return out;
+void smooth(Light& light) {
+  cv::Mat colors(light.rows, light.columns, CV_64FC3, light.colors.data());
+  cv::blur(colors.clone(), colors, {3, 3}, {-1, -1}, cv::BORDER_REPLICATE);
 }
 
 bool isOnLightPaper(const Light& light) {
@@ -111,7 +105,8 @@ Raster evenlyLit(Raster raster) {
   if (raster.empty()) return raster;
   const Light seen = lightOn(raster);
   if (!isOnLightPaper(seen)) return raster;
-  const Light light = smooth(lightest(seen));
+  Light light = lightest(seen);
+  smooth(light);
   std::uint8_t* pixel = raster.rgb.data();
   for (int y = 0; y < raster.height_px; ++y)
     for (int x = 0; x < raster.width_px; ++x, pixel += 3) {

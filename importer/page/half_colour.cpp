@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <vector>
+
+#include <opencv2/imgproc.hpp>
 
 namespace detent::importer {
 
@@ -21,89 +21,57 @@ constexpr float kColourNoise_levels2 = 1;  // the same of colour: what varies le
 constexpr float kKeptAlways = 0.3F, kKeptPerUnexplained = 2;
 constexpr float kGrey_levels = 2;  // Cb and Cr of a band without colour
 
-using Values = std::vector<float>;
-
-/// Values per block, some rows of them.
-struct Band {
-  int width = 0, height = 0;
-
-  std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-  }
-
-  /// Mean over the neighbours within `reach` along one direction: `count` values, `step` apart, from `first`.
-  static void meanAlong(const Values& in, Values& out, std::size_t first, std::size_t step, int count,
-                        int reach) {
-    const auto at = [&](int k) { return first + static_cast<std::size_t>(k) * step; };
-    float sum = 0;
-    int n = 0;
-    for (int k = 0; k < std::min(reach, count); ++k) sum += in[at(k)], ++n;
-    for (int k = 0; k < count; ++k) {
-      if (k + reach < count) sum += in[at(k + reach)], ++n;
-      if (k - reach > 0) sum -= in[at(k - reach - 1)], --n;
-      out[at(k)] = sum / static_cast<float>(n);
-    }
-  }
-
-  Values mean(const Values& in, int reach) const {
-    Values rows(size()), both(size());
-    for (int y = 0; y < height; ++y) meanAlong(in, rows, index(0, y), 1, width, reach);
-    for (int x = 0; x < width; ++x)
-      meanAlong(rows, both, index(x, 0), static_cast<std::size_t>(width), height, reach);
-    return both;
-  }
-
-  Values meanOfProduct(const Values& a, const Values& b, int reach) const {
-    Values product(size());
-    for (std::size_t i = 0; i < size(); ++i) product[i] = a[i] * b[i];
-    return mean(product, reach);
-  }
-};
-
-/// Brightness and colour of a band's blocks, as stored.
+/// Brightness and colour of blocks as stored, a row of floats for each row of blocks.
 struct Stored {
-  Values bright;
-  std::array<Values, 2> colour;  ///< Cb, Cr about 0
+  cv::Mat bright;
+  std::array<cv::Mat, 2> colour;  ///< Cb, Cr about 0
+
+  Stored() = default;
+  Stored(int width, int height)
+      : bright(height, width, CV_32F),
+        colour{cv::Mat(height, width, CV_32F), cv::Mat(height, width, CV_32F)} {}
 };
 
 /// Colour of a pixel = `level` + `slope` x its brightness.
 struct Relation {
-  std::array<Values, 2> level, slope;
+  std::array<cv::Mat, 2> level, slope;
 };
 
-Relation relationOf(const Band& band, const Stored& stored) {
-  const std::size_t size = band.size();
-  const Values bright = band.mean(stored.bright, kSmooth_blocks);
-  const Values brightAround = band.mean(bright, kAround_blocks);
-  Values spread = band.meanOfProduct(bright, bright, kAround_blocks);
-  for (std::size_t i = 0; i < size; ++i)
-    spread[i] = std::max(0.0F, spread[i] - brightAround[i] * brightAround[i]) + kBrightNoise_levels2;
+/// Mean over the neighbours within `reach` that there are.
+cv::Mat meanWithin(const cv::Mat& in, int reach) {
+  const auto sum = [&](const cv::Mat& values) {
+    cv::Mat out;
+    cv::boxFilter(values, out, CV_32F, {2 * reach + 1, 2 * reach + 1}, {-1, -1}, false, cv::BORDER_CONSTANT);
+    return out;
+  };
+  return sum(in) / sum(cv::Mat::ones(in.size(), CV_32F));
+}
+
+Relation relationOf(const Stored& stored) {
+  const cv::Mat bright = meanWithin(stored.bright, kSmooth_blocks);
+  const cv::Mat brightAround = meanWithin(bright, kAround_blocks);
+  const cv::Mat spread =
+      cv::max(meanWithin(bright.mul(bright), kAround_blocks) - brightAround.mul(brightAround), 0) +
+      kBrightNoise_levels2;
   Relation out;
-  Values varied(size, 0), explained(size, 0);
+  cv::Mat varied = cv::Mat::zeros(bright.size(), CV_32F), explained = varied.clone();
   for (std::size_t c = 0; c < 2; ++c) {
-    const Values colour = band.mean(stored.colour[c], kSmooth_blocks);
-    const Values around = band.mean(colour, kAround_blocks);
-    const Values square = band.meanOfProduct(colour, colour, kAround_blocks);
-    out.slope[c] = band.meanOfProduct(bright, colour, kAround_blocks);
+    const cv::Mat colour = meanWithin(stored.colour[c], kSmooth_blocks);
+    const cv::Mat around = meanWithin(colour, kAround_blocks);
+    const cv::Mat together = meanWithin(bright.mul(colour), kAround_blocks) - brightAround.mul(around);
+    out.slope[c] = together / spread;
     out.level[c] = colour;
-    for (std::size_t i = 0; i < size; ++i) {
-      const float together = out.slope[c][i] - brightAround[i] * around[i];
-      out.slope[c][i] = together / spread[i];
-      explained[i] += together * out.slope[c][i];
-      varied[i] += std::max(0.0F, square[i] - around[i] * around[i]);
-    }
+    explained += together.mul(out.slope[c]);
+    varied += cv::max(meanWithin(colour.mul(colour), kAround_blocks) - around.mul(around), 0);
   }
-  for (std::size_t i = 0; i < size; ++i) {
-    const float share =
-        varied[i] > kColourNoise_levels2 ? std::clamp(explained[i] / varied[i], 0.0F, 1.0F) : 1;
-    const float kept = std::min(1.0F, kKeptAlways + kKeptPerUnexplained * (1 - share));
-    for (std::size_t c = 0; c < 2; ++c) {
-      // Beside a black or grey line only a share of what changes in brightness changes in colour.
-      out.slope[c][i] *= share;
-      const float expected = out.level[c][i] + out.slope[c][i] * (stored.bright[i] - bright[i]);
-      out.level[c][i] += kept * (stored.colour[c][i] - expected) - out.slope[c][i] * bright[i];
-    }
+  cv::Mat share = cv::min(cv::max(explained / varied, 0), 1);
+  share.setTo(1, varied <= kColourNoise_levels2);
+  const cv::Mat kept = cv::min(kKeptAlways + kKeptPerUnexplained * (1 - share), 1);
+  for (std::size_t c = 0; c < 2; ++c) {
+    // Beside a black or grey line only a share of what changes in brightness changes in colour.
+    out.slope[c] = out.slope[c].mul(share);
+    const cv::Mat expected = out.level[c] + out.slope[c].mul(stored.bright - bright);
+    out.level[c] += kept.mul(stored.colour[c] - expected) - out.slope[c].mul(bright);
   }
   return out;
 }
@@ -127,24 +95,20 @@ class HalfColour {
  private:
   /// Values of the block rows from..to; those the last band had are taken from it, for its pixels are painted by now.
   void read(int from, int to) {
-    const Band next{across_, to - from};
-    Stored fresh{Values(next.size()), {Values(next.size()), Values(next.size())}};
-    const int known = std::clamp(from_ + band_.height - from, 0, next.height);
-    const auto keep = [&](const Values& old, Values& now) {
-      if (known > 0)
-        std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(band_.index(0, from - from_)),
-                    next.index(0, known), now.begin());
+    Stored fresh(across_, to - from);
+    const int known = std::clamp(from_ + stored_.bright.rows - from, 0, to - from);
+    const auto keep = [&](const cv::Mat& old, const cv::Mat& now) {
+      if (known > 0) old.rowRange(from - from_, from - from_ + known).copyTo(now.rowRange(0, known));
     };
     keep(stored_.bright, fresh.bright);
     for (std::size_t c = 0; c < 2; ++c) keep(stored_.colour[c], fresh.colour[c]);
-    for (int y = known; y < next.height; ++y)
-      for (int x = 0; x < across_; ++x) readBlock(x, from + y, fresh, next.index(x, y));
+    for (int y = from + known; y < to; ++y)
+      for (int x = 0; x < across_; ++x) readBlock(x, y, fresh, y - from);
     stored_ = std::move(fresh);
-    band_ = next;
     from_ = from;
   }
 
-  void readBlock(int x, int y, Stored& to, std::size_t i) const {
+  void readBlock(int x, int y, Stored& to, int row) const {
     const int left = x * block_.across_px, top = y * block_.down_px;
     const int right = std::min(picture_.width_px, left + block_.across_px),
               bottom = std::min(picture_.height_px, top + block_.down_px);
@@ -152,26 +116,29 @@ class HalfColour {
     for (int v = top; v < bottom; ++v)
       for (int u = left; u < right; ++u) sum += *picture_.at(u, v);
     const std::uint8_t* first = picture_.at(left, top);
-    to.bright[i] = static_cast<float>(sum) / static_cast<float>((right - left) * (bottom - top));
-    for (std::size_t c = 0; c < 2; ++c) to.colour[c][i] = static_cast<float>(first[c + 1]) - 128;
+    to.bright.at<float>(row, x) =
+        static_cast<float>(sum) / static_cast<float>((right - left) * (bottom - top));
+    for (std::size_t c = 0; c < 2; ++c)
+      to.colour[c].at<float>(row, x) = static_cast<float>(first[c + 1]) - 128;
   }
 
   bool isGrey() const {
-    return std::ranges::all_of(stored_.colour, [](const Values& values) {
-      return std::ranges::all_of(values, [](float v) { return std::abs(v) <= kGrey_levels; });
-    });
+    return std::ranges::all_of(
+        stored_.colour, [](const cv::Mat& values) { return cv::norm(values, cv::NORM_INF) <= kGrey_levels; });
   }
 
   void paint(int top, int bottom) {
     const bool grey = isGrey();
-    const Relation relation = grey ? Relation{} : relationOf(band_, stored_);
+    const Relation relation = grey ? Relation{} : relationOf(stored_);
     for (int y = top * block_.down_px; y < std::min(picture_.height_px, bottom * block_.down_px); ++y) {
       std::uint8_t* p = picture_.row(y);
       for (int x = 0; x < picture_.width_px; ++x, p += 4) {
-        const std::size_t i = band_.index(x / block_.across_px, y / block_.down_px - from_);
+        const int column = x / block_.across_px, row = y / block_.down_px - from_;
         const float bright = *p;
         const auto colour = [&](std::size_t c) {
-          return grey ? stored_.colour[c][i] : relation.level[c][i] + relation.slope[c][i] * bright;
+          return grey ? stored_.colour[c].at<float>(row, column)
+                      : relation.level[c].at<float>(row, column) +
+                            relation.slope[c].at<float>(row, column) * bright;
         };
         toRgb(p, bright, colour(0), colour(1));
       }
@@ -189,8 +156,7 @@ class HalfColour {
   StoredPicture& picture_;
   ColourBlock block_;
   int across_, down_;  ///< blocks
-  Band band_;
-  int from_ = 0;  ///< the band's first row of blocks
+  int from_ = 0;       ///< the first row of blocks of what is stored
   Stored stored_;
 };
 

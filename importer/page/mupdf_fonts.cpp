@@ -4,6 +4,7 @@
 // PDF, one for Chinese, Japanese and Korean, and those of the scripts and symbols datasheets are printed in. They are drawn where
 // a page does not bring its font; texts are read without them (docs/develop/decisions/0009-contents-of-the-package.md). Any thread.
 
+#include <map>
 #include <string_view>
 
 #include <mupdf/fitz.h>
@@ -72,35 +73,15 @@ const struct {
               {"Symbol", standardSymbols},
               {"ZapfDingbats", dingbats}};
 
-EmbeddedFont ofScript(int script) {
-  switch (script) {
-    case UCDN_SCRIPT_LATIN:
-    case UCDN_SCRIPT_GREEK:
-    case UCDN_SCRIPT_CYRILLIC:
-    case UCDN_SCRIPT_COMMON:
-    case UCDN_SCRIPT_INHERITED:
-    case UCDN_SCRIPT_UNKNOWN:
-      return european;
-    case UCDN_SCRIPT_HAN:
-    case UCDN_SCRIPT_HANGUL:
-    case UCDN_SCRIPT_HIRAGANA:
-    case UCDN_SCRIPT_KATAKANA:
-    case UCDN_SCRIPT_BOPOMOFO:
-      return eastAsian;
-    case UCDN_SCRIPT_ARABIC:
-      return arabic;
-    case UCDN_SCRIPT_HEBREW:
-      return hebrew;
-    case UCDN_SCRIPT_THAI:
-      return thai;
-    case UCDN_SCRIPT_DEVANAGARI:
-      return devanagari;
-    case UCDN_SCRIPT_BRAILLE:
-      return symbols;
-    default:
-      return {};
-  }
-}
+const std::map<int, EmbeddedFont> byScript{
+    {UCDN_SCRIPT_LATIN, european},        {UCDN_SCRIPT_GREEK, european},
+    {UCDN_SCRIPT_CYRILLIC, european},     {UCDN_SCRIPT_COMMON, european},
+    {UCDN_SCRIPT_INHERITED, european},    {UCDN_SCRIPT_UNKNOWN, european},
+    {UCDN_SCRIPT_HAN, eastAsian},         {UCDN_SCRIPT_HANGUL, eastAsian},
+    {UCDN_SCRIPT_HIRAGANA, eastAsian},    {UCDN_SCRIPT_KATAKANA, eastAsian},
+    {UCDN_SCRIPT_BOPOMOFO, eastAsian},    {UCDN_SCRIPT_ARABIC, arabic},
+    {UCDN_SCRIPT_HEBREW, hebrew},         {UCDN_SCRIPT_THAI, thai},
+    {UCDN_SCRIPT_DEVANAGARI, devanagari}, {UCDN_SCRIPT_BRAILLE, symbols}};
 
 }  // namespace
 
@@ -127,7 +108,8 @@ const unsigned char* fz_lookup_cjk_font_by_language(fz_context* context, const c
 
 const unsigned char* fz_lookup_noto_font(fz_context*, int script, int, int* size, int* subfont) {
   *subfont = 0;
-  return ofScript(script).bytes(size);
+  const auto font = byScript.find(script);
+  return (font == byScript.end() ? EmbeddedFont{} : font->second).bytes(size);
 }
 
 const unsigned char* fz_lookup_noto_math_font(fz_context*, int* size) { return mathematics.bytes(size); }

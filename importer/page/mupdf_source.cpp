@@ -25,6 +25,15 @@ constexpr double risePerSecond = 2.5e5;
 constexpr double overviewMaxSide_px = 2000;
 constexpr int overviewAntialiasBits = 6;  // half the time of 8 on pages with 1e5 glyph outlines
 
+/// Calls a function at the end of its scope.
+struct FinalCall {
+  explicit FinalCall(std::function<void()> function) : call(std::move(function)) {}
+  FinalCall(const FinalCall&) = delete;
+  FinalCall& operator=(const FinalCall&) = delete;
+  ~FinalCall() { call(); }
+  const std::function<void()> call;
+};
+
 /// A recorded page. Owns the display list of its context.
 struct RecordedPage {
   int number = 0;
@@ -86,6 +95,8 @@ class MupdfSource : public PageSource {
                    std::string& error);
   std::optional<Failure> drawn(const RecordedPage& page, const Progress& progress,
                                const std::function<void(fz_cookie&)>& draw);
+  std::optional<Failure> drawnOn(const RecordedPage& page, const fz_matrix& matrix, const fz_rect& area,
+                                 const Progress& progress, const std::function<fz_device*()>& newDevice);
   Result<std::vector<TextBox>> textsOf(const RecordedPage& page, LetterKeys seen, const Progress& progress);
   Result<Raster> render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits,
                         const Progress& progress);
@@ -152,32 +163,28 @@ Remedies MupdfSource::simplify() const {
 }
 
 std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int number) const {
+  const auto because = [&](Message why) {
+    return unreadable(file_.name, placeOf(number), std::move(why), simplify());
+  };
   switch (control.stop) {
     case CollectStop::none:
-      return std::nullopt;
+      break;
     case CollectStop::cancelled:
       return Failure::cancelled(file_.name);
     case CollectStop::tooManyPoints:
-      return unreadable(file_.name, placeOf(number),
-                        Message("its drawing has more than the limit of %1 points",
-                                std::to_string(file_.limits.maxPathPoints)),
-                        simplify());
+      return because(Message("its drawing has more than the limit of %1 points",
+                             std::to_string(file_.limits.maxPathPoints)));
     case CollectStop::tooManyOperations:
-      return unreadable(file_.name, placeOf(number), Message("it draws more objects than any real page does"),
-                        simplify());
+      return because(Message("it draws more objects than any real page does"));
     case CollectStop::tooDense:
-      return unreadable(file_.name, placeOf(number), Message("it takes too long to draw"), simplify());
+      return because(Message("it takes too long to draw"));
     case CollectStop::tooSlow:
-      return unreadable(file_.name, placeOf(number), Message("it takes too long to interpret"), simplify());
+      return because(Message("it takes too long to interpret"));
     case CollectStop::imageTooLarge:
-      return unreadable(
-          file_.name, placeOf(number),
-          Message("an image on it claims %1 x %2 pixels, which is more than the limit",
-                  std::to_string(control.imageWidth_px), std::to_string(control.imageHeight_px)),
-          simplify());
+      return because(Message("an image on it claims %1 x %2 pixels, which is more than the limit",
+                             std::to_string(control.imageWidth_px), std::to_string(control.imageHeight_px)));
     case CollectStop::outOfMemory:
-      return unreadable(file_.name, placeOf(number), Message("it needs more memory than allowed"),
-                        simplify());
+      return because(Message("it needs more memory than allowed"));
   }
   return std::nullopt;
 }
@@ -288,41 +295,37 @@ std::optional<Failure> MupdfSource::drawn(const RecordedPage& page, const Progre
   return std::nullopt;
 }
 
+std::optional<Failure> MupdfSource::drawnOn(const RecordedPage& page, const fz_matrix& matrix,
+                                            const fz_rect& area, const Progress& progress,
+                                            const std::function<fz_device*()>& newDevice) {
+  fz_context* context = context_.get();
+  return drawn(page, progress, [&](fz_cookie& cookie) {
+    fz_device* device = nullptr;
+    fz_var(device);
+    fz_try(context) {
+      device = newDevice();
+      fz_run_display_list(context, page.list, device, matrix, area, &cookie);
+      fz_close_device(context, device);
+    }
+    fz_always(context) fz_drop_device(context, device);
+    fz_catch(context) fz_rethrow(context);
+  });
+}
+
 Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, LetterKeys seen,
                                                   const Progress& progress) {
   fz_context* context = context_.get();
   fz_stext_page* text = nullptr;
-  const auto failure = drawn(page, progress, [&](fz_cookie& cookie) {
-    fz_device* reader = nullptr;
-    fz_device* device = nullptr;
-    fz_var(reader);
-    fz_var(device);
-    fz_try(context) {
-      const fz_rect box = fz_make_rect(0, 0, static_cast<float>(page.width), static_cast<float>(page.height));
-      text = fz_new_stext_page(context, box);
-      reader = fz_new_stext_device(context, text, nullptr);
-      device = newSeenTextDevice(context, reader, &seen);
-      fz_run_display_list(context, page.list, device, fz_identity, fz_infinite_rect, &cookie);
-      fz_close_device(context, device);
-    }
-    fz_always(context) {
-      fz_drop_device(context, device);
-      fz_drop_device(context, reader);
-    }
-    fz_catch(context) fz_rethrow(context);
+  const FinalCall drop([&] { fz_drop_stext_page(context, text); });
+  fz_stext_options options{};
+  options.flags = FZ_STEXT_PRESERVE_LIGATURES;  // letters are known by their codes
+  const auto failure = drawnOn(page, fz_identity, fz_infinite_rect, progress, [&] {
+    text = fz_new_stext_page(
+        context, fz_make_rect(0, 0, static_cast<float>(page.width), static_cast<float>(page.height)));
+    return fz_new_stext_device(context, text, &options);
   });
-  if (failure) {
-    fz_drop_stext_page(context, text);
-    return *failure;
-  }
-  try {
-    std::vector<TextBox> boxes = textBoxes(*text, {0, 0, page.width, page.height});
-    fz_drop_stext_page(context, text);
-    return boxes;
-  } catch (...) {
-    fz_drop_stext_page(context, text);
-    throw;
-  }
+  if (failure) return *failure;
+  return textBoxes(*text, {0, 0, page.width, page.height}, std::move(seen));
 }
 
 /// Levels between the darkest and the brightest pixel of a box, of the channel where they are most.
@@ -391,34 +394,16 @@ Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& gri
   const fz_matrix matrix = fz_make_matrix(f(toPixels.a), f(toPixels.b), f(toPixels.c), f(toPixels.d),
                                           f(toPixels.e - grid.rect.x), f(toPixels.f - grid.rect.y));
   fz_pixmap* pixmap = nullptr;
-  const auto failure = drawn(page, progress, [&](fz_cookie& cookie) {
-    fz_device* device = nullptr;
-    fz_var(device);
-    fz_try(context) {
-      pixmap = fz_new_pixmap_with_bbox(context, fz_device_rgb(context), fz_make_irect(0, 0, width, height),
-                                       nullptr, 0);
-      fz_clear_pixmap_with_value(context, pixmap, 255);
-      device = fz_new_draw_device(context, fz_identity, pixmap);
-      const fz_rect area = fz_make_rect(0, 0, static_cast<float>(width), static_cast<float>(height));
-      fz_run_display_list(context, page.list, device, matrix, area, &cookie);
-      fz_close_device(context, device);
-    }
-    fz_always(context) fz_drop_device(context, device);
-    fz_catch(context) fz_rethrow(context);
-  });
-  if (failure) {
-    fz_drop_pixmap(context, pixmap);
-    return *failure;
-  }
-  try {
-    Raster raster =
-        copyPixels(fz_pixmap_samples(context, pixmap), fz_pixmap_stride(context, pixmap), width, height);
-    fz_drop_pixmap(context, pixmap);
-    return raster;
-  } catch (...) {
-    fz_drop_pixmap(context, pixmap);
-    throw;
-  }
+  const FinalCall drop([&] { fz_drop_pixmap(context, pixmap); });
+  const auto failure = drawnOn(
+      page, matrix, fz_make_rect(0, 0, static_cast<float>(width), static_cast<float>(height)), progress, [&] {
+        pixmap = fz_new_pixmap_with_bbox(context, fz_device_rgb(context), fz_make_irect(0, 0, width, height),
+                                         nullptr, 0);
+        fz_clear_pixmap_with_value(context, pixmap, 255);
+        return fz_new_draw_device(context, fz_identity, pixmap);
+      });
+  if (failure) return *failure;
+  return copyPixels(fz_pixmap_samples(context, pixmap), fz_pixmap_stride(context, pixmap), width, height);
 }
 
 std::vector<Remark> MupdfSource::remarksFor(int number) const {

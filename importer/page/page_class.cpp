@@ -90,17 +90,8 @@ bool isFilledEvenly(const std::vector<Tile>& paper) {
 }  // namespace
 
 std::string_view nameOf(PageClass pageClass) {
-  switch (pageClass) {
-    case PageClass::vector:
-      return "vector";
-    case PageClass::picture:
-      return "picture";
-    case PageClass::scan:
-      return "scan";
-    case PageClass::photo:
-      return "photo";
-  }
-  return "";
+  constexpr std::string_view names[] = {"vector", "picture", "scan", "photo"};
+  return names[static_cast<std::size_t>(pageClass)];
 }
 
 PageClass classOfPixels(const Raster& raster) {

@@ -37,8 +37,10 @@ struct SourceFile {
 
 using OpenedSource = Result<std::unique_ptr<PageSource>>;
 
-/// png, jpg, bmp, tiff, webp, gif.
+/// png, jpg, bmp, tiff, webp, gif; a bmp where MuPDF is at hand.
 OpenedSource openPictureSource(const SourceFile& file);
+/// bmp.
+OpenedSource openBmpSource(const SourceFile& file);
 /// pdf.
 OpenedSource openPdfSource(const SourceFile& file);
 /// svg.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -321,10 +322,6 @@ bool looksLikeSvg(std::span<const unsigned char> bytes) {
   return false;
 }
 
-}  // namespace
-
-namespace {
-
 /// Of the pictures that are known and not read.
 FileKind foreignKind(const ByteReader& in) {
   constexpr std::size_t brandsBegin = 8, brandsEnd = 64;  // of the first box of a file in ISO's base format
@@ -360,48 +357,22 @@ FileKind sniffFileKind(std::span<const unsigned char> bytes) {
 }
 
 Message kindName(FileKind kind) {
-  switch (kind) {
-    case FileKind::png:
-      return Message("PNG picture");
-    case FileKind::jpeg:
-      return Message("JPEG picture");
-    case FileKind::bmp:
-      return Message("BMP picture");
-    case FileKind::tiff:
-      return Message("TIFF picture");
-    case FileKind::webp:
-      return Message("WebP picture");
-    case FileKind::pdf:
-      return Message("PDF document");
-    case FileKind::svg:
-      return Message("SVG drawing");
-    case FileKind::gif:
-      return Message("GIF picture");
-    case FileKind::heic:
-      return Message("HEIC picture");
-    case FileKind::avif:
-      return Message("AVIF picture");
-    case FileKind::jpeg2000:
-      return Message("JPEG 2000 picture");
-    case FileKind::unknown:
-      break;
-  }
-  return Message("file of unknown type");
+  static const Message names[] = {
+      Message("file of unknown type"), Message("PNG picture"),  Message("JPEG picture"),
+      Message("BMP picture"),          Message("TIFF picture"), Message("WebP picture"),
+      Message("PDF document"),         Message("SVG drawing"),  Message("GIF picture"),
+      Message("HEIC picture"),         Message("AVIF picture"), Message("JPEG 2000 picture")};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 FileKind kindOfName(const std::string& name) {
-  const std::size_t dot = name.find_last_of('.');
-  if (dot == std::string::npos) return FileKind::unknown;
-  const std::string extension = lowered(name.substr(dot + 1));
-  if (extension == "png") return FileKind::png;
-  if (extension == "jpg" || extension == "jpeg" || extension == "jpe") return FileKind::jpeg;
-  if (extension == "bmp" || extension == "dib") return FileKind::bmp;
-  if (extension == "tif" || extension == "tiff") return FileKind::tiff;
-  if (extension == "webp") return FileKind::webp;
-  if (extension == "gif") return FileKind::gif;
-  if (extension == "pdf") return FileKind::pdf;
-  if (extension == "svg" || extension == "svgz") return FileKind::svg;
-  return FileKind::unknown;
+  static const std::map<std::string, FileKind> kinds{
+      {"png", FileKind::png},   {"jpg", FileKind::jpeg}, {"jpeg", FileKind::jpeg}, {"jpe", FileKind::jpeg},
+      {"bmp", FileKind::bmp},   {"dib", FileKind::bmp},  {"tif", FileKind::tiff},  {"tiff", FileKind::tiff},
+      {"webp", FileKind::webp}, {"gif", FileKind::gif},  {"pdf", FileKind::pdf},   {"svg", FileKind::svg},
+      {"svgz", FileKind::svg}};
+  const auto kind = kinds.find(lowered(name.substr(name.find_last_of('.') + 1)));
+  return kind == kinds.end() || name.find('.') == std::string::npos ? FileKind::unknown : kind->second;
 }
 
 bool isPicture(FileKind kind) {

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <vector>
 
-#include "importer/page/mupdf_context.h"
 #include "importer/page/page.h"
 
 namespace detent::importer {
@@ -25,8 +24,8 @@ struct SetLetter {
   Rgb color;
 };
 
-/// Letters by code and place, and how many letters of that code were set in that place before the one that is seen.
-using LetterKeys = std::map<std::tuple<int, float, float>, int>;
+/// Letters by code and place.
+using LetterKeys = std::set<std::tuple<int, float, float>>;
 
 enum class CoverKind {
   rectangle,  ///< upright, of one colour
@@ -52,7 +51,7 @@ class Visibility {
   /// letters `isShown` confirms half: thin ones have little contrast.
   template <class IsShown>
   LetterKeys seen(const IsShown& isShown) const {
-    LetterKeys keys, before;
+    LetterKeys keys;
     const std::vector<bool> once = seenOnce();
     std::vector<bool> shown(letters_.size(), true);
     for (std::size_t first = 0, last = 0; first < letters_.size(); first = last) {
@@ -64,9 +63,8 @@ class Visibility {
     }
     for (std::size_t i = 0; i < letters_.size(); ++i) {
       const SetLetter& letter = letters_[i].letter;
-      const std::tuple key(letter.unicode, letter.x, letter.y);
-      const int earlier = before[key]++;
-      if (once[i] && (letters_[i].sight == Sight::seen || shown[i])) keys.emplace(key, earlier);
+      if (once[i] && (letters_[i].sight == Sight::seen || shown[i]))
+        keys.emplace(letter.unicode, letter.x, letter.y);
     }
     return keys;
   }
@@ -97,9 +95,5 @@ std::optional<Box> uprightRectangle(const std::vector<std::vector<Point>>& polyl
 
 /// Leaves one of lines that have one colour and form and stand nearly in one place.
 void dropRepeats(std::vector<VectorPath>& paths);
-
-/// Device that hands the letters of `seen` on to `target` (kept), each once, and nothing else of a page. It counts in `seen`,
-/// which outlives the device.
-fz_device* newSeenTextDevice(fz_context* context, fz_device* target, LetterKeys* seen);
 
 }  // namespace detent::importer

@@ -6,27 +6,21 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <tuple>
 
 namespace detent::importer {
 namespace {
 
 void appendUtf8(std::string& to, int codePoint) {
-  const auto c = static_cast<std::uint32_t>(codePoint);
-  const auto put = [&](std::uint32_t byte) { to += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (c == 0 || c > 0x10ffff || (c >= 0xd800 && c <= 0xdfff)) return appendUtf8(to, 0xfffd);
-  if (c < 0x80) return put(c);
-  if (c < 0x800) {
-    put(0xc0 | c >> 6);
-  } else if (c < 0x10000) {
-    put(0xe0 | c >> 12);
-    put(0x80 | (c >> 6 & 0x3f));
-  } else {
-    put(0xf0 | c >> 18);
-    put(0x80 | (c >> 12 & 0x3f));
-    put(0x80 | (c >> 6 & 0x3f));
+  static const std::map<int, const char*> ligatures{{0xfb00, "ff"},  {0xfb01, "fi"},  {0xfb02, "fl"},
+                                                    {0xfb03, "ffi"}, {0xfb04, "ffl"}, {0xfb05, "ft"},
+                                                    {0xfb06, "st"}};
+  if (const auto known = ligatures.find(codePoint); known != ligatures.end()) {
+    to += known->second;
+    return;
   }
-  put(0x80 | (c & 0x3f));
+  const bool surrogate = codePoint >= 0xd800 && codePoint <= 0xdfff;
+  char bytes[FZ_UTFMAX];
+  to.append(bytes, static_cast<std::size_t>(fz_runetochar(bytes, surrogate ? 0xfffd : codePoint)));
 }
 
 bool isSpace(int c) {
@@ -83,49 +77,23 @@ Extent extentAlong(const fz_stext_char& letter, const fz_point& direction) {
   return {along(letter.quad.ll), along(letter.quad.lr)};
 }
 
-/// Letters of a page, each once: bold made by hand, halos and glows set them again a little aside.
-class LettersOnce {
- public:
-  /// Returns true if the same letter stands here already.
-  bool isRepeated(const fz_stext_char& letter) {
-    constexpr double ofWidth = 0.5;  // the next letter of a word stands a whole width on
-    const fz_point &from = letter.quad.ll, &to = letter.quad.lr;
-    const double width = std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y));
-    const double reach = std::max(1e-6, ofWidth * width);
-    const auto cell = [&](float at) {
-      return static_cast<long>(std::floor(static_cast<double>(at) / reach));
-    };
-    const long column = cell(letter.origin.x), row = cell(letter.origin.y);
-    for (long x = column - 1; x <= column + 1; ++x)
-      for (long y = row - 1; y <= row + 1; ++y) {
-        const auto seen = places_.find({letter.c, x, y});
-        if (seen != places_.end() &&
-            std::hypot(static_cast<double>(seen->second.x - letter.origin.x),
-                       static_cast<double>(seen->second.y - letter.origin.y)) < reach)
-          return true;
-      }
-    places_.emplace(std::tuple(letter.c, column, row), letter.origin);
-    return false;
-  }
-
- private:
-  std::map<std::tuple<int, long, long>, fz_point> places_;
-};
-
-void addLine(const fz_stext_line& line, const Box& page, LettersOnce& letters, std::vector<TextBox>& boxes) {
+void addLine(const fz_stext_line& line, const Box& page, LetterKeys& seen, std::vector<TextBox>& boxes) {
   constexpr double widestGap_em = 1.0;
   const double angle =
       -std::atan2(static_cast<double>(line.dir.y), static_cast<double>(line.dir.x)) * 180 / std::numbers::pi;
   BoxBuilder builder(angle == 0 ? 0 : angle);
   double lastEnd = 0;
-  bool first = true;
+  bool first = true, kept = false;
   for (const fz_stext_char* letter = line.first_char; letter; letter = letter->next) {
     if (isSpace(letter->c)) {
       builder.space();
       continue;
     }
-    if (letters.isRepeated(*letter)) continue;
     const Extent extent = extentAlong(*letter, line.dir);
+    const bool isPart =
+        kept && extent.begin == extent.end;  // one sign of the font stands for several letters
+    kept = seen.erase({letter->c, letter->origin.x, letter->origin.y}) != 0 || isPart;
+    if (!kept) continue;
     if (!first && line.wmode == 0 && extent.begin - lastEnd > widestGap_em * letter->size)
       builder.flush(boxes, page);
     builder.add(*letter);
@@ -137,13 +105,12 @@ void addLine(const fz_stext_line& line, const Box& page, LettersOnce& letters, s
 
 }  // namespace
 
-std::vector<TextBox> textBoxes(const fz_stext_page& text, const Box& bounds) {
+std::vector<TextBox> textBoxes(const fz_stext_page& text, const Box& bounds, LetterKeys seen) {
   std::vector<TextBox> boxes;
-  LettersOnce letters;
   for (const fz_stext_block* block = text.first_block; block; block = block->next) {
     if (block->type != FZ_STEXT_BLOCK_TEXT) continue;
     for (const fz_stext_line* line = block->u.t.first_line; line; line = line->next)
-      addLine(*line, bounds, letters, boxes);
+      addLine(*line, bounds, seen, boxes);
   }
   return boxes;
 }

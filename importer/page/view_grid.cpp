@@ -125,16 +125,6 @@ double turnedAngle(double angle_deg, int quarterTurns) {
   return angle == 0 ? 0 : angle;
 }
 
-VectorPath transformedPath(const VectorPath& path, const Affine& map) {
-  VectorPath out = path;
-  for (auto& line : out.polylines)
-    for (Point& p : line) p = map(p);
-  out.strokeWidth = path.strokeWidth * std::sqrt(std::abs(map.a * map.d - map.b * map.c));
-  out.box = map.boxOf(path.box);
-  if (path.clip) out.clip = map.boxOf(*path.clip);
-  return out;
-}
-
 }  // namespace
 
 Affine ViewGrid::pageToUprightCorners() const {
