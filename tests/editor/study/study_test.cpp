@@ -90,6 +90,12 @@ class FakePlayer : public playback::StudyPlayer {
   std::shared_ptr<Finger> finger_;
 };
 
+/// Chooses the participants' task.
+void choose(StudyMaker& maker, playback::StudyKind kind) {
+  auto* const kinds = maker.findChild<QComboBox*>("makerKind");
+  kinds->setCurrentIndex(kinds->findData(static_cast<int>(kind)));
+}
+
 /// A study of two buttons, four questions, in a folder of its own, with the experimenter's view on it.
 struct Rig {
   QTemporaryDir folder;
@@ -126,7 +132,7 @@ struct Rig {
   /// One interval of 0.4 s, a window of 0.12 s, runs of 3 s.
   void makeTimed(playback::TimingTask task, int trials) {
     StudyMaker maker({&a}, {});
-    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(4);
+    choose(maker, playback::StudyKind::timing);
     maker.findChild<QComboBox*>("makerTask")->setCurrentIndex(static_cast<int>(task));
     maker.findChild<QLineEdit*>("makerIntervals")->setText("0.4");
     maker.findChild<QLineEdit*>("makerWindows")->setText("0.12");
@@ -584,7 +590,7 @@ class StudyTest : public QObject {
   void aThresholdIsAskedInTheWindow() {
     Rig rig;
     StudyMaker maker({&rig.a}, {});
-    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(2);
+    choose(maker, playback::StudyKind::threshold);
     QCOMPARE(maker.findChild<QuantityField*>("makerTrials")->value(), 60.0);
     maker.findChild<QuantityField*>("makerTrials")->setValue(3);
     maker.findChild<QuantityField*>("makerPractice")->setValue(0);
@@ -610,7 +616,7 @@ class StudyTest : public QObject {
     for (const int scale : {0, 1, 2}) {
       Rig rig;
       StudyMaker maker({&rig.a, &rig.b}, {});
-      maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(3);
+      choose(maker, playback::StudyKind::rating);
       maker.findChild<QComboBox*>("makerScale")->setCurrentIndex(scale);
       maker.findChild<QuantityField*>("makerTrials")->setValue(1);
       maker.findChild<QuantityField*>("makerPractice")->setValue(0);
@@ -853,7 +859,7 @@ class StudyTest : public QObject {
     Rig rig;
     StudyMaker maker({&rig.a}, {});
     maker.show();
-    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(4);
+    choose(maker, playback::StudyKind::timing);
     maker.setFolder(rig.study);
     auto* make = maker.findChild<QPushButton*>("makerMake");
     QVERIFY(make->isEnabled());
@@ -896,7 +902,7 @@ class StudyTest : public QObject {
     list->item(0)->setCheckState(Qt::Unchecked);
     QVERIFY2(told().contains("at least two") && !told().contains("file"), qPrintable(told()));
     list->item(0)->setCheckState(Qt::Checked);
-    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(4);
+    choose(maker, playback::StudyKind::timing);
     maker.findChild<QLineEdit*>("makerIntervals")->setText("9");
     QVERIFY2(told().startsWith("Intervals, s: ") && told().contains("0.2 to 5 s"), qPrintable(told()));
     rig.makeStudy();
