@@ -197,7 +197,7 @@ TEST_CASE("usage: ports, channels, rates and numbers are looked at before any de
       {"--signals-to", "h:0"}, {"--channels", "-3"},    {"--channels", "0"},
       {"--channels", "many"},  {"--gain", "nan"},       {"--gain", "11"},
       {"--seconds", "inf"},    {"--buffer", "-3"},      {"--baud", "0"},
-      {"--baud", "4000001"},    {"--device-rate", "-1"}, {"--finger-N", "0,5"}};
+      {"--baud", "4000001"},   {"--device-rate", "-1"}, {"--finger-N", "0,5"}};
   for (const auto& [option, value] : wrong) {
     const ProgramResult r = play({"no-such.button.json", option, value});
     INFO(option << " " << value << ": " << r.err);

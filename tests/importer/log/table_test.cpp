@@ -123,25 +123,15 @@ TEST_CASE("units are parsed whole") {
     Kind kind;
     double size;
   };
-  for (const Case& c : {Case{"mm", Kind::displacement, 1},
-                        Case{"(N)", Kind::force, 1},
-                        Case{"daN", Kind::force, 10},
-                        Case{"kgF", Kind::force, 9.80665},
-                        Case{"(x0.1 N)", Kind::force, 0.1},
-                        Case{"10^-3 N", Kind::force, 1e-3},
-                        Case{"mN", Kind::force, 1e-3},
-                        Case{"mm/mm", Kind::other, 1},
-                        Case{"mm/s", Kind::other, 1},
-                        Case{"N/mm\xC2\xB2", Kind::other, 1},
-                        Case{"N/mm", Kind::other, 1},
-                        Case{"N\xC2\xB7mm", Kind::other, 1},
-                        Case{"MPa", Kind::other, 1},
-                        Case{"N m", Kind::other, 1},
-                        Case{"N s", Kind::other, 1},
-                        Case{"1/10 mm", Kind::displacement, 0.1},
-                        Case{"1/64 in", Kind::displacement, 25.4 / 64},
-                        Case{"furlong", Kind::unknown, 1},
-                        Case{"", Kind::none, 1}}) {
+  for (const Case& c :
+       {Case{"mm", Kind::displacement, 1}, Case{"(N)", Kind::force, 1}, Case{"daN", Kind::force, 10},
+        Case{"kgF", Kind::force, 9.80665}, Case{"(x0.1 N)", Kind::force, 0.1},
+        Case{"10^-3 N", Kind::force, 1e-3}, Case{"mN", Kind::force, 1e-3}, Case{"mm/mm", Kind::other, 1},
+        Case{"mm/s", Kind::other, 1}, Case{"N/mm\xC2\xB2", Kind::other, 1}, Case{"N/mm", Kind::other, 1},
+        Case{"N\xC2\xB7mm", Kind::other, 1}, Case{"MPa", Kind::other, 1}, Case{"N m", Kind::other, 1},
+        Case{"N s", Kind::other, 1}, Case{"1/10 mm", Kind::displacement, 0.1},
+        Case{"1/64 in", Kind::displacement, 25.4 / 64}, Case{"furlong", Kind::unknown, 1},
+        Case{"", Kind::none, 1}}) {
     CAPTURE(c.text);
     CHECK(unitOf(c.text).kind == c.kind);
     CHECK(unitOf(c.text).size == Approx(c.size));
