@@ -163,10 +163,10 @@ bool fits(const Rows& rows) {
 }
 
 /// Rows cut to each one's share of the memory.
-Rows cutToShares(const std::array<CheapestPoints, 2>& cheapest) {
+Rows cutToShares(const std::array<CheapestPoints, 2>& halves) {
   Rows rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const CheapestPoints &own = cheapest[i], &other = cheapest[1 - i];
+    const CheapestPoints &own = halves[i], &other = halves[1 - i];
     const auto share = [](std::size_t all, std::size_t othersNeed) {
       return std::max(all / 2, all - std::min(all, othersNeed));
     };
