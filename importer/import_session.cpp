@@ -166,8 +166,8 @@ Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const Draw
   return Found<StrokePair>{std::move(pair), 1, DecidedBy::given, {}};
 }
 
-/// A switch requested by a name that no text engine read is requested by its number if the name is seen in
-/// the legend.
+/// Replaces the requested name by the number of its switch if the text engine did not read the name, but the
+/// legend's picture looks like it.
 StrokeHints asSeen(StrokeHints hints, const std::vector<CurveTrace>& curves, const PageView& view) {
   const std::vector<PlotSwitch> switches = switchesAmong(curves);
   if (chosenSwitch(switches, curves, hints.curve)) return hints;

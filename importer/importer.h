@@ -230,7 +230,7 @@ class ImportSession {
   /// belong to that graph alone and numbers count as `list` without hints does; with a given frame `graph`
   /// only names it.
   Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
-  /// The same, for who shows people where it went wrong.
+  /// The same, for programs that show people where it went wrong.
   ImportAttempt attempt(const ImportRequest& request, const Progress& progress = {});
 
   ImportSession(ImportSession&&) noexcept;

@@ -55,8 +55,8 @@ void shadePress(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
-// Shades the area between the curve and the horizontal through the jump's tactile point: the paper's measure
-// of its strength.
+// Shades the area between the curve and the horizontal through the jump's tactile point: Kim & Lee's
+// measure of the jump's strength.
 void shadeJumpAreas(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   for (const Section& section : scene.values.of(stroke).sections) {
     if (section.kind != SectionKind::jump) continue;

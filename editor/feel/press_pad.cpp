@@ -217,7 +217,7 @@ void PressPad::keyReleaseEvent(QKeyEvent* event) {
   if (!event->isAutoRepeat() && event->key() == heldKey_) end(Source::key);
 }
 
-// The release goes to whoever has the focus then: a finger nobody can lift is lifted here.
+// Another widget will get the event of the key's release, so the press ends here.
 void PressPad::focusOutEvent(QFocusEvent* event) {
   end(Source::key);
   QWidget::focusOutEvent(event);

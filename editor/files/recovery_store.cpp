@@ -168,7 +168,7 @@ QString RecoveryStore::keepPicture(const QImage& picture) {
 void RecoveryStore::keepImport(const QByteArray& text) {
   if (!openSession()) return;
   writer_.start([file = nativePath(QDir(session_).filePath(importFile)), text] {
-    (void)writeTextFileAtomically(file, text.toStdString());  // said once by write()
+    (void)writeTextFileAtomically(file, text.toStdString());  // write() reports a disk that fails, once
   });
 }
 

@@ -81,7 +81,8 @@ FrameCorners cornersOf(const importer::GraphEvidence& evidence) {
 
 namespace {
 
-/// A number in line with an axis' labels, beyond its end where the scale has that value.
+/// Returns the number that `text` prints in line with an axis' tick labels, if it lies beyond the axis' end,
+/// where the scale has that value. Sets `place` to that position on the page.
 std::optional<double> valueBeyond(GraphAxis axis, const importer::SeenText& text,
                                   const importer::GraphEvidence& evidence, importer::Point& place) {
   constexpr double leastShare = 1.02, mostOff = 0.015;  // of the axis' length

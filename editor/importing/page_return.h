@@ -47,7 +47,7 @@ class PageReturn : public QObject {
  signals:
   void returned(
       detent::editor::ButtonDocument* document);  ///< the page; the traced points too where they were read
-  /// Nowhere it could be.
+  /// The file lies in none of the searched places.
   void missing(detent::editor::ButtonDocument* document, const QString& fileName);
   /// The chosen file is another one, or could not be read this time.
   void refused(detent::editor::ButtonDocument* document, const QString& sentence);

@@ -25,7 +25,7 @@ Point SheetBend::straightened(Point view_px) const {
 }
 
 Point SheetBend::bent(Point straight_px) const {
-  constexpr int steps = 30;  // each wins the digits of a bend's share of the sheet
+  constexpr int steps = 30;  // of a fixed-point iteration; each divides the error by about sheet / bend
   Point at = straight_px;
   for (int k = 0; k < steps; ++k) at = straight_px - (straightened(at) - at);
   return at;

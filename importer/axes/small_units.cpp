@@ -36,8 +36,8 @@ double unitLikeness(const Unit& unit, const cv::Mat& patch, double height, std::
   return best - unit.rare;
 }
 
-/// Hands of these fonts whose digits, lower than brackets, are so high and wide, in shares of the line's
-/// height.
+/// Styles in which a unit may be drawn: every combination of these fonts, digit heights (as shares of the
+/// line's height; brackets are higher than digits) and advances (as shares of the digit's height).
 std::vector<DrawnText> unitFonts(double height, std::initializer_list<int> fonts,
                                  std::initializer_list<double> digits,
                                  std::initializer_list<double> advances) {

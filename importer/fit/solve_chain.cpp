@@ -28,7 +28,7 @@ RobustResidual robust(double r, double scale) {
 struct AssignedPoint {
   SigmaPoint point;
   std::size_t piece = 0;
-  /// Last footpoint, used as the start of the search, so that results do not depend on it.
+  /// Where the last footpoint lay on its piece, in [0, 1]. The next search starts there.
   double t = 0;
 };
 

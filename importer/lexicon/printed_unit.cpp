@@ -196,7 +196,7 @@ std::vector<Piece> pieces(const std::string& title) {
   return out;
 }
 
-/// Misreadings of units that are words, or letters that end a title.
+/// Texts that resemble a misread unit but are not taken for one: they are words, or the end of a title.
 constexpr std::array<std::string_view, 8> ambiguousReadings{"of", "am", "H", "r", "(N", "02", "mi", "af"};
 
 /// A letter that may be a word's end is a unit only where a unit must stand.

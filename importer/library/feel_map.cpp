@@ -11,7 +11,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t positions = 24;  // of a stroke; half the pace of a click
+constexpr std::size_t positions = 24;  // samples of a stroke, about half a click's width apart
 constexpr std::size_t dimensions = 2 * positions + 1;
 constexpr std::size_t travelAt = dimensions - 1;
 using Vector = std::array<double, dimensions>;

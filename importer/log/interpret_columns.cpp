@@ -405,7 +405,7 @@ class Interpreter {
       }
     }
     findRecordColumns();
-    // One displacement and one force: the run holds what strokes there are.
+    // One column of force, or none that is surely one: its rows, from first to last, hold all the strokes.
     if (!severalRecords_ &&
         (!std::ranges::any_of(fs_, [&](std::size_t c) { return column(c).force >= kNamed; }) ||
          fs_.size() == 1 || givenF_)) {

@@ -47,8 +47,9 @@ class Visibility {
   /// An area that is filled. `hides`: nothing under it is seen, which takes it out of `paths` too.
   void cover(const Box& box, CoverKind kind, Rgb color, bool hides, std::vector<VectorPath>& paths);
 
-  /// The letters that are seen, each once; of a picture's text the words that no others stand on and of whose
-  /// letters `isShown` confirms half: thin ones have little contrast.
+  /// Returns the visible letters. Of copies in one place it returns one, preferably a drawn one. A word of
+  /// a scan's invisible text counts if `isShown` confirms half of its letters: thin letters have little
+  /// contrast.
   template <class IsShown>
   LetterKeys seen(const IsShown& isShown) const {
     LetterKeys keys, before;

@@ -350,7 +350,7 @@ void printTable(const std::vector<FoundSwitch>& found) {
   }
 }
 
-/// The reference switch; its errors only if they are reported.
+/// The reference switch of --like. `errors`: with standard errors of its figures, for reports that show them.
 Result<LibrarySwitch> switchLike(const LibraryArguments& a, bool errors) {
   if (!isLibraryFile(a.like))
     return Failure{

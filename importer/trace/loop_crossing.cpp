@@ -133,8 +133,8 @@ constexpr std::array<SearchPass, 2> kPasses{{{0.035, 8}, {0.02, 15}}};
 bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower, double width_px,
                 double size_px) {
   constexpr double straightThrough = 0.5;  // of the turn
-  constexpr double mostShift_px = 0.5,
-                   mostShift = 1;                        // and in widths; adjacent steep strokes have more
+  // Largest sideways shift of a crossing line, in px plus line widths; steep strokes side by side have more.
+  constexpr double mostShift_px = 0.5, mostShift = 1;
   constexpr double leastContact = 1, leastApart = 2;     // in widths; touching tips have less
   constexpr double bandWidths = 1.3, bandBeyond_px = 1;  // closer lines are one band
   const std::vector<CrossingContact> contacts =

@@ -23,7 +23,7 @@ constexpr double levelTravel =
     4;  // per plot width along one horizontal line, which may be a gridline and so gains nothing
 constexpr double axisParallelPiece = 0.1;     // of a piece that runs along an axis
 constexpr double gridPiece = 0.8;             // of one that also lies on a gridline
-constexpr double smallPiece = 0.005;          // of a small piece
+constexpr double smallPiece = 0.005;          // of a piece as small as a letter
 constexpr double gapPerDiagonal = 2.5;        // per length of a gap, in the plot's diagonals
 constexpr double stopsWhereLineGoesOn = 0.3;  // of an end at which a join would have been cheap
 constexpr double widthDoubling = 0.05;        // of a join of lines of which one is twice as wide

@@ -293,8 +293,8 @@ std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveInk& 
   return strokes;
 }
 
-/// Separates a colour that draws both strokes beside other curves, both with its label. A colour with only
-/// marks beside its curve stays one curve. Of two colours either both draw two strokes or neither.
+/// Splits every trace whose colour draws both strokes into press and release; both keep its label. A curve
+/// with only marks beside it stays whole. Of one or two traces either all are split or none is.
 std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
                                         const std::vector<CurveInk>& curves, const PlotInks& plot,
                                         const TraceOptions& options, const Progress& progress) {

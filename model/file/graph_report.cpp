@@ -95,7 +95,7 @@ std::string textOf(const StrokeMetrics& stroke, const char* name, std::size_t kn
   return text;
 }
 
-/// The state with the graph of another of its speeds, for its figures.
+/// The state with its graph at another speed, to calculate the key figures of that graph.
 ButtonState ofOtherSpeed(const ButtonState& state, const SpeedGraph& other) {
   return {state.name, other.graph, state.operatingPoint_mm, state.resetPoint_mm, state.damping};
 }

@@ -21,8 +21,8 @@ struct SampleShare {
 /// Refers to the record it was made of. One thread.
 class RecordWindows {
  public:
-  /// A window is as short as spans `lowestQuanta` steps of the recording, so that slow movements are not
-  /// drowned in its steps and fast ones not smeared. The record has at least 17 samples.
+  /// Makes each window just long enough to span `lowestQuanta` displacement steps of the recording: rounding
+  /// does not hide slow movements, and fast ones are not smeared. The record has at least 17 samples.
   RecordWindows(const ForceRecord& record, double lowestQuanta);
 
   /// Smallest change of displacement in the record (mm).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A set of measured delays as the paper states its own: "about 51.12ms (N = 50, SD = 1.65)", and what it left
-// out.
+// Statistics of measured delays, as Kim & Lee state them ("about 51.12ms (N = 50, SD = 1.65)"), and more
+// that they leave out.
 
 #include <string>
 #include <vector>

@@ -312,9 +312,9 @@ class Press {
       advanceInAir(muscle_N);
   }
 
-  /// Returns true if no contact comes any more: nothing that acts on the finger pushes it down again, the cap
-  /// is above it while they touch, and the press has ended where they part. The cap moves at most `flight_m`
-  /// in one step, which is 2 m/s.
+  /// Returns true if the contact cannot close any more: the finger moves up, its muscle only pulls up from
+  /// now on, and it is more than `flight_m` above the closing point. While they touch, the cap is no lower
+  /// than the finger; when they part, the press ends. In one step the cap moves at most `flight_m` (2 m/s).
   bool retreats(double time_s) const {
     constexpr double flight_m = 1e-4;
     return touched_ && muscle_.pullsAway(time_s) && now_.finger_m_per_s < 0 &&

@@ -35,7 +35,7 @@ struct Transducer {
   }
 };
 
-/// The round trip from sensor to vibration, as the paper states its own (51.12 ms, N = 50, SD 1.65).
+/// Measured delay from sensor to vibration. Kim & Lee (UIST 2013) state theirs: 51.12 ms (N = 50, SD 1.65).
 struct MeasuredLatency {
   std::size_t n = 0;
   double mean_s = 0, sd_s = 0, p95_s = 0;

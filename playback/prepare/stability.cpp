@@ -111,8 +111,8 @@ class MarginOfState {
     return std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
   }
 
-  /// The least of what the loop bears at rest and at speeds between stated ones, where force follows speed
-  /// late.
+  /// Steepest slope at which the force loop is stable, N/mm: the smallest of the limits at rest and at speeds
+  /// between those of the graphs. There the force also depends on speed, which damps the handle or drives it.
   double loopLimitAt(double at_mm) const {
     const double damping = state_.damping.empty() ? 0 : dampingAt(state_.damping, at_mm);
     const double still = limits_.at_N_per_mm(damping);

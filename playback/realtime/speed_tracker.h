@@ -45,7 +45,7 @@ class PressPace {
   std::array<StateMarks, maxStates> marks_{};
   double speed_ = 0;
   double before_ = 0, before_s_ = 0;     // the reading before
-  double touched_s_ = 0, passed_s_ = 0;  // when it passed these marks
+  double touched_s_ = 0, passed_s_ = 0;  // when the press passed the marks `touch` and `from`
   bool heard_ = false, begun_ = false, timed_ = false;
 };
 

@@ -17,7 +17,7 @@ struct SoundTake {
 /// One take at a time; one that is stopped or replaced fades out. Callback thread; no allocation.
 class TakePlayer {
  public:
-  /// Starts over at another rate; what played is gone, and comes back as ended.
+  /// Starts over at another rate. Takes that play stop without a fade; `nextEnded` returns them.
   void setSampleRate(double sampleRate_Hz);
   /// Plays `take` from the next sample on (nullptr: nothing) and fades out the one before over 5 ms.
   void play(const SoundTake* take);
