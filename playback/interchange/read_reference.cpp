@@ -140,8 +140,9 @@ std::string withoutClosingCommas(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (c == '"') quoted = !quoted;
-    const std::size_t next = c == ',' && !quoted ? text.find_first_not_of(" \t\r\n", i + 1) : text.npos;
-    if (next == text.npos || (text[next] != '}' && text[next] != ']')) kept += c;
+    const std::size_t next =
+        c == ',' && !quoted ? text.find_first_not_of(" \t\r\n", i + 1) : std::string_view::npos;
+    if (next == std::string_view::npos || (text[next] != '}' && text[next] != ']')) kept += c;
     if (c == '\\' && i + 1 < text.size()) kept += text[++i];
   }
   return kept;
