@@ -327,7 +327,7 @@ int contrastIn(const Raster& picture, const Box& box) {
   return most;
 }
 
-/// Returns true if a line has the colour of what it is drawn on, or is blended into it: nobody sees it.
+/// Returns true if a stroked line has the colour of what it is drawn on, or is blended into it: nobody sees it.
 bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPicture) {
   constexpr int leastContrast = 2, seenForSure = 32;  // levels: thin grey lines are seen; samples
   constexpr double leastSeen = 0.2;                   // of the samples: unseen lines cross seen ones
@@ -340,7 +340,7 @@ bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPic
         ++samples;
         seen += contrastIn(picture, Box{at.x, at.y, at.x, at.y}.grown(reach, reach)) >= leastContrast;
       }
-  return path.stroke && samples > 0 && seen < std::min(leastSeen * samples, 1.0 * seenForSure);
+  return samples > 0 && seen < std::min(leastSeen * samples, 1.0 * seenForSure);
 }
 
 /// MuPDF's rows may be padded and its pixels may have other channels; the renders here are plain RGB.
@@ -402,8 +402,9 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
   page.overviewToPage = grid.viewToPage(0);
   page.texts = std::move(texts.value());
   page.paths = std::move(source.collected.paths);
-  std::erase_if(page.paths,
-                [&](const VectorPath& path) { return isUnseen(path, page.overview, toOverview); });
+  std::erase_if(page.paths, [&](const VectorPath& path) {
+    return path.stroke && isUnseen(path, page.overview, toOverview);
+  });
   source.pathsHandedOut = true;
   for (const ImagePlacement& placement : source.collected.images) page.images.push_back(placement.image);
   if (brokenImages_ > 0) page.remarks = {{RemarkCode::imagesUndecoded, {number, brokenImages_}}};

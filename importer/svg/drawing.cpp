@@ -357,16 +357,15 @@ class Reader {
 
   /// As the style attribute states it, else the attribute of that name.
   static std::string propertyOf(xmlNode* node, const std::string& name) {
-    const std::string style = takeText(xmlGetNoNsProp(node, xmlText("style")));
-    for (std::string_view rest = style; !rest.empty();) {
-      const std::size_t end = std::min(rest.find(';'), rest.size());
-      const std::string_view one = rest.substr(0, end);
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-      const std::size_t colon = one.find(':');
-      if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name)
-        return std::string(trimmed(one.substr(colon + 1)));
-    }
-    return takeText(xmlGetNoNsProp(node, xmlText(name)));
+    std::string stated;
+    bool found = false;
+    forEachDeclaration(takeText(xmlGetNoNsProp(node, xmlText("style"))),
+                       [&](std::string_view property, std::string_view value) {
+                         found = property == name;
+                         if (found) stated = value;
+                         return found;
+                       });
+    return found ? stated : takeText(xmlGetNoNsProp(node, xmlText(name)));
   }
 
   void markMissingLetters(xmlNode* node) {

@@ -39,11 +39,19 @@ std::size_t behindBracket(std::string_view text, std::size_t open, char opens, c
   return text.size();
 }
 
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
+/// The parts between commas outside brackets, trimmed.
+std::vector<std::string> listed(std::string_view text) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += (c == '(' || c == '[') - (c == ')' || c == ']');
+    if (c == ',' && depth == 0)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  for (std::string& part : parts) part = std::string(trimmed(part));
+  return parts;
 }
 
 bool featureApplies(std::string_view feature) {
@@ -77,33 +85,12 @@ bool queryApplies(std::string_view query) {
 }  // namespace
 
 bool mediaApply(std::string_view queries) {
-  const std::string lower = lowerCase(queries);
-  std::string_view rest = trimmed(lower);
-  if (rest.empty()) return true;
-  while (!rest.empty()) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    if (queryApplies(rest.substr(0, comma))) return true;
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-  }
-  return false;
+  if (trimmed(queries).empty()) return true;
+  const auto applies = [](const std::string& query) { return !query.empty() && queryApplies(query); };
+  return std::ranges::any_of(listed(lowered(queries)), applies);
 }
 
 namespace {
-
-/// The parts between commas outside brackets, trimmed.
-std::vector<std::string> listed(std::string_view text) {
-  std::vector<std::string> parts(1);
-  int depth = 0;
-  for (const char c : text) {
-    depth += (c == '(' || c == '[') - (c == ')' || c == ']');
-    if (c == ',' && depth == 0)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  for (std::string& part : parts) part = std::string(trimmed(part));
-  return parts;
-}
 
 /// One selector without :is() and :where(), as many as their arguments are.
 std::vector<std::string> writtenOut(const std::string& selector) {

@@ -3,11 +3,29 @@
 // Style sheets as librsvg 2.54 reads them: it skips media queries and knows no variables, nested rules and
 // layers.
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "model/text.h"
+
 namespace detent::importer::svg {
+
+/// Passes name and value of each declaration of a list ("stroke:red; opacity:0"), trimmed, to `take` until it
+/// returns true.
+template <class Take>
+void forEachDeclaration(std::string_view list, const Take& take) {
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(';'), list.size());
+    const std::string_view one = list.substr(0, end);
+    list.remove_prefix(std::min(end + 1, list.size()));
+    const std::size_t colon = one.find(':');
+    if (colon != std::string_view::npos &&
+        take(trimmed(one.substr(0, colon)), trimmed(one.substr(colon + 1))))
+      return;
+  }
+}
 
 /// Values of the custom properties of a drawing, by name ("--name").
 /// The first value of a name counts; later ones are for dark screens.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 
+#include "importer/svg/plain_styles.h"
 #include "model/text.h"
 
 namespace detent::importer::svg {
@@ -125,17 +126,12 @@ Understanding understandingOf(std::string_view selector, std::string& pseudoClas
 }  // namespace
 
 std::string undrawnProperty(std::string_view declarations, bool animates) {
-  while (!declarations.empty()) {
-    const std::size_t end = std::min(declarations.find(';'), declarations.size());
-    const std::string_view one = declarations.substr(0, end);
-    declarations.remove_prefix(std::min(end + 1, declarations.size()));
-    const std::size_t colon = one.find(':');
-    if (colon == std::string_view::npos) continue;
-    const std::string name = lowered(trimmed(one.substr(0, colon)));
-    const std::string value = lowered(trimmed(one.substr(colon + 1)));
-    if (std::string part = undrawnPart(name, value, animates); !part.empty()) return part;
-  }
-  return {};
+  std::string part;
+  forEachDeclaration(declarations, [&](std::string_view name, std::string_view value) {
+    part = undrawnPart(lowered(name), lowered(value), animates);
+    return !part.empty();
+  });
+  return part;
 }
 
 std::string undrawnRule(std::string_view css, bool animates, const ElementNames& names) {

@@ -251,9 +251,9 @@ Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfil
     if (!graph) return graph.failure();
     state.graph = *std::move(graph);
     for (SpeedGraph& other : state.otherSpeeds) {
-      Result<ForceGraph> otherSlope = limited(other.graph, limitedTo * allowed, change);
-      if (!otherSlope) return otherSlope.failure();
-      other.graph = *std::move(otherSlope);
+      Result<ForceGraph> limitedGraph = limited(other.graph, limitedTo * allowed, change);
+      if (!limitedGraph) return limitedGraph.failure();
+      other.graph = *std::move(limitedGraph);
     }
     if (change.largestForceChange_N > 0 || change.addedDamping_Ns_per_mm > 0) changes.push_back(change);
   }
