@@ -44,8 +44,8 @@ Provenance provenanceOf(const GraphFindings& findings, const GraphSource& source
   return p;
 }
 
-/// Printed value that differs from the graph by more than a factor of two, if all printed values of its axis do:
-/// the axis was misread. Null if the page prints no value of an axis, or one of them agrees.
+/// Printed value that differs from the graph by more than a factor of two, if all printed values of its axis
+/// do: the axis was misread. Null if the page prints no value of an axis, or one of them agrees.
 const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
   for (const bool force : {false, true}) {
     const SpecCheck* worst = nullptr;

@@ -100,8 +100,8 @@ std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns
   return rows;
 }
 
-/// Returns true if a stroke jumps to the other one, runs along it and jumps back: it was traced along the wrong
-/// line where a third line covers its own. On a key that snaps each stroke jumps only once.
+/// Returns true if a stroke jumps to the other one, runs along it and jumps back: it was traced along the
+/// wrong line where a third line covers its own. On a key that snaps each stroke jumps only once.
 bool stepsOverAndBack(const StrokePair& strokes) {
   constexpr double together_px = 1.5;
   // A jump: share of the strokes' height, within a share of the travel.

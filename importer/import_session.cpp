@@ -316,8 +316,8 @@ struct ImportSession::Impl {
     return all;
   }
 
-  /// Frees views, least recently used pages first, until the rest is within the bound; never the view of `keep`.
-  /// Keeps what was found on them.
+  /// Frees views, least recently used pages first, until the rest is within the bound; never the view of
+  /// `keep`. Keeps what was found on them.
   void letViewsGo(const LocatedGraph* keep) {
     constexpr std::size_t mostBytes = std::size_t{24} << 20;
     std::vector<PageGraphs*> byAge;
@@ -663,8 +663,8 @@ struct ImportSession::Impl {
     return f;
   }
 
-  /// Class of the page the choice lies on. A levelled view counts as a photograph: its light was evened, so its
-  /// pixels do not show a camera any more. Averaged views show no grain, so the page's own pixels decide.
+  /// Class of the page the choice lies on. A levelled view counts as a photograph: its light was evened, so
+  /// its pixels do not show a camera any more. Averaged views show no grain, so the page's own pixels decide.
   PageClass classOf(const Choice& choice, const StrokePair& strokes, const Progress& progress) {
     const PageView& view = choice.located().view;
     if (strokes.press.fromVector) return PageClass::vector;
@@ -1018,8 +1018,8 @@ ImportAttempt ImportSession::Impl::importLog(const ImportRequest& request, const
   return attempt;
 }
 
-/// The choices of a question that lead to an accepted result, each tried by `isAccepted` with its hints; nullopt:
-/// none does.
+/// The choices of a question that lead to an accepted result, each tried by `isAccepted` with its hints;
+/// nullopt: none does.
 std::optional<Question> ImportSession::Impl::tried(
     const Question& question, const ImportRequest& request, const Progress& progress,
     const std::function<bool(const ImportRequest&)>& isAccepted) {
@@ -1035,7 +1035,8 @@ std::optional<Question> ImportSession::Impl::tried(
   return left.choices.empty() ? std::nullopt : std::optional(std::move(left));
 }
 
-/// The question about a refused log. Tried as drafts: the level changes how a log is fitted, not how it is read.
+/// The question about a refused log. Tried as drafts: the level changes how a log is fitted, not how it is
+/// read.
 std::optional<Question> ImportSession::Impl::triedOnLog(const Question& question,
                                                         const ImportRequest& request,
                                                         const Progress& progress) {

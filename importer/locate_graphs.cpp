@@ -60,7 +60,8 @@ PlotFrame frameInView(const PlotFrame& frame, const Homography& toView) {
 /// of plots.
 constexpr double leastFramePixels = 7e5;
 
-/// View of a region around the candidate. Averages pixels of a picture whose frame is larger than tracing needs.
+/// View of a region around the candidate. Averages pixels of a picture whose frame is larger than tracing
+/// needs.
 Result<PageView> viewOf(const Document& document, const Page& page, const Box& region,
                         const FrameCandidate& candidate, const ViewOptions& options,
                         const Progress& progress) {

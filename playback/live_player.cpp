@@ -595,7 +595,8 @@ class Player : public LivePlayer {
     return conditionedInputs(trace, routeProgram_->program, session_.sampleRate_Hz(), origin_s, counts);
   }
 
-  // Drops the inputs of the previous trace that were sent ahead, and places the finger at the new trace's start.
+  // Drops the inputs of the previous trace that were sent ahead, and places the finger at the new trace's
+  // start.
   void dropSentAhead(const EngineInput& first) {
     SessionCommand command;
     command.kind = CommandKind::forget;

@@ -104,8 +104,8 @@ void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<See
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
 }
 
-/// Title from lines inside the plot, if they have a certain unit: a title at the end of an axis may stand inside
-/// the frame. Callouts ("4.2 mm") are not titles.
+/// Title from lines inside the plot, if they have a certain unit: a title at the end of an axis may stand
+/// inside the frame. Callouts ("4.2 mm") are not titles.
 template <class Unit, class Parse>
 void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
   AxisTitle<Unit> inside;

@@ -76,8 +76,8 @@ struct Inked {
 };
 
 /// Returns true if a mark beside a letter is a legend key: a dash too long for writing, or, in another
-/// colour than the letter, a shorter dash, a filled square or disc, a line with its marker. `usual_px`: height
-/// of the letters.
+/// colour than the letter, a shorter dash, a filled square or disc, a line with its marker. `usual_px`:
+/// height of the letters.
 bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& on) {
   constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wideDash = 0.6,
                    highest = 3.2;         // of a letter's height
@@ -127,8 +127,8 @@ LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
   return row;
 }
 
-/// Returns true if a level line runs through the whole mark: a legend key with its marker, or a leader with its
-/// arrowhead. Letters that touch each other have no such line.
+/// Returns true if a level line runs through the whole mark: a legend key with its marker, or a leader with
+/// its arrowhead. Letters that touch each other have no such line.
 bool isLineLike(const Box& mark, const cv::Mat& marks) {
   constexpr double nearlyAll = 0.9;  // of its columns
   const int left = std::max(0, static_cast<int>(std::ceil(mark.x0))),

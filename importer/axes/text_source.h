@@ -7,8 +7,8 @@
 
 namespace detent::importer {
 
-/// Returns `exact` for text of the document itself, whose letters are certain; `recognised` for text read from
-/// pixels.
+/// Returns `exact` for text of the document itself, whose letters are certain; `recognised` for text read
+/// from pixels.
 inline TextSource sourceOf(const SeenText& text) {
   return text.confidence >= 1 ? TextSource::exact : TextSource::recognised;
 }

@@ -24,8 +24,8 @@ struct Callout {
   std::string text;
 };
 
-/// Callouts whose leader was found; at most one of each kind (the surest). A text without a leader is left out,
-/// because its place does not show where it points.
+/// Callouts whose leader was found; at most one of each kind (the surest). A text without a leader is left
+/// out, because its place does not show where it points.
 std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
                                   const StrokePair& strokes);
 

@@ -17,8 +17,8 @@ struct EvidenceTerm {
   double logLikelihood = 0;  ///< > 0 speaks for it
 };
 
-/// Sum of named evidence. Rules of thumb overlap, so each counts only in part; the share is calibrated on drawn tables
-/// (docs/measurements/import-confidence.md). Counted distributions count in full.
+/// Sum of named evidence. Rules of thumb overlap, so each counts only in part; the share is calibrated on
+/// drawn tables (docs/measurements/import-confidence.md). Counted distributions count in full.
 class Evidence {
  public:
   /// A rule of thumb: the log-likelihood that it would have alone.

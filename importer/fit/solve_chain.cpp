@@ -28,7 +28,7 @@ RobustResidual robust(double r, double scale) {
 struct AssignedPoint {
   SigmaPoint point;
   std::size_t piece = 0;
-  /// Where the last footpoint lay on its piece, in [0, 1]. The next search starts there.
+  /// Position of the last footpoint on its piece, in [0, 1]. The next search starts there.
   double t = 0;
 };
 
@@ -203,7 +203,8 @@ class ChainProblem {
     return 0.5 * sum;
   }
 
-  /// Passes every residual to `take`. `isPriced`: costAt() just evaluated this chain and found the footpoints.
+  /// Passes every residual to `take`. `isPriced`: costAt() just evaluated this chain and found the
+  /// footpoints.
   template <class Take>
   void rowsAt(const KnotChain& chain, bool isPriced, const Take& take) {
     const std::vector<ChainPiece> pieces = piecesOf(chain);

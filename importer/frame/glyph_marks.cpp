@@ -98,8 +98,8 @@ int commonLength(const std::vector<int>& lengths) {
 
 int longestTick(double frameHeight) { return std::max(4, static_cast<int>(0.1 * frameHeight)); }
 
-/// Erases ticks below the frame's edge, which is row 0. A run longer than the others ends in a label, which is
-/// kept. Nothing beyond `longest` + 1 rows is looked at.
+/// Erases ticks below the frame's edge, which is row 0. A run longer than the others ends in a label, which
+/// is kept. Nothing beyond `longest` + 1 rows is looked at.
 void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int longest, int thickest) {
   if (d.cols < 4 || columns.empty()) return;
   const auto lengths = ticksBelow(d, columns, longest, thickest);

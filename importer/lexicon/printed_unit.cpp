@@ -258,8 +258,8 @@ bool hasUnitInPlace(const std::string& title) {
   });
 }
 
-/// Words of a heading that may be units: the parts of its brackets, or without brackets the words behind "in".
-/// `perLength`: "N/mm" in a bracket are two.
+/// Words of a heading that may be units: the parts of its brackets, or without brackets the words behind
+/// "in". `perLength`: "N/mm" in a bracket are two.
 std::vector<std::string> headingTokens(const std::string& heading, bool perLength) {
   std::vector<std::string> tokens;
   const auto add = [&](std::string_view token) { tokens.push_back(withSmallF(withoutBrackets(token))); };

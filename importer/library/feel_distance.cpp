@@ -15,8 +15,8 @@ constexpr double steepest_gf_per_mm = 60;
 
 /// Cells of the wanted travel: 0.04 mm on a key switch, below which slopes are of the meters' noise.
 constexpr int cells = 96;
-/// Largest shift between the contacts of two records, and step of the search for it, in cells: preload and first
-/// resistance differ between testers.
+/// Largest shift between the contacts of two records, and step of the search for it, in cells: preload and
+/// first resistance differ between testers.
 constexpr int farthestShift = 8, shiftStride = 2;
 /// Left out at either end of the common travel, as a share of it: contact and bottom-out, where a hundredth
 /// of a millimetre decides.

@@ -12,7 +12,8 @@
 
 namespace detent::importer {
 
-/// Returns true if the library takes a file with this ending: force logs (.csv, .ods, .json) and buttons (.button.json).
+/// Returns true if the library takes a file with this ending: force logs (.csv, .ods, .json) and buttons
+/// (.button.json).
 bool isLibraryFile(const std::filesystem::path& path);
 
 /// Returns true if a file is, by its ending, a page or picture, which may hold force graphs of datasheets.
@@ -25,8 +26,8 @@ struct PageButton {
   KeyFigures sigmas = {};
 };
 
-/// Force graphs of a page or picture that are certain enough, in their order. Failure: if none is, the reason why the first was refused.
-/// Any thread.
+/// Force graphs of a page or picture that are certain enough, in their order. Failure: if none is, the reason
+/// why the first was refused. Any thread.
 Result<std::vector<PageButton>> readPageButtons(const std::string& path, Quality quality);
 
 /// Rows of buttons that stand in one page or picture.
@@ -34,16 +35,16 @@ Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<PageButton>&
                                                   const std::string& path);
 
 /// Switches of one file, at least one, with name, unit, run, part, figures and shape. `errors`: with standard
-/// errors of the figures, which take a third of the time. `releasePath`: file of the release if it has its own.
-/// Failure: the reason of the refusal. Any thread.
+/// errors of the figures, which take a third of the time. `releasePath`: file of the release if it has its
+/// own. Failure: the reason of the refusal. Any thread.
 Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors = true,
                                                 const std::string& releasePath = {});
 
 /// SHA-256 of a file, and of its release's where that is in a file of its own.
 Result<std::string> contentHash(const std::string& path, const std::string& releasePath);
 
-/// The switch as a button of one state, with its name and provenance. Failure unreadableInput: the file changed since it was indexed.
-/// Any thread.
+/// The switch as a button of one state, with its name and provenance. Failure unreadableInput: the file
+/// changed since it was indexed. Any thread.
 Result<Button> buttonOf(const LibrarySwitch& entry, Quality quality);
 
 }  // namespace detent::importer

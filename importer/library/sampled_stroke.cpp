@@ -179,8 +179,8 @@ void SampledStroke::weighNoise() {
   static const Blocks usual(longest);
   const std::optional<Blocks> own = length == longest ? std::nullopt : std::optional<Blocks>(length);
   const Blocks& blocks = own ? *own : usual;
-  // Errors that neighbouring samples share look like a bend of the curve, so a second round uses the noise that
-  // the first one estimated.
+  // Errors that neighbouring samples share look like a bend of the curve, so a second round uses the noise
+  // that the first one estimated.
   std::optional<Noise> found;
   for (int round = 0; round < 2; ++round) {
     const auto covariances = covariancesBehindCubics(points_, blocks, found ? found->together() : 1);

@@ -767,8 +767,8 @@ class ColumnFinder {
     if (named == Quantity::travel) column.quantity = ColumnQuantity::displacement;
   }
 
-  /// A word that names a force or a displacement in one language and another quantity in the next ("charge") counts where the
-  /// unit agrees; without a unit it is a name that no list knows.
+  /// A word that names a force or a displacement in one language and another quantity in the next ("charge")
+  /// counts where the unit agrees; without a unit it is a name that no list knows.
   static void settleSharedWords(DataColumn& column) {
     constexpr auto other = static_cast<std::uint32_t>(ColumnWord::other);
     for (KnownWords::Word& word : column.words.words) {

@@ -510,7 +510,8 @@ class LogReader {
     return found;
   }
 
-  /// Returns true if a table has titles, and neither titles nor units speak for its displacement or its force.
+  /// Returns true if a table has titles, and neither titles nor units speak for its displacement or its
+  /// force.
   bool saysNothing(const LogInterpretation& made, const DataTable& data) const {
     if (made.groups.size() != 1 || hasColumnHints()) return false;
     return data.columns[made.groups.front().displacement].displacement <= 0 &&
@@ -947,7 +948,8 @@ class LogReader {
     log_.confidence = confidenceOfMargins(margins);
   }
 
-  /// Returns true if a person chose among the records of the best reading, and the rival holds only columns of such records.
+  /// Returns true if a person chose among the records of the best reading, and the rival holds only columns
+  /// of such records.
   bool isAnswered(const LogInterpretation& best, const LogInterpretation& rival) const {
     const auto isRecordOfBest = [&](const ColumnGroup& group) {
       return !group.stroke && std::ranges::any_of(best.groups, [&](const ColumnGroup& each) {

@@ -190,8 +190,8 @@ std::size_t columnOfReference(std::string_view reference) {
   return column == 0 ? 0 : column - 1;
 }
 
-/// Number of formulas if no program has calculated them: each result is 0, as XlsxWriter writes it, or none. 0 if
-/// one has another result, or there are so few that zeros may be true.
+/// Number of formulas if no program has calculated them: each result is 0, as XlsxWriter writes it, or none.
+/// 0 if one has another result, or there are so few that zeros may be true.
 std::size_t uncalculatedIn(const pugi::xml_node& worksheet) {
   constexpr std::size_t fewest = 5;
   std::size_t formulas = 0;

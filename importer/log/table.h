@@ -67,9 +67,9 @@ class Table {
 /// Failure: cancelled; unreadableInput: a line longer than 1 MB.
 Result<Table> tableOfText(std::string text, const std::string& subject, const Progress& progress);
 
-/// The sheets of an xlsx or OpenDocument spreadsheet that hold cells. Formulas give the value that was saved with them; cells of
-/// uncalculated ones are empty.
-/// Failure unreadableInput: damaged, encrypted, or larger than 64 MB when unpacked; entities are not expanded.
+/// The sheets of an xlsx or OpenDocument spreadsheet that hold cells. Formulas give the value that was saved
+/// with them; cells of uncalculated ones are empty. Failure unreadableInput: damaged, encrypted, or larger
+/// than 64 MB when unpacked; entities are not expanded.
 Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const std::string& subject);
 
 /// Formulas of an xlsx file that no program has calculated.

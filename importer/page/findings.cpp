@@ -4,7 +4,7 @@
 namespace detent::importer {
 namespace {
 
-/// How a finding is called by scripts, and the pattern of its words. The tables stand in the order of the codes.
+/// The name of a finding in scripts, and the pattern of its words. The tables have the order of the codes.
 template <class Code>
 struct Wording {
   Code code;

@@ -327,7 +327,7 @@ int contrastIn(const Raster& picture, const Box& box) {
   return most;
 }
 
-/// Returns true if a stroked line has the colour of what it is drawn on, or is blended into it: nobody sees it.
+/// Returns true if nobody sees a stroked line: it has the colour of its ground, or is blended into it.
 bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPicture) {
   constexpr int leastContrast = 2, seenForSure = 32;  // levels: thin grey lines are seen; samples
   constexpr double leastSeen = 0.2;                   // of the samples: unseen lines cross seen ones

@@ -260,8 +260,8 @@ std::vector<std::string> withListsRead(const std::vector<std::string>& inputs) {
   return all;
 }
 
-/// Given options, one a line, without those that do not change a result: the places of the outputs, the number
-/// of processes, and the form of the report.
+/// Given options, one a line, without those that do not change a result: the places of the outputs, the
+/// number of processes, and the form of the report.
 std::string settledBy(const CLI::App& app) {
   static const std::set<std::string> besides{"INPUT",    "--batch", "--out-dir",   "--jobs",
                                              "--resume", "--json",  "--json-lines"};

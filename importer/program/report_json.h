@@ -9,12 +9,14 @@
 
 namespace detent::importer {
 
-/// One object on one line. `input`: as the user wrote it. `outputs`: the files written. `explained`: readings for --explain, the best first:
-/// "interpretations": [{"reading", "evidence": [{"name", "about", "log_likelihood"}], "sum"}].
+/// One object on one line. `input`: as the user wrote it. `outputs`: the files written. `explained`: readings
+/// for --explain, the best first: "interpretations": [{"reading", "evidence": [{"name", "about",
+/// "log_likelihood"}], "sum"}].
 std::string reportJson(const ImportReport& report, const std::string& input,
                        const std::vector<std::string>& outputs,
                        const std::vector<ExplainedInterpretation>& explained = {});
-/// Report of a refused input. `switches`: those of its plot; if there are several, they are listed as "curves".
+/// Report of a refused input. `switches`: those of its plot; if there are several, they are listed as
+/// "curves".
 std::string failureJson(const Failure& failure, const std::string& input,
                         const std::vector<PlotSwitch>& switches = {},
                         const std::optional<Question>& question = {},

@@ -126,8 +126,8 @@ std::optional<Choice> answerTo(const Question& question) {
   return question.choices[number - 1];
 }
 
-/// Imports one graph of an open input, writes its outputs, and adds one JSON object to `reported`. Returns the
-/// exit code.
+/// Imports one graph of an open input, writes its outputs, and adds one JSON object to `reported`. Returns
+/// the exit code.
 int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
               const Progress& progress, Reported& reported) {
   const ImportAttempt attempt = session.attempt(request, progress);

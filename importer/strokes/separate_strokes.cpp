@@ -511,8 +511,9 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
   return true;
 }
 
-/// Extends `own` along `other` to the end of the travel. A release begins where the press ends, so a stroke that
-/// stops on the other one, shortly before that one ends, runs hidden under it. Returns true if it was extended.
+/// Extends `own` along `other` to the end of the travel. A release begins where the press ends, so a stroke
+/// that stops on the other one, shortly before that one ends, runs hidden under it. Returns true if it was
+/// extended.
 bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   constexpr double least = 0.05,
                    most = 0.1;     // smallest and largest hidden part: of the other's height; of its width

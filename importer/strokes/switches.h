@@ -22,9 +22,9 @@ struct PlotSwitch {
       traces;  ///< one or two of the traces it was found among, in the order of the colours
 };
 
-/// Switches of a plot, numbered from 1 in the order of the legend (row by row from its top), without a legend from
-/// the highest curve to the lowest. Empty if it is not clear which curves belong together. Traces of less than
-/// two points are ignored.
+/// Switches of a plot, numbered from 1 in the order of the legend (row by row from its top), without a legend
+/// from the highest curve to the lowest. Empty if it is not clear which curves belong together. Traces of
+/// less than two points are ignored.
 std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces);
 
 /// Index of the requested switch: its name or the legend's words of one of its strokes, or its number from 1.

@@ -68,8 +68,8 @@ struct PlotInks {
   Rgb colorOf(const Ink& colour) const { return rgbOf(scene.paper() + colour.difference()); }
 };
 
-/// Field in which colour `index` is followed. `curveColours`: colours that may cover it as curves; other colours
-/// are clutter.
+/// Field in which colour `index` is followed. `curveColours`: colours that may cover it as curves; other
+/// colours are clutter.
 CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveColours);
 
 /// Field for a dashed line's path; nullopt if the colour is not drawn in dashes.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What every sound callback does, whichever library calls it: let the session render, add rain and press sound for the ears, copy to all
-// channels, account.
+// Fills the buffer of a sound callback, for every sound library: renders the session, adds rain and the sound
+// of the press for the ears, copies to all channels and counts.
 
 #include <algorithm>
 #include <array>

@@ -436,8 +436,8 @@ class MotionFit {
     const double used = static_cast<double>(2 * found.stretches + parameters);
     found.residual_mm = std::sqrt(cost / std::max(1.0, n - used));
     found.expected_mm = record_.step_mm / std::sqrt(12.0);
-    // Errors within a stretch are correlated, so stretches are counted, not readings. The variance is at least
-    // that of independent rounding.
+    // Errors within a stretch are correlated, so stretches are counted, not readings. The variance is at
+    // least that of independent rounding.
     const Square inverse = (e.normal + 1e-15 * Square::Identity()).inverse();
     const double m = static_cast<double>(found.stretches);
     const Square byStretches =

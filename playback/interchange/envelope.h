@@ -21,11 +21,11 @@ Stretch pressOf(const PressPlan& plan);
 Stretch releaseOf(const PressPlan& plan);
 /// First sample of the first burst of a half; `stretch.to` if there is none.
 std::int64_t firstOnset(const PressPlan& plan, const Stretch& stretch);
-/// As firstOnset, but a burst that begins less than `room_s` before a jump or bottom-out is skipped, unless it
-/// is one itself.
+/// As firstOnset, but a burst that begins less than `room_s` before a jump or bottom-out is skipped, unless
+/// it is one itself.
 std::int64_t firstOnsetWithRoom(const PressPlan& plan, const Stretch& stretch, double room_s);
-/// As firstOnset, moved earlier by at most `grid_s`, so that the first jump or bottom-out, if there is one, lies
-/// on a grid of that width.
+/// As firstOnset, moved earlier by at most `grid_s`, so that the first jump or bottom-out, if there is one,
+/// lies on a grid of that width.
 std::int64_t firstOnsetOnGrid(const PressPlan& plan, const Stretch& stretch, double grid_s);
 
 /// Level and frequency between two moments.

@@ -43,8 +43,8 @@ class Leftover {
     const double middle_Hz = std::sqrt(frequency_Hz.front() * frequency_Hz.back());
     for (std::size_t i = 0; i < frequency_Hz.size(); ++i) {
       const double angle = 2 * std::numbers::pi * frequency_Hz[i] / sampleRate_Hz;
-      // A sweep stays at a frequency in inverse proportion to it, so the variance of the noise is proportional to
-      // the frequency.
+      // A sweep stays at a frequency in inverse proportion to it, so the variance of the noise is
+      // proportional to the frequency.
       const double weight = std::sqrt(middle_Hz / frequency_Hz[i]);
       places_.push_back(
           {std::cos(angle), std::sin(angle), std::log2(frequency_Hz[i] / middle_Hz), gain_dB[i], weight});
@@ -139,8 +139,8 @@ Eigen::VectorXd varianceAround(const Eigen::VectorXd& left) {
 }
 
 /// Covariance of the unknowns; nullopt if the response does not determine one of them. The noise in dB is
-/// smaller where the response is higher, so each frequency is weighted with the variance of the residuals around
-/// it (White 1980). Neighbours whose residuals agree count as one measurement.
+/// smaller where the response is higher, so each frequency is weighted with the variance of the residuals
+/// around it (White 1980). Neighbours whose residuals agree count as one measurement.
 std::optional<Eigen::MatrixXd> covarianceOf(const Leftover& leftover, const Eigen::VectorXd& at,
                                             const std::vector<double>& gain_dB) {
   Eigen::VectorXd left(leftover.NumResiduals());

@@ -30,8 +30,8 @@ constexpr double noticedCrossing_N = 0.001;
 // Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a
 // press.
 constexpr double mostFedShare = 0.02;
-// The position of a moving handle is predicted to the next step, so the felt slope up to the operating point is
-// about the drawn one.
+// The position of a moving handle is predicted to the next step, so the felt slope up to the operating point
+// is about the drawn one.
 constexpr double risenShare = 0.96;
 // The push before the first force: more than the friction of a preset, too little to hurt; of a measured
 // device more than its friction.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Prepares a button for the force loop of a device. Prepares only parts that the button has: no release curve if
-// it equals the press curve, no damping without damping, no second state for a momentary button.
+// Prepares a button for the force loop of a device. Prepares only parts that the button has: no release curve
+// if it equals the press curve, no damping without damping, no second state for a momentary button.
 
 #include <cstddef>
 #include <optional>

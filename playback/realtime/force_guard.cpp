@@ -79,9 +79,9 @@ std::uint32_t ForceGuard::held() const {
   return std::min(limits_.heldReadings, static_cast<std::uint32_t>(limits_.longestHold_s / period_s_ + 1e-6));
 }
 
-// Returns true if a movement from the last good position leads here: it keeps its speed, gains speed up to the
-// limit, stops at once, or turns as fast as it may gain. Missing readings give it time to gain more speed;
-// positions that jumped do not, and neither do positions that follow from a jump.
+// Returns true if a movement from the last good position leads here: it keeps its speed, gains speed up to
+// the limit, stops at once, or turns as fast as it may gain. Missing readings give it time to gain more
+// speed; positions that jumped do not, and neither do positions that follow from a jump.
 bool ForceGuard::reachable(double position_mm) const {
   const double way_mm = position_mm - last_mm_;
   if (settling()) return std::abs(way_mm) <= limits_.speed_mm_per_s * period_s_ * std::max(1.0, since_);

@@ -166,8 +166,9 @@ void ForceLaw::followState(double position_mm, double lead_mm, double velocity_m
   if (!actuated_) {
     if (!caught_ || position_mm + lead_mm < table().operating_mm) return;
     const double at_mm = std::max(position_mm, table().operating_mm);
-    // If the force rises at the actuation, the state changes early, so that the new force acts when the handle
-    // arrives: late, the handle would do less work than the state then stores. Otherwise wait for the handle.
+    // If the force rises at the actuation, the state changes early, so that the new force acts when the
+    // handle arrives: late, the handle would do less work than the state then stores. Otherwise wait for the
+    // handle.
     const Place acts = placeAt(at_mm);
     if (position_mm < at_mm &&
         acts.force_N(&ForceRow::press_N) <= sameForce * acts.force_N(&ForceRow::pending_N))

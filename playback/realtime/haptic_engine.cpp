@@ -385,8 +385,8 @@ double HapticEngine::loudestWithin(double samples) const {
   return sum * (gain_ > gainTarget_ ? gain_ : gainTarget_);
 }
 
-// Computes the sounding voices ahead, up to the next event, so that the limiter knows a peak before it comes and
-// the sound needs no delay.
+// Computes the sounding voices ahead, up to the next event, so that the limiter knows a peak before it comes
+// and the sound needs no delay.
 void HapticEngine::lookAhead() {
   const double horizon = std::floor(scanAhead_s * sampleRate_Hz_);
   const bool everLoud = loudestWithin(highestSampleRate_Hz) > limiter_.ceiling();

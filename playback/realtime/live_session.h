@@ -94,10 +94,10 @@ class LiveSession {
   /// These two belong to whoever opens and closes the stream, while no callback runs. The next stream runs at
   /// this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
   void setSampleRate(double sampleRate_Hz);
-  /// Takes the programs and gains that were sent while no stream ran and drops all other commands, so that the
-  /// queue does not fill up.
+  /// Takes the programs and gains that were sent while no stream ran and drops all other commands, so that
+  /// the queue does not fill up.
   void takeWhileAway();
-  /// What is heard of a press, beside the signal.
+  /// Sets the sound that plays with each press, on a channel beside the vibration.
   void setPressSound(PressSound sound);
 
   /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).
@@ -110,8 +110,8 @@ class LiveSession {
   /// clock that time-stamped messages use.
   void process(float* out, std::size_t count, double entry_s);
 
-  /// Callback thread, after process: adds what is heard of presses, if anything is, to `count` samples; `felt`:
-  /// what process gave.
+  /// Callback thread, after process: adds what is heard of presses, if anything is, to `count` samples;
+  /// `felt`: what process gave.
   bool pressSounds() const;
   void addPressSound(float* ears, const float* felt, std::size_t count);
 

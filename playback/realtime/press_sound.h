@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What is heard of a press beside what is felt: a recording that begins with each click, or the vibration
-// itself, later and on a channel of its own.
+// The sound of a press, beside the vibration: a recording that begins with each click, or the vibration
+// itself, delayed, on a channel of its own.
 
 #include <cstddef>
 #include <cstdint>
@@ -35,8 +35,8 @@ class PressSounder {
   void take(const EngineEvent& event);
   /// Where the finger is after the events so far.
   void take(const HapticProgram* program, const StrokePosition& position);
-  /// Adds the sound to the `count` samples before `end_frame` of the engine; `felt`: the vibration's. The sum is
-  /// held within [-1, 1].
+  /// Adds the sound to the `count` samples before `end_frame` of the engine; `felt`: the vibration's. The sum
+  /// is held within [-1, 1].
   void addTo(float* out, const float* felt, std::size_t count, std::int64_t end_frame);
 
  private:

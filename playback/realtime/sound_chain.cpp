@@ -62,8 +62,8 @@ bool SoundChain::startBurst(const Burst& burst) {
   }
   const bool steals = playing >= playingVoices;
   if (steals) oldest->fadeOut(stealFade_frames_);
-  // No voice is free if more voices were stolen within one fade than there are spare ones. Then the voice that is
-  // nearest to silence is replaced.
+  // No voice is free if more voices were stolen within one fade than there are spare ones. Then the voice
+  // that is nearest to silence is replaced.
   if (free == nullptr) free = mostFaded != nullptr ? mostFaded : oldest;
   free->start(burst, sampleRate_Hz_);
   return steals;

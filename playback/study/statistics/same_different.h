@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Distance of two stimuli (d') from trials in which two are felt and called the same or different. Macmillan &
-// Creelman, Detection Theory: A User's Guide (2005), chapter 9. Any thread.
+// Distance of two stimuli (d') from trials in which two are felt and called the same or different. Macmillan
+// & Creelman, Detection Theory: A User's Guide (2005), chapter 9. Any thread.
 
 #include <cstddef>
 #include <optional>
@@ -19,9 +19,9 @@ struct SameDifferentCount {
 SameDifferentCount sumOf(const std::vector<SameDifferentCount>& counts);
 
 struct SameDifferentDPrime {
-  /// The participant compares the difference of the two with a criterion; for mixed pairs. And: each of the two
-  /// is identified first, without bias; for one pair that is known. 0 where there are no more hits than false
-  /// alarms.
+  /// The participant compares the difference of the two with a criterion; for mixed pairs. And: each of the
+  /// two is identified first, without bias; for one pair that is known. 0 where there are no more hits than
+  /// false alarms.
   double differencing = 0, independent = 0;
   double low = 0;              ///< 95 % by the likelihood of the differencing model (Christensen & Brockhoff,
                                ///< Journal de la SFdS 2009), trials independent

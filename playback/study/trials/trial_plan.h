@@ -11,8 +11,8 @@
 
 namespace detent::playback {
 
-/// One question: which of `choices` is X? Are the two the same? Threshold: which has more? Rating: how is it, or which is better?
-/// Timing: press, at a time.
+/// One question: which of `choices` is X? Are the two the same? Threshold: which has more? Rating: how is it,
+/// or which is better? Timing: press, at a time.
 struct Trial {
   std::size_t number = 0;  ///< from 1, practice first, as the participant meets them
   bool practice = false;   ///< answered and kept, but counted nowhere

@@ -227,7 +227,8 @@ TEST_CASE("a motor that turns round under a finger is off within 50 ms and 3 mm 
 
 namespace {
 
-/// Checks that an encoder that turns round as the finger leaves is off within 50 ms and 3 mm outside the travel.
+/// Checks that an encoder that turns round as the finger leaves is off within 50 ms and 3 mm outside the
+/// travel.
 void turnsRound(double mass_kg, double jitter, double lost) {
   const ForceDeviceProfile profile = wiredDevice();
   const Button button = plainSpring(1, 10);

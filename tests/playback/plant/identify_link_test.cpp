@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent-play identify-device over the links of a microcontroller and an ODrive, in real time. Issue 25, section 2.
+// detent-play identify-device over the links of a microcontroller and an ODrive, in real time. Issue 25,
+// section 2.
 
 #include <cmath>
 #include <string>

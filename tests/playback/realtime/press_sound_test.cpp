@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is heard of a press: at its sample behind the click, once a press, at its level, on a channel of its own.
+// What is heard of a press: at its sample behind the click, once a press, at its level, on a channel of its
+// own.
 #include "playback/realtime/press_sound.h"
 
 #include <algorithm>
