@@ -203,7 +203,8 @@ class StyleWriter {
   void emit(const std::vector<std::string>& selectors, const std::string& declarations, std::size_t layer) {
     if (declarations.empty()) return;
     std::string& to = layer == none ? unlayered_ : layers_[layer].second;
-    for (const std::string& selector : selectors) to += selector + "{" + declarations + "}\n";
+    for (const std::string& selector : selectors)
+      to.append(selector).append("{").append(declarations).append("}\n");
   }
 
   std::vector<std::pair<std::string, std::string>> layers_;  ///< name and rules, weakest first
