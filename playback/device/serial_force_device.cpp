@@ -326,7 +326,7 @@ bool SerialForceDevice::isBack() {
   ++counts_.reconnects;
   limitHeld_ = false;
   loseLaw();
-  lastTime_us_ = heardTime_us_ = -1;
+  heardTime_us_ = -1;
   return true;
 }
 
@@ -382,10 +382,17 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
       !read(f[3], position_nm) || !read(f[4], state)) {
     return Answer::none;
   }
+  // Wrong numbers or a clock that stands still tell nothing of the handle: the device counts as silent, so that the
+  // force of its table is withdrawn.
+  const bool isNew = static_cast<std::int32_t>(sequence_ - sequence) >= 0 &&
+                     static_cast<std::int32_t>(sequence - heard_) > 0 && time_us != heardTime_us_;
+  if (!isNew) {
+    lineTaken_ = false;
+    return Answer::old;
+  }
   noteAnswer(sequence, time_us);
-  // Of an earlier period, which counts only where nothing waits for it; or twice; or a device whose clock stands still measures nothing anew.
-  if ((sequence != sequence_ && table_.empty()) || time_us == lastTime_us_) return Answer::old;
-  lastTime_us_ = time_us;
+  // An answer of an earlier period counts only where nothing waits for it.
+  if (sequence != sequence_ && table_.empty()) return Answer::old;
   if (state == unlimitedState && limitHeld_) {  // it was reset meanwhile
     limitHeld_ = false;
     loseLaw();

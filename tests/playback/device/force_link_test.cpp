@@ -995,15 +995,28 @@ TEST_CASE("a serial port runs at any rate: 250000 baud is exact on a 16 MHz AVR"
 }
 
 TEST_CASE(
-    "serial force device: a table's force is withdrawn where its answers stop, and comes back with them") {
+    "serial force device: a table's force is withdrawn where its answers stop or are wrong, and comes back "
+    "with them") {
+  const std::string wrong = GENERATE(as<std::string>(), "none", "of no question", "of the first question",
+                                     "of a clock that stands");
+  CAPTURE(wrong);
   std::atomic<bool> mute{false};
   std::atomic<int> forcesOfNothing{0}, kept{0}, begun{0};
+  std::string stands_us = "1";  // of the device's thread alone
   FakeDevice fake([&](const std::string& line) {
     const std::string body = bodyOf(line);
+    if (!mute && (body.starts_with("F,") || body.starts_with("H,"))) stands_us = sequenceOf(body) + "000";
     if (mute && body.starts_with("F,") && body.ends_with(",0")) ++forcesOfNothing;
     if (mute && body.starts_with("H,")) ++kept;
     begun += body == "G" ? 1 : 0;
-    return mute ? std::string() : goodBoard(line, 0);
+    if (!mute) return goodBoard(line, 0);
+    if (wrong == "none" || !(body.starts_with("F,") || body.starts_with("H,"))) return std::string();
+    const unsigned long asked = std::stoul(sequenceOf(body));
+    const unsigned long said = wrong == "of no question"          ? asked + 7
+                               : wrong == "of the first question" ? 1
+                                                                  : asked;
+    const std::string time_us = wrong == "of a clock that stands" ? stands_us : std::to_string(1000 * asked);
+    return forceLine("P," + std::to_string(said) + "," + time_us + ",0,1");
   });
   auto device = opened(fake, 0.004);
   REQUIRE(takesTable(*device, benchProgram(test::linearButton())));
