@@ -1011,11 +1011,12 @@ TEST_CASE(
     begun += body == "G" ? 1 : 0;
     if (!mute) return goodBoard(line, 0);
     if (wrong == "none" || !(body.starts_with("F,") || body.starts_with("H,"))) return std::string();
-    const unsigned long asked = std::stoul(sequenceOf(body));
-    const unsigned long said = wrong == "of no question"          ? asked + 7
+    const unsigned long question = std::stoul(sequenceOf(body));
+    const unsigned long said = wrong == "of no question"          ? question + 7
                                : wrong == "of the first question" ? 1
-                                                                  : asked;
-    const std::string time_us = wrong == "of a clock that stands" ? stands_us : std::to_string(1000 * asked);
+                                                                  : question;
+    const std::string time_us =
+        wrong == "of a clock that stands" ? stands_us : std::to_string(1000 * question);
     return forceLine("P," + std::to_string(said) + "," + time_us + ",0,1");
   });
   auto device = opened(fake, 0.004);
