@@ -35,7 +35,7 @@ class FindingsPanel : public QScrollArea {
   bool acceptable();
 
  signals:
-  void toolAsked(PageToolKind kind);
+  void toolRequested(PageToolKind kind);
   /// What is said now needs more room than before to be seen without scrolling sideways.
   void widthWanted(int width_px);
 

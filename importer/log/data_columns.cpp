@@ -116,8 +116,8 @@ bool namesRecordIn(const DataColumn& column) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
   };
   if (isCondition(title)) return std::ranges::any_of(title, isLetter);
-  const bool isTold = words.words.size() + words.unknown > 1 || std::ranges::any_of(title, isDigit);
-  if (words.has(ColumnWord::record) && isTold) return true;
+  const bool isStated = words.words.size() + words.unknown > 1 || std::ranges::any_of(title, isDigit);
+  if (words.has(ColumnWord::record) && isStated) return true;
   return words.has(ColumnWord::cycle) && column.unit.kind == ColumnUnit::Kind::force &&
          std::ranges::any_of(title, isDigit);
 }

@@ -24,9 +24,9 @@ PicturePixel pixelAt(const StoredPicture& picture, int x, int y) {
 double pixelLuma(const PicturePixel& p) { return importer::luma(p.r, p.g, p.b); }
 
 /// How much of an ink as bright as this vanishes on a background as bright as that, 0..1.
-double vanishing(double ink, double background) {
+double vanishing(double foreground, double background) {
   constexpr double justVisible = 16;  // grey levels
-  const double contrast = (ink - background) / justVisible;
+  const double contrast = (foreground - background) / justVisible;
   return std::exp(-contrast * contrast);
 }
 
@@ -49,7 +49,7 @@ std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
 }
 
 /// Whether what lies behind a rim is the ground of a plot: of one shade farther inwards than ink is thick.
-bool isGround(const StoredPicture& in, int x, int y, Step outwards, double shade) {
+bool isBackground(const StoredPicture& in, int x, int y, Step outwards, double shade) {
   constexpr int thick = 12;  // px
   const int nx = x - thick * outwards.dx, ny = y - thick * outwards.dy;
   if (nx < 0 || ny < 0 || nx >= in.width_px || ny >= in.height_px) return false;
@@ -58,7 +58,7 @@ bool isGround(const StoredPicture& in, int x, int y, Step outwards, double shade
 }
 
 /// The ink that a pixel at a rim belongs to: the shade near it that differs most from its own.
-double inkBehindRim(const StoredPicture& in, int x, int y) {
+double colourBehindRim(const StoredPicture& in, int x, int y) {
   constexpr int reach = 2;
   const double own = pixelLuma(pixelAt(in, x, y));
   double behind = own;
@@ -80,17 +80,18 @@ std::uint8_t backgroundFor(const StoredPicture& in) {
       const PicturePixel p = pixelAt(in, x, y);
       const auto outwards = p.alpha < 128 ? std::nullopt : towardsTransparency(in, x, y);
       if (!outwards) continue;
-      const double own = pixelLuma(p), behind = inkBehindRim(in, x, y);
-      const bool soft = std::abs(own - behind) > kSoftRim, ground = isGround(in, x, y, *outwards, behind);
-      if (ground && !soft) continue;  // a plot's edge without a line
-      if (soft && !ground) {
+      const double own = pixelLuma(p), behind = colourBehindRim(in, x, y);
+      const bool soft = std::abs(own - behind) > kSoftRim,
+                 isBehind = isBackground(in, x, y, *outwards, behind);
+      if (isBehind && !soft) continue;  // a plot's edge without a line
+      if (soft && !isBehind) {
         // Smoothed against a background that was cut away later: its shade is left at the rims of every line.
         (own > behind ? lostOnBlack : lostOnWhite) += 1;
         continue;
       }
-      const double ink = ground ? own : behind;
-      lostOnWhite += vanishing(ink, 255);
-      lostOnBlack += vanishing(ink, 0);
+      const double foreground = isBehind ? own : behind;
+      lostOnWhite += vanishing(foreground, 255);
+      lostOnBlack += vanishing(foreground, 0);
     }
   return lostOnWhite > lostOnBlack ? 0 : 255;
 }
@@ -111,8 +112,8 @@ constexpr StoredOrder storedOrders[] = {{},
                                         {true, true, true},
                                         {true, true, false}};
 
-std::uint8_t over(std::uint8_t ink, std::uint8_t alpha, std::uint8_t background) {
-  const int mixed = ink * alpha + background * (255 - alpha);
+std::uint8_t over(std::uint8_t foreground, std::uint8_t alpha, std::uint8_t background) {
+  const int mixed = foreground * alpha + background * (255 - alpha);
   return static_cast<std::uint8_t>((mixed + 127) / 255);
 }
 

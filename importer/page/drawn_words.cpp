@@ -10,7 +10,7 @@ namespace {
 
 /// What is drawn with, let go of with the last of it.
 struct Drawing {
-  explicit Drawing(fz_context* its) : context(its) {}
+  explicit Drawing(fz_context* mupdf) : context(mupdf) {}
   ~Drawing() {
     fz_drop_pixmap(context, pixels);
     fz_drop_text(context, text);

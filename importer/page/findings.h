@@ -26,7 +26,7 @@ enum class EvidenceCode {
   labelsAroundBox,      ///< labels below, labels beside a rectangle of lines
   axisGiven,            ///< axis
   labelsInProgression,  ///< axis, labels in it, numbers read, ticks
-  toldApartByCourse,    ///< both strokes are drawn as one loop
+  distinguishedByPath,  ///< both strokes are drawn as one loop
   namedByLegend,
   pressAboveRelease,  ///< share of where they differ
   oneHigherForce,
@@ -35,11 +35,11 @@ enum class EvidenceCode {
   pressAloneThoughNamedRelease,
   releaseNamedNotSeen,
   exchangedByHand,
-  numbersAlone,      ///< numbers in a row, numbers in a column; no rectangle of lines
-  widenedToNumbers,  ///< the labels count on beyond the rectangle of lines
-  nameNearly,        ///< asked for, read
-  footUnderAnother,  ///< a stroke's foot lies under another curve and runs down with that
-  unitsOfHeading     ///< what stands above the plot and names units that an axis does not
+  numbersAlone,       ///< numbers in a row, numbers in a column; no rectangle of lines
+  widenedToNumbers,   ///< the labels count on beyond the rectangle of lines
+  nameNearly,         ///< asked for, read
+  startUnderAnother,  ///< a stroke's foot lies under another curve and runs down with that
+  unitsOfHeading      ///< what stands above the plot and names units that an axis does not
 };
 
 struct EvidenceItem {
@@ -54,17 +54,17 @@ std::vector<Message> messagesOf(const std::vector<EvidenceItem>& evidence);
 
 /// What is not certain.
 enum class DoubtCode {
-  axesUncertain,       ///< messages of their evidence
-  curvesUncertain,     ///< messages of their evidence
-  pointsMakeNoCurve,   ///< distance of the fit from the points, px
-  valueContradicts,    ///< message of the printed value
-  rangeUnreadable,     ///< numbers along the axis that make no even progression
-  ratherADrawing,      ///< messages of the axes' evidence
-  doesNotLookLikeOne,  ///< confidence of the curves, 0..1
-  tooManyCurves,       ///< how many, their colours and names
-  severalSwitches,     ///< how many, their numbers, names and colours
-  strokesAlike,        ///< colours of the two
-  releaseAbovePress,   ///< share of their travel
+  axesUncertain,      ///< messages of their evidence
+  curvesUncertain,    ///< messages of their evidence
+  pointsMakeNoCurve,  ///< distance of the fit from the points, px
+  valueContradicts,   ///< message of the printed value
+  rangeUnreadable,    ///< numbers along the axis that make no even progression
+  ratherADrawing,     ///< messages of the axes' evidence
+  resemblesNoLoop,    ///< confidence of the curves, 0..1
+  tooManyCurves,      ///< how many, their colours and names
+  severalSwitches,    ///< how many, their numbers, names and colours
+  strokesAlike,       ///< colours of the two
+  releaseAbovePress,  ///< share of their travel
   // what no step sees alone, docs/develop/decisions/0805-doubts.md
   unitMissing,        ///< axis, unit that would be taken
   otherQuantity,      ///< axis, what it measures as printed
@@ -80,8 +80,8 @@ enum class DoubtCode {
   leavesThePlot,  ///< force at the edge that it goes on beyond, N
   belowTheAxis,   ///< force at which the axis begins, N
   otherScale,
-  inkLeftOver,       ///< travel and force at the middle of it, mm and N
-  curveWithoutInk,   ///< the same
+  curveLeftOver,     ///< travel and force at the middle of it, mm and N
+  curveOverPaper,    ///< the same
   readingsDiffer,    ///< messages: the button as read first, as read a second time
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover

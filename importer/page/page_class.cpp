@@ -55,9 +55,9 @@ std::vector<Tile> tilesOf(const Raster& raster) {
 
 /// Ink and paper and hardly a level between them: what a fax or a scanner set to text leaves.
 bool isBilevel(const Raster& raster) {
-  constexpr double mostBetween_share = 0.001, leastInk_share = 0.002;
+  constexpr double mostBetween_share = 0.001, leastDark_share = 0.002;
   const double all = static_cast<double>(raster.width_px) * raster.height_px;
-  std::size_t between = 0, ink = 0;
+  std::size_t between = 0, dark = 0;
   for (int y = 0; y < raster.height_px; ++y) {
     if (static_cast<double>(between) >= mostBetween_share * all) return false;
     for (int x = 0; x < raster.width_px; ++x) {
@@ -65,10 +65,10 @@ bool isBilevel(const Raster& raster) {
       const auto [low, high] = std::minmax({p[0], p[1], p[2]});
       between += low > 16 && high < 239;
       between += high - low > 64;  // a colour is neither
-      ink += high <= 16;
+      dark += high <= 16;
     }
   }
-  return static_cast<double>(between)<mostBetween_share * all&& static_cast<double>(ink)> leastInk_share *
+  return static_cast<double>(between)<mostBetween_share * all&& static_cast<double>(dark)> leastDark_share *
          all;
 }
 

@@ -306,7 +306,7 @@ PictureHeader webpHeader(std::span<const unsigned char> bytes) {
 }
 
 /// The root element may have a prefix and follow an XML declaration, a comment and a document type with entities.
-bool looksLikeSvg(std::span<const unsigned char> bytes) {
+bool isProbablySvg(std::span<const unsigned char> bytes) {
   constexpr std::size_t most = 65536;
   std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), most)));
   const bool utf16 = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
@@ -351,7 +351,7 @@ FileKind sniffFileKind(std::span<const unsigned char> bytes) {
   const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
                               std::min<std::size_t>(bytes.size(), 1024));
   if (head.find("%PDF-") != std::string_view::npos) return FileKind::pdf;
-  if (looksLikeSvg(bytes)) return FileKind::svg;
+  if (isProbablySvg(bytes)) return FileKind::svg;
   return foreignKind(in);
 }
 

@@ -93,7 +93,7 @@ class ForceLoop {
   std::uint64_t dropped_ = 0;
   std::atomic<bool> stopping_{false}, abandoned_{false}, emergency_{false}, rearming_{false};
   std::atomic<double> heldUntil_s_{0};
-  double asked_s_ = 0, exchanged_s_ = 0, late_s_ = 0;
+  double requested_s_ = 0, exchanged_s_ = 0, late_s_ = 0;
   moodycamel::ReaderWriterQueue<ForceStep> rows_;
   moodycamel::ReaderWriterQueue<std::unique_ptr<ForceProgram>> programs_, retired_;
   mutable std::mutex statusMutex_;  ///< the loop only tries it: a display never makes a step late

@@ -480,9 +480,9 @@ std::optional<double> OdriveForceDevice::fedFeedback_turns() {
 std::optional<double> OdriveForceDevice::measureRoundTrip_s() {
   RoundTrips trips;
   while (trips.goOn()) {
-    const double asked_s = now_s();
+    const double requested_s = now_s();
     fedFeedback_turns();
-    trips.add(now_s() - asked_s);
+    trips.add(now_s() - requested_s);
   }
   return trips.usual_s();
 }

@@ -183,7 +183,7 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
   const auto text = [](long long value) { return "," + std::to_string(value); };
   std::vector<std::string> lines{
       "T" + text(rows) + text(whole(t.first_mm * nmPerMm)) + text(whole(spacing_mm * nmPerMm)) +
-      text(whole(program.law.playRadius_mm * nmPerMm)) + text(whole(t.wallSlope_N_per_mm / micro)) +
+      text(whole(program.law.playRadius_mm * nmPerMm)) + text(whole(t.bottomOutSlope_N_per_mm / micro)) +
       text(whole(program.limits.force_N / micro))};
   for (std::uint32_t i = 0; i < rows; ++i) {
     const auto at =
@@ -222,11 +222,11 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
     return Failure{FailureCode::wrongUsage, info_.name, "", Message("holds no force table"),
                    Message("Leave the upload out: the host runs the law")};
   }
-  const double asked_N = program.limits.force_N;
-  if (!(asked_N > 0) || asked_N > limits_.force_N * (1 + 1e-9)) {
+  const double requested_N = program.limits.force_N;
+  if (!(requested_N > 0) || requested_N > limits_.force_N * (1 + 1e-9)) {
     return Failure{FailureCode::wrongUsage, info_.name, "",
                    Message("was opened for %1; the table has a limit of %2, or none",
-                           newtons(limits_.force_N), newtons(asked_N)),
+                           newtons(limits_.force_N), newtons(requested_N)),
                    Message("Prepare the button for the device's limit")};
   }
   table_ = forceTableLines(program, info_.tableRows);
@@ -366,11 +366,11 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
   if (refused || *text == "A" || text->starts_with("I,")) return Answer::other;
   if (text->starts_with("L,")) {
     const std::size_t silence = limitLine_.rfind(',');
-    long long asked_ms = 0, holds_ms = 0;
+    long long requested_ms = 0, holds_ms = 0;
     limitHeld_ = text->size() > silence &&
                  text->substr(0, silence + 1) == limitLine_.substr(0, silence + 1) &&
-                 read(std::string_view(limitLine_).substr(silence + 1), asked_ms) &&
-                 read(text->substr(silence + 1), holds_ms) && holds_ms > 0 && holds_ms <= asked_ms;
+                 read(std::string_view(limitLine_).substr(silence + 1), requested_ms) &&
+                 read(text->substr(silence + 1), holds_ms) && holds_ms > 0 && holds_ms <= requested_ms;
     silence_s_ = tableSilence * 1e-3 * static_cast<double>(holds_ms);
     return Answer::other;
   }
@@ -402,16 +402,16 @@ std::optional<double> SerialForceDevice::measureRoundTrip_s() {
   RoundTrips trips;
   while (trips.goOn()) {
     ++sequence_;
-    const double asked_s = now_s();
+    const double requested_s = now_s();
     sendOrders(ForceCommand{});
     ForceReading reading;
     reading.fresh = false;
     while (!reading.fresh) {
-      const std::optional<std::string_view> line = link_.line(asked_s + slowestRoundTrip_s);
+      const std::optional<std::string_view> line = link_.line(requested_s + slowestRoundTrip_s);
       if (!line) break;
       take(*line, reading);
     }
-    trips.add(now_s() - asked_s);
+    trips.add(now_s() - requested_s);
   }
   roundTrip_s_ = trips.usual_s();
   return roundTrip_s_;

@@ -187,7 +187,7 @@ class ImportDialogTest : public QObject {
   void whatIsShownGivenAgainChangesNothing();
   void findingsEndWithTheirLastBox();
   void aFrameBesideTheShownOneAddsAGraph();
-  void aMissingUnitIsAskedForInTheBanner();
+  void theBannerRequestsAMissingUnit();
   void axisEndsAreTypedAlikeInEveryLanguage();
   void graphsAreListedWithoutTheirPages();
   void theOriginSetsBothAxes();
@@ -617,17 +617,17 @@ void ImportDialogTest::anAxisThatGoesOnOffersToExtendTheFrame() {
 void ImportDialogTest::severalGraphsAtOnce() {
   // Two sample plots on one picture.
   const QImage one(sample("brown-one-ink.png")), two(sample("white-chinese-gf.png"));
-  QImage both(one.width() + two.width() + 60, std::max(one.height(), two.height()) + 40,
-              QImage::Format_RGB32);
-  both.fill(Qt::white);
+  QImage joined(one.width() + two.width() + 60, std::max(one.height(), two.height()) + 40,
+                QImage::Format_RGB32);
+  joined.fill(Qt::white);
   {
-    QPainter painter(&both);
+    QPainter painter(&joined);
     painter.drawImage(20, 20, one);
     painter.drawImage(one.width() + 40, 20, two);
   }
   ImportState state;
   PageList list(state);
-  state.openPicture(both);
+  state.openPicture(joined);
   QVERIFY(QTest::qWaitFor([&] { return settled(state) && state.searchedPages() == 1; }, patience_ms));
   QCOMPARE(state.graphs().size(), std::size_t{2});
   QCOMPARE(list.model()->rowCount(), 3);
@@ -1002,7 +1002,7 @@ void ImportDialogTest::findingsEndWithTheirLastBox() {
 }
 
 // The sheet names no unit of force: nothing is guessed quietly, and one click in the banner settles it.
-void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
+void ImportDialogTest::theBannerRequestsAMissingUnit() {
   QImage page(sample("brown-one-ink.png"));
   {
     QPainter painter(&page);
@@ -1212,16 +1212,16 @@ void ImportDialogTest::theDialogueFitsSmallScreens() {
 
 void ImportDialogTest::anotherSheetAsksBeforeCorrectionsGo() {
   ShownDialog dialog;
-  int asked = 0;
+  int requests = 0;
   bool mayLeave = false;
-  dialog.setLeaveQuestion([&] { return ++asked, mayLeave; });
+  dialog.setLeaveQuestion([&] { return ++requests, mayLeave; });
   dialog.openFile(sample("two-level-legend.png"));
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
-  QCOMPARE(asked, 0);
+  QCOMPARE(requests, 0);
   ImportState& state = dialog.findChild<PageView*>()->state();
   state.correct("Exchange strokes", [](Corrections& c) { c.swapStrokes = true; });
   dialog.openFile(sample("white-vector.pdf"));
-  QCOMPARE(asked, 1);
+  QCOMPARE(requests, 1);
   QCOMPARE(state.documentName(), QString("two-level-legend.png"));
   mayLeave = true;
   dialog.openFile(sample("white-vector.pdf"));

@@ -193,16 +193,16 @@ class UnaskedTest : public QObject {
   /// closed with Enter.
   void visitMarks() {
     const Seen before = seen();
-    std::vector<CurvePoint> places;
-    for (const Mark& mark : pointMarks(canvas().state(), canvas().values())) places.push_back(mark.at);
+    std::vector<CurvePoint> clicked;
+    for (const Mark& mark : pointMarks(canvas().state(), canvas().values())) clicked.push_back(mark.at);
     for (const Stroke stroke : {Stroke::press, Stroke::release}) {
       const StrokeCurve& curve = document().graph().curve(stroke);
       for (std::size_t i = 0; i + 1 < curve.knots().size(); ++i) {
         const double mm = 0.5 * (curve.knots()[i].displacement_mm + curve.knots()[i + 1].displacement_mm);
-        places.push_back({mm, curve.force_N(mm)});
+        clicked.push_back({mm, curve.force_N(mm)});
       }
     }
-    for (const CurvePoint& place : places) {
+    for (const CurvePoint& place : clicked) {
       const QPointF at = canvas().mapping().toPixel(place.displacement_mm, place.force_N);
       const QString where = QStringLiteral("%1 mm, %2 N").arg(place.displacement_mm).arg(place.force_N);
       for (const Qt::KeyboardModifier modifier : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier})

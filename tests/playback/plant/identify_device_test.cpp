@@ -98,7 +98,7 @@ class Shaken {
     force_N_ = engine_.step(reading).force_N;
     if (wakesLate_s_ == 0) sending_.send(now_s, force_N_);
     playback::ForceStep kept = engine_.last();
-    if (wakesLate_s_ > 0) kept.asked_s = clockFrom_s + now_s;
+    if (wakesLate_s_ > 0) kept.requested_s = clockFrom_s + now_s;
     time_s_ += record_.time_s.empty() ? 0 : between_s(before_, kept, period_s);
     before_ = kept;
     record_.time_s.push_back(time_s_);
@@ -148,7 +148,7 @@ struct Off {
            static_cast<double>(sigmas.size());
   }
   double worst() const { return *std::max_element(shares.begin(), shares.end()); }
-  std::string told() const {
+  std::string report() const {
     return std::to_string(100 * within(1)) + " % within one error, " + std::to_string(100 * within(2)) +
            " % within two, most " + std::to_string(*std::max_element(sigmas.begin(), sigmas.end())) +
            "; worst " + std::to_string(worst());
@@ -176,8 +176,8 @@ TEST_CASE("devices are measured within their errors", "[identify]") {
     lag.add(m.lag_s, d.handle.motorLag_s, 1);
     late.add(m.late_s, d.delay_s + d.handle.motorLag_s, 1);
   }
-  INFO("mass " << mass.told() << "\nfriction " << friction.told() << "\ndamping " << damping.told()
-               << "\ndelay " << delay.told() << "\nlag " << lag.told() << "\nlate " << late.told());
+  INFO("mass " << mass.report() << "\nfriction " << friction.report() << "\ndamping " << damping.report()
+               << "\ndelay " << delay.report() << "\nlag " << lag.report() << "\nlate " << late.report());
   CHECK(mass.worst() < 0.02);
   CHECK(friction.worst() < 0.005);
   CHECK(damping.worst() < 0.0002);

@@ -19,9 +19,9 @@ unsigned checksumOf(const std::string& text) {
 std::vector<std::string> fieldsOf(const std::string& line) {
   const std::size_t star = line.rfind('*');
   if (line.size() > 95 || star == std::string::npos || line.size() != star + 3) return {};
-  char told[3];
-  std::snprintf(told, sizeof told, "%02X", checksumOf(line.substr(0, star)));
-  if (line.substr(star + 1) != told) return {};
+  char checksum[3];
+  std::snprintf(checksum, sizeof checksum, "%02X", checksumOf(line.substr(0, star)));
+  if (line.substr(star + 1) != checksum) return {};
   std::vector<std::string> fields;
   std::istringstream body(line.substr(0, star));
   for (std::string field; std::getline(body, field, ',');) fields.push_back(field);
@@ -44,7 +44,7 @@ double UploadedTable::force_N(double position_mm, bool pressing, double speed_mm
     return rows[below].*column + (rows[below + 1].*column - rows[below].*column) * share;
   };
   return between(pressing ? &Row::press_N : &Row::release_N) +
-         std::max(0.0, position_mm - last_mm) * wall_N_per_mm +
+         std::max(0.0, position_mm - last_mm) * bottomOut_N_per_mm +
          between(&Row::damping_Ns_per_mm) * speed_mm_per_s;
 }
 

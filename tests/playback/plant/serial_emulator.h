@@ -26,7 +26,7 @@ struct UploadedTable {
   struct Row {
     double press_N = 0, release_N = 0, damping_Ns_per_mm = 0;
   };
-  double first_mm = 0, spacing_mm = 0, radius_mm = 0, wall_N_per_mm = 0;
+  double first_mm = 0, spacing_mm = 0, radius_mm = 0, bottomOut_N_per_mm = 0;
   std::vector<Row> rows;
   /// Force with the play wholly on one side, before any limit of the device.
   double force_N(double position_mm, bool pressing, double speed_mm_per_s) const;

@@ -12,16 +12,16 @@ namespace detent::importer {
 inline double colorDistance(Rgb a, Rgb b) { return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b); }
 
 /// Whether two colours are about the same.
-inline bool isSameInk(Rgb a, Rgb b) {
-  constexpr double sameInk = 70;  // colour levels
-  return colorDistance(a, b) <= sameInk;
+inline bool isSameColour(Rgb a, Rgb b) {
+  constexpr double sameColour = 70;  // colour levels
+  return colorDistance(a, b) <= sameColour;
 }
 
 /// Whether a pixel, inside the picture or not, has about this colour.
-inline bool isInkOf(const Raster& picture, Rgb color, int x, int y) {
+inline bool hasColour(const Raster& picture, Rgb color, int x, int y) {
   if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
   const std::uint8_t* p = picture.at(x, y);
-  return isSameInk({p[0], p[1], p[2]}, color);
+  return isSameColour({p[0], p[1], p[2]}, color);
 }
 
 }  // namespace detent::importer

@@ -11,7 +11,7 @@
 namespace detent::importer {
 
 /// Pixels that hang together, corners included.
-struct InkPiece {
+struct PixelComponent {
   Box box;  ///< of whole pixels: x1 and y1 are the first column and row beyond it
   int area_px = 0;
   int runsAcross = 0;  ///< runs of ink met along all its rows
@@ -19,17 +19,17 @@ struct InkPiece {
 };
 
 /// Ink of one row without a gap.
-struct InkRun {
+struct PixelRun {
   int y = 0, from = 0, to = 0;  ///< to: the first column beyond it
   std::size_t piece = 0;        ///< index of the piece it belongs to
 };
 
-struct InkPieces {
-  std::vector<InkPiece> all;  ///< in the order in which their first pixels come, two rows at a time
-  std::vector<InkRun> runs;   ///< row by row, from the left
+struct PixelComponents {
+  std::vector<PixelComponent> all;  ///< in the order in which their first pixels come, two rows at a time
+  std::vector<PixelRun> runs;       ///< row by row, from the left
 };
 
 /// The pieces of what is not 0 in `height` rows of `width` bytes, `stride` bytes apart.
-InkPieces inkPiecesOf(const std::uint8_t* mask, int width, int height, std::size_t stride);
+PixelComponents pixelComponentsOf(const std::uint8_t* mask, int width, int height, std::size_t stride);
 
 }  // namespace detent::importer
