@@ -16,7 +16,7 @@
 namespace detent::editor {
 namespace {
 
-// What cannot be read stays as typed, marked, with the reason beside it.
+// Marks a field whose text cannot be read and shows the reason beside it. The text stays.
 void showRefusal(QLineEdit& edit, const QString& why) {
   QPalette colors = edit.palette();
   colors.setColor(QPalette::Text, why.isEmpty() ? edit.parentWidget()->palette().color(QPalette::Text)
@@ -180,7 +180,7 @@ void AxisBox::takeEnd(bool isMax) {
   const AxisQuantity shownAxis = axisQuantity(axis_, unit_->currentText().toStdString());
   if (!value.value && takeWithUnit(*edit, isMax)) return;
   showRefusal(*edit, value.value ? QString() : refusalOf(value, shownAxis.quantity, shownAxis.units));
-  if (!value.value) return;  // as typed, so that it can be mended
+  if (!value.value) return;  // the text stays, so that the user can correct it
   if (other.value && other.shown == value.shown) return showRefusal(*edit, noLength());
   edit->setModified(false);
   const std::optional<double> otherShown = other.value ? std::optional(other.shown) : std::nullopt;

@@ -213,8 +213,8 @@ class ImportState : public QObject {
 
 /// A found tick's place on the page.
 importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evidence, double position_px);
-/// Returns true if the axis' values fall to the right or upwards on the page. Such a plot is read in a mirror, where
-/// the values of its AxisReading rise.
+/// Returns true if the axis' values fall to the right or upwards on the page. Such a plot is read in a
+/// mirror, where the values of its AxisReading rise.
 bool fallsOnPage(GraphAxis axis, const importer::GraphEvidence& evidence);
 /// Corners of the evidence's frame in page units, from the upper left one clockwise as the page shows them.
 FrameCorners cornersOf(const importer::GraphEvidence& evidence);

@@ -37,7 +37,8 @@ void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size
     same->value = tick.value;
 }
 
-// The units printed at the axes, or given for them: the person compares labels with the page. Others: as shown.
+// The units printed at the axes, or given for them: the person compares labels with the page. Others: as
+// shown.
 DisplayUnits unitsOfPage(const ImportGraph& graph, DisplayUnits units) {
   const Corrections& given = graph.history.now();
   const auto& result = graph.good ? graph.good : graph.last;

@@ -23,7 +23,7 @@ PicturePixel pixelAt(const StoredPicture& picture, int x, int y) {
 
 double pixelLuma(const PicturePixel& p) { return importer::luma(p.r, p.g, p.b); }
 
-/// How much of an ink as bright as this vanishes on a background as bright as that, 0..1.
+/// Fraction of contrast lost when a foreground of this brightness is put on this background, 0..1.
 double vanishing(double foreground, double background) {
   constexpr double justVisible = 16;  // grey levels
   const double contrast = (foreground - background) / justVisible;
@@ -36,10 +36,11 @@ struct Step {
   int dx = 0, dy = 0;
 };
 
-/// The step from a pixel onto transparency beside it. Only ink that borders on it tells on which background the picture was
-/// meant to stand: letters and axis lines, not the inside of an opaque white plot area.
+/// The step from a pixel onto a transparent neighbour; nullopt if there is none. Only letters and lines that
+/// border on transparency show for which background the picture was made; the inside of an opaque white plot
+/// area does not.
 std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
-  constexpr int reach = 1;  // two would take the ink behind a soft rim for a rim of it
+  constexpr int reach = 1;  // with 2, pixels behind a soft rim would count as rim
   for (const Step step : {Step{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
     const int nx = x + step.dx, ny = y + step.dy;
     if (nx >= 0 && ny >= 0 && nx < in.width_px && ny < in.height_px && pixelAt(in, nx, ny).alpha < 32)
@@ -48,7 +49,7 @@ std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
   return {};
 }
 
-/// Whether what lies behind a rim is the ground of a plot: of one shade farther inwards than ink is thick.
+/// Returns true if a plot's background lies behind a rim: one shade, farther inwards than a line is thick.
 bool isBackground(const StoredPicture& in, int x, int y, Step outwards, double shade) {
   constexpr int thick = 12;  // px
   const int nx = x - thick * outwards.dx, ny = y - thick * outwards.dy;
@@ -57,7 +58,7 @@ bool isBackground(const StoredPicture& in, int x, int y, Step outwards, double s
   return p.alpha >= 128 && std::abs(pixelLuma(p) - shade) <= kSoftRim;
 }
 
-/// The ink that a pixel at a rim belongs to: the shade near it that differs most from its own.
+/// Brightness of the line or letter that a rim pixel belongs to: the nearby one that differs most from it.
 double colourBehindRim(const StoredPicture& in, int x, int y) {
   constexpr int reach = 2;
   const double own = pixelLuma(pixelAt(in, x, y));
@@ -70,7 +71,7 @@ double colourBehindRim(const StoredPicture& in, int x, int y) {
   return behind;
 }
 
-/// 255 or 0: white, unless more of the picture's ink would vanish on white than on black.
+/// Brightness of the background for transparent pixels: 255 (white), or 0 if white hides more of the lines.
 std::uint8_t backgroundFor(const StoredPicture& in) {
   double lostOnWhite = 0, lostOnBlack = 0;
   const int step =

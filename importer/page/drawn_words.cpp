@@ -8,7 +8,7 @@
 namespace detent::importer {
 namespace {
 
-/// What is drawn with, let go of with the last of it.
+/// RAII owner of the MuPDF drawing objects.
 struct Drawing {
   explicit Drawing(fz_context* mupdf) : context(mupdf) {}
   ~Drawing() {

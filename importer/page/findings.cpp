@@ -19,7 +19,7 @@ constexpr bool isInOrder(const Wording<Code> (&table)[count]) {
   return true;
 }
 
-/// A pattern that is translated in the editor: the build target detent-edit-texts looks for this name.
+/// A pattern that is translated in the editor: the build target detent-edit-texts searches for this name.
 constexpr const char* words(const char* pattern) { return pattern; }
 
 constexpr Wording<EvidenceCode> evidenceWords[] = {

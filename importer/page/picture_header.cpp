@@ -198,8 +198,8 @@ PictureHeader pngHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
-/// Where the compressed scan that begins at `at` ends: at the next marker that is not a restart and no stuffed
-/// 0xFF.
+/// Where the compressed scan that begins at `at` ends: at the next marker that is not a restart and no
+/// stuffed 0xFF.
 std::size_t endOfScan(const ByteReader& in, std::size_t at) {
   for (; at + 1 < in.size(); ++at) {
     if (in.u8(at) != 0xff) continue;
@@ -305,7 +305,8 @@ PictureHeader webpHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
-/// The root element may have a prefix and follow an XML declaration, a comment and a document type with entities.
+/// The root element may have a prefix and follow an XML declaration, a comment and a document type with
+/// entities.
 bool isProbablySvg(std::span<const unsigned char> bytes) {
   constexpr std::size_t most = 65536;
   std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), most)));

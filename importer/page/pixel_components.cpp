@@ -8,7 +8,7 @@
 namespace detent::importer {
 namespace {
 
-/// The first column from `x` on that has ink; `width` if there is none.
+/// The first column from `x` on with a marked pixel; `width` if there is none.
 int nextMark(const std::uint8_t* row, int x, int width) {
   constexpr int word = sizeof(std::uint64_t);
   std::uint64_t eight = 0;
@@ -63,7 +63,7 @@ std::vector<std::size_t> piecesInOrder(const std::vector<PixelRun>& runs, Touchi
 PixelComponents pixelComponentsOf(const std::uint8_t* mask, int width, int height, std::size_t stride) {
   PixelComponents found;
   Touching sets;
-  std::vector<int> openAbove;  // per run: pixels without ink right above them
+  std::vector<int> openAbove;  // per run: pixels with an unmarked pixel right above them
   std::size_t above = 0;       // the first run of the row above that may touch what follows
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* row = mask + static_cast<std::size_t>(y) * stride;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Connected pieces of a mask, found run by run: a drawing is nearly all paper, and paper costs next to nothing.
+// Connected pieces of a mask, found run by run: a drawing is nearly all paper, and paper costs next to
+// nothing.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,15 +11,15 @@
 
 namespace detent::importer {
 
-/// Pixels that hang together, corners included.
+/// A connected component: marked pixels that touch at edges or corners.
 struct PixelComponent {
   Box box;  ///< of whole pixels: x1 and y1 are the first column and row beyond it
   int area_px = 0;
-  int runsAcross = 0;  ///< runs of ink met along all its rows
-  int runsDown = 0;    ///< and down all its columns
+  int runsAcross = 0;  ///< number of runs of marked pixels in all its rows
+  int runsDown = 0;    ///< the same in all its columns
 };
 
-/// Ink of one row without a gap.
+/// Marked pixels of one row without a gap.
 struct PixelRun {
   int y = 0, from = 0, to = 0;  ///< to: the first column beyond it
   std::size_t piece = 0;        ///< index of the piece it belongs to

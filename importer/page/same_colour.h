@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How far colours lie apart, and whether one is a curve's ink. Any thread.
+// Distance of colours, and whether a pixel has a curve's colour. Any thread.
 
 #include <cmath>
 
@@ -11,13 +11,13 @@ namespace detent::importer {
 /// Colour levels.
 inline double colorDistance(Rgb a, Rgb b) { return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b); }
 
-/// Whether two colours are about the same.
+/// Returns true if two colours are about the same.
 inline bool isSameColour(Rgb a, Rgb b) {
   constexpr double sameColour = 70;  // colour levels
   return colorDistance(a, b) <= sameColour;
 }
 
-/// Whether a pixel, inside the picture or not, has about this colour.
+/// Returns true if the pixel has about this colour; false outside the picture.
 inline bool hasColour(const Raster& picture, Rgb color, int x, int y) {
   if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
   const std::uint8_t* p = picture.at(x, y);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step 4, reading order: plot_scene.h (what is visible) -> trace_vector.h (paths, exact) -> here (which
-// colours draw curves) -> plot_text, colour_palette, colour_coverage, curve_choice, follow_curve, centre_line,
-// line_ends (curves in colours of their own) or trace_loop.h (both strokes in one colour).
+// colours draw curves) -> plot_text, colour_palette, colour_coverage, curve_choice, follow_curve,
+// centre_line, line_ends (curves in colours of their own) or trace_loop.h (both strokes in one colour).
 
 #include <algorithm>
 #include <charconv>

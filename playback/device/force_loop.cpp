@@ -12,8 +12,8 @@ namespace detent::playback {
 namespace {
 
 constexpr double punctual_s = 100e-6;
-// A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits out what is left awake: at
-// most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
+// A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits
+// out what is left awake: at most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
 constexpr double longestAwake_s = 30e-6, awakeOfPeriod = 0.03;
 constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
 // An answer that is missed in a step that itself began so late is no fault of the device.

@@ -267,22 +267,25 @@ void SerialForceDevice::beginTable() {
   lineSent_ = sequence_;
 }
 
-// A line is sent once, and again where the question it came with was answered without taking it: sent with each question it would come to more
-// than a serial port of 230,400 baud carries, whose queue then grows until nothing gets through.
+// A line is sent once, and again where the question it came with was answered without taking it: sent with
+// each question it would come to more than a serial port of 230,400 baud carries, whose queue then grows
+// until nothing gets through.
 bool SerialForceDevice::lineIsDue() const {
   const auto sent = static_cast<std::int32_t>(lineSent_ - lineSince_);
   return sent < 0 || static_cast<std::int32_t>(heard_ - lineSent_) >= 0 ||
          static_cast<std::int32_t>(sequence_ - lineSent_) >= questionsForALine;
 }
 
-// No force before the first line of another table: a firmware might go on with what it gave. All lines may be heard twice.
+// No force before the first line of another table: a firmware might go on with what it gave. All lines may be
+// heard twice.
 void SerialForceDevice::sendTableLine() {
   if (toldLines_ == 0) send("X");
   send(table_[toldLines_]);
   lineSent_ = sequence_;
 }
 
-// Answers come in the order of what they answer: an acknowledgement belongs to the question whose answer follows it.
+// Answers come in the order of what they answer: an acknowledgement belongs to the question whose answer
+// follows it.
 void SerialForceDevice::noteAnswer(std::uint32_t sequence, long long time_us) {
   const bool ofThisLine = static_cast<std::int32_t>(sequence - lineSince_) >= 0;
   if (std::exchange(lineTaken_, false) && ofThisLine && toldLines_ < table_.size()) {
@@ -306,7 +309,8 @@ double SerialForceDevice::longestUnheard_s() const {
   return std::min(std::max(unheard_s, unheardTrips * roundTrip_s_), longestUnheardEver_s);
 }
 
-// The device cannot be watched: an F of no force ends its table at once, while an H would keep it alive for ever.
+// The device cannot be watched: an F of no force ends its table at once, while an H would keep it alive for
+// ever.
 void SerialForceDevice::withdrawLaw() {
   const bool unheard = sequence_ - heard_ > unansweredQuestions && now_s() - heardAt_s_ > longestUnheard_s();
   if (!unheard || !ownLaw_ || withdrawn_ || toldLines_ < table_.size()) return;
@@ -330,7 +334,8 @@ bool SerialForceDevice::isBack() {
   return true;
 }
 
-// What the device does by itself follows what the engine allows: an order that got lost is said again with the next state.
+// What the device does by itself follows what the engine allows: an order that got lost is said again with
+// the next state.
 void SerialForceDevice::sendOrders(const ForceCommand& command) {
   if (!limitHeld_) send(limitLine_);
   if (command.halted) {
@@ -383,7 +388,8 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
     return Answer::none;
   }
   noteAnswer(sequence, time_us);
-  // Of an earlier period, which counts only where nothing waits for it; or twice; or a device whose clock stands still measures nothing anew.
+  // Of an earlier period, which counts only where nothing waits for it; or twice; or a device whose clock
+  // stands still measures nothing anew.
   if ((sequence != sequence_ && table_.empty()) || time_us == lastTime_us_) return Answer::old;
   lastTime_us_ = time_us;
   if (state == unlimitedState && limitHeld_) {  // it was reset meanwhile

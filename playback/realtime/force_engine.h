@@ -59,8 +59,8 @@ struct ForceStep {
   bool actuated = false;
 };
 
-/// Time from one step to the next, by the loop's clock. `periods` counts no interval as less than one, so that
-/// a sum of them runs ahead where a busy computer wakes the loop early and late in turns.
+/// Time from one step to the next, by the loop's clock. `periods` counts no interval as less than one, so
+/// that a sum of them runs ahead where a busy computer wakes the loop early and late in turns.
 inline double between_s(const ForceStep& before, const ForceStep& step, double period_s) {
   return before.requested_s > 0 && step.requested_s > 0 ? step.requested_s - before.requested_s
                                                         : step.periods * period_s;

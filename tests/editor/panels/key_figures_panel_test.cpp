@@ -290,7 +290,8 @@ void KeyFiguresPanelTest::figuresTheButtonLacksCannotBeTyped() {
   QCOMPARE(rig.steps(), 0);
 }
 
-// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says why.
+// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says
+// why.
 void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   using enum KeyFigure;
   WorkspaceRig rig(

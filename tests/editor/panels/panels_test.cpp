@@ -369,7 +369,8 @@ void PanelsTest::typingIntoACellThatCannotBeEditedChangesNothing() {
   QVERIFY(tried > 20);
 }
 
-// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden table seemed to have.
+// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden
+// table seemed to have.
 void PanelsTest::namesTakeWhatTheNumbersLeave() {
   WorkspaceRig rig(require(twoLevelButton()));
   QWidget dock;

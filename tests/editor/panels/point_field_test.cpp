@@ -179,7 +179,7 @@ void PointFieldTest::linksActOnLaterEditsOnly() {
   panel.findChild<QCheckBox*>("linkRelease")->click();
   QCOMPARE(rig.steps(), 1);
   QVERIFY(offset->isEnabled());
-  // What is shown, typed again, changes nothing.
+  // Typing the shown value again changes nothing.
   type(offset, qPrintable(offset->text()));
   QTest::keyClick(offset, Qt::Key_Return);
   QVERIFY(rig.button() == measured);

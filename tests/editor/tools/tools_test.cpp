@@ -209,8 +209,8 @@ void ToolsTest::slopeHandleTurnsBothSidesOfASmoothKnot() {
   QVERIFY(rig.button() == before);
 }
 
-// On every segment of both strokes, in all directions: the pointer's curve passes through it or stops, and all
-// knots and every other segment stay.
+// On every segment of both strokes, in all directions: the pointer's curve passes through it or stops, and
+// all knots and every other segment stay.
 void ToolsTest::aDragOnASegmentBendsItBetweenItsKnots() {
   const Button before = require(tactileButton());
   WorkspaceRig rig(before);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing changes a number unasked: every field, cell, tick box, list and mark of the button editor is visited, what
-// it shows is typed again or clicked, and the button is what it was.
+// Nothing changes a number unasked: every field, cell, tick box, list and mark of the button editor is
+// visited, what it shows is typed again or clicked, and the button is what it was.
 
 #include <algorithm>
 #include <QAbstractItemView>
@@ -73,7 +73,7 @@ class UnaskedTest : public QObject {
     QCoreApplication::processEvents();
   }
 
-  /// What a field shows is typed into it again, and Enter is pressed.
+  /// Types a field's shown text into it again and presses Enter.
   void typeAgain(QLineEdit& edit) {
     const QString text = edit.text();
     edit.setFocus();
@@ -189,8 +189,8 @@ class UnaskedTest : public QObject {
     QCoreApplication::processEvents();
   }
 
-  /// Every mark, and the curve between marks: clicked, held with a trembling hand, dragged there and back, opened and
-  /// closed with Enter.
+  /// Every mark, and the curve between marks: clicked, held with a trembling hand, dragged there and back,
+  /// opened and closed with Enter.
   void visitMarks() {
     const Seen before = seen();
     std::vector<CurvePoint> clicked;

@@ -51,7 +51,7 @@ TEST_CASE("numbers as plots print them") {
   CHECK(printedNumber("1'250") == 1250);
   CHECK(printedNumber("12\xE2\x80\x99"
                       "000") == 12000);
-  CHECK_FALSE(printedNumber("5'25").has_value());   // feet and inches
+  CHECK_FALSE(printedNumber("5'25").has_value());   // a foot-and-inch length
   CHECK_FALSE(printedNumber("0'500").has_value());  // no thousand begins with zero
   CHECK_FALSE(printedNumber("2+3").has_value());
 }

@@ -37,8 +37,7 @@ Looked readingOfWhole(const cv::Mat& grey) {
   return looked;
 }
 
-/// The frame of a drawn plot whose ink is gone: there is nothing to recognise, texts are what the test
-/// writes.
+/// The frame of a drawn plot whose pixels were erased: no text is recognised except the test's own.
 Looked readWithoutCurves(const PlotStyle& s) {
   auto looked = readingOfWhole(drawn(s));
   for (auto& p : looked.view.raster.rgb) p = 255;

@@ -17,7 +17,7 @@ struct Style {
   double grain = 0;      ///< levels, standard deviation
   double lightFall = 0;  ///< levels from left to right
   int paper = 255;
-  bool soft = true;  ///< a grey rim along the ink
+  bool soft = true;  ///< a grey rim along the lines
 };
 
 /// A grid and a slanting curve.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces found run by run are those that a walk from pixel to pixel finds.
+// Components found by runs are the same as those found by a search from pixel to pixel.
 
 #include "importer/page/pixel_components.h"
 
@@ -24,7 +24,7 @@ struct Mask {
   }
 };
 
-/// Bytes beyond the width are ink: they must not count.
+/// Bytes beyond the width are marked and must not count.
 Mask randomMask(int width, int height, double share, unsigned seed) {
   std::mt19937 random(seed);
   std::bernoulli_distribution inked(share);

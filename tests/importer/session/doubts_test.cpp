@@ -73,7 +73,7 @@ struct Import {
     if (namedByLegend) found.evidence.push_back({EvidenceCode::namedByLegend});
     return {graph, traces, found, strokes, rms_px, rms_px, {}, {}, pageClass, explanation};
   }
-  /// What an import with this doubt is worth; empty without it.
+  /// Confidence of an import with this doubt; empty without the doubt.
   std::optional<double> weighed(DoubtCode kind) const {
     for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints))
       if (each.doubt.code == kind) return each.confidence;
@@ -291,7 +291,8 @@ TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that
   import.explanation = {{}, {}, {0.05, { 200, 200 }}, {}};
   CHECK(import.doubts().empty());
   import.explanation.patches.share = 0.2;
-  CHECK(import.doubted(DoubtCode::curveLeftOver));  // a refusal: the curve may be a ground's rim
+  CHECK(
+      import.doubted(DoubtCode::curveLeftOver));  // a refusal: the curve may be the edge of a background area
   import.explanation = {{}, {{ {200, 200}, {200, 260}, 0.1 }}, {}, {}};
   CHECK(import.doubted(DoubtCode::curveOverPaper));
   import.hints.drawn.press = {{100, 400}, { 400, 200 }};
@@ -362,7 +363,7 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import falling;  // a line of a chart that falls and comes back
   falling.press = {{0, 1}, {1, 0.4}, {2, 0}, {3, 0}, {3.5, 0.7}};
   CHECK(falling.doubted(DoubtCode::endsInAFall));
-  falling.press.back().force_N = 1.5;  // a key that snaps at once, and its wall
+  falling.press.back().force_N = 1.5;  // a key that snaps at once, and its bottom-out
   CHECK_FALSE(falling.doubted(DoubtCode::endsInAFall));
   Import pulls;
   pulls.press = {{0.02, 1.0}, {0.2, 1.4}, {0.5, 0.9},
@@ -483,7 +484,7 @@ TEST_CASE("the legend names another switch's strokes that were not traced") {
   CHECK_FALSE(import.doubted(DoubtCode::otherSwitchNamed));
 }
 
-/// Both strokes run along the foot of an axis that begins at 0.3 N.
+/// Both strokes run along the lower end of an axis that begins at 0.3 N.
 Import cutBelow() {
   Import below;
   below.press = {{0, 0.2}, {0.4, 0}, {0.5, 0}, {0.6, 0}, {3, 0.5}, {3.2, 1.3}};
@@ -501,7 +502,7 @@ TEST_CASE("a plot that shows a part of its curves") {
     p.force_N -= 0.3;  // where they stand on the page; their forces do not matter here
   CHECK(below.doubted(DoubtCode::belowTheAxis));
 
-  // Steep, so that its end alone is seen on the foot; then so far in that what is hidden is another button.
+  // First steep, so that only its end lies on the axis; then so far inside that the hidden part matters.
   below.press = {{0.1, 0}, {0.2, 0.4}, {3, 0.5}, {3.2, 1.3}};
   CHECK(below.doubted(DoubtCode::belowTheAxis));
   below.press = {{0.7, 0}, {0.9, 0.4}, {3, 0.5}, {3.2, 1.3}};
@@ -509,7 +510,7 @@ TEST_CASE("a plot that shows a part of its curves") {
   below.hints.axes.yMin = 0.3;
   CHECK(below.weighed(DoubtCode::belowTheAxis) == Approx(0.6));
 
-  // Out by the foot and in again, and a start half a line above it.
+  // Leaves the frame at the lower edge and returns; and a start half a line above that edge.
   Import dips;
   dips.graph.axes.calibration.value.viewToUnits = {0.01, 0, -1, 0, -0.01, 5.3, 0, 0, 1};
   dips.press = {{0.3, 0.03}, {1, 0.4}, {1.6, 0}, {1.8, 0}, {1.9, 0}, {3.2, 1.3}};
@@ -544,11 +545,11 @@ TEST_CASE("a plot that shows a part of its curves") {
   Raster& above = upwards.graph.view.raster;
   upwards.press = {{0, 0.2}};
   for (int i = 0; i <= 100; ++i)
-    upwards.press.push_back({3 + 0.001 * i, 1 + 0.03 * i});  // a wall up to the frame's top
+    upwards.press.push_back({3 + 0.001 * i, 1 + 0.03 * i});  // a bottom-out up to the frame's top
   upwards.traces[0].points_px.clear();
   for (const CurvePoint& p : upwards.press) upwards.traces[0].points_px.push_back(inView(p));
   CHECK(upwards.doubts().empty());
-  Import broken = upwards;  // its numbers go on beyond a break of the axis, its ink does not
+  Import broken = upwards;  // the tick labels go on beyond an axis break, the curve does not
   std::vector<TickLabel>& numbers = broken.graph.axes.calibration.value.y.ticks;
   numbers.assign(4, {});
   numbers.back().box = {60, 70, 90, 90};
@@ -623,7 +624,7 @@ TEST_CASE("colours do not say which of two scales of forces a curve belongs to")
   Import scales;
   scales.graph.axes.rightScale = RightScale::otherForces;
   scales.hints.trace.pressColor = Rgb{200, 30, 30};
-  CHECK_FALSE(scales.doubted(DoubtCode::otherScale));  // the press alone, of the left one as asked
+  CHECK_FALSE(scales.doubted(DoubtCode::otherScale));  // the press alone, of the left graph as requested
   scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
   CHECK(scales.doubted(DoubtCode::otherScale));
 }
@@ -653,7 +654,7 @@ TEST_CASE("a second scale whose curve is known does not touch the strokes") {
 
 namespace {
 
-/// As a person does who follows advice: gives by hand what is asked for.
+/// Gives the requested value by hand, as a user does who follows the advice.
 void give(RemedyKind kind, ImportHints& hints) {
   switch (kind) {
     case RemedyKind::giveFrame:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent-play force as a program, against a microcontroller and an ODrive at the far end of a pty, with a handle and a finger on
-// them: what reaches the hand, whatever the link and the firmware do. Issue 25, sections 1 and 2; [!shouldfail] as in safety_test.cpp.
+// detent-play force as a program, against a microcontroller and an ODrive at the far end of a pty, with a
+// handle and a finger on them: what reaches the hand, whatever the link and the firmware do. Issue 25,
+// sections 1 and 2; [!shouldfail] as in safety_test.cpp.
 
 #include <chrono>
 #include <cmath>

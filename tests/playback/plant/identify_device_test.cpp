@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device measured by the product, on handles whose mass, friction, damping, delay and lag the test knows. Issue 25, section 2.
+// A device measured by the product, on handles whose mass, friction, damping, delay and lag the test knows.
+// Issue 25, section 2.
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ class Shaken {
     const std::int64_t periods = pausePeriods_ > 0 && ++steps_ % pauseEvery_ == 0 ? pausePeriods_ : 1;
     index_ += periods;
     next_s_ = static_cast<double>(index_) * period_s + wakes_.between(0, wakesLate_s_);
-    reading.periods = std::max(1.0, periods_);  // as the loop tells it
+    reading.periods = std::max(1.0, periods_);  // as the loop reports it
     periods_ = (next_s_ - now_s) / period_s;
     reading.position_mm = quantised_mm(world_.position_mm(), step_mm_);
     if (wakesLate_s_ > 0) sending_.send(now_s, force_N_);
@@ -135,7 +136,7 @@ playback::MotionIdentification measured(const KnownDevice& device) {
   return *found;
 }
 
-/// How far off, in standard errors and of the truth.
+/// Error of an estimate, in standard errors and relative to the true value.
 struct Off {
   std::vector<double> sigmas, shares;
   void add(const playback::Estimate& found, double truth, double scale) {

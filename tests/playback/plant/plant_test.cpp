@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The world that judges the force engine is judged itself: energy to rounding, friction that sticks and slips, lag, delay, fingers.
+// The world that judges the force engine is judged itself: energy to rounding, friction that sticks and
+// slips, lag, delay, fingers.
 
 #include <cmath>
 #include <complex>

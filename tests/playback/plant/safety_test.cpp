@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a force engine may never do to a person, whatever the encoder says: issue 25, section 1. Cases tagged [!shouldfail] hold what
-// is promised and not kept yet; each names its line, and goes red when it is kept, so that its tag is taken off.
+// What a force engine may never do to a person, whatever the encoder says: issue 25, section 1. Cases tagged
+// [!shouldfail] hold what is promised and not kept yet; each names its line, and goes red when it is kept, so
+// that its tag is taken off.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ playback::ForceDeviceProfile limitedTo(double force_N) {
   return device;
 }
 
-/// An engine that is told positions, on time.
+/// An engine that receives a position in each period, on time.
 class DrivenEngine {
  public:
   explicit DrivenEngine(const playback::ForceProgram& program)
@@ -209,7 +210,8 @@ TEST_CASE("too fast stays too fast while the speed is not known", "[speed]") {
   for (int run = 0; run < 400; ++run) {
     DrivenEngine driven(preparedFor(sampleButton("latch"), limitedTo(5)));
     driven.restAt(0);
-    // Faster than 2 m/s at 150 m/s², which a thrown handle of 50 g does, and on at that speed, while answers go missing.
+    // Faster than 2 m/s at 150 m/s², which a thrown handle of 50 g does, and on at that speed, while answers
+    // go missing.
     const double last_mm_per_s = chance.between(2050, 2400), lost = chance.between(0, 0.8);
     double position_mm = 0, speed_mm_per_s = 0;
     int fast = 0;
@@ -347,7 +349,7 @@ TEST_CASE("an encoder that dies under a pressing finger: no force after 20 ms, n
 
 namespace {
 
-/// What a careful person would want of any stretch of readings, kept apart from how the engine does it.
+/// Safety requirements on any sequence of readings, checked independently of the engine's code.
 class Watch {
  public:
   Watch(double max_N, double period_s, bool ramp) : max_N_(max_N), period_s_(period_s), ramp_(ramp) {}

@@ -72,7 +72,7 @@ void SerialEmulator::sayPosition(const std::string& sequence) {
   say(body);
 }
 
-// L,FORCE,SLEW,SPEED,RISE,SILENCE: kept as told where the device can keep it, and said back.
+// L,FORCE,SLEW,SPEED,RISE,SILENCE: stores the limits, reduced to the device's own, and replies with them.
 void SerialEmulator::hearLimits(const std::string& body, const std::vector<std::string>& fields) {
   const double force_uN = numberIn(fields, 1), silence_ms = numberIn(fields, 5);
   if (fields.size() != 6 || force_uN <= 0 || force_uN > static_cast<double>(settings_.largestForce_uN) ||
