@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Serial force devices over pseudo terminals: the sample firmware on a simulated board, an ODrive, and what goes wrong.
+// Serial force devices over pseudo terminals: the sample firmware on a simulated board, an ODrive, and what
+// goes wrong.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -45,7 +46,8 @@ using namespace detent;
 using namespace detent::playback;
 namespace fs = std::filesystem;
 
-/// The other end of a serial line, behind a link with a stable name: answers each line by a function, on a thread of its own.
+/// The other end of a serial line, behind a link with a stable name: answers each line by a function, on a
+/// thread of its own.
 class FakeDevice {
  public:
   using Answer = std::function<std::string(const std::string& line)>;
@@ -123,7 +125,7 @@ std::string goodBoard(const std::string& line, long position_nm) {
   return body.empty() || body == "X" || body == "S" || body == "U" ? "" : forceLine("A");
 }
 
-// On a loaded machine the other end may not get its turn within any period: what a test rests on is asked for again.
+// On a loaded machine the other end may miss whole periods, so each test repeats the request that it needs.
 constexpr int tries = 30;
 
 /// As the devices here have: 5 N.
@@ -259,7 +261,8 @@ TEST_CASE("serial force device: the sample firmware takes a table and renders th
 
 namespace {
 
-/// The sample firmware with a table, its handle at 2 mm and its force risen. From then on every `lost`th row does not get through; 0: none.
+/// The sample firmware with a table, its handle at 2 mm and its force risen. From then on every `lost`th row
+/// does not get through; 0: none.
 class TableBoard {
  public:
   explicit TableBoard(std::size_t lost = 0) {
@@ -590,7 +593,8 @@ TEST_CASE("serial force device: a table longer than the firmware takes is thinne
 
 namespace {
 
-/// An ODrive as its manual describes it: an axis with errors, a state, and a watchdog that counts while it is switched on.
+/// An ODrive as its manual describes it: an axis with errors, a state, and a watchdog that counts while it is
+/// switched on.
 class FakeOdrive {
  public:
   std::atomic<double> torque_Nm{0}, turns{1.5};
