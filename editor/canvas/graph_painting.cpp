@@ -324,7 +324,7 @@ class Tags {
     keepClear(QRectF(mark_px - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px)));
   }
 
-  void put(QPointF at_px, const QString& text, const QColor& ink) {
+  void put(QPointF at_px, const QString& text, const QColor& ink, std::optional<MarkId> mark = {}) {
     QRectF box = tagBox(painter_, at_px, text, map_.clip_px);
     for (const QPointF& away : placesAround(box.size())) {
       const QRectF moved = tagBox(painter_, box.center() + away, text, map_.clip_px);
@@ -333,6 +333,7 @@ class Tags {
       break;
     }
     taken_.push_back(box);
+    if (mark && scene_.flags) scene_.flags->push_back({box, *mark});
     paintTagIn(painter_, box, text, ink, scene_.colors.background);
   }
 
@@ -378,27 +379,34 @@ void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scen
     const QPointF at = pixelOf(map, place);
     if ((dragged && *dragged == place) || !map.clip_px.contains(at)) continue;
     tags.put(at + QPointF(0, stroke == Stroke::press ? -tagAway_px : tagAway_px), shortPlace(place, scene),
-             scene.colors.text);
+             scene.colors.text, MarkId{MarkKind::tactilePoint, stroke, i});
   }
 }
 
 // The lowest point after each tactile point of the press, and the start of its bottom-out.
 void tagTurnsAndBottomOut(Tags& tags, const PlotMapping& map, const GraphScene& scene) {
   const auto& dragged = scene.feedback.dragged;
-  const auto put = [&](CurvePoint point) {
+  const auto put = [&](CurvePoint point, MarkId mark) {
     const QPointF at = pixelOf(map, point);
     if ((dragged && *dragged == point) || !map.clip_px.contains(at)) return;
-    tags.put(at + QPointF(0, tagAway_px), shortPlace(point, scene), scene.colors.text);
+    tags.put(at + QPointF(0, tagAway_px), shortPlace(point, scene), scene.colors.text, mark);
   };
   const StrokeValues& press = scene.values.press;
-  for (const CurvePoint& turn : press.turns) {
+  for (std::size_t i = 0; i < press.turns.size(); ++i) {
+    const CurvePoint& turn = press.turns[i];
     const bool afterPeak = std::ranges::any_of(press.tactile, [&](const TactilePoint& peak) {
       return peak.displacement_mm < turn.displacement_mm && peak.force_N > turn.force_N;
     });
-    if (afterPeak) put(turn);
+    if (afterPeak) put(turn, {MarkKind::turn, Stroke::press, i});
   }
-  for (const Section& section : press.sections)
-    if (section.kind == SectionKind::bottomOut) put({section.from_mm, section.fromForce_N});
+  const std::vector<Knot>& knots = scene.state.graph.press().knots();
+  for (const Section& section : press.sections) {
+    if (section.kind != SectionKind::bottomOut) continue;
+    const CurvePoint start{section.from_mm, section.fromForce_N};
+    for (std::size_t i = 0; i < knots.size(); ++i)
+      if (knots[i].displacement_mm == start.displacement_mm && knots[i].force_N == start.force_N)
+        put(start, {MarkKind::knot, Stroke::press, i});
+  }
 }
 
 /// A point at which a contact closes (press) or opens (release).
@@ -519,9 +527,11 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
   }
   constexpr double aboveAxis_px = 12, lineAbove_px = 30;
   for (const Contact& contact : contacts)
-    tags.put({contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
-             (contact.operating() ? tr("operating %1") : tr("reset %1")).arg(shortPlace(contact.at, scene)),
-             contact.ink);
+    tags.put(
+        {contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
+        (contact.operating() ? tr("operating %1") : tr("reset %1")).arg(shortPlace(contact.at, scene)),
+        contact.ink,
+        MarkId{contact.operating() ? MarkKind::operatingPoint : MarkKind::resetPoint, contact.stroke, 0});
 }
 
 void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
