@@ -473,8 +473,8 @@ Lizenz: %3</translation>
         <translation>Wählen Sie einen in der Liste der Taster oder kreuzen Sie dort mehrere an: Aus jedem wird ein eigener Taster.</translation>
     </message>
     <message>
-        <source>%1 % sure</source>
-        <translation>%1 % sicher</translation>
+        <source>Confidence %1 %</source>
+        <translation>Sicherheit %1 %</translation>
     </message>
 </context>
 <context>
@@ -2738,20 +2738,20 @@ Lizenz: %3</translation>
         <translation>gesetzt</translation>
     </message>
     <message>
-        <source>In “%1” some numbers have a unit and some have none. Give each its unit.</source>
-        <translation>In „%1“ haben manche Zahlen eine Einheit und manche keine. Geben Sie jeder ihre Einheit.</translation>
+        <source>Give every number in “%1” a unit.</source>
+        <translation>Geben Sie jeder Zahl in „%1“ eine Einheit.</translation>
     </message>
     <message>
-        <source>“%1” is too large, or divides by zero.</source>
-        <translation>„%1“ ist zu groß oder teilt durch null.</translation>
+        <source>“%1” is out of range.</source>
+        <translation>„%1“ liegt außerhalb des Bereichs.</translation>
     </message>
     <message>
-        <source>%1 is more than any button has. Press Enter once more if that is meant.</source>
-        <translation>%1 ist mehr, als ein Taster hat. Wenn das gemeint ist, drücken Sie noch einmal die Eingabetaste.</translation>
+        <source>%1 is unusually high. Press Enter again to keep it.</source>
+        <translation>%1 ist ungewöhnlich viel. Noch einmal Eingabe behält es bei.</translation>
     </message>
     <message>
-        <source>%1 is more than any button has. Meant: %2? Press Enter once more if not.</source>
-        <translation>%1 ist mehr, als ein Taster hat. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
+        <source>%1 is unusually high. Did you mean %2? Press Enter again to keep %1.</source>
+        <translation>%1 ist ungewöhnlich viel. Meinten Sie %2? Noch einmal Eingabe behält %1 bei.</translation>
     </message>
 </context>
 <context>
@@ -3243,8 +3243,8 @@ Lizenz: %3</translation>
         <translation>Richtung der Achse</translation>
     </message>
     <message>
-        <source>%1 of %2 numbers used, off by %3 px</source>
-        <translation>%1 von %2 Zahlen benutzt, Abweichung %3 px</translation>
+        <source>%1 of %2 labels used (fit %3 px)</source>
+        <translation>%1 von %2 Zahlen verwendet (Abweichung %3 px)</translation>
     </message>
 </context>
 <context>
@@ -3839,8 +3839,8 @@ Lizenz: %3</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Exchange A and B under the finger. Both are played at their true levels: nothing is made equally loud.</source>
-        <translation>A und B unter dem Finger tauschen. Beide werden mit ihren wahren Pegeln gespielt: Nichts wird gleich laut gemacht.</translation>
+        <source>Switch between A and B while pressing. Both are played at their true levels: nothing is made equally loud.</source>
+        <translation>Wechselt beim Drücken zwischen A und B. Beide klingen in ihrer wahren Stärke: nichts wird gleich laut gemacht.</translation>
     </message>
 </context>
 <context>
@@ -4121,8 +4121,8 @@ Lizenz: %3</translation>
         <translation>Geräteprofile (*.device);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Unplugged. It goes on by itself when it is plugged in again.</source>
-        <translation>Abgezogen. Sobald er wieder angesteckt ist, geht es von selbst weiter.</translation>
+        <source>Unplugged. Resumes when reconnected.</source>
+        <translation>Abgezogen. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
     </message>
 </context>
 <context>
@@ -4318,20 +4318,20 @@ Lizenz: %3</translation>
         <translation>denn: %1</translation>
     </message>
     <message>
-        <source>The last result that worked, %1 % sure</source>
-        <translation>Das letzte gelungene Ergebnis, %1 % sicher</translation>
+        <source>Last valid result (%1 % confidence)</source>
+        <translation>Letztes gültiges Ergebnis (%1 % Sicherheit)</translation>
     </message>
     <message>
-        <source>%1 % sure: please check</source>
-        <translation>%1 % sicher: bitte prüfen</translation>
+        <source>Confidence %1 %: check before importing</source>
+        <translation>Sicherheit %1 %: vor dem Import prüfen</translation>
     </message>
     <message>
-        <source>%1 % sure</source>
-        <translation>%1 % sicher</translation>
+        <source>Confidence %1 %</source>
+        <translation>Sicherheit %1 %</translation>
     </message>
     <message>
-        <source>Nothing to import yet</source>
-        <translation>Noch nichts zu importieren</translation>
+        <source>Not readable yet</source>
+        <translation>Noch nicht lesbar</translation>
     </message>
 </context>
 <context>
@@ -4397,8 +4397,8 @@ Lizenz: %3</translation>
         <translation>Steigungen gegen das, was das Gerät trägt, über den Graphen gezeichnet</translation>
     </message>
     <message>
-        <source>The force device is gone, without force. It goes on by itself when it is back.</source>
-        <translation>Das Kraftgerät ist weg, ohne Kraft. Sobald es zurück ist, geht es von selbst weiter.</translation>
+        <source>The force device is disconnected and without force. Resumes when reconnected.</source>
+        <translation>Das Kraftgerät ist getrennt und ohne Kraft. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
     </message>
 </context>
 <context>
@@ -5774,12 +5774,12 @@ Lizenz: %3</translation>
         <translation>Angeheftet: nichts bewegt diesen Punkt, bis auf ihm wieder P gedrückt wird.</translation>
     </message>
     <message>
-        <source>Take a pin out</source>
-        <translation>Nadel lösen</translation>
+        <source>Unlock a point</source>
+        <translation>Punkt entsperren</translation>
     </message>
     <message>
-        <source>Pin a point</source>
-        <translation>Punkt anheften</translation>
+        <source>Lock a point</source>
+        <translation>Punkt sperren</translation>
     </message>
 </context>
 <context>
@@ -7319,8 +7319,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&lt;p&gt;Die letzten 3 Sekunden: Tiefe des Fingers (unten ist tiefer) und was zu fühlen war.&lt;/p&gt;&lt;p&gt;Kurze Striche: Körner der Steigungen. Balken: Sprünge des Drückens und des Rückwegs, Anschlag. Die Linie darüber steht für den geschlossenen Kontakt.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>What is felt runs through here</source>
-        <translation>Hier läuft durch, was zu fühlen ist</translation>
+        <source>Live trace</source>
+        <translation>Laufende Aufzeichnung</translation>
     </message>
 </context>
 <context>
@@ -7364,7 +7364,7 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::RecoveryStore</name>
     <message>
-        <source>Autosave is off: the folder %1 cannot be written. Save your work yourself.</source>
+        <source>Autosave is off: the folder %1 cannot be written. Save manually.</source>
         <translation>Das automatische Sichern ist aus: In den Ordner %1 lässt sich nicht schreiben. Speichern Sie Ihre Arbeit selbst.</translation>
     </message>
 </context>
@@ -7789,8 +7789,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation> · Verluste: %1</translation>
     </message>
     <message>
-        <source>No sound: %1 The finger is followed silently.</source>
-        <translation>Kein Ton: %1 Dem Finger wird still gefolgt.</translation>
+        <source>No audio output. Presses are tracked without sound. %1</source>
+        <translation>Keine Tonausgabe. Drücke werden ohne Ton verfolgt. %1</translation>
     </message>
 </context>
 <context>
@@ -8808,8 +8808,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::ZoomTool</name>
     <message>
-        <source>Drag a rectangle to see it enlarged; a click comes nearer, with Shift it goes back. F shows all.</source>
-        <translation>Ein Rechteck aufziehen, um es vergrößert zu sehen; ein Klick kommt näher, mit Umschalt geht es zurück. F zeigt alles.</translation>
+        <source>Drag a rectangle to zoom in; click zooms in, Shift+click zooms out, F fits.</source>
+        <translation>Rechteck aufziehen zum Vergrößern; Klick vergrößert, Umschalt+Klick verkleinert, F zeigt alles.</translation>
     </message>
 </context>
 <context>
