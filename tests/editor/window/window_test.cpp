@@ -1624,33 +1624,6 @@ class WindowTest : public QObject {
             1e-9);
   }
 
-  // The label of a point is a handle of the point.
-  void aFlagMovesItsPoint() {
-    Rig rig(folder_->path());
-    rig.window->resize(1366, 768);
-    rig.window->files().open({sample("buttons/B.button.json")});
-    QTest::qWait(100);
-    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
-    const PlotMapping map = canvas.mapping();
-    const QPoint peak = map.toPixel(1.25, 0.55).toPoint();
-    const auto isPeak = [&](QPoint at) {
-      const auto flag = canvas.flagAt(at);
-      return flag && flag->kind == MarkKind::tactilePoint && flag->stroke == Stroke::press;
-    };
-    const QPoint flag = peak - QPoint(0, 20);
-    QVERIFY(isPeak(flag));
-    QTest::mouseClick(&canvas, Qt::LeftButton, {}, flag);
-    QVERIFY(canvas.selected() && canvas.selected()->kind == MarkKind::tactilePoint);
-    QTest::mousePress(&canvas, Qt::LeftButton, {}, flag);
-    for (int i = 1; i <= 10; ++i) QTest::mouseMove(&canvas, flag - QPoint(0, 3 * i));
-    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, flag - QPoint(0, 30));
-    const auto points = tactilePoints(rig.document().graph().press(), Stroke::press);
-    QCOMPARE(points.size(), std::size_t{1});
-    QVERIFY2(std::abs(points[0].force_N - (0.55 + 30 / std::abs(map.pxPerY))) < 0.005,
-             qPrintable(QString::number(points[0].force_N)));
-    QVERIFY(std::abs(points[0].displacement_mm - 1.25) < 0.02);
-  }
-
   void ownPictureOpensAsItsButton() {
     const QString file = at("own.png"), plain = at("plain.png");
     {
