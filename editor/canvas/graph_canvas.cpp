@@ -248,8 +248,17 @@ QRectF GraphCanvas::contentRange() const {
   return {start, low, end - start, high - low};
 }
 
+std::optional<MarkId> GraphCanvas::flagAt(QPointF at_px) const {
+  for (const Flag& flag : flags_)
+    if (flag.box_px.contains(at_px)) return flag.mark;
+  return {};
+}
+
 void GraphCanvas::drawContent(QPainter& painter, const PlotMapping& map) const {
-  paintGraph(painter, map, scene());
+  GraphScene drawn = scene();
+  flags_.clear();
+  if (!exporting()) drawn.flags = &flags_;
+  paintGraph(painter, map, drawn);
   if (exporting()) return;
   if (magnifierShown_ && feedback_.dragged) drawMagnifier(painter, map);
   if (feedback_.refused) paintRefusalReason(painter, map, scene());

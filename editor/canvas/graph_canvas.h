@@ -44,6 +44,8 @@ class GraphCanvas : public UnitPlot {
   void setSelected(const std::optional<MarkId>& selected);
   void setSelection(std::vector<MarkId> marks);
   bool isSelected(MarkId mark) const;
+  /// The mark whose label lies there.
+  std::optional<MarkId> flagAt(QPointF at_px) const;
   void showFinger(std::optional<FingerPosition> finger);
   /// Possible new active state, drawn dashed; nullopt: none. Never in exported pictures.
   void showPreview(std::optional<ButtonState> preview);
@@ -95,6 +97,7 @@ class GraphCanvas : public UnitPlot {
   TracedPoints* traced_;    // owned by QCustomPlot
   mutable std::optional<GraphValues> values_;
   CanvasFeedback feedback_;
+  mutable std::vector<Flag> flags_;  // as they were drawn last
   std::vector<MarkId> selection_;
   // State on which the selection was made; during a drag the selection is followed from there, not from frame
   // to frame.

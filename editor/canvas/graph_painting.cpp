@@ -18,6 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("GraphPainting
 
 // With more knots they are drawn small, because circles would hide the curve and cost time.
 constexpr std::size_t fewKnots = 120;
+constexpr std::size_t fewFlags = 4;  // valleys with a label of their own
 constexpr double longestResidual_px = 60;
 
 QColor withAlpha(QColor color, double alpha) {
@@ -83,8 +84,8 @@ void paintWall(QPainter& painter, const PlotMapping& map, const GraphScene& scen
   painter.setPen(QPen(scene.colors.wall, 1.5));
   painter.drawLine(QPointF(at_px, clip.top()), QPointF(at_px, clip.bottom()));
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QBrush(withAlpha(scene.colors.wall, 0.55), Qt::BDiagPattern));
-  painter.drawRect(QRectF(at_px, clip.top(), 9, clip.height()));
+  painter.setBrush(QBrush(withAlpha(scene.colors.wall, 0.3), Qt::BDiagPattern));
+  painter.drawRect(QRectF(at_px, clip.top(), 6, clip.height()));
 }
 
 constexpr double bandOpacity = 0.22;
@@ -274,6 +275,14 @@ QString shortForce(double force_N, const GraphScene& scene) {
          scene.units.forceSymbol();
 }
 
+// "55 cN at 1.25 mm".
+QString shortPlace(CurvePoint at, const GraphScene& scene) {
+  return tr("%1 at %2")
+      .arg(shortForce(at.force_N, scene),
+           readText(at.displacement_mm, Quantity::length, scene.units, scene.readingError, 3) +
+               QStringLiteral("\u2009") + scene.units.lengthSymbol());
+}
+
 QRectF tagBox(const QPainter& painter, QPointF at_px, const QString& text, const QRectF& bounds_px) {
   const QFontMetricsF metrics(painter.font());
   const double width = std::min(metrics.boundingRect(text).width() + 10, 0.8 * bounds_px.width());
@@ -315,7 +324,7 @@ class Tags {
     keepClear(QRectF(mark_px - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px)));
   }
 
-  void put(QPointF at_px, const QString& text, const QColor& ink) {
+  void put(QPointF at_px, const QString& text, const QColor& ink, std::optional<MarkId> mark = {}) {
     QRectF box = tagBox(painter_, at_px, text, map_.clip_px);
     for (const QPointF& away : placesAround(box.size())) {
       const QRectF moved = tagBox(painter_, box.center() + away, text, map_.clip_px);
@@ -324,6 +333,7 @@ class Tags {
       break;
     }
     taken_.push_back(box);
+    if (mark && scene_.flags) scene_.flags->push_back({box, *mark});
     paintTagIn(painter_, box, text, ink, scene_.colors.background);
   }
 
@@ -361,20 +371,48 @@ void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphSc
 }
 
 // Without dragged points, whose position is shown beside them.
-void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scene, Stroke stroke,
-                      std::span<const TactilePoint> seen) {
+void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   const auto& dragged = scene.feedback.dragged;
-  for (const TactilePoint& point : seen) {
-    if (dragged && *dragged == CurvePoint{point.displacement_mm, point.force_N}) continue;
-    const QPointF at = map.toPixel(point.displacement_mm, point.force_N);
-    tags.put(at + QPointF(0, stroke == Stroke::press ? -tagAway_px : tagAway_px),
-             shortForce(point.force_N, scene), scene.colors.text);
+  const std::vector<TactilePoint>& points = scene.values.of(stroke).tactile;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CurvePoint place{points[i].displacement_mm, points[i].force_N};
+    const QPointF at = pixelOf(map, place);
+    if ((dragged && *dragged == place) || !map.clip_px.contains(at)) continue;
+    tags.put(at + QPointF(0, stroke == Stroke::press ? -tagAway_px : tagAway_px), shortPlace(place, scene),
+             scene.colors.text, MarkId{MarkKind::tactilePoint, stroke, i});
+  }
+}
+
+// The lowest point after each tactile point of the press, and the start of its bottom-out.
+void tagTurnsAndBottomOut(Tags& tags, const PlotMapping& map, const GraphScene& scene) {
+  const auto& dragged = scene.feedback.dragged;
+  const auto put = [&](CurvePoint point, MarkId mark) {
+    const QPointF at = pixelOf(map, point);
+    if ((dragged && *dragged == point) || !map.clip_px.contains(at)) return;
+    tags.put(at + QPointF(0, tagAway_px), shortPlace(point, scene), scene.colors.text, mark);
+  };
+  const StrokeValues& press = scene.values.press;
+  for (std::size_t i = 0; i < press.turns.size(); ++i) {
+    const CurvePoint& turn = press.turns[i];
+    const bool afterPeak = std::ranges::any_of(press.tactile, [&](const TactilePoint& peak) {
+      return peak.displacement_mm < turn.displacement_mm && peak.force_N > turn.force_N;
+    });
+    if (afterPeak) put(turn, {MarkKind::turn, Stroke::press, i});
+  }
+  const std::vector<Knot>& knots = scene.state.graph.press().knots();
+  for (const Section& section : press.sections) {
+    if (section.kind != SectionKind::bottomOut) continue;
+    const CurvePoint start{section.from_mm, section.fromForce_N};
+    for (std::size_t i = 0; i < knots.size(); ++i)
+      if (knots[i].displacement_mm == start.displacement_mm && knots[i].force_N == start.force_N)
+        put(start, {MarkKind::knot, Stroke::press, i});
   }
 }
 
 /// A point at which a contact closes (press) or opens (release).
 struct Contact {
   Stroke stroke;
+  CurvePoint at;
   QPointF at_px;
   QColor ink;
   bool operating() const { return stroke == Stroke::press; }
@@ -384,8 +422,10 @@ std::vector<Contact> contactsIn(const PlotMapping& map, const GraphScene& scene)
   std::vector<Contact> contacts;
   const auto add = [&](const std::optional<double>& at_mm, Stroke stroke, const QColor& ink) {
     if (!at_mm) return;
-    const QPointF at = map.toPixel(*at_mm, scene.state.graph.curve(stroke).force_N(*at_mm));
-    if (at.x() >= map.clip_px.left() && at.x() <= map.clip_px.right()) contacts.push_back({stroke, at, ink});
+    const CurvePoint place{*at_mm, scene.state.graph.curve(stroke).force_N(*at_mm)};
+    const QPointF at = pixelOf(map, place);
+    if (at.x() >= map.clip_px.left() && at.x() <= map.clip_px.right())
+      contacts.push_back({stroke, place, at, ink});
   };
   add(scene.state.operatingPoint_mm, Stroke::press, scene.colors.operatingPoint);
   add(scene.state.resetPoint_mm, Stroke::release, scene.colors.resetPoint);
@@ -395,7 +435,7 @@ std::vector<Contact> contactsIn(const PlotMapping& map, const GraphScene& scene)
 // A thin line through the plot and a marker on its stroke.
 void paintContact(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                   const Contact& contact) {
-  const auto& [stroke, at, ink] = contact;
+  const auto& [stroke, place, at, ink] = contact;
   painter.setPen(QPen(withAlpha(ink, 0.75), 1, Qt::DashDotLine));
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
   painter.setPen(QPen(scene.colors.background, 1.5));
@@ -481,13 +521,17 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
   if (const auto names = legendOf(scene); !names.empty())
     tags.keepClear(legendBox(painter, map, scene, names));
   if (legible) {
-    tagTactilePoints(tags, map, scene, Stroke::release, release);
-    tagTactilePoints(tags, map, scene, Stroke::press, press);
+    if (scene.state.graph.release()) tagTactilePoints(tags, map, scene, Stroke::release);
+    tagTactilePoints(tags, map, scene, Stroke::press);
+    if (scene.values.press.turns.size() <= fewFlags) tagTurnsAndBottomOut(tags, map, scene);
   }
   constexpr double aboveAxis_px = 12, lineAbove_px = 30;
   for (const Contact& contact : contacts)
-    tags.put({contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
-             contact.operating() ? tr("operating") : tr("reset"), contact.ink);
+    tags.put(
+        {contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
+        (contact.operating() ? tr("operating %1") : tr("reset %1")).arg(shortPlace(contact.at, scene)),
+        contact.ink,
+        MarkId{contact.operating() ? MarkKind::operatingPoint : MarkKind::resetPoint, contact.stroke, 0});
 }
 
 void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {

@@ -9,7 +9,7 @@
 
 namespace detent::editor {
 
-/// Opens a button file, or a CSV of our own header as a new, unnamed document. Reads nothing twice and
+/// Opens a button file; a CSV of our own header, or a picture with a button inside, as a new, unnamed document. Reads nothing twice and
 /// changes no other document. Failures: those of readButtonFile and graphFromCsv, and of inputKindOf;
 /// wrongUsage for pages, which go through the import dialogue.
 Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path);

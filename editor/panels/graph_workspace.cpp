@@ -175,7 +175,7 @@ void GraphWorkspace::makeToolActions() {
       {ToolKind::pan, "toolPan", tr("&Pan"), tr("Drag the view; the middle button does it in every tool"),
        QKeySequence(Qt::Key_H)},
       {ToolKind::zoom, "toolZoom", tr("&Zoom to a rectangle"),
-       tr("Drag a rectangle to see it enlarged; a click comes nearer"), QKeySequence(Qt::Key_Z)},
+       tr("Drag a rectangle to zoom in; a click zooms in"), QKeySequence(Qt::Key_Z)},
   };
   auto* group = new QActionGroup(this);
   for (const Entry& entry : entries) {
@@ -345,13 +345,11 @@ void GraphWorkspace::addSnapActions() {
       settings_.setSnap(snap);
     });
   };
-  snapGrid_ =
-      addViewSwitch("snapGrid", tr("Snap to &grid"), tr("Dragged points cling to the snap grid"), false);
+  snapGrid_ = addViewSwitch("snapGrid", tr("Snap to &grid"), tr("Snap dragged points to the grid"), false);
   snapTraced_ = addViewSwitch("snapTraced", tr("Snap to tr&aced points"),
                               tr("Dragged points snap to the points traced on the page"), false);
-  snapOther_ =
-      addViewSwitch("snapOther", tr("Snap to the other &stroke"),
-                    tr("Points of the press cling to the release curve, and the other way round"), false);
+  snapOther_ = addViewSwitch("snapOther", tr("Snap to the other &stroke"),
+                             tr("Snap press points to the release curve, and vice versa"), false);
   connect(addViewAction("snapGridSteps", tr("Grid ste&ps…"), tr("Spacing of the snap grid"),
                         QKeySequence("Alt+G")),
           &QAction::triggered, this, [this] {

@@ -161,8 +161,7 @@ bool PanTool::released(const PointerInput& input) {
 // ---- zoom
 
 QString ZoomTool::hint() const {
-  return tr(
-      "Drag a rectangle to see it enlarged; a click comes nearer, with Shift it goes back. F shows all.");
+  return tr("Drag a rectangle to zoom in; click zooms in, Shift+click zooms out, F fits.");
 }
 
 void ZoomTool::leave() {

@@ -26,7 +26,7 @@ class DocumentTab : public QWidget {
   GraphWorkspace& workspace() { return *workspace_; }
   NoticeBar& notices() { return *notices_; }
   QWidget* valuesPanel();
-  QWidget* figuresPanel();
+  QWidget* inspector();
   QWidget* historyPanel();
   QWidget* checksPanel();
   QWidget* annotationsPanel();
@@ -42,7 +42,7 @@ class DocumentTab : public QWidget {
   GraphWorkspace* workspace_;
   void showPlace(const WarningPlace& place);
 
-  QPointer<QWidget> values_, figures_, history_, checks_, annotations_;
+  QPointer<QWidget> values_, inspector_, history_, checks_, annotations_;
 };
 
 }  // namespace detent::editor

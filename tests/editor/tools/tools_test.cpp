@@ -30,6 +30,7 @@ class ToolsTest : public QObject {
 
  private slots:
   void dragOfTactilePointIsOneExactStep();
+  void aLabelMovesItsPoint();
   void escapeCancelsADragExactly();
   void refusedMoveStopsAtTheLimit();
   void undoInTheMiddleOfADragEndsIt();
@@ -88,6 +89,23 @@ void ToolsTest::dragOfTactilePointIsOneExactStep() {
   QVERIFY(rig.button() == before);
   rig.document.history().stack().redo();
   QVERIFY(rig.button() == after);
+}
+
+// The label of a point is a handle of the point, which does not jump to the pointer.
+void ToolsTest::aLabelMovesItsPoint() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().grab();  // labels stand where they were drawn last
+  const MarkId peak{MarkKind::tactilePoint, Stroke::press, 0};
+  constexpr double away_px = 20;  // label above the point
+  const QPointF label = rig.pixel(peak) - QPointF(0, away_px);
+  QVERIFY(rig.canvas().flagAt(label) && *rig.canvas().flagAt(label) == peak);
+  const TactilePoint before = tactilePoints(rig.press(), Stroke::press).front();
+  const double pxPerN = std::abs(rig.canvas().mapping().pxPerY);
+  rig.drag(label, label - QPointF(0, 12), Qt::ControlModifier);
+  const TactilePoint after = tactilePoints(rig.press(), Stroke::press).front();
+  QVERIFY(std::abs(after.force_N - before.force_N - 12 / pxPerN) < 1e-6);
+  QVERIFY(std::abs(after.displacement_mm - before.displacement_mm) < 1e-6);
+  QCOMPARE(rig.steps(), 1);
 }
 
 void ToolsTest::escapeCancelsADragExactly() {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Numbers of the selected mark.
+
+#include <optional>
+#include <QWidget>
+
+#include "editor/canvas/graph_marks.h"
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+
+class QLabel;
+
+namespace detent::editor {
+
+class SelectedRow;
+class ValuesModel;
+class ValueTable;
+
+/// Name of the selected mark, and below it the mark's row of the table of all values, one number per line.
+/// GUI thread.
+class SelectionPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  SelectionPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+
+  void showMark(std::optional<detent::editor::MarkId> mark);
+
+ private:
+  void layOut();
+  void showTrouble(const QString& why);
+
+  ValuesModel* model_;
+  SelectedRow* row_;
+  std::optional<MarkId> mark_;
+  QLabel *title_, *trouble_;
+  ValueTable* table_;
+};
+
+}  // namespace detent::editor
