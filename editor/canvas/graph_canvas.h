@@ -49,6 +49,9 @@ class GraphCanvas : public UnitPlot {
   void showFinger(std::optional<FingerPosition> finger);
   /// Possible new active state, drawn dashed; nullopt: none. Never in exported pictures.
   void showPreview(std::optional<ButtonState> preview);
+  /// Curves of another button, drawn behind the own ones; nullopt: none. Never in exported pictures.
+  void showReference(std::optional<Reference> reference);
+  const std::optional<Reference>& reference() const { return reference_; }
   /// Spread of the units whose mean the button was when this was set, per state: a band behind the curves.
   void showSpread(std::vector<StateSpread> states);
   void setMagnifierShown(bool shown);
@@ -106,6 +109,7 @@ class GraphCanvas : public UnitPlot {
   std::size_t selectedState_ = 0;
   std::optional<FingerPosition> finger_;
   std::optional<ButtonState> preview_;
+  std::optional<Reference> reference_;
   std::vector<StateSpread> spread_;  // empty: no band
   bool magnifierShown_ = true, handlesShown_ = true;
 };

@@ -25,6 +25,12 @@ struct Flag {
   MarkId mark;
 };
 
+/// Curves of another button behind those that are edited.
+struct Reference {
+  ButtonState state;
+  QString name;
+};
+
 /// Contents of a graph picture. References must outlive the call.
 struct GraphScene {
   const ButtonState& state;
@@ -42,6 +48,8 @@ struct GraphScene {
   std::span<const PinnedPoint> pinned = {};  ///< drawn with the handles
   std::size_t stateIndex = 0;                ///< index of this state in the button
   const ButtonState* preview = nullptr;      ///< possible new state, drawn dashed
+  const ButtonState* before = nullptr;       ///< state before the running drag, drawn pale
+  const Reference* reference = nullptr;      ///< state of another button, drawn behind the curves
   std::vector<Flag>* flags = nullptr;        ///< receives the labels that were drawn; null: nobody asks
   const StateSpread* spread = nullptr;  ///< spread of the averaged units: a band of one standard deviation
 };

@@ -21,7 +21,6 @@
 #include "editor/document/state_name.h"
 #include "editor/panels/grid_dialog.h"
 #include "editor/panels/operation_menu.h"
-#include "editor/panels/point_field.h"
 #include "editor/tools/damping_view.h"
 #include "editor/tools/mark_edits.h"
 #include "editor/tools/tool_box.h"
@@ -48,7 +47,6 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
       reverse_(new DisplacementForceView(document, settings, *canvas_)),
       damping_(new DampingView(document, settings)),
       tools_(std::make_unique<ToolBox>(document, settings, *canvas_)),
-      point_(new PointField(document, settings, *canvas_)),
       operations_(std::make_unique<OperationMenu>(document, settings, *canvas_, *tools_, *this)) {
   auto* left = new QSplitter(Qt::Vertical);
   left->addWidget(canvas_);
@@ -87,8 +85,7 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   connect(canvas_, &GraphCanvas::cursorMoved, this, &GraphWorkspace::cursorMoved);
   connect(canvas_, &GraphCanvas::selectionChanged, this, &GraphWorkspace::followDocument);
   connect(tools_.get(), &ToolBox::said, this, &GraphWorkspace::statusMessage);
-  connect(tools_.get(), &ToolBox::valuesAsked, point_, &PointField::open);
-  connect(point_, &PointField::said, this, &GraphWorkspace::statusMessage);
+  connect(tools_.get(), &ToolBox::valuesRequested, this, &GraphWorkspace::valuesRequested);
   connect(tools_.get(), &ToolBox::contextMenuRequested, this, &GraphWorkspace::showContextMenu);
   connect(damping_, &DampingView::said, this, &GraphWorkspace::statusMessage);
   connect(operations_.get(), &OperationMenu::said, this, &GraphWorkspace::statusMessage);
@@ -107,7 +104,6 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
 GraphWorkspace::~GraphWorkspace() {
   document_.disconnect(this);
   operations_->closeDialog();
-  delete point_;
   tools_->cancelDrag();
   damping_->cancelDrag();
 }
@@ -176,6 +172,8 @@ void GraphWorkspace::makeToolActions() {
        QKeySequence(Qt::Key_H)},
       {ToolKind::zoom, "toolZoom", tr("&Zoom to a rectangle"),
        tr("Drag a rectangle to zoom in; a click zooms in"), QKeySequence(Qt::Key_Z)},
+      {ToolKind::measure, "toolMeasure", tr("&Measure"),
+       tr("Drag from one place to another: travel, force and slope between them"), QKeySequence(Qt::Key_M)},
   };
   auto* group = new QActionGroup(this);
   for (const Entry& entry : entries) {

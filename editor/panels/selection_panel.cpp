@@ -6,6 +6,7 @@
 #include <QSortFilterProxyModel>
 #include <QTransposeProxyModel>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
@@ -90,6 +91,12 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
   for (QWidget* part :
        {static_cast<QWidget*>(title_), static_cast<QWidget*>(table_), static_cast<QWidget*>(trouble_)})
     layout->addWidget(part);
+  connect(delegate, &QAbstractItemDelegate::closeEditor, this,
+          [this](QWidget*, QAbstractItemDelegate::EndEditHint hint) {
+            const bool goesOn = hint == QAbstractItemDelegate::EditNextItem ||
+                                hint == QAbstractItemDelegate::EditPreviousItem;
+            if (!goesOn && std::exchange(editing_, false) && table_->hasFocus()) emit edited();
+          });
   connect(delegate, &ValueDelegate::refused, this,
           [this](const QModelIndex&, const QString& why) { showTrouble(why); });
   connect(model_, &ValuesModel::refused, this,
@@ -100,11 +107,25 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
   showMark({});
 }
 
+// A slope handle has the numbers of its knot.
 void SelectionPanel::showMark(std::optional<MarkId> mark) {
+  if (mark && (mark->kind == MarkKind::slopeBefore || mark->kind == MarkKind::slopeAfter))
+    mark->kind = MarkKind::knot;
   mark_ = mark;
   row_->setMark(mark);
   showTrouble({});
   layOut();
+}
+
+bool SelectionPanel::edit(FirstValue first) {
+  if (row_->columnCount() == 0) return false;
+  QModelIndex cell = row_->cell(first == FirstValue::force ? ValuesModel::force : ValuesModel::displacement);
+  if (!(cell.flags() & Qt::ItemIsEditable)) cell = row_->cell(ValuesModel::displacement);
+  editing_ = true;
+  table_->setFocus(Qt::OtherFocusReason);
+  table_->setCurrentIndex(cell);
+  static_cast<QAbstractItemView*>(table_)->edit(cell);
+  return true;
 }
 
 // Lines without a number, such as the slope of an operating point, are not shown.

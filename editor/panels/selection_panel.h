@@ -8,6 +8,7 @@
 #include "editor/canvas/graph_marks.h"
 #include "editor/document/button_document.h"
 #include "editor/document/view_settings.h"
+#include "editor/tools/tool.h"
 
 class QLabel;
 
@@ -26,6 +27,12 @@ class SelectionPanel : public QWidget {
   SelectionPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
 
   void showMark(std::optional<detent::editor::MarkId> mark);
+  /// Opens the cell of a number for typing; returns false without a mark.
+  bool edit(FirstValue first);
+
+ signals:
+  /// A cell opened by edit() was closed, typed or not.
+  void edited();
 
  private:
   void layOut();
@@ -36,6 +43,7 @@ class SelectionPanel : public QWidget {
   std::optional<MarkId> mark_;
   QLabel *title_, *trouble_;
   ValueTable* table_;
+  bool editing_ = false;  ///< begun by edit()
 };
 
 }  // namespace detent::editor

@@ -158,6 +158,46 @@ bool PanTool::released(const PointerInput& input) {
   return true;
 }
 
+// ---- measure
+
+QString MeasureTool::hint() const {
+  return tr("Drag from one place to another to measure between them. Ctrl: no snapping.");
+}
+
+void MeasureTool::leave() {
+  from_.reset();
+  context_.canvas.setFeedback({});
+}
+
+CurvePoint MeasureTool::placeAt(const PointerInput& input) const {
+  if (input.modifiers & Qt::ControlModifier) return input.at;
+  const std::vector<Mark> marks = marksAt(context_.canvas, input.at_px);
+  if (!marks.empty()) return marks.front().at;
+  const auto hit = curveAt(context_.canvas, input.at_px);
+  return hit ? hit->at : input.at;
+}
+
+bool MeasureTool::pressed(const PointerInput& input) {
+  if (input.button != Qt::LeftButton) return false;
+  leave();
+  from_ = placeAt(input);
+  return true;
+}
+
+bool MeasureTool::moved(const PointerInput& input) {
+  if (!from_) return false;
+  CanvasFeedback feedback;
+  feedback.measured = Measurement{*from_, placeAt(input)};
+  context_.canvas.setFeedback(feedback);
+  return true;
+}
+
+bool MeasureTool::released(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || !from_) return false;
+  from_.reset();
+  return true;
+}
+
 // ---- zoom
 
 QString ZoomTool::hint() const {

@@ -77,8 +77,12 @@ void SelectTool::hover(const PointerInput& input) {
   CanvasFeedback feedback;
   if (mark) feedback.hovered = mark->id;
   context_.canvas.setFeedback(feedback);
+  const auto cursorOf = [](MarkKind kind) {
+    if (kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint) return Qt::SizeHorCursor;
+    return kind == MarkKind::section ? Qt::SizeVerCursor : Qt::OpenHandCursor;
+  };
   if (mark)
-    context_.canvas.setCursor(mark->id.kind == MarkKind::section ? Qt::SizeVerCursor : Qt::OpenHandCursor);
+    context_.canvas.setCursor(cursorOf(mark->id.kind));
   else
     context_.canvas.unsetCursor();
 }

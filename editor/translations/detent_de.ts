@@ -293,6 +293,10 @@
         <source>Stops at %1. %2</source>
         <translation>Hält bei %1. %2</translation>
     </message>
+    <message>
+        <source>Shift: one axis, Ctrl: no snapping, Esc: cancel</source>
+        <translation>Umschalt: eine Achse, Strg: kein Einrasten, Esc: abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>InputKinds</name>
@@ -2753,6 +2757,22 @@ Lizenz: %3</translation>
         <source>%1 is unusually high. Did you mean %2? Press Enter again to keep %1.</source>
         <translation>%1 ist ungewöhnlich viel. Meinten Sie %2? Noch einmal Eingabe behält %1 bei.</translation>
     </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>pre-travel</source>
+        <translation>Vorlaufweg</translation>
+    </message>
+    <message>
+        <source>differential</source>
+        <translation>Differenzweg</translation>
+    </message>
+    <message>
+        <source>slope %1</source>
+        <translation>Steigung %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -2856,6 +2876,14 @@ Lizenz: %3</translation>
     <message>
         <source>Message about the import</source>
         <translation>Meldung zum Import</translation>
+    </message>
+    <message>
+        <source>Which unit is the displacement axis in?</source>
+        <translation>Welche Einheit hat die Wegachse?</translation>
+    </message>
+    <message>
+        <source>Which unit is the force axis in?</source>
+        <translation>Welche Einheit hat die Kraftachse?</translation>
     </message>
 </context>
 <context>
@@ -3601,6 +3629,13 @@ Lizenz: %3</translation>
     <message>
         <source>What a finger feels that controls force: jumps are vertical lines.</source>
         <translation>Was ein Finger fühlt, der die Kraft steuert: Sprünge sind senkrechte Linien.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::DocumentTab</name>
+    <message>
+        <source>Select a point to type its values.</source>
+        <translation>Wählen Sie einen Punkt, um seine Werte einzugeben.</translation>
     </message>
 </context>
 <context>
@@ -5175,6 +5210,14 @@ Lizenz: %3</translation>
         <source>Graph of %1</source>
         <translation>Graph von %1</translation>
     </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another: travel, force and slope between them</source>
+        <translation>Von einer Stelle zur anderen ziehen: Weg, Kraft und Steigung dazwischen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::GridDialog</name>
@@ -6500,6 +6543,22 @@ Lizenz: %3</translation>
         <source>&amp;Clear list</source>
         <translation>Liste &amp;leeren</translation>
     </message>
+    <message>
+        <source>&amp;Reference curve</source>
+        <translation>&amp;Referenzkurve</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keine</translation>
+    </message>
+    <message>
+        <source>This button as it is &amp;now</source>
+        <translation>Dieser Taster, wie er &amp;jetzt ist</translation>
+    </message>
+    <message>
+        <source>%1, kept</source>
+        <translation>%1, behalten</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -6532,6 +6591,13 @@ Lizenz: %3</translation>
     <message>
         <source>Paint over parts that are not a curve. [ and ] change the size of the brush.</source>
         <translation>Übermalen Sie Teile, die keine Kurve sind. [ und ] ändern die Größe des Pinsels.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MeasureTool</name>
+    <message>
+        <source>Drag from one place to another to measure between them. Ctrl: no snapping.</source>
+        <translation>Von einer Stelle zur anderen ziehen, um dazwischen zu messen. Strg: kein Einrasten.</translation>
     </message>
 </context>
 <context>
@@ -7215,41 +7281,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::PointField</name>
-    <message>
-        <source>Values of the selected point</source>
-        <translation>Werte des gewählten Punkts</translation>
-    </message>
-    <message>
-        <source>&amp;Displacement</source>
-        <translation>&amp;Weg</translation>
-    </message>
-    <message>
-        <source>&amp;Force</source>
-        <translation>&amp;Kraft</translation>
-    </message>
-    <message>
-        <source>Slope &amp;before</source>
-        <translation>Steigung d&amp;avor</translation>
-    </message>
-    <message>
-        <source>&amp;Slope</source>
-        <translation>&amp;Steigung</translation>
-    </message>
-    <message>
-        <source>Slope a&amp;fter</source>
-        <translation>Steigung da&amp;nach</translation>
-    </message>
-    <message>
-        <source>Select a point to type its values.</source>
-        <translation>Wählen Sie einen Punkt, um seine Werte einzugeben.</translation>
-    </message>
-    <message>
-        <source>Set: %1</source>
-        <translation>Setzen: %1</translation>
-    </message>
-</context>
-<context>
     <name>detent::editor::PressPad</name>
     <message>
         <source>Press pad</source>
@@ -7452,13 +7483,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Click a tick of an axis and type the value that stands there; two per axis settle it. The corner where the axes meet sets both at once.</source>
         <translation>Klicken Sie einen Teilstrich einer Achse an und geben Sie den Wert ein, der dort steht; zwei je Achse legen sie fest. Die Ecke, in der die Achsen sich treffen, setzt beide zugleich.</translation>
-    </message>
-</context>
-<context>
-    <name>detent::editor::ScrubLabel</name>
-    <message>
-        <source>Drag to the right for more, to the left for less; with Shift ten times as fast</source>
-        <translation>Nach rechts ziehen für mehr, nach links für weniger; mit Umschalt zehnmal so schnell</translation>
     </message>
 </context>
 <context>

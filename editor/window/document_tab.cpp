@@ -69,6 +69,11 @@ QWidget* DocumentTab::inspector() {
     connect(&canvas, &GraphCanvas::selectionChanged, selection,
             [selection, &canvas] { selection->showMark(canvas.selected()); });
     selection->showMark(canvas.selected());
+    connect(workspace_, &GraphWorkspace::valuesRequested, this, [this, selection](FirstValue first) {
+      emit inspectorWanted();
+      if (!selection->edit(first)) emit workspace_->statusMessage(tr("Select a point to type its values."));
+    });
+    connect(selection, &SelectionPanel::edited, workspace_, qOverload<>(&QWidget::setFocus));
     connect(figures, &KeyFiguresPanel::contactsRequested, this, [this] {
       for (QAction* action : workspace_->editActions())
         if (action->objectName() == QLatin1String("operationContacts")) action->trigger();

@@ -32,6 +32,8 @@ class DocumentTab : public QWidget {
   QWidget* annotationsPanel();
 
  signals:
+  /// Numbers are to be typed in the inspector.
+  void inspectorWanted();
   /// An earlier version is to be opened as a button of its own.
   void versionOpened(const detent::Button& version);
 

@@ -414,6 +414,11 @@ void MainWindow::adopt(DocumentTab& tab) {
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::storeSession);
+  connect(&tab, &DocumentTab::inspectorWanted, this, [this] {
+    showView(CentreView::edit);
+    inspectorDock_->show();
+    inspectorDock_->raise();
+  });
   connect(&tab, &DocumentTab::versionOpened, this,
           [this](const Button& version) { tabs_->add(std::make_unique<ButtonDocument>(version)); });
   connect(&tab.document().history().stack(), &QUndoStack::indexChanged, this, &MainWindow::updateUndo);

@@ -59,7 +59,7 @@ class MainWindow : public QMainWindow {
   std::vector<ShortcutRow> shortcuts() const;
   /// Opens what was open when the window was closed last, and shows what was shown.
   void restoreSession();
-  /// What the centre shows: a graph to edit, with its docks; graphs over each other with their differences;
+  /// Contents of the centre: a graph to edit, with its docks; graphs over each other with their differences;
   /// the pad below the graph.
   enum class CentreView { edit, compare, feel };
   void showView(CentreView view);
@@ -110,6 +110,7 @@ class MainWindow : public QMainWindow {
   void fill(TabMenu& menu, const QList<QAction*>& actions);
   void updateUndo();
   void updateRecent();
+  void fillReferences(QMenu& menu);
   void showShortcuts();
   void showAbout();
 

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QToolBar>
 
+#include "editor/canvas/graph_canvas.h"
 #include "editor/document/described.h"
 #include "editor/document/line_icon.h"
 #include "editor/measured/measured_window.h"
@@ -198,6 +199,9 @@ void MainWindow::makeViewActions() {
   showFeel_ = view("feel", tr("Fee&l"), tr("Press the button, hear it and see its vibration"), "Alt+4",
                    CentreView::feel);
   menu->addSeparator();
+  QMenu* references = menu->addMenu(tr("&Reference curve"));
+  references->setObjectName("referenceMenu");
+  connect(references, &QMenu::aboutToShow, this, [this, references] { fillReferences(*references); });
   unitMenu_ = menu->addMenu(tr("&Units"));
   unitMenu_->setObjectName("unitMenu");
   makeUnitActions(unitMenu_);
@@ -366,6 +370,28 @@ void MainWindow::updateRecent() {
   recentMenu_->addAction(tr("&Clear list"), this, [this] { files_->recent().clear(); });
   recentMenu_->setEnabled(!paths.isEmpty());
   welcome_->setRecent(paths);
+}
+
+void MainWindow::fillReferences(QMenu& menu) {
+  menu.clear();
+  DocumentTab* tab = tabs_->current();
+  if (!tab) return;
+  GraphCanvas& canvas = tab->workspace().canvas();
+  const auto add = [&](const QString& text, std::optional<Reference> reference) {
+    QAction* entry = menu.addAction(text, &canvas, [&canvas, reference] { canvas.showReference(reference); });
+    entry->setCheckable(true);
+    const auto& shown = canvas.reference();
+    entry->setChecked(reference.has_value() == shown.has_value() &&
+                      (!shown || (shown->name == reference->name && shown->state == reference->state)));
+  };
+  add(tr("&None"), {});
+  add(tr("This button as it is &now"),
+      Reference{canvas.state(), tr("%1, kept").arg(tab->document().title())});
+  menu.addSeparator();
+  for (ButtonDocument* document : tabs_->documents())
+    if (document != &tab->document())
+      add(document->title().replace('&', "&&"),
+          Reference{document->button().states()[document->activeState()], document->title()});
 }
 
 QList<QAction*> MainWindow::allActions() const {

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
@@ -1622,6 +1623,76 @@ class WindowTest : public QObject {
     QVERIFY(table->model()->setData(table->model()->index(ValuesModel::force, 0), "75 cN", Qt::EditRole));
     QVERIFY(std::abs(tactilePoints(rig.document().graph().press(), Stroke::press).front().force_N - 0.75) <
             1e-9);
+  }
+
+  // Enter on a point opens its numbers in the inspector; another Enter makes one step and goes back to the graph.
+  void numbersOfAPointAreTypedInTheInspector() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(rig.window.get()));
+    rig.window->findChild<QDockWidget*>("inspectorDock")->hide();
+    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    const auto type = [&](Qt::Key opens, const QString& text, Qt::Key ends) {
+      QTest::keyClick(&canvas, opens);
+      auto* editor = rig.window->findChild<QLineEdit*>("valueEditor");
+      QTRY_VERIFY(editor && editor->isVisible() && editor->hasFocus());
+      editor->selectAll();
+      QTest::keyClicks(editor, text);
+      QTest::keyClick(editor, ends);
+      QTest::qWait(20);
+    };
+    const auto peak = [&] { return tactilePoints(rig.document().graph().press(), Stroke::press).front(); };
+    const auto steps = [&] { return rig.document().history().stack().count(); };
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_Return);
+    QVERIFY(!rig.window->findChild<QLineEdit*>("valueEditor"));  // nothing is selected
+    canvas.setSelected(MarkId{MarkKind::tactilePoint, Stroke::press, 0});
+    type(Qt::Key_Return, "1.4 mm", Qt::Key_Return);
+    QCOMPARE(peak().displacement_mm, 1.4);
+    QCOMPARE(steps(), 1);
+    QTRY_VERIFY(canvas.hasFocus());
+    type(Qt::Key_F2, "60 gf", Qt::Key_Return);
+    QVERIFY(std::abs(peak().force_N - 60 * 0.00980665) < 1e-9);
+    QCOMPARE(steps(), 2);
+    const Button kept = rig.document().button();
+    type(Qt::Key_F2, "70", Qt::Key_Escape);
+    QVERIFY(rig.document().button() == kept);
+    QTRY_VERIFY(canvas.hasFocus());
+    // A refused number stays open, with its reason.
+    type(Qt::Key_Return, "3.9", Qt::Key_Return);
+    auto* editor = rig.window->findChild<QLineEdit*>("valueEditor");
+    QVERIFY(editor && editor->isVisible());
+    QVERIFY(!rig.window->findChild<QLabel*>("selectionTrouble")->text().isEmpty());
+    QTest::keyClick(editor, Qt::Key_Escape);
+    QVERIFY(rig.document().button() == kept);
+  }
+
+  // Another button's curves lie behind the edited ones, and in no picture that is exported.
+  void aReferenceStandsBehindTheCurve() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
+    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    auto* menu = rig.window->findChild<QMenu*>("referenceMenu");
+    const auto choose = [&](const QString& text) {
+      emit menu->aboutToShow();
+      for (QAction* entry : menu->actions())
+        if (entry->text() == text) return entry->trigger();
+      QFAIL(qPrintable(text));
+    };
+    const QImage plain = canvas.grab().toImage(), exported = canvas.renderImage({900, 600}, 1);
+    choose("C");
+    QVERIFY(canvas.reference() && canvas.reference()->name == "C");
+    QVERIFY(!(canvas.grab().toImage() == plain));
+    QVERIFY(canvas.renderImage({900, 600}, 1) == exported);
+    emit menu->aboutToShow();
+    for (const QAction* entry : menu->actions()) QCOMPARE(entry->isChecked(), entry->text() == "C");
+    choose("This button as it is &now");
+    rig.scale(1.5);
+    QVERIFY(canvas.reference()->state.graph.press().force_N(1) <
+            0.7 * rig.document().graph().press().force_N(1));
+    choose("&None");
+    QVERIFY(!canvas.reference());
   }
 
   void ownPictureOpensAsItsButton() {
