@@ -11,8 +11,8 @@
 
 namespace detent::editor {
 
-enum class ToolKind { select, addKnot, addJump, pan, zoom };
-inline constexpr std::size_t toolCount = 5;
+enum class ToolKind { select, addKnot, addJump, pan, zoom, measure };
+inline constexpr std::size_t toolCount = 6;
 
 /// Escape cancels a drag; undo and a change of state end it; a tool is left without one. GUI thread.
 class ToolBox : public QObject, public CanvasEvents {
@@ -42,7 +42,7 @@ class ToolBox : public QObject, public CanvasEvents {
   void toolChanged(detent::editor::ToolKind kind);
   void said(const QString& text);
   /// Requests editing of the selected point's values.
-  void valuesAsked(detent::editor::FirstValue first);
+  void valuesRequested(detent::editor::FirstValue first);
   void contextMenuRequested(QPoint global_px);
 
  private:
