@@ -286,6 +286,9 @@ void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
+// Digits of a number on the curve: what a reader compares at a glance.
+constexpr int shownDigits = 4;
+
 QString shortForce(double force_N, const GraphScene& scene) {
   return readText(force_N, Quantity::force, scene.units, scene.readingError, shownDigits) +
          QStringLiteral("\u2009") + scene.units.forceSymbol();
@@ -328,7 +331,6 @@ constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
 // distance of a tactile point's force label from the point
 constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // of a label with two or three lines
-constexpr int shownDigits = 4;
 
 /// Labels beside marks. No label covers a mark or another label: a later one goes to the next free place, or
 /// keeps its own place if none is near.
@@ -726,7 +728,7 @@ void paintDragReadout(QPainter& painter, const PlotMapping& map, const GraphScen
   const auto changed = [&](double from, double to, Quantity quantity) {
     const QString now = quantityWithUnit(to, quantity, scene.units, shownDigits);
     const QString then = quantityText(from, quantity, scene.units, shownDigits);
-    return then == quantityText(to, quantity, scene.units, shownDigits) ? now : then + u" \u2192 " + now;
+    return then == quantityText(to, quantity, scene.units, shownDigits) ? now : then + QStringLiteral(" \u2192 ") + now;
   };
   const CurvePoint to = *scene.feedback.dragged, from = scene.feedback.draggedFrom.value_or(to);
   const QString lines = changed(from.displacement_mm, to.displacement_mm, Quantity::length) + u'\n' +

@@ -1709,7 +1709,7 @@ class WindowTest : public QObject {
     rig.window->files().open({file});
     QVERIFY(rig.window->tabs().current());
     const auto original = readButtonFile(sample("buttons/B.button.json").toStdString());
-    QVERIFY(rig.document().button().states() == original->button.states());
+    QVERIFY(rig.document().button().states() == original->states());
     QVERIFY(rig.document().path().isEmpty());  // saving does not write over the picture
   }
 
