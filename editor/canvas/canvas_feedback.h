@@ -35,14 +35,22 @@ struct Proposal {
   friend bool operator==(const Proposal&, const Proposal&) = default;
 };
 
+/// Two places whose distance is shown.
+struct Measurement {
+  CurvePoint from, to;
+  friend bool operator==(const Measurement&, const Measurement&) = default;
+};
+
 /// Plain value; the canvas draws the fields that are set.
 struct CanvasFeedback {
   std::optional<MarkId> hovered;
   std::optional<SnapHit> snap;
   std::optional<RefusedMove> refused;
   std::optional<Proposal> proposal;
-  std::optional<QRectF> band_px;      ///< selection rectangle being drawn
-  std::optional<CurvePoint> dragged;  ///< position of the dragged item, shown by the magnifier
+  std::optional<QRectF> band_px;          ///< selection rectangle being drawn
+  std::optional<CurvePoint> dragged;      ///< position of the dragged item, shown by the magnifier
+  std::optional<CurvePoint> draggedFrom;  ///< its position at the start of the drag
+  std::optional<Measurement> measured;
   friend bool operator==(const CanvasFeedback&, const CanvasFeedback&) = default;
 };
 

@@ -91,9 +91,6 @@ void GraphCanvas::colorsChanged() { takeSettings(); }
 void GraphCanvas::takeSettings() {
   underlay_->setDarkPaper(isDark(palette()));
   underlay_->setOpacity(settings().underlayOpacity());
-  // The page has its own grid.
-  const bool pageShown = hasUnderlay() && settings().underlayOpacity() > 0;
-  for (QCPAxis* axis : {xAxis, yAxis}) axis->grid()->setSubGridVisible(!pageShown);
   const bool pointsWanted = settings().residualsShown() || settings().snap().toTracedPoints;
   traced_->setShown(pointsWanted);
   if (pointsWanted) document_.wantOrigin();
@@ -140,6 +137,12 @@ void GraphCanvas::showSelection() {
 void GraphCanvas::showPreview(std::optional<ButtonState> preview) {
   if (preview == preview_) return;
   preview_ = std::move(preview);
+  replot();
+}
+
+void GraphCanvas::showReference(std::optional<Reference> reference) {
+  reference_ = std::move(reference);
+  if (fitted()) fit();
   replot();
 }
 
@@ -208,6 +211,9 @@ GraphScene GraphCanvas::scene() const {
   if (!exporting()) {
     scene.selection = selection_;
     scene.finger = finger_;
+    if (reference_) scene.reference = &*reference_;
+    if (feedback_.draggedFrom && document_.history().dragging())
+      scene.before = &document_.history().committed().states()[document_.activeState()];
   }
   const auto& states = document_.button().states();
   if (states.size() > 1) scene.otherState = &states[document_.activeState() == 0 ? 1 : 0];
@@ -245,11 +251,24 @@ QRectF GraphCanvas::contentRange() const {
     start = std::min(start, graph.release()->start_mm());
     end = std::max(end, graph.release()->end_mm());
   }
+  if (reference_) {
+    end = std::max(end, reference_->state.graph.travel_mm());
+    high = std::max(high, reference_->state.graph.press().forceRange_N().second);
+  }
   return {start, low, end - start, high - low};
 }
 
+std::optional<MarkId> GraphCanvas::flagAt(QPointF at_px) const {
+  for (const Flag& flag : flags_)
+    if (flag.box_px.contains(at_px)) return flag.mark;
+  return {};
+}
+
 void GraphCanvas::drawContent(QPainter& painter, const PlotMapping& map) const {
-  paintGraph(painter, map, scene());
+  GraphScene drawn = scene();
+  flags_.clear();
+  if (!exporting()) drawn.flags = &flags_;
+  paintGraph(painter, map, drawn);
   if (exporting()) return;
   if (magnifierShown_ && feedback_.dragged) drawMagnifier(painter, map);
   if (feedback_.refused) paintRefusalReason(painter, map, scene());

@@ -44,9 +44,14 @@ class GraphCanvas : public UnitPlot {
   void setSelected(const std::optional<MarkId>& selected);
   void setSelection(std::vector<MarkId> marks);
   bool isSelected(MarkId mark) const;
+  /// The mark whose label lies there.
+  std::optional<MarkId> flagAt(QPointF at_px) const;
   void showFinger(std::optional<FingerPosition> finger);
   /// Possible new active state, drawn dashed; nullopt: none. Never in exported pictures.
   void showPreview(std::optional<ButtonState> preview);
+  /// Curves of another button, drawn behind the own ones; nullopt: none. Never in exported pictures.
+  void showReference(std::optional<Reference> reference);
+  const std::optional<Reference>& reference() const { return reference_; }
   /// Spread of the units whose mean the button was when this was set, per state: a band behind the curves.
   void showSpread(std::vector<StateSpread> states);
   void setMagnifierShown(bool shown);
@@ -95,6 +100,7 @@ class GraphCanvas : public UnitPlot {
   TracedPoints* traced_;    // owned by QCustomPlot
   mutable std::optional<GraphValues> values_;
   CanvasFeedback feedback_;
+  mutable std::vector<Flag> flags_;  // as they were drawn last
   std::vector<MarkId> selection_;
   // State on which the selection was made; during a drag the selection is followed from there, not from frame
   // to frame.
@@ -103,6 +109,7 @@ class GraphCanvas : public UnitPlot {
   std::size_t selectedState_ = 0;
   std::optional<FingerPosition> finger_;
   std::optional<ButtonState> preview_;
+  std::optional<Reference> reference_;
   std::vector<StateSpread> spread_;  // empty: no band
   bool magnifierShown_ = true, handlesShown_ = true;
 };

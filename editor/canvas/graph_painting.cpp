@@ -18,6 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("GraphPainting
 
 // With more knots they are drawn small, because circles would hide the curve and cost time.
 constexpr std::size_t fewKnots = 120;
+constexpr std::size_t fewFlags = 4;  // valleys with a label of their own
 constexpr double longestResidual_px = 60;
 
 QColor withAlpha(QColor color, double alpha) {
@@ -83,11 +84,12 @@ void paintBottomOut(QPainter& painter, const PlotMapping& map, const GraphScene&
   painter.setPen(QPen(scene.colors.bottomOut, 1.5));
   painter.drawLine(QPointF(at_px, clip.top()), QPointF(at_px, clip.bottom()));
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QBrush(withAlpha(scene.colors.bottomOut, 0.55), Qt::BDiagPattern));
-  painter.drawRect(QRectF(at_px, clip.top(), 9, clip.height()));
+  painter.setBrush(QBrush(withAlpha(scene.colors.bottomOut, 0.3), Qt::BDiagPattern));
+  painter.drawRect(QRectF(at_px, clip.top(), 6, clip.height()));
 }
 
-constexpr double bandOpacity = 0.22;
+constexpr double bandOpacity = 0.22, referenceOpacity = 0.7;
+constexpr int longestReference = 24;  // characters of its name in the legend
 
 void drawPolylines(QPainter& painter, const std::vector<QPolygonF>& lines) {
   for (const QPolygonF& line : lines) painter.drawPolyline(line);
@@ -101,12 +103,27 @@ QPen strokePen(Stroke stroke, const GraphColors& colors, double width) {
   return pen;
 }
 
-void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+// The other state, or the strokes that a drag has changed, as they were.
+void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene, const ForceGraph& graph) {
+  painter.setBrush(Qt::NoBrush);
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
-    const ForceGraph& graph = scene.otherState->graph;
     if (stroke == Stroke::release && !graph.release()) continue;
+    const bool has = stroke == Stroke::press || scene.state.graph.release();
+    if (has && graph.curve(stroke) == scene.state.graph.curve(stroke)) continue;
     QPen pen = strokePen(stroke, scene.colors, 1.5);
     pen.setColor(withAlpha(pen.color(), 0.4));
+    painter.setPen(pen);
+    drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
+  }
+}
+
+void paintReference(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  painter.setBrush(Qt::NoBrush);
+  const ForceGraph& graph = scene.reference->state.graph;
+  for (const Stroke stroke : {Stroke::release, Stroke::press}) {
+    if (stroke == Stroke::release && !graph.release()) continue;
+    QPen pen = strokePen(stroke, scene.colors, 2);
+    pen.setColor(withAlpha(scene.colors.tracedPoint, referenceOpacity));
     painter.setPen(pen);
     drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
   }
@@ -269,9 +286,20 @@ void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
+// Digits of a number on the curve: what a reader compares at a glance.
+constexpr int shownDigits = 4;
+
 QString shortForce(double force_N, const GraphScene& scene) {
-  return readText(force_N, Quantity::force, scene.units, scene.readingError, 4) + QStringLiteral("\u2009") +
-         scene.units.forceSymbol();
+  return readText(force_N, Quantity::force, scene.units, scene.readingError, shownDigits) +
+         QStringLiteral("\u2009") + scene.units.forceSymbol();
+}
+
+// "55 cN at 1.25 mm".
+QString shortPlace(CurvePoint at, const GraphScene& scene) {
+  return tr("%1 at %2")
+      .arg(shortForce(at.force_N, scene),
+           readText(at.displacement_mm, Quantity::length, scene.units, scene.readingError, 3) +
+               QStringLiteral("\u2009") + scene.units.lengthSymbol());
 }
 
 QRectF tagBox(const QPainter& painter, QPointF at_px, const QString& text, const QRectF& bounds_px) {
@@ -302,6 +330,7 @@ void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const
 constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
 // distance of a tactile point's force label from the point
 constexpr double tagAway_px = 20;
+constexpr double bubbleAway_px = 38;  // of a label with two or three lines
 
 /// Labels beside marks. No label covers a mark or another label: a later one goes to the next free place, or
 /// keeps its own place if none is near.
@@ -315,7 +344,7 @@ class Tags {
     keepClear(QRectF(mark_px - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px)));
   }
 
-  void put(QPointF at_px, const QString& text, const QColor& tagColor) {
+  void put(QPointF at_px, const QString& text, const QColor& tagColor, std::optional<MarkId> mark = {}) {
     QRectF box = tagBox(painter_, at_px, text, map_.clip_px);
     for (const QPointF& away : placesAround(box.size())) {
       const QRectF moved = tagBox(painter_, box.center() + away, text, map_.clip_px);
@@ -324,6 +353,7 @@ class Tags {
       break;
     }
     taken_.push_back(box);
+    if (mark && scene_.flags) scene_.flags->push_back({box, *mark});
     paintTagIn(painter_, box, text, tagColor, scene_.colors.background);
   }
 
@@ -361,32 +391,61 @@ void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphSc
 }
 
 // Without dragged points, whose position is shown beside them.
-void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scene, Stroke stroke,
-                      std::span<const TactilePoint> seen) {
+void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   const auto& dragged = scene.feedback.dragged;
-  for (const TactilePoint& point : seen) {
-    if (dragged && *dragged == CurvePoint{point.displacement_mm, point.force_N}) continue;
-    const QPointF at = map.toPixel(point.displacement_mm, point.force_N);
-    tags.put(at + QPointF(0, stroke == Stroke::press ? -tagAway_px : tagAway_px),
-             shortForce(point.force_N, scene), scene.colors.text);
+  const std::vector<TactilePoint>& points = scene.values.of(stroke).tactile;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CurvePoint place{points[i].displacement_mm, points[i].force_N};
+    const QPointF at = pixelOf(map, place);
+    if ((dragged && *dragged == place) || !map.clip_px.contains(at)) continue;
+    tags.put(at + QPointF(0, stroke == Stroke::press ? -tagAway_px : tagAway_px), shortPlace(place, scene),
+             scene.colors.text, MarkId{MarkKind::tactilePoint, stroke, i});
+  }
+}
+
+// The lowest point after each tactile point of the press, and the start of its bottom-out.
+void tagTurnsAndBottomOut(Tags& tags, const PlotMapping& map, const GraphScene& scene) {
+  const auto& dragged = scene.feedback.dragged;
+  const auto put = [&](CurvePoint point, MarkId mark) {
+    const QPointF at = pixelOf(map, point);
+    if ((dragged && *dragged == point) || !map.clip_px.contains(at)) return;
+    tags.put(at + QPointF(0, tagAway_px), shortPlace(point, scene), scene.colors.text, mark);
+  };
+  const StrokeValues& press = scene.values.press;
+  for (std::size_t i = 0; i < press.turns.size(); ++i) {
+    const CurvePoint& turn = press.turns[i];
+    const bool afterPeak = std::ranges::any_of(press.tactile, [&](const TactilePoint& peak) {
+      return peak.displacement_mm < turn.displacement_mm && peak.force_N > turn.force_N;
+    });
+    if (afterPeak) put(turn, {MarkKind::turn, Stroke::press, i});
+  }
+  const std::vector<Knot>& knots = scene.state.graph.press().knots();
+  for (const Section& section : press.sections) {
+    if (section.kind != SectionKind::bottomOut) continue;
+    const CurvePoint start{section.from_mm, section.fromForce_N};
+    for (std::size_t i = 0; i < knots.size(); ++i)
+      if (knots[i].displacement_mm == start.displacement_mm && knots[i].force_N == start.force_N)
+        put(start, {MarkKind::knot, Stroke::press, i});
   }
 }
 
 /// A point at which a contact closes (press) or opens (release).
 struct Contact {
   Stroke stroke;
+  CurvePoint at;
   QPointF at_px;
-  QColor tagColor;
+  QColor color;
   bool operating() const { return stroke == Stroke::press; }
 };
 
 std::vector<Contact> contactsIn(const PlotMapping& map, const GraphScene& scene) {
   std::vector<Contact> contacts;
-  const auto add = [&](const std::optional<double>& at_mm, Stroke stroke, const QColor& tagColor) {
+  const auto add = [&](const std::optional<double>& at_mm, Stroke stroke, const QColor& color) {
     if (!at_mm) return;
-    const QPointF at = map.toPixel(*at_mm, scene.state.graph.curve(stroke).force_N(*at_mm));
+    const CurvePoint place{*at_mm, scene.state.graph.curve(stroke).force_N(*at_mm)};
+    const QPointF at = pixelOf(map, place);
     if (at.x() >= map.clip_px.left() && at.x() <= map.clip_px.right())
-      contacts.push_back({stroke, at, tagColor});
+      contacts.push_back({stroke, place, at, color});
   };
   add(scene.state.operatingPoint_mm, Stroke::press, scene.colors.operatingPoint);
   add(scene.state.resetPoint_mm, Stroke::release, scene.colors.resetPoint);
@@ -396,15 +455,45 @@ std::vector<Contact> contactsIn(const PlotMapping& map, const GraphScene& scene)
 // A thin line through the plot and a marker on its stroke.
 void paintContact(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                   const Contact& contact) {
-  const auto& [stroke, at, tagColor] = contact;
-  painter.setPen(QPen(withAlpha(tagColor, 0.75), 1, Qt::DashDotLine));
+  const auto& [stroke, place, at, color] = contact;
+  painter.setPen(QPen(withAlpha(color, 0.75), 1, Qt::DashDotLine));
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
   painter.setPen(QPen(scene.colors.background, 1.5));
-  painter.setBrush(tagColor);
+  painter.setBrush(color);
   const double r = contactMark_px;
   const double up = contact.operating() ? 1 : -1;  // points down where the contact closes, up where it opens
   painter.drawPolygon(QPolygonF(
       {{at.x() - r, at.y() - up * r}, {at.x() + r, at.y() - up * r}, {at.x(), at.y() + up * 0.9 * r}}));
+}
+
+MarkId markOf(const Contact& contact) {
+  return {contact.operating() ? MarkKind::operatingPoint : MarkKind::resetPoint, contact.stroke, 0};
+}
+
+// A dimension line as in mechanical drawings, above the axis. Its label and its arrow at `to` move that
+// contact.
+void paintDimension(Tags& tags, QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+                    const QString& name, double from_mm, const Contact& to, double aboveAxis_px) {
+  constexpr double arrow_px = 7, extension_px = 5, least_px = 3 * arrow_px, reach_px = 9;
+  const double y = map.clip_px.bottom() - aboveAxis_px;
+  const QPointF a(map.toPixel(from_mm, 0).x(), y), b(to.at_px.x(), y);
+  const double way_px = b.x() - a.x();
+  if (std::abs(way_px) < least_px) return;
+  const double forward = way_px > 0 ? 1 : -1;
+  painter.setPen(QPen(to.color, 1));
+  painter.setBrush(to.color);
+  painter.drawLine(a, b);
+  painter.drawLine(a - QPointF(0, extension_px), a + QPointF(0, extension_px));
+  for (const auto& [tip, way] : {std::pair{a, forward}, std::pair{b, -forward}}) {
+    const QPointF back(way * arrow_px, arrow_px / 3);
+    painter.drawPolygon(QPolygonF({tip, tip + back, tip + QPointF(back.x(), -back.y())}));
+  }
+  if (scene.flags)
+    scene.flags->push_back({QRectF(b.x() - reach_px, y - reach_px, 2 * reach_px, 2 * reach_px), markOf(to)});
+  const QString length = readText(std::abs(to.at.displacement_mm - from_mm), Quantity::length, scene.units,
+                                  scene.readingError, shownDigits);
+  tags.put((a + b) / 2, tr("%1 %2").arg(name, length + QStringLiteral("\u2009") + scene.units.lengthSymbol()),
+           to.color, markOf(to));
 }
 
 std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
@@ -420,13 +509,26 @@ std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphSce
 constexpr QSizeF legendGap_px{14, 8};  // to the plot's edges
 constexpr double legendText_px = 35;   // from the key's left end
 
+struct LegendEntry {
+  QString name;
+  QPen pen;
+};
+
 /// Entries of the legend; empty for a single stroke.
-std::vector<QString> legendOf(const GraphScene& scene) {
-  std::vector<QString> names;
-  if (scene.state.graph.release() || scene.spread) names.push_back(tr("press"));
-  if (scene.state.graph.release()) names.push_back(tr("release"));
-  if (scene.spread) names.push_back(tr("units ± 1 SD"));
-  return names;
+std::vector<LegendEntry> legendOf(const GraphScene& scene) {
+  std::vector<LegendEntry> entries;
+  const auto stroke = [&](const QString& name, Stroke which) {
+    entries.push_back({name, strokePen(which, scene.colors, 2)});
+  };
+  if (scene.state.graph.release() || scene.spread || scene.reference) stroke(tr("press"), Stroke::press);
+  if (scene.state.graph.release()) stroke(tr("release"), Stroke::release);
+  if (scene.spread)
+    entries.push_back({tr("units ± 1 SD"),
+                       QPen(withAlpha(scene.colors.press, bandOpacity), 8, Qt::SolidLine, Qt::FlatCap)});
+  if (scene.reference)
+    entries.push_back({shortened(scene.reference->name, longestReference),
+                       QPen(withAlpha(scene.colors.tracedPoint, referenceOpacity), 2)});
+  return entries;
 }
 
 /// Number of sampled offsets on the strokes inside the box.
@@ -446,11 +548,12 @@ int curvePixelsIn(const QRectF& box, const PlotMapping& map, const GraphScene& s
 
 /// The box in the corner with the fewest offsets on the strokes.
 QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphScene& scene,
-                 const std::vector<QString>& names) {
+                 const std::vector<LegendEntry>& entries) {
   const QFontMetricsF metrics(painter.font());
   double text_px = 0;
-  for (const QString& name : names) text_px = std::max(text_px, metrics.horizontalAdvance(name));
-  QRectF box({}, QSizeF(legendText_px + text_px, static_cast<double>(names.size()) * (metrics.height() + 2)));
+  for (const LegendEntry& entry : entries) text_px = std::max(text_px, metrics.horizontalAdvance(entry.name));
+  QRectF box({},
+             QSizeF(legendText_px + text_px, static_cast<double>(entries.size()) * (metrics.height() + 2)));
   const QRectF within = map.clip_px.adjusted(legendGap_px.width(), legendGap_px.height(),
                                              -legendGap_px.width(), -legendGap_px.height());
   box.moveTopLeft(within.topLeft());
@@ -479,16 +582,27 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
       for (const TactilePoint& point : *points)
         tags.keepClear(map.toPixel(point.displacement_mm, point.force_N), tactileMark_px);
   for (const Contact& contact : contacts) tags.keepClear(contact.at_px, contactMark_px);
-  if (const auto names = legendOf(scene); !names.empty())
-    tags.keepClear(legendBox(painter, map, scene, names));
+  if (const auto entries = legendOf(scene); !entries.empty())
+    tags.keepClear(legendBox(painter, map, scene, entries));
   if (legible) {
-    tagTactilePoints(tags, map, scene, Stroke::release, release);
-    tagTactilePoints(tags, map, scene, Stroke::press, press);
+    if (scene.state.graph.release()) tagTactilePoints(tags, map, scene, Stroke::release);
+    tagTactilePoints(tags, map, scene, Stroke::press);
+    if (scene.values.press.turns.size() <= fewFlags) tagTurnsAndBottomOut(tags, map, scene);
   }
   constexpr double aboveAxis_px = 12, lineAbove_px = 30;
   for (const Contact& contact : contacts)
     tags.put({contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
-             contact.operating() ? tr("operating") : tr("reset"), contact.tagColor);
+             (contact.operating() ? tr("operating %1") : tr("reset %1")).arg(shortPlace(contact.at, scene)),
+             contact.color, markOf(contact));
+  constexpr double preTravel_px = 52, differential_px = 74;  // above the labels of the contacts
+  if (!scene.handlesShown) return;
+  for (const Contact& contact : contacts) {
+    if (contact.operating())
+      paintDimension(tags, painter, map, scene, tr("pre-travel"), 0, contact, preTravel_px);
+    else if (scene.state.operatingPoint_mm)
+      paintDimension(tags, painter, map, scene, tr("differential"), *scene.state.operatingPoint_mm, contact,
+                     differential_px);
+  }
 }
 
 void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -611,8 +725,37 @@ void paintDragReadout(QPainter& painter, const PlotMapping& map, const GraphScen
   painter.setPen(QPen(withAlpha(scene.colors.selection, 0.35), 1));
   painter.drawLine(QPointF(map.clip_px.left(), at.y()), at);
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
-  paintTag(painter, at + QPointF(0, -30), placeText(*scene.feedback.dragged, scene.units), scene.colors.text,
-           scene.colors.background, map.clip_px);
+  const auto changed = [&](double from, double to, Quantity quantity) {
+    const QString now = quantityWithUnit(to, quantity, scene.units, shownDigits);
+    const QString then = quantityText(from, quantity, scene.units, shownDigits);
+    return then == quantityText(to, quantity, scene.units, shownDigits) ? now : then + QStringLiteral(" \u2192 ") + now;
+  };
+  const CurvePoint to = *scene.feedback.dragged, from = scene.feedback.draggedFrom.value_or(to);
+  const QString lines = changed(from.displacement_mm, to.displacement_mm, Quantity::length) + u'\n' +
+                        changed(from.force_N, to.force_N, Quantity::force);
+  paintTag(painter, at + QPointF(0, -bubbleAway_px), lines, scene.colors.text, scene.colors.background,
+           map.clip_px);
+}
+
+// Two places, the sides of the triangle between them, and its numbers.
+void paintMeasurement(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const auto& [from, to] = *scene.feedback.measured;
+  const QPointF a = pixelOf(map, from), b = pixelOf(map, to);
+  painter.setPen(QPen(withAlpha(scene.colors.selection, 0.5), 1, Qt::DashLine));
+  painter.drawLine(a, {b.x(), a.y()});
+  painter.drawLine({b.x(), a.y()}, b);
+  painter.setPen(QPen(scene.colors.selection, 1.5));
+  painter.drawLine(a, b);
+  painter.setBrush(scene.colors.background);
+  for (const QPointF& end : {a, b}) painter.drawEllipse(end, 4, 4);
+  const double along_mm = to.displacement_mm - from.displacement_mm, up_N = to.force_N - from.force_N;
+  QStringList lines{
+      QStringLiteral("\u0394 ") + quantityWithUnit(along_mm, Quantity::length, scene.units, shownDigits),
+      QStringLiteral("\u0394 ") + quantityWithUnit(up_N, Quantity::force, scene.units, shownDigits)};
+  if (along_mm != 0)
+    lines << tr("slope %1").arg(quantityWithUnit(up_N / along_mm, Quantity::slope, scene.units, shownDigits));
+  paintTag(painter, (a + b) / 2 + QPointF(0, b.y() < a.y() ? bubbleAway_px : -bubbleAway_px),
+           lines.join(u'\n'), scene.colors.text, scene.colors.background, map.clip_px);
 }
 
 void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -643,6 +786,7 @@ void paintFeedback(QPainter& painter, const PlotMapping& map, const GraphScene& 
   if (scene.feedback.proposal) paintProposal(painter, map, scene);
   if (scene.feedback.snap) paintSnap(painter, map, scene);
   if (scene.feedback.dragged) paintDragReadout(painter, map, scene);
+  if (scene.feedback.measured) paintMeasurement(painter, map, scene);
   if (scene.feedback.refused) paintRefusal(painter, map, scene);
 }
 
@@ -708,23 +852,19 @@ void paintPins(QPainter& painter, const PlotMapping& map, const GraphScene& scen
 
 // Names the line styles; nothing for a single stroke.
 void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  const std::vector<QString> names = legendOf(scene);
-  if (names.empty()) return;
+  const std::vector<LegendEntry> entries = legendOf(scene);
+  if (entries.empty()) return;
   const QFontMetricsF metrics(painter.font());
   painter.setPen(Qt::NoPen);
   painter.setBrush(withAlpha(scene.colors.background, 0.85));
-  const QRectF box = legendBox(painter, map, scene, names);
+  const QRectF box = legendBox(painter, map, scene, entries);
   painter.drawRoundedRect(box.adjusted(-6, -3, 6, 3), 3, 3);
   QPointF at = box.topLeft() + QPointF(0, metrics.height() / 2 + 1);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (scene.spread && i + 1 == names.size()) {
-      painter.fillRect(QRectF(at - QPointF(0, 4), QSizeF(28, 8)), withAlpha(scene.colors.press, bandOpacity));
-    } else {
-      painter.setPen(strokePen(i == 0 ? Stroke::press : Stroke::release, scene.colors, 2));
-      painter.drawLine(at, at + QPointF(28, 0));
-    }
+  for (const LegendEntry& entry : entries) {
+    painter.setPen(entry.pen);
+    painter.drawLine(at, at + QPointF(28, 0));
     painter.setPen(scene.colors.text);
-    painter.drawText(at + QPointF(legendText_px, metrics.ascent() / 2 - 1), names[i]);
+    painter.drawText(at + QPointF(legendText_px, metrics.ascent() / 2 - 1), entry.name);
     at += QPointF(0, metrics.height() + 2);
   }
 }
@@ -757,7 +897,9 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   painter.setRenderHint(QPainter::Antialiasing, true);
   paintBottomOut(painter, map, scene);
   if (scene.spread) paintSpread(painter, map, scene);
-  if (scene.otherState) paintGhost(painter, map, scene);
+  if (scene.reference) paintReference(painter, map, scene);
+  if (scene.otherState) paintGhost(painter, map, scene, scene.otherState->graph);
+  if (scene.before) paintGhost(painter, map, scene, scene.before->graph);
   if (!scene.state.otherSpeeds.empty()) paintOtherSpeeds(painter, map, scene);
   if (!scene.tracedPress.empty())
     paintResiduals(painter, map, scene.state.graph.press(), scene.tracedPress, scene.colors.residual);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "editor/canvas/canvas_feedback.h"
+#include "editor/canvas/graph_marks.h"
 #include "editor/canvas/graph_values.h"
 #include "editor/canvas/plot_mapping.h"
 #include "editor/document/display_units.h"
@@ -17,6 +18,18 @@
 #include "model/unit_spread.h"
 
 namespace detent::editor {
+
+/// A label with its mark: a drag of the label moves the mark.
+struct Flag {
+  QRectF box_px;
+  MarkId mark;
+};
+
+/// Curves of another button behind those that are edited.
+struct Reference {
+  ButtonState state;
+  QString name;
+};
 
 /// Contents of a graph picture. References must outlive the call.
 struct GraphScene {
@@ -35,6 +48,9 @@ struct GraphScene {
   std::span<const PinnedPoint> pinned = {};  ///< drawn with the handles
   std::size_t stateIndex = 0;                ///< index of this state in the button
   const ButtonState* preview = nullptr;      ///< possible new state, drawn dashed
+  const ButtonState* before = nullptr;       ///< state before the running drag, drawn pale
+  const Reference* reference = nullptr;      ///< state of another button, drawn behind the curves
+  std::vector<Flag>* flags = nullptr;        ///< receives the labels that were drawn; null: nobody asks
   const StateSpread* spread = nullptr;  ///< spread of the averaged units: a band of one standard deviation
 };
 

@@ -63,7 +63,7 @@ UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidg
     axis->setTickLabels(false);
   }
   for (QCPAxis* axis : {xAxis, yAxis}) {
-    axis->grid()->setSubGridVisible(true);
+    axis->grid()->setSubGridVisible(false);
     axis->setTickLength(0, 4);
     axis->setSubTickLength(0, 2);
   }

@@ -175,7 +175,7 @@ QToolButton* FeelPanel::buttonOf(QAction* action, const char* name, const QStrin
 
 QLayout* FeelPanel::choiceRow() {
   exchange_ = ownAction("exchangeButtons", tr("Press the other button"),
-                        tr("Exchange A and B under the finger. Both are played at their true levels: "
+                        tr("Switch between A and B while pressing. Both are played at their true levels: "
                            "nothing is made equally loud."),
                         Qt::Key_X);
   connect(exchange_, &QAction::triggered, &session_, &FeelSession::exchange);

@@ -300,7 +300,7 @@ void FeelSetup::setSensor(const playback::PlayerStatus& status, const QString& t
       note = tr("Stuck: the same force for 10 s. Something presses on it, or it is defective.");
       break;
     case SensorCondition::unplugged:
-      note = tr("Unplugged. It goes on by itself when it is plugged in again.");
+      note = tr("Unplugged. Resumes when reconnected.");
       break;
   }
   if (status.sensor != SensorCondition::none && status.rejectedReadings + status.malformedLines > 0)

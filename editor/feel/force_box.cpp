@@ -65,7 +65,7 @@ QString ForceBox::stateWords() const {
     case ForceState::starting:
       return tr("Opening the force device…");
     case ForceState::lost:
-      return tr("The force device is gone, without force. It goes on by itself when it is back.");
+      return tr("The force device is disconnected and without force. Resumes when reconnected.");
     case ForceState::failed:
       return tr("No force: %1").arg(session_.trouble());
     case ForceState::on:

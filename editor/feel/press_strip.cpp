@@ -75,7 +75,7 @@ void PressStrip::paintEvent(QPaintEvent*) {
     painter.drawLine(QPointF(x(t), area.top()), QPointF(x(t), area.bottom()));
   if (moments_.empty()) {
     painter.setPen(colors.axis);
-    painter.drawText(frame, Qt::AlignCenter, tr("What is felt runs through here"));
+    painter.drawText(frame, Qt::AlignCenter, tr("Live trace"));
     return;
   }
 

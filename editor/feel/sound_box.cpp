@@ -130,7 +130,7 @@ QString SoundBox::soundWords() const {
                 "itself. Until then the finger is followed silently.")
           .arg(QString::fromStdString(s.device));
     case SoundState::failed:
-      return tr("No sound: %1 The finger is followed silently.").arg(session_.player().trouble());
+      return tr("No audio output. Presses are tracked without sound. %1").arg(session_.player().trouble());
     case SoundState::on:
       break;
   }

@@ -3,8 +3,10 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QImageReader>
 #include <QRegularExpression>
 
+#include "editor/files/exports.h"
 #include "editor/files/file_watch.h"
 #include "editor/files/input_kind.h"
 #include "editor/files/native_path.h"
@@ -38,6 +40,8 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
     if (!button) return button.failure();
     return std::make_unique<ButtonDocument>(*std::move(button));
   }
+  if (QFileInfo(path).suffix().toLower() == "png")
+    return documentFromText(QImageReader(path).text(buttonInPicture));
   const QByteArray hash = contentHash(path);
   auto file = readWholeButtonFile(nativePath(path));
   if (!file) return file.failure();

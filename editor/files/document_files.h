@@ -9,9 +9,9 @@
 
 namespace detent::editor {
 
-/// Opens a button file, or a CSV of our own header as a new, unnamed document. Reads nothing twice and
-/// changes no other document. Failures: those of readButtonFile and graphFromCsv, and of inputKindOf;
-/// wrongUsage for pages, which go through the import dialogue.
+/// Opens a button file; a CSV of our own header, or a picture with a button inside, as a new, unnamed
+/// document. Reads nothing twice and changes no other document. Failures: those of readButtonFile and
+/// graphFromCsv, and of inputKindOf; wrongUsage for pages, which go through the import dialogue.
 Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path);
 
 /// A new document of an import: unsaved from the start, because finding it may have cost an hour of work.

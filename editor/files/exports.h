@@ -19,6 +19,18 @@ Result<Done> exportCsv(const Button& button, std::size_t state, const QString& p
 /// The same numbers for spreadsheets of countries with a decimal comma: fields parted by semicolons.
 Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path);
 
+/// Travels in mm from what a person typed, units as shown: one number is a step from zero to the end, several
+/// are the travels themselves, parted by spaces or semicolons. Failure: a number that cannot be read, lies
+/// outside the travel, or a step that gives too many samples.
+Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& graph,
+                                        const DisplayUnits& units);
+/// Samples of one state at these travels, in the same CSV; a stroke has none outside its own travel.
+QString csvTextAt(const Button& button, std::size_t state, const std::vector<double>& travels_mm);
+
+/// Key of the text in a PNG that holds the button, as its file would.
+inline const QString buttonInPicture = QStringLiteral("detent-button");
+/// A picture with its button inside: Detent opens the button, not the picture.
+Result<Done> exportButtonPng(QImage picture, const Button& button, const QString& path);
 Result<Done> exportPng(const QImage& picture, const QString& path);
 /// A drawing of that size by the path's ending: ".svg" and ".pdf" by `draw` as vectors, anything else
 /// `picture` as PNG.

@@ -5,6 +5,9 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QImageReader>
+
+#include "editor/files/exports.h"
 
 namespace detent::editor {
 namespace {
@@ -56,6 +59,7 @@ Result<InputKind> inputKindOf(const QString& path) {
   if (info.isDir())
     return unreadable(path, InputKinds::tr("is a folder"), InputKinds::tr("Choose a file in it"));
   const QString ending = info.suffix().toLower();
+  if (ending == "png" && !QImageReader(path).text(buttonInPicture).isEmpty()) return InputKind::button;
   if (pageEndings().contains(ending)) return InputKind::page;
 
   QFile file(path);

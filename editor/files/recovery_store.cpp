@@ -79,7 +79,7 @@ void RecoveryStore::write(ButtonDocument& document) {
   const auto entry = watched_.value(&document);
   if (!entry || !document.history().modified()) return;
   if (!openSession()) {
-    report(tr("Autosave is off: the folder %1 cannot be written. Save your work yourself.")
+    report(tr("Autosave is off: the folder %1 cannot be written. Save manually.")
                .arg(QDir::toNativeSeparators(folder_)));
     return;
   }

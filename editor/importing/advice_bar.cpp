@@ -9,15 +9,20 @@
 #include "editor/quantity/offered_units.h"
 
 namespace detent::editor {
+namespace {
+
+constexpr int columns = 4;  // of buttons
+
+}  // namespace
 
 AdviceBar::AdviceBar(QWidget* parent)
-    : QFrame(parent), mark_(new QLabel), words_(new QLabel), buttons_(new QHBoxLayout) {
+    : QFrame(parent), mark_(new QLabel), words_(new QLabel), buttons_(new QGridLayout) {
   setObjectName(QStringLiteral("adviceBar"));
   setAccessibleName(tr("Message about the import"));
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(10, 6, 10, 6);
+  row->setContentsMargins(12, 8, 12, 8);
   row->addWidget(mark_, 0, Qt::AlignTop);
   auto* column = new QVBoxLayout;
   words_->setWordWrap(true);
@@ -25,6 +30,7 @@ AdviceBar::AdviceBar(QWidget* parent)
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(words_);
   column->addLayout(buttons_);
+  buttons_->setColumnStretch(columns, 1);
   row->addLayout(column, 1);
   hide();
 }
@@ -55,34 +61,40 @@ void AdviceBar::say(Tone tone, const Advice& advice) {
   show();
 }
 
+// Of the units of both axes one is requested at a time; its answer leads to the next question.
 void AdviceBar::addButtons(const std::vector<RemedyKind>& remedies) {
+  row_ = column_ = 0;
+  const auto isUnit = [](RemedyKind remedy) {
+    return remedy == RemedyKind::giveXUnit || remedy == RemedyKind::giveYUnit;
+  };
+  const auto unit = std::ranges::find_if(remedies, isUnit);
+  if (unit != remedies.end()) *unit == RemedyKind::giveXUnit ? addLengthUnits() : addForceUnits();
+  row_ += (column_ + columns - 1) / columns;
+  column_ = 0;
   QStringList made;
   for (const RemedyKind remedy : remedies) {
     const QString name = textOnButton(remedy);
-    if (made.contains(name)) continue;
+    if (isUnit(remedy) || made.contains(name)) continue;
     made << name;
-    if (remedy == RemedyKind::giveXUnit) {
-      addLengthUnits();
-      continue;
-    }
-    if (remedy == RemedyKind::giveYUnit) {
-      addForceUnits();
-      continue;
-    }
     connect(addButton(name), &QPushButton::clicked, this, [this, remedy] { emit remedyChosen(remedy); });
   }
-  buttons_->addStretch();
 }
 
 QPushButton* AdviceBar::addButton(const QString& text) {
   auto* button = new QPushButton(text);
   button->setAutoDefault(false);
-  buttons_->addWidget(button);
+  buttons_->addWidget(button, row_ + column_ / columns, column_ % columns, Qt::AlignLeft);
+  ++column_;
   return button;
+}
+
+void AdviceBar::addQuestion(const QString& question) {
+  buttons_->addWidget(new QLabel(question), row_++, 0, 1, -1);
 }
 
 // Every unit is a click away: the printed one is never missing.
 void AdviceBar::addLengthUnits() {
+  addQuestion(tr("Which unit is the displacement axis in?"));
   for (const LengthUnit unit : offeredLengthUnits) {
     QPushButton* button = addButton(DisplayUnits{unit, {}}.lengthSymbol());
     button->setObjectName(QStringLiteral("lengthUnit_") + DisplayUnits{unit, {}}.lengthSymbol());
@@ -91,6 +103,7 @@ void AdviceBar::addLengthUnits() {
 }
 
 void AdviceBar::addForceUnits() {
+  addQuestion(tr("Which unit is the force axis in?"));
   for (const ForceUnit unit : offeredForceUnits) {
     QPushButton* button = addButton(DisplayUnits{{}, unit}.forceSymbol());
     button->setObjectName(QStringLiteral("forceUnit_") + DisplayUnits{{}, unit}.forceSymbol());

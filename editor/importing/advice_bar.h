@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Problem and remedies above the page, with the helpful corrections as buttons.
+// Problem and remedies above the page, with the helpful corrections as buttons; one question at a time.
 
 #include <QFrame>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QList>
 #include <QPushButton>
@@ -34,11 +34,13 @@ class AdviceBar : public QFrame {
  private:
   void addButtons(const std::vector<RemedyKind>& remedies);
   QPushButton* addButton(const QString& text);
+  void addQuestion(const QString& question);
   void addLengthUnits();
   void addForceUnits();
 
   QLabel *mark_, *words_;
-  QHBoxLayout* buttons_;
+  QGridLayout* buttons_;
+  int row_ = 0, column_ = 0;  ///< of the next button
   Tone tone_ = Tone::note;
   QString said_;
 };

@@ -331,7 +331,7 @@ QString AxisBox::detailsOf(const AxisCorrection& given, const importer::AxisRead
   } else if (found && !found->ticks.empty()) {
     const auto used =
         std::count_if(found->ticks.begin(), found->ticks.end(), [](const auto& t) { return t.used; });
-    details << tr("%1 of %2 numbers used, off by %3 px")
+    details << tr("%1 of %2 labels used (fit %3 px)")
                    .arg(used)
                    .arg(found->ticks.size())
                    .arg(fixedText(found->residual_px, 2));

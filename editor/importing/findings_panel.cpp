@@ -148,11 +148,11 @@ void FindingsPanel::showConfidence(const ImportGraph& graph) {
   const importer::ImportReport* report = graph.good ? graph.good->report.get() : nullptr;
   const int percent = report ? qRound(100 * report->confidence) : 0;
   if (report)
-    confidence_->setText(failed          ? tr("The last result that worked, %1 % sure").arg(percent)
-                         : report->doubt ? tr("%1 % sure: please check").arg(percent)
-                                         : tr("%1 % sure").arg(percent));
+    confidence_->setText(failed          ? tr("Last valid result (%1 % confidence)").arg(percent)
+                         : report->doubt ? tr("Confidence %1 %: check before importing").arg(percent)
+                                         : tr("Confidence %1 %").arg(percent));
   else
-    confidence_->setText(state_.working() ? tr("Reading the graph …") : tr("Nothing to import yet"));
+    confidence_->setText(state_.working() ? tr("Reading the graph …") : tr("Not readable yet"));
   const QString explanation = graph.last ? QString::fromStdString(graph.last->explanation) : QString();
   confidence_->setToolTip(
       explanation.isEmpty() ? QString() : QStringLiteral("<pre>%1</pre>").arg(explanation.toHtmlEscaped()));

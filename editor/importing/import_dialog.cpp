@@ -135,6 +135,8 @@ struct ImportDialog::Impl {
   void showCorrections();
   void showWork();
   void showAdvice();
+  void say(AdviceBar::Tone tone, const Advice& what);
+  void clearAdvice();
   void showAccept();
   void follow(RemedyKind correction);
   void chooseFile();
@@ -275,7 +277,6 @@ void ImportDialog::Impl::build() {
   toolBar->setIconSize({20, 20});
   buildTools(*toolBar);
   column->addWidget(toolBar);
-  column->addWidget(advice);
 
   middle = new QStackedWidget;
   middle->addWidget(view);
@@ -290,7 +291,13 @@ void ImportDialog::Impl::build() {
   graphsOnly->setToolTip(tr("List the graphs without the pages between them"));
   QObject::connect(graphsOnly, &QCheckBox::toggled, pages, &PageList::setGraphsOnly);
   splitter->addWidget(side);
-  splitter->addWidget(middle);
+  // Beside the lists, which stay where they are when a question comes or goes.
+  auto* centre = new QWidget;
+  auto* centreColumn = new QVBoxLayout(centre);
+  centreColumn->setContentsMargins(0, 0, 0, 0);
+  centreColumn->addWidget(advice);
+  centreColumn->addWidget(middle, 1);
+  splitter->addWidget(centre);
   splitter->addWidget(findings);
   splitter->setStretchFactor(1, 1);
   splitter->setCollapsible(1, false);  // on a small screen the lists at the sides can be put away
@@ -448,39 +455,52 @@ void ImportDialog::Impl::showWork() {
           : QString());
 }
 
+// The axis in question is marked on the page.
+void ImportDialog::Impl::say(AdviceBar::Tone tone, const Advice& what) {
+  advice->say(tone, what);
+  const RemedyKind first = what.remedies.empty() ? RemedyKind::advice : what.remedies.front();
+  const bool x = first == RemedyKind::giveXAxis || first == RemedyKind::giveXUnit;
+  const bool y = first == RemedyKind::giveYAxis || first == RemedyKind::giveYUnit;
+  view->setDoubt(x ? std::optional(GraphAxis::x) : y ? std::optional(GraphAxis::y) : std::nullopt);
+}
+
+void ImportDialog::Impl::clearAdvice() {
+  advice->clear();
+  view->setDoubt({});
+}
+
 void ImportDialog::Impl::showAdvice() {
   if (state.openFailure())
-    return advice->say(AdviceBar::Tone::fault,
-                       adviceFor(*state.openFailure(), state.documentName(), settings.units()));
+    return say(AdviceBar::Tone::fault,
+               adviceFor(*state.openFailure(), state.documentName(), settings.units()));
   const ImportGraph* graph = state.current();
   if (!graph) {
-    if (!state.isOpen() || state.isForceLog()) return advice->clear();
+    if (!state.isOpen() || state.isForceLog()) return clearAdvice();
     if (const auto& failure = state.page(state.currentPage()).failure)
-      return advice->say(AdviceBar::Tone::fault, adviceFor(*failure, state.documentName(), settings.units()));
+      return say(AdviceBar::Tone::fault, adviceFor(*failure, state.documentName(), settings.units()));
     if (state.page(state.currentPage()).searched) {
       // Of pages that are still searched nothing can be said yet.
       const bool pageAlone = !state.graphs().empty() || state.searchedPages() < state.pageCount();
-      return advice->say(
-          AdviceBar::Tone::note,
-          {pageAlone ? tr("No force graph was found on this page.") : tr("No force graph was found."),
-           tr("If there is one, draw its plot frame on the page or click a dashed rectangle."),
-           {RemedyKind::giveFrame}});
+      return say(AdviceBar::Tone::note,
+                 {pageAlone ? tr("No force graph was found on this page.") : tr("No force graph was found."),
+                  tr("If there is one, draw its plot frame on the page or click a dashed rectangle."),
+                  {RemedyKind::giveFrame}});
     }
-    return advice->clear();
+    return clearAdvice();
   }
   const bool several = !graph->switches().empty();
   const bool failed = graph->last && graph->last->failure && graph->pending == 0;
   if (failed && !(several && isAboutSwitches(*graph->last->failure)))
-    return advice->say(AdviceBar::Tone::fault,
-                       adviceFor(*graph->last->failure, state.documentName(), settings.units()));
+    return say(AdviceBar::Tone::fault,
+               adviceFor(*graph->last->failure, state.documentName(), settings.units()));
   const importer::ImportReport* report = graph->last ? graph->last->report.get() : nullptr;
   if (report && report->doubt) {
-    if (graph->confirmed) return advice->clear();
-    return advice->say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, settings.units()));
+    if (graph->confirmed) return clearAdvice();
+    return say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, settings.units()));
   }
-  if (several) return advice->say(AdviceBar::Tone::note, adviceOnSwitches(*graph));
+  if (several) return say(AdviceBar::Tone::note, adviceOnSwitches(*graph));
   // While a graph is read again, what was said of it stands; what was said before it was there does not.
-  if (graph->pending == 0 || !graph->last) advice->clear();
+  if (graph->pending == 0 || !graph->last) clearAdvice();
 }
 
 void ImportDialog::Impl::showAccept() {

@@ -27,10 +27,10 @@ QImage blank(QSize size) {
 QString stateOf(const ImportGraph& graph) {
   if (const auto brief = graph.brief()) {
     if (brief->failed) return QObject::tr("not readable yet");
-    const QString sure = QObject::tr("%1 % sure").arg(qRound(100 * brief->confidence));
+    const QString sure = QObject::tr("Confidence %1 %").arg(qRound(100 * brief->confidence));
     return brief->doubtful ? sure + QObject::tr(", check it") : sure;
   }
-  if (graph.listed) return QObject::tr("%1 % sure").arg(qRound(100 * graph.listed->confidence));
+  if (graph.listed) return QObject::tr("Confidence %1 %").arg(qRound(100 * graph.listed->confidence));
   return QObject::tr("framed by hand");
 }
 

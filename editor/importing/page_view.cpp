@@ -368,6 +368,7 @@ void PageView::paintEvent(QPaintEvent*) {
     const bool stale = !graph->upToDate(state_.quality()) || hasPreview();
     paintFindings(painter, {drawn_, shown(), shownCorners(), pageToWidget_, units(), stale});
   }
+  if (doubt_) drawDoubt(painter);
   tool_->paint(painter);
   drawMagnifier(painter);
   if (hasFocus()) {
@@ -375,6 +376,31 @@ void PageView::paintEvent(QPaintEvent*) {
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
   }
+}
+
+void PageView::setDoubt(std::optional<GraphAxis> axis) {
+  if (axis == doubt_) return;
+  doubt_ = axis;
+  update();
+}
+
+// A band outside the frame, where the labels of the axis are.
+void PageView::drawDoubt(QPainter& painter) const {
+  constexpr double band_px = 44, opacity = 0.16;
+  const auto corners = shownCorners();
+  if (!corners) return;
+  const QPointF start = toWidget((*corners)[3]), end = toWidget((*corners)[*doubt_ == GraphAxis::x ? 2 : 0]);
+  const QPointF inside = toWidget((*corners)[*doubt_ == GraphAxis::x ? 0 : 2]) - start;
+  const QPointF along = end - start;
+  const double length = std::hypot(along.x(), along.y());
+  if (length == 0) return;
+  QPointF outwards = QPointF(along.y(), -along.x()) / length * band_px;
+  if (QPointF::dotProduct(outwards, inside) > 0) outwards = -outwards;
+  QColor accent = palette().color(QPalette::Highlight);
+  painter.setPen(QPen(accent, 2));
+  accent.setAlphaF(static_cast<float>(opacity));
+  painter.setBrush(accent);
+  painter.drawPolygon(QPolygonF({start, end, end + outwards, start + outwards}));
 }
 
 void PageView::drawPage(QPainter& painter) const {

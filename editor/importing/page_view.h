@@ -74,6 +74,8 @@ class PageView : public QWidget {
   void askOrigin(importer::Point at);
   /// Says something about what was tried, where the tool's hint stands.
   void say(const QString& sentence) { emit hint(sentence); }
+  /// Marks the axis that is in question; nullopt: none.
+  void setDoubt(std::optional<GraphAxis> axis);
   /// Position of the magnifier; nullopt hides it.
   void setMagnifier(std::optional<QPointF> widget);
   /// Accepts the open value field on the page, as Enter does; false if it cannot be read and stays open.
@@ -124,6 +126,7 @@ class PageView : public QWidget {
   void drawEmpty(QPainter& painter) const;
   void drawOtherFrames(QPainter& painter) const;
   void drawMagnifier(QPainter& painter) const;
+  void drawDoubt(QPainter& painter) const;
   std::optional<std::size_t> rejectedAt(QPointF widget) const;
   std::optional<GraphId> graphAt(QPointF widget) const;
 
@@ -142,6 +145,7 @@ class PageView : public QWidget {
   std::optional<GraphId> fitted_;
   int fittedPage_ = 0;
   std::optional<QPointF> panFrom_, magnifier_;
+  std::optional<GraphAxis> doubt_;
   bool spaceDown_ = false;
   mutable qint64 backgroundOf_ = 0;  ///< thumbnail whose background was read
   mutable bool darkBackground_ = false;

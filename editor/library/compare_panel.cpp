@@ -23,6 +23,7 @@ namespace {
 constexpr int updateDelay_ms = 50;
 constexpr int rowMargin_px = 8, swatch_px = 12;
 constexpr int leastPlot_px = 160;
+constexpr int figures_px = 320;           // width of the figures beside the plot
 constexpr double sideBySideAspect = 1.3;  // width over height from which the figures stand beside the plot
 constexpr int leastTableRows = 5;
 constexpr int longestHead = 16;  // characters of a column's head
@@ -74,6 +75,7 @@ void ComparePanel::build() {
   split_->setChildrenCollapsible(false);
   split_->addWidget(plotSide());
   split_->addWidget(figureSide());
+  split_->setStretchFactor(0, 1);  // the graphs take what a larger window has more
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(split_);
@@ -92,9 +94,8 @@ QWidget* ComparePanel::plotSide() {
                                "differences from there.")
                           : reading);
   });
-  auto* difference =
-      button<QToolButton>("compareDifference", tr("&Difference"),
-                          tr("Draw the difference of the others from the first below the graphs"));
+  auto* difference = button<QToolButton>("compareDifference", tr("&Difference"),
+                                         tr("Show differences from the first button below the graph"));
   difference->setCheckable(true);
   connect(difference, &QToolButton::toggled, plot_, &ComparePlot::showDifferences);
   auto* picture = button<QToolButton>("comparePicture", tr("&Picture…"),
@@ -121,12 +122,12 @@ QWidget* ComparePanel::figureSide() {
   table_->viewport()->installEventFilter(this);
   distance_ = wrapped("compareDistance");
   forecast_ = described(new ForecastBar, "compareForecast");
-  more_ = button<QPushButton>("compareAdd", tr("O&ne more"), tr("Lay another open button over these"));
+  more_ = button<QPushButton>("compareAdd", tr("A&dd button"), tr("Show another open button over these"));
   connect(more_, &QPushButton::clicked, this, &ComparePanel::addNext);
-  fewer_ = button<QPushButton>("compareRemove", tr("One &less"), tr("Take the last one away"));
+  fewer_ = button<QPushButton>("compareRemove", tr("&Remove button"), tr("Remove the last button"));
   connect(fewer_, &QPushButton::clicked, this, &ComparePanel::removeLast);
   auto* swap = button<QPushButton>("compareExchange", tr("S&wap"),
-                                   tr("Exchange the first two: differences are counted the other way"));
+                                   tr("Swap the first two buttons; differences change their sign"));
   connect(swap, &QPushButton::clicked, this, &ComparePanel::exchange);
   auto* copy = button<QPushButton>("compareCopy", tr("Copy the &table"),
                                    tr("Copy the differences as CSV, in the units shown"));
@@ -147,7 +148,7 @@ QWidget* ComparePanel::figureSide() {
   column->addWidget(distance_);
   column->addWidget(forecast_);
   // Where there is no room for all of it, it scrolls.
-  auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Figures of the comparison"));
+  auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Comparison table"));
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidgetResizable(true);
@@ -160,8 +161,8 @@ void ComparePanel::resizeEvent(QResizeEvent* event) {
   const auto way = width() > sideBySideAspect * height() ? Qt::Horizontal : Qt::Vertical;
   if (way == split_->orientation()) return;
   split_->setOrientation(way);
-  const int half = (way == Qt::Horizontal ? width() : height()) / 2;
-  split_->setSizes({half, half});
+  const int figures = way == Qt::Horizontal ? figures_px : height() / 2;
+  split_->setSizes({(way == Qt::Horizontal ? width() : height()) - figures, figures});
 }
 
 void ComparePanel::addSide() {
@@ -225,11 +226,7 @@ void ComparePanel::removeLast() {
 
 // The first that is not among them yet.
 void ComparePanel::addNext() {
-  const auto isCompared = [this](const ButtonDocument* document) {
-    return std::any_of(sides_.begin(), sides_.end(),
-                       [document](const auto& side) { return side->document == document; });
-  };
-  const auto next = std::find_if_not(documents_.begin(), documents_.end(), isCompared);
+  const auto next = std::ranges::find_if(documents_, [this](auto* document) { return !compares(*document); });
   if (!documents_.empty()) add(next != documents_.end() ? *next : documents_.front());
 }
 
@@ -279,6 +276,10 @@ void ComparePanel::compare(std::vector<ButtonDocument*> documents) {
   while (sides_.size() < documents.size()) addSide();
   for (std::size_t i = 2; i < documents.size(); ++i) sides_[i]->document = documents[i];
   compare(documents[0], documents[1]);
+}
+
+bool ComparePanel::compares(const ButtonDocument& document) const {
+  return std::ranges::any_of(sides_, [&](const auto& side) { return side->document == &document; });
 }
 
 void ComparePanel::choose(Side& side, ButtonDocument* document) {

@@ -39,6 +39,8 @@ class ComparePanel : public QWidget {
   /// The buttons that can be chosen. One that is no longer among them is let go of.
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   void compare(ButtonDocument* first, ButtonDocument* second);
+  /// True if the button is one of those compared.
+  bool compares(const ButtonDocument& document) const;
   /// These and no others, at most `mostSides`; of one alone there are two sides.
   void compare(std::vector<ButtonDocument*> documents);
   /// One more beside those compared.

@@ -169,7 +169,7 @@ void LibraryPanel::setFolder(const QString& folder) { files_.setFolder(folder); 
 void LibraryPanel::showFolderName() {
   const QString name = QDir(files_.folder()).dirName();
   folderButton_->setText(files_.folder().isEmpty() ? tr("Choose a folder…") : name);
-  emptyHint_->setText(files_.folder().isEmpty() ? tr("The buttons of a folder can be listed here.")
+  emptyHint_->setText(files_.folder().isEmpty() ? tr("Choose a folder to list its buttons.")
                                                 : tr("No button files (*.button.json) with this name here."));
   emptyHint_->setVisible(files_.rowCount() == 0);
   filter_->setVisible(!files_.folder().isEmpty());

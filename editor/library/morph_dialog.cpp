@@ -32,11 +32,11 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
                          QWidget* parent)
     : QDialog(parent), buttons_(std::move(buttons)), units_(units) {
   setObjectName(QStringLiteral("morphDialog"));
-  setWindowTitle(tr("Between two buttons"));
+  setWindowTitle(tr("Blend two buttons"));
   from_ = buttonChoice("morphFrom", tr("The button at the left end of the slider"), first);
   to_ = buttonChoice("morphTo", tr("The button at the right end of the slider"), first == 0 ? 1 : 0);
   share_ = described(new QSlider(Qt::Horizontal), QStringLiteral("morphShare"),
-                     tr("How far on the way from the one to the other, in %"), tr("Share of the way"));
+                     tr("0 % = first button, 100 % = second"), tr("Blend"));
   share_->setRange(0, 100);
   share_->setValue(50);
   percent_ = described(new QLabel, QStringLiteral("morphPercent"));

@@ -65,18 +65,16 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
       canvas_(canvas),
       notes_(listOf("notesList", tr("Notes"), {tr("At"), tr("Note")})),
       versions_(listOf("versionsList", tr("Versions"), {tr("Version"), tr("Kept")})),
-      noteText_(described(new QLineEdit, "noteText",
-                          tr("A remark at the point or section that is selected; "
-                             "Enter adds it"),
+      noteText_(described(new QLineEdit, "noteText", tr("Note for the selected point. Enter adds it."),
                           tr("New note"))),
       versionName_(described(new QLineEdit, "versionName",
                              tr("Name for the button as it is now; Enter keeps it"),
                              tr("Name of the version"))),
       oneEnd_(
-          described(new QCheckBox(tr("&One end of the travel")), "linkOneEnd",
+          described(new QCheckBox(tr("Keep all strokes e&nding at the same travel")), "linkOneEnd",
                     tr("From now on, where one end of press or release goes, the ends of all states go"))),
       releaseFollows_(described(
-          new QCheckBox(tr("&Release follows the press, lower by")), "linkRelease",
+          new QCheckBox(tr("Link &release to press, offset")), "linkRelease",
           tr("From now on, edits of the press move the release along. The release keeps its shape."))),
       offset_(described(new QuantityField(Quantity::force, settings.units()), "linkOffset",
                         tr("Mean distance of the release below the press. Another value lowers or raises the "
@@ -150,15 +148,14 @@ QWidget* AnnotationsPanel::versionsBox() {
   auto* box = new QGroupBox(tr("Versions"));
   auto* column = new QVBoxLayout(box);
   column->addWidget(versions_);
-  versionName_->setPlaceholderText(tr("Keep the button as it is now as …"));
+  versionName_->setPlaceholderText(tr("Version name…"));
   auto* nameRow = new QHBoxLayout;
   nameRow->addWidget(versionName_, 1);
   removeVersion_ = addButton(*nameRow, "versionRemove", tr("Remove"), tr("Take the chosen version away"));
   column->addLayout(nameRow);
   auto* row = new QHBoxLayout;
-  goBack_ =
-      addButton(*row, "versionGoBack", tr("Go back to it"), tr("The button becomes the chosen version"));
-  openVersion_ = addButton(*row, "versionOpen", tr("Open beside"),
+  goBack_ = addButton(*row, "versionGoBack", tr("Restore"), tr("The button becomes the chosen version"));
+  openVersion_ = addButton(*row, "versionOpen", tr("Open in new tab"),
                            tr("Open the chosen version as a new button, to compare it"));
   column->addLayout(row);
   connect(versionName_, &QLineEdit::returnPressed, this, &AnnotationsPanel::keepVersion);
@@ -178,7 +175,7 @@ QWidget* AnnotationsPanel::versionsBox() {
 }
 
 QWidget* AnnotationsPanel::linksBox() {
-  auto* box = new QGroupBox(tr("Kept together while editing"));
+  auto* box = new QGroupBox(tr("Links"));
   auto* column = new QVBoxLayout(box);
   column->addWidget(oneEnd_);
   auto* row = new QHBoxLayout;
@@ -190,7 +187,7 @@ QWidget* AnnotationsPanel::linksBox() {
   column->addLayout(row);
   auto* pinRow = new QHBoxLayout;
   pinRow->addWidget(pins_, 1);
-  unpin_ = addButton(*pinRow, "linkUnpin", tr("Take all pins out"), tr("All points can be moved again"));
+  unpin_ = addButton(*pinRow, "linkUnpin", tr("Unlock all"), tr("All points can be moved again"));
   column->addLayout(pinRow);
   offset_->setRange(offsets_N);
   offset_->setKeyboardTracking(false);
@@ -215,7 +212,7 @@ QWidget* AnnotationsPanel::linksBox() {
   connect(unpin_, &QPushButton::clicked, this, [this] {
     EditLinks links = document_.annotations().links;
     links.pinned.clear();
-    link(links, tr("Take all pins out"));
+    link(links, tr("Unlock all"));
   });
   return box;
 }
@@ -248,7 +245,7 @@ void AnnotationsPanel::link(const EditLinks& links, const QString& label, double
 void AnnotationsPanel::addNote() {
   const auto selected = canvas_.selected();
   const auto at = selected ? placeOf(*selected, canvas_.state(), canvas_.values()) : std::nullopt;
-  if (!at) return emit said(tr("Select a point or section in the graph first; the note is placed there."));
+  if (!at) return emit said(tr("Select a point first; the note will be attached to it."));
   const QString text = noteText_->text().trimmed();
   if (text.isEmpty() || document_.history().dragging()) return;
   Annotations next = document_.annotations();
@@ -364,7 +361,7 @@ void AnnotationsPanel::followLinks() {
   releaseFollows_->setChecked(links.releaseBelowPress_N.has_value());
   offset_->setUnits(settings_.units());
   showOffset();
-  pins_->setText(links.pinned.empty() ? tr("No point is pinned. P pins the selected one.")
+  pins_->setText(links.pinned.empty() ? tr("No locked points. Press P to lock the selected one.")
                                       : tr("Pinned points: %1").arg(links.pinned.size()));
   pins_->setWordWrap(true);
   unpin_->setEnabled(!links.pinned.empty());

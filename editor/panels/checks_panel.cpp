@@ -32,7 +32,7 @@ ChecksPanel::ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   list_->setAccessibleName(tr("Problems and oddities of the button"));
   list_->setWordWrap(true);
   list_->setTextElideMode(Qt::ElideNone);
-  nothing_->setText(tr("Nothing is odd about this button."));
+  nothing_->setText(tr("No problems found."));
   nothing_->setMargin(10);
   nothing_->setWordWrap(true);
   setMinimumWidth(260);

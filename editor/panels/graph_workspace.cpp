@@ -21,7 +21,6 @@
 #include "editor/document/state_name.h"
 #include "editor/panels/grid_dialog.h"
 #include "editor/panels/operation_menu.h"
-#include "editor/panels/point_field.h"
 #include "editor/tools/damping_view.h"
 #include "editor/tools/mark_edits.h"
 #include "editor/tools/tool_box.h"
@@ -48,7 +47,6 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
       reverse_(new DisplacementForceView(document, settings, *canvas_)),
       damping_(new DampingView(document, settings)),
       tools_(std::make_unique<ToolBox>(document, settings, *canvas_)),
-      point_(new PointField(document, settings, *canvas_)),
       operations_(std::make_unique<OperationMenu>(document, settings, *canvas_, *tools_, *this)) {
   auto* left = new QSplitter(Qt::Vertical);
   left->addWidget(canvas_);
@@ -87,8 +85,7 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   connect(canvas_, &GraphCanvas::cursorMoved, this, &GraphWorkspace::cursorMoved);
   connect(canvas_, &GraphCanvas::selectionChanged, this, &GraphWorkspace::followDocument);
   connect(tools_.get(), &ToolBox::said, this, &GraphWorkspace::statusMessage);
-  connect(tools_.get(), &ToolBox::valuesRequested, point_, &PointField::open);
-  connect(point_, &PointField::said, this, &GraphWorkspace::statusMessage);
+  connect(tools_.get(), &ToolBox::valuesRequested, this, &GraphWorkspace::valuesRequested);
   connect(tools_.get(), &ToolBox::contextMenuRequested, this, &GraphWorkspace::showContextMenu);
   connect(damping_, &DampingView::said, this, &GraphWorkspace::statusMessage);
   connect(operations_.get(), &OperationMenu::said, this, &GraphWorkspace::statusMessage);
@@ -107,7 +104,6 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
 GraphWorkspace::~GraphWorkspace() {
   document_.disconnect(this);
   operations_->closeDialog();
-  delete point_;
   tools_->cancelDrag();
   damping_->cancelDrag();
 }
@@ -175,7 +171,9 @@ void GraphWorkspace::makeToolActions() {
       {ToolKind::pan, "toolPan", tr("&Pan"), tr("Drag the view; the middle button does it in every tool"),
        QKeySequence(Qt::Key_H)},
       {ToolKind::zoom, "toolZoom", tr("&Zoom to a rectangle"),
-       tr("Drag a rectangle to see it enlarged; a click comes nearer"), QKeySequence(Qt::Key_Z)},
+       tr("Drag a rectangle to zoom in; a click zooms in"), QKeySequence(Qt::Key_Z)},
+      {ToolKind::measure, "toolMeasure", tr("&Measure"),
+       tr("Drag from one place to another: travel, force and slope between them"), QKeySequence(Qt::Key_M)},
   };
   auto* group = new QActionGroup(this);
   for (const Entry& entry : entries) {
@@ -345,13 +343,11 @@ void GraphWorkspace::addSnapActions() {
       settings_.setSnap(snap);
     });
   };
-  snapGrid_ =
-      addViewSwitch("snapGrid", tr("Snap to &grid"), tr("Dragged points cling to the snap grid"), false);
+  snapGrid_ = addViewSwitch("snapGrid", tr("Snap to &grid"), tr("Snap dragged points to the grid"), false);
   snapTraced_ = addViewSwitch("snapTraced", tr("Snap to tr&aced points"),
                               tr("Dragged points snap to the points traced on the page"), false);
-  snapOther_ =
-      addViewSwitch("snapOther", tr("Snap to the other &stroke"),
-                    tr("Points of the press cling to the release curve, and the other way round"), false);
+  snapOther_ = addViewSwitch("snapOther", tr("Snap to the other &stroke"),
+                             tr("Snap press points to the release curve, and vice versa"), false);
   connect(addViewAction("snapGridSteps", tr("Grid ste&ps…"), tr("Spacing of the snap grid"),
                         QKeySequence("Alt+G")),
           &QAction::triggered, this, [this] {

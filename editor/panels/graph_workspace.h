@@ -27,8 +27,8 @@ class DisplacementForceView;
 class GraphCanvas;
 class OperationDialog;
 class OperationMenu;
-class PointField;
 class ToolBox;
+enum class FirstValue;
 
 /// GUI thread. `document` and `settings` must outlive it.
 class GraphWorkspace : public QWidget {
@@ -64,6 +64,8 @@ class GraphWorkspace : public QWidget {
   void cursorMoved(std::optional<detent::CurvePoint> at);
   /// Refusals and hints for the status bar; empty clears it.
   void statusMessage(const QString& text);
+  /// Numbers of the selected point are to be typed.
+  void valuesRequested(detent::editor::FirstValue first);
   /// Copy was requested without a selection.
   void buttonCopyRequested();
 
@@ -92,7 +94,6 @@ class GraphWorkspace : public QWidget {
   DisplacementForceView* reverse_;
   DampingView* damping_;
   std::unique_ptr<ToolBox> tools_;
-  PointField* point_;
   std::unique_ptr<OperationMenu> operations_;
   QWidget* bar_ = nullptr;
   QComboBox* states_ = nullptr;

@@ -8,7 +8,7 @@
 
 #include "editor/document/graph_colors.h"
 #include "editor/document/message_words.h"
-#include "editor/panels/figure_drawing.h"
+#include "editor/panels/value_delegate.h"
 #include "editor/quantity/reading_error.h"
 
 namespace detent::editor {
@@ -17,7 +17,12 @@ namespace {
 constexpr int figuresDragPause_ms = 80;
 constexpr int editedFigureDigits = 12;  // typed values are shown unchanged
 constexpr int shownDigits = 4;
-constexpr QSize cellPictureSize(34, 22);
+
+bool needsContact(KeyFigure figure) {
+  using enum KeyFigure;
+  return figure == preTravel || figure == operatingForce || figure == overTravel || figure == resetTravel ||
+         figure == resetForce || figure == differentialTravel;
+}
 
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 
@@ -63,7 +68,7 @@ QString definitionOf(KeyFigure figure) {
     case valleyTravel:
       return KeyFiguresModel::tr("Displacement of the lowest force after the peak.");
     case drop:
-      return KeyFiguresModel::tr("Peak force less valley force: what a finger feels as the event.");
+      return KeyFiguresModel::tr("Peak force minus valley force; the drop the finger feels.");
     case snapRatio:
       return KeyFiguresModel::tr("Tactile drop over peak force; also tactile or click ratio.");
     case slopeToPeak:
@@ -225,18 +230,18 @@ QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ForegroundRole && !value) return QPalette().brush(QPalette::Disabled, QPalette::Text);
   switch (index.column()) {
     case figure:
-      if (role == Qt::DisplayRole) {
-        if (unitOf(which) == FigureUnit::mJ) return tr("%1 (mJ)").arg(termOf(which));
-        return termOf(which);
-      }
-      if (role == Qt::DecorationRole)
-        return keyFigurePicture(cellPictureSize, 2, which, graphColors(isDark(QPalette())));
-      return {};
+      return role == Qt::DisplayRole ? termOf(which) : QVariant();
     case now:
     case wanted: {
       if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-      if (!value && index.column() == now && role == Qt::DisplayRole) return QStringLiteral("–");
+      if (!value && index.column() == now && role == Qt::DisplayRole)
+        return needsContact(which) ? tr("Set…") : QStringLiteral("–");
       if (!value) return {};
+      if (role == ValueDelegate::unitRole) {
+        if (unitOf(which) == FigureUnit::mJ) return QStringLiteral("mJ");
+        return unitOf(which) == FigureUnit::share ? QString()
+                                                  : symbolOf(quantityOf(which), settings_.units());
+      }
       const bool exact = role == Qt::EditRole;
       if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::FontRole) return {};
       if (index.column() == now) return role == Qt::FontRole ? QVariant() : shown(*value, which, exact);
@@ -253,7 +258,7 @@ QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
     }
     case keep:
       if (role == Qt::CheckStateRole && value) return kept_[at] ? Qt::Checked : Qt::Unchecked;
-      if (role == Qt::AccessibleTextRole) return tr("Keep: %1").arg(termOf(which));
+      if (role == Qt::AccessibleTextRole) return tr("Lock: %1").arg(termOf(which));
       return {};
     default:
       return {};
@@ -266,23 +271,20 @@ QVariant KeyFiguresModel::headerData(int section, Qt::Orientation orientation, i
     return isShown ? data(index(section, figure), role) : QVariant();
   }
   if (role == Qt::ToolTipRole) {
-    if (section == now) return tr("Typed values are applied at once; kept figures stay");
-    if (section == wanted)
-      return tr("Values that are to be had together: shown dashed in the graph before they are taken");
-    if (section == keep) return tr("Figures that stay as they are while others are given");
+    if (section == now) return tr("Changes apply immediately; locked figures don't move.");
+    if (section == wanted) return tr("Targets are solved together; the dashed curve previews the result.");
+    if (section == keep) return tr("Locked figures stay as they are while others change.");
   }
   if (role != Qt::DisplayRole) return {};
-  const DisplayUnits& units = settings_.units();
-  const QString symbols = QStringLiteral("%1, %2").arg(units.lengthSymbol(), units.forceSymbol());
   switch (section) {
     case figure:
       return tr("Key figure");
     case now:
-      return tr("Now") + '\n' + symbols;
+      return tr("Current");
     case wanted:
-      return tr("Wanted") + '\n' + symbols;
+      return tr("Target");
     case keep:
-      return tr("Keep");
+      return tr("Lock");
     default:
       return {};
   }

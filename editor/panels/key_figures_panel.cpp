@@ -2,6 +2,7 @@
 #include "editor/panels/key_figures_panel.h"
 
 #include <algorithm>
+#include <QCheckBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -22,11 +23,29 @@ namespace {
 
 constexpr QSize panelPictureSize(132, 84);
 constexpr int widestNumber = 9;  // characters of a column of numbers
+// What people ask first about a button.
+constexpr KeyFigure firstFigures[] = {
+    KeyFigure::preTravel, KeyFigure::operatingForce, KeyFigure::peakForce,   KeyFigure::drop,
+    KeyFigure::snapRatio, KeyFigure::resetTravel,    KeyFigure::totalTravel, KeyFigure::bottomOutForce};
 constexpr int figureTextMargin_px = 12;
 constexpr int leastWithMeaning_px = 340;
 constexpr int patience_ms = 200;  // a shorter solve is not announced
 
 }  // namespace
+
+QString figuresText(const ButtonState& state, const DisplayUnits& units) {
+  const KeyFigures figures = keyFiguresOf(state);
+  QStringList lines;
+  for (std::size_t i = 0; i < keyFigureCount; ++i) {
+    const auto which = static_cast<KeyFigure>(i);
+    if (!figures[which]) continue;
+    const Quantity quantity = quantityOf(which);
+    const bool isWork = keyFigureNames()[i].unit == FigureUnit::mJ;
+    const QString unit = isWork ? QStringLiteral("mJ") : symbolOf(quantity, units);
+    lines << QStringList{termOf(which), quantityText(*figures[which], quantity, units), unit}.join('\t');
+  }
+  return lines.join('\n') + '\n';
+}
 
 KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
     : QWidget(parent),
@@ -36,28 +55,22 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       picture_(described(new QLabel, "keyFigurePicture")),
       meaning_(described(new QLabel, "keyFigureMeaning")),
       trouble_(described(new QLabel, "keyFiguresTrouble")),
-      take_(described(new QPushButton(tr("Take &over")), "takeFigures",
-                      tr("Change the curve to the wanted figures"))),
-      giveUp_(described(new QPushButton(tr("Give &up")), "giveUpFigures", tr("Want nothing any more"))),
-      solving_(described(new QLabel(tr("Looking for the smallest change…")), "keyFiguresSolving")) {
+      all_(described(new QCheckBox(tr("A&ll figures")), "allFigures",
+                     tr("Show all key figures, not the most used alone"))),
+      take_(described(new QPushButton(tr("&Apply")), "takeFigures",
+                      tr("Change the curve to the target figures"))),
+      giveUp_(described(new QPushButton(tr("Cance&l")), "giveUpFigures", tr("Clear all targets"))),
+      solving_(described(new QLabel(tr("Solving…")), "keyFiguresSolving")) {
   setObjectName(QStringLiteral("keyFiguresPanel"));
   table_->setModel(model_);
   auto* delegate = new ValueDelegate(
       [this](const QModelIndex& cell, const QString& text) { return model_->refusalOf(cell, text); },
       [this](const QModelIndex& cell, const QString& text) { return model_->doubtOf(cell, text); }, table_);
   table_->setItemDelegate(delegate);
-  table_->setIconSize({34, 22});
+  delegate->alignDecimals(QStringLiteral(".00 cN/mm"));
   table_->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideRight, table_));
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(std::max(24, fontMetrics().height() + 8));
-  table_->horizontalHeader()->setHighlightSections(false);
-  table_->setWordWrap(false);
-  table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);  // Tab leaves the table, arrows move in it
-  table_->setAlternatingRowColors(true);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                          QAbstractItemView::AnyKeyPressed);
+  table_->setUpForNumbers();
   meaning_->setWordWrap(true);
   trouble_->setWordWrap(true);
   trouble_->setMargin(6);
@@ -75,6 +88,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   aboutLayout->addWidget(meaning_, 1);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(6, 0, 6, 6);
+  buttons->addWidget(all_);
   buttons->addStretch(1);
   buttons->addWidget(take_);
   buttons->addWidget(giveUp_);
@@ -103,13 +117,31 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
     setTrouble(model_->conflict());
     showMeaning();
   });
+  connect(all_, &QCheckBox::toggled, this, &KeyFiguresPanel::showRows);
+  connect(table_, &QAbstractItemView::clicked, this, [this](const QModelIndex& cell) {
+    if (cell.column() == KeyFiguresModel::now && cell.data().toString() == KeyFiguresModel::tr("Set…"))
+      emit contactsRequested();
+  });
   connect(take_, &QPushButton::clicked, model_, &KeyFiguresModel::take);
   connect(giveUp_, &QPushButton::clicked, model_, &KeyFiguresModel::giveUp);
   table_->viewport()->installEventFilter(this);
+  showRows();
   layOut();
   showPreview();
   table_->setCurrentIndex(model_->index(static_cast<int>(KeyFigure::peakForce), KeyFiguresModel::now));
   showMeaning();
+}
+
+// A figure that is locked or has a target is always shown.
+void KeyFiguresPanel::showRows() {
+  const auto isSet = [this](int row) {
+    return model_->index(row, KeyFiguresModel::keep).data(Qt::CheckStateRole) == Qt::Checked ||
+           model_->index(row, KeyFiguresModel::wanted).data(Qt::FontRole).value<QFont>().bold();
+  };
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    const bool first = std::ranges::find(firstFigures, static_cast<KeyFigure>(row)) != std::end(firstFigures);
+    table_->setRowHidden(row, !first && !all_->isChecked() && !isSet(row));
+  }
 }
 
 // Numbers get the width they need, names the rest.
@@ -127,7 +159,7 @@ void KeyFiguresPanel::layOut() {
   for (int row = 0; row < model_->rowCount(); ++row)
     name_px = std::max(name_px, fontMetrics().horizontalAdvance(
                                     model_->index(row, KeyFiguresModel::figure).data().toString()));
-  name_px += table_->iconSize().width() + 2 * figureTextMargin_px;
+  name_px += figureTextMargin_px;
   const int beside_px =
       table_->columnWidth(KeyFiguresModel::wanted) + table_->columnWidth(KeyFiguresModel::keep);
   keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others, beside_px});

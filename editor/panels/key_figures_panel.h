@@ -8,6 +8,7 @@
 #include "editor/document/button_document.h"
 #include "editor/document/view_settings.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 
@@ -15,6 +16,9 @@ namespace detent::editor {
 
 class KeyFiguresModel;
 class ValueTable;
+
+/// Key figures as a table for spreadsheets: name, value, unit, with tabs between them, in the units shown.
+QString figuresText(const ButtonState& state, const DisplayUnits& units);
 
 /// A table, below it a drawing of the chosen figure, and whether the requested figures are possible. GUI
 /// thread.
@@ -25,6 +29,10 @@ class KeyFiguresPanel : public QWidget {
   KeyFiguresPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
   KeyFiguresModel& model() { return *model_; }
 
+ signals:
+  /// A missing operating or reset point is to be given.
+  void contactsRequested();
+
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -34,6 +42,7 @@ class KeyFiguresPanel : public QWidget {
   void showMeaning();
   void showPreview();
   void layOut();
+  void showRows();
   void setTrouble(const QString& why);
   void showSolving();
 
@@ -41,6 +50,7 @@ class KeyFiguresPanel : public QWidget {
   ValueTable* table_;
   QWidget* about_;
   QLabel *picture_, *meaning_, *trouble_;
+  QCheckBox* all_;
   QPushButton *take_, *giveUp_;
   QLabel* solving_;
   QTimer patience_;

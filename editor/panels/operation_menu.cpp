@@ -41,14 +41,14 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
   addSeparator();
   add("operationMirror", tr("&Mirror press to release…"),
       tr("A release curve from the press, with hysteresis"), key(Qt::Key_M), mirrorOperation, always);
-  add("operationRemoveRelease", tr("Remove release &curve…"),
-      tr("The release is then felt on the press curve"), {}, removeReleaseOperation, hasRelease);
+  add("operationRemoveRelease", tr("Remove release &curve…"), tr("Release will follow the press curve"), {},
+      removeReleaseOperation, hasRelease);
   add("operationScaleForce", tr("Scale &force…"), tr("All forces by one factor"), key(Qt::Key_F),
       scaleForceOperation, always);
   add("operationScaleTravel", tr("Scale &travel…"), tr("All displacements by one factor"), key(Qt::Key_T),
       scaleTravelOperation, always);
-  add("operationRefit", tr("Ref&it to the traced points…"), tr("With more or fewer pieces"), key(Qt::Key_I),
-      refitOperation, hasOrigin);
+  add("operationRefit", tr("Ref&it curve…"), tr("Number of segments"), key(Qt::Key_I), refitOperation,
+      hasOrigin);
   addSeparator();
   add("operationContacts", tr("&Operating and reset point…"), tr("Where the contact closes and opens"),
       key(Qt::Key_O), contactsOperation, always);

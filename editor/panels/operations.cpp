@@ -184,7 +184,7 @@ Operation mirrorOperation(const OperationTarget& target) {
 }
 
 Operation removeReleaseOperation(const OperationTarget& target) {
-  Operation op{tr("Remove release curve"), tr("The release is then felt on the press curve."), {}, {}};
+  Operation op{tr("Remove release curve"), tr("Release will follow the press curve."), {}, {}};
   op.edit = [state = target.state](const Button& start, const Values&) {
     return editGraph(start, state, [](const ForceGraph& graph) { return removeRelease(graph); });
   };
@@ -260,7 +260,7 @@ Operation snapRatioOperation(const OperationTarget& target) {
 Operation refitOperation(const OperationTarget& target) {
   const auto& origin = *target.origin;
   const auto pieces = [](const StrokeCurve& curve) { return static_cast<double>(curve.knots().size() - 1); };
-  Operation op{tr("Refit to the traced points"),
+  Operation op{tr("Refit curve"),
                tr("Fits the curves again to the traced points, with the number of pieces you choose. "
                   "Replaces edits by hand."),
                {{tr("Pieces of the press"),
@@ -305,7 +305,7 @@ Operation refitOperation(const OperationTarget& target) {
 Operation contactsOperation(const OperationTarget& target) {
   const ButtonState& state = target.button.states()[target.state];
   const double travel = target.graph().travel_mm();
-  const QStringList choices{tr("not known"), tr("known")};
+  const QStringList choices{tr("not set"), tr("set")};
   Operation op{tr("Operating and reset point"),
                tr("Where the contact closes on the press stroke, and where it opens on the release stroke."),
                {{tr("Operating point"), FieldKind::choice, 1, 0, 0, {}, choices},

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/value_delegate.h"
 
+#include <algorithm>
+#include <QApplication>
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPainter>
+#include <QRegularExpression>
 #include <QTableView>
 #include <utility>
 
@@ -21,6 +26,36 @@ QString ValueDelegate::objection(const QString& text, const QModelIndex& index) 
   questionIndex_ = index;
   questionText_ = question.isEmpty() ? QString() : text;
   return question;
+}
+
+void ValueDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
+  constexpr int margin_px = 4;
+  const QString text = index.data().toString();
+  const bool isNumber = text.contains(QRegularExpression(QStringLiteral("^[-+\u2212]?[0-9]")));
+  if (tail_.isEmpty() || !isNumber) return QStyledItemDelegate::paint(painter, option, index);
+  QStyleOptionViewItem cell = option;
+  initStyleOption(&cell, index);
+  const QStyle& style = cell.widget ? *cell.widget->style() : *QApplication::style();
+  cell.text.clear();
+  style.drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+  const qsizetype whole = text.indexOf(QRegularExpression(QStringLiteral("[^-+\u22120-9]")));
+  const QString before = whole < 0 ? text : text.left(whole), unit = index.data(unitRole).toString();
+  const QString after =
+      (whole < 0 ? QString() : text.mid(whole)) + (unit.isEmpty() ? QString() : u' ' + unit);
+  const QFontMetrics metrics(cell.font);
+  const int sign_px = std::max(cell.rect.left() + margin_px + metrics.horizontalAdvance(before),
+                               cell.rect.right() - margin_px - metrics.horizontalAdvance(tail_));
+  const bool chosen = cell.state & QStyle::State_Selected;
+  const auto group = cell.state & QStyle::State_Active ? QPalette::Active : QPalette::Inactive;
+  painter->save();
+  painter->setClipRect(cell.rect);
+  painter->setFont(cell.font);
+  painter->setPen(cell.palette.color(group, chosen ? QPalette::HighlightedText : QPalette::Text));
+  const int base_px = cell.rect.center().y() + (metrics.ascent() - metrics.descent()) / 2 + 1;
+  painter->drawText(sign_px - metrics.horizontalAdvance(before), base_px, before);
+  painter->drawText(sign_px, base_px, after);
+  painter->restore();
 }
 
 QWidget* ValueDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
@@ -48,6 +83,18 @@ bool ValueDelegate::eventFilter(QObject* object, QEvent* event) {
   mark(*editor, why);
   emit refused(table->currentIndex(), why);
   return true;
+}
+
+void ValueTable::setUpForNumbers() {
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+  horizontalHeader()->setHighlightSections(false);
+  setFrameShape(QFrame::NoFrame);
+  setWordWrap(false);
+  setShowGrid(false);
+  setTabKeyNavigation(false);
+  setAlternatingRowColors(true);
+  setSelectionMode(SingleSelection);
+  setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
 }
 
 bool ValueTable::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {

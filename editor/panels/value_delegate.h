@@ -22,6 +22,13 @@ class ValueDelegate : public QStyledItemDelegate {
   using Doubt = std::function<QString(const QModelIndex&, const QString&)>;
   ValueDelegate(Refusal refusal, Doubt doubt, QObject* parent);
 
+  /// Role of a cell's unit, which stands behind the number.
+  static constexpr int unitRole = Qt::UserRole;
+  /// Draws numbers with their units, decimal signs below each other; `widest` is the longest text that may
+  /// stand behind the whole part of a number.
+  void alignDecimals(const QString& widest) { tail_ = widest; }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const override;
 
@@ -40,6 +47,7 @@ class ValueDelegate : public QStyledItemDelegate {
   Doubt doubt_;
   QPersistentModelIndex questionIndex_;  ///< place of the last question
   QString questionText_;                 ///< its text; empty: none
+  QString tail_;                   ///< decides where decimal signs stand; empty: numbers end at the right
 };
 
 /// Table in which typing changes the current cell or nothing: a cell that cannot be edited never passes the
@@ -49,6 +57,8 @@ class ValueTable : public QTableView {
 
  public:
   using QTableView::QTableView;
+  /// Rows as high as a line of text, no grid; Tab leaves the table, arrows move in it.
+  void setUpForNumbers();
   /// Does nothing: Qt would move to a row that begins with the typed digit, and the next digit would edit it.
   void keyboardSearch(const QString&) override {}
 

@@ -4,6 +4,7 @@
 #include <QFont>
 
 #include "editor/document/message_words.h"
+#include "editor/panels/value_delegate.h"
 #include "editor/quantity/reading_error.h"
 #include "editor/tools/mark_edits.h"
 
@@ -11,6 +12,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int valuesDragPause_ms = 80;
+constexpr int shownValueDigits = 4;
 constexpr int editedValueDigits = 12;  // typed values are shown unchanged
 
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
@@ -22,11 +24,11 @@ QString shortName(MarkId mark) {
     case MarkKind::tactilePoint:
       return ValuesModel::tr("Tactile point %1").arg(number);
     case MarkKind::turn:
-      return ValuesModel::tr("Turn %1").arg(number);
+      return ValuesModel::tr("Valley or peak %1").arg(number);
     case MarkKind::knot:
       return ValuesModel::tr("Knot %1").arg(number);
     case MarkKind::section:
-      return ValuesModel::tr("Section %1").arg(number);
+      return ValuesModel::tr("Segment %1").arg(number);
     default:
       return nameOf(mark);
   }
@@ -77,10 +79,10 @@ std::vector<ValuesModel::Row> ValuesModel::rowsNow() const {
     };
     add(press ? tr("Press: tactile points") : tr("Release: tactile points"), MarkKind::tactilePoint,
         values.tactile.size());
-    add(press ? tr("Press: valleys and humps") : tr("Release: valleys and humps"), MarkKind::turn,
+    add(press ? tr("Press: valleys and peaks") : tr("Release: valleys and peaks"), MarkKind::turn,
         values.turns.size());
-    add(press ? tr("Press: sections, at their ends") : tr("Release: sections, at their ends"),
-        MarkKind::section, values.sections.size());
+    add(press ? tr("Press: segments (end point)") : tr("Release: segments (end point)"), MarkKind::section,
+        values.sections.size());
     add(press ? tr("Press: knots") : tr("Release: knots"), MarkKind::knot,
         state().graph.curve(stroke).knots().size());
   }
@@ -193,9 +195,10 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   const auto value = valueAt(*row.mark, index.column());
   if (!value) return {};
+  if (role == ValueDelegate::unitRole) return symbolOf(quantityOf(index.column()), settings_.units());
   if (role == Qt::DisplayRole)
-    return readText(*value, quantityOf(index.column()), settings_.units(),
-                    readingErrorOf(document_.button()));
+    return readText(*value, quantityOf(index.column()), settings_.units(), readingErrorOf(document_.button()),
+                    shownValueDigits);
   if (role == Qt::EditRole)
     return quantityText(*value, quantityOf(index.column()), settings_.units(), editedValueDigits);
   return {};
@@ -204,21 +207,21 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Horizontal && role == Qt::ToolTipRole) {
     if (section == slopeBefore) return tr("Slope on the knot's left side");
-    if (section == slopeAfter) return tr("Slope on the knot's right side; of a section, from end to end");
+    if (section == slopeAfter) return tr("Slope on the knot's right side; of a segment, from end to end");
   }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   const DisplayUnits& units = settings_.units();
   switch (section) {
     case name:
-      return tr("What");
+      return tr("Item");
     case displacement:
-      return tr("At") + '\n' + units.lengthSymbol();
+      return tr("Travel") + '\n' + units.lengthSymbol();
     case force:
       return tr("Force") + '\n' + units.forceSymbol();
     case slopeBefore:
-      return tr("Before") + '\n' + units.slopeSymbol();
+      return tr("Slope before") + '\n' + units.slopeSymbol();
     case slopeAfter:
-      return tr("Slope") + '\n' + units.slopeSymbol();
+      return tr("Slope after") + '\n' + units.slopeSymbol();
     default:
       return {};
   }

@@ -37,17 +37,9 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->setItemDelegate(delegate);
   connect(delegate, &ValueDelegate::refused, model_, &ValuesModel::refused);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+  table_->setUpForNumbers();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // a thousand rows are not measured
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
-  table_->horizontalHeader()->setHighlightSections(false);
-  table_->setWordWrap(false);
-  table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);  // Tab leaves the table, arrows move in it
-  table_->setAlternatingRowColors(true);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                          QAbstractItemView::AnyKeyPressed);
   refusal_->setObjectName(QStringLiteral("valuesRefusal"));
   refusal_->setWordWrap(true);
   refusal_->setMargin(6);

@@ -9,11 +9,11 @@
 #include "editor/document/view_settings.h"
 
 class QLabel;
-class QTableView;
 
 namespace detent::editor {
 
 class ValuesModel;
+class ValueTable;
 
 /// A refusal is shown under the table, and the old value is restored. GUI thread.
 class ValuesPanel : public QWidget {
@@ -40,7 +40,7 @@ class ValuesPanel : public QWidget {
   void giveRoomToNames();
 
   ValuesModel* model_;
-  QTableView* table_;
+  ValueTable* table_;
   QLabel* refusal_;
 };
 

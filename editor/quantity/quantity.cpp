@@ -157,15 +157,14 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
                  ? tr("“%1” has a unit. Enter a number without one.").arg(reading.culprit)
                  : tr("“%1” measures something else. Type a number in %2.").arg(reading.culprit, symbol);
     case QuantityTrouble::mixedUnits:
-      return tr("In “%1” some numbers have a unit and some have none. Give each its unit.")
-          .arg(reading.culprit);
+      return tr("Give every number in “%1” a unit.").arg(reading.culprit);
     case QuantityTrouble::nothingToChange:
       return tr("“%1” changes a value, and there is none yet. Type for example %2.")
           .arg(reading.culprit, example);
     case QuantityTrouble::notWhole:
       return tr("“%1” is no whole number.").arg(reading.culprit);
     case QuantityTrouble::notFinite:
-      return tr("“%1” is too large, or divides by zero.").arg(reading.culprit);
+      return tr("“%1” is out of range.").arg(reading.culprit);
   }
   return {};
 }
@@ -178,9 +177,8 @@ QString doubtOf(const QString& text, double value, Quantity quantity, const Disp
   const QString meant = meantBy(text, quantity, units);
   const QString typedText = quantityWithUnit(value, quantity, units);
   return meant.isEmpty()
-             ? tr("%1 is more than any button has. Press Enter once more if that is meant.").arg(typedText)
-             : tr("%1 is more than any button has. Meant: %2? Press Enter once more if not.")
-                   .arg(typedText, meant);
+             ? tr("%1 is unusually high. Press Enter again to keep it.").arg(typedText)
+             : tr("%1 is unusually high. Did you mean %2? Press Enter again to keep %1.").arg(typedText, meant);
 }
 
 double shownUnitOf(Quantity quantity, const DisplayUnits& units) {

@@ -158,11 +158,50 @@ bool PanTool::released(const PointerInput& input) {
   return true;
 }
 
+// ---- measure
+
+QString MeasureTool::hint() const {
+  return tr("Drag from one place to another to measure between them. Ctrl: no snapping.");
+}
+
+void MeasureTool::leave() {
+  from_.reset();
+  context_.canvas.setFeedback({});
+}
+
+CurvePoint MeasureTool::placeAt(const PointerInput& input) const {
+  if (input.modifiers & Qt::ControlModifier) return input.at;
+  const std::vector<Mark> marks = marksAt(context_.canvas, input.at_px);
+  if (!marks.empty()) return marks.front().at;
+  const auto hit = curveAt(context_.canvas, input.at_px);
+  return hit ? hit->at : input.at;
+}
+
+bool MeasureTool::pressed(const PointerInput& input) {
+  if (input.button != Qt::LeftButton) return false;
+  leave();
+  from_ = placeAt(input);
+  return true;
+}
+
+bool MeasureTool::moved(const PointerInput& input) {
+  if (!from_) return false;
+  CanvasFeedback feedback;
+  feedback.measured = Measurement{*from_, placeAt(input)};
+  context_.canvas.setFeedback(feedback);
+  return true;
+}
+
+bool MeasureTool::released(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || !from_) return false;
+  from_.reset();
+  return true;
+}
+
 // ---- zoom
 
 QString ZoomTool::hint() const {
-  return tr(
-      "Drag a rectangle to see it enlarged; a click comes nearer, with Shift it goes back. F shows all.");
+  return tr("Drag a rectangle to zoom in; click zooms in, Shift+click zooms out, F fits.");
 }
 
 void ZoomTool::leave() {

@@ -46,6 +46,22 @@ class PanTool : public Tool {
   std::optional<QPointF> last_px_;
 };
 
+/// Shows travel, force and slope between two places; the ends snap to points and curves, with Ctrl not.
+class MeasureTool : public Tool {
+ public:
+  using Tool::Tool;
+  void leave() override;
+  bool pressed(const PointerInput& input) override;
+  bool moved(const PointerInput& input) override;
+  bool released(const PointerInput& input) override;
+  Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  QString hint() const override;
+
+ private:
+  CurvePoint placeAt(const PointerInput& input) const;
+  std::optional<CurvePoint> from_;
+};
+
 /// A rectangle becomes the whole view; a click zooms in, with Shift out.
 class ZoomTool : public Tool {
  public:

@@ -16,6 +16,10 @@ constexpr int limitSteps = 14;  // halvings: a 16,000th of the way, less than a 
 constexpr double clearance_px =
     4;  // px before the limit, so that a flank does not become a step, nor a point a corner
 
+QString dragHint() {
+  return QCoreApplication::translate("GraphDrag", "Shift: one axis, Ctrl: no snapping, Esc: cancel");
+}
+
 }  // namespace
 
 GraphDrag::GraphDrag(ButtonDocument& document, GraphCanvas& canvas, std::function<void(const QString&)> say)
@@ -27,8 +31,9 @@ void GraphDrag::begin(DragTask task, CurvePoint pointer) {
   document_.history().beginDrag(task.label);
   task_ = std::move(task);
   CanvasFeedback feedback;
-  feedback.dragged = task_->from;
+  feedback.dragged = feedback.draggedFrom = task_->from;
   canvas_.setFeedback(feedback);
+  say_(dragHint());
 }
 
 CurvePoint GraphDrag::wantedPlace(CurvePoint pointer, Qt::KeyboardModifiers modifiers,
@@ -57,11 +62,12 @@ void GraphDrag::moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers) {
   DETENT_CHECK(running(), "only a running drag moves");
   CanvasFeedback feedback;
   feedback.dragged = canvas_.feedback().dragged;
+  feedback.draggedFrom = task_->from;
   const CurvePoint to = wantedPlace(pointer, modifiers, feedback);
   const Result<Button> next = edited(to);
   if (next) {
     preview(*next, to, feedback);
-    if (refused_) say_({});
+    if (refused_) say_(dragHint());
   } else if (task_->snaps) {
     stopAtLimit(to, next.failure(), feedback);
   } else {  // the limit of a handle or a segment is vertical, so the last shape stays
@@ -122,7 +128,7 @@ void GraphDrag::stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedbac
 
 void GraphDrag::clear() {
   task_.reset();
-  if (refused_) say_({});
+  say_({});
   refused_ = false;
   canvas_.setFeedback({});
 }

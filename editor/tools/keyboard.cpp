@@ -202,7 +202,7 @@ void Keyboard::togglePin() {
   Annotations next = context_.document.annotations();
   const bool pinned = std::erase(next.links.pinned, pin) > 0;
   if (!pinned) next.links.pinned.push_back(pin);
-  context_.document.annotate(std::move(next), pinned ? tr("Take a pin out") : tr("Pin a point"));
+  context_.document.annotate(std::move(next), pinned ? tr("Unlock a point") : tr("Lock a point"));
   context_.say(pinned ? tr("The point can be moved again.")
                       : tr("Pinned: no edit moves this point until P is pressed on it again."));
 }

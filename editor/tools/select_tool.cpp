@@ -29,6 +29,9 @@ std::optional<Mark> takenAt(const GraphCanvas& canvas, const PointerInput& input
       if (canvas.isSelected(mark.id)) return mark;
     return marks.front();
   }
+  // A mark that another edit took away keeps its label until the next drawing.
+  if (const auto flag = canvas.flagAt(input.at_px))
+    if (const auto at = placeOf(*flag, canvas.state(), canvas.values())) return Mark{*flag, *at};
   const auto hit = curveAt(canvas, input.at_px);
   if (!hit) return {};
   const auto section = sectionAt(canvas.values().of(hit->stroke), hit->at.displacement_mm);
@@ -74,8 +77,12 @@ void SelectTool::hover(const PointerInput& input) {
   CanvasFeedback feedback;
   if (mark) feedback.hovered = mark->id;
   context_.canvas.setFeedback(feedback);
+  const auto cursorOf = [](MarkKind kind) {
+    if (kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint) return Qt::SizeHorCursor;
+    return kind == MarkKind::section ? Qt::SizeVerCursor : Qt::OpenHandCursor;
+  };
   if (mark)
-    context_.canvas.setCursor(mark->id.kind == MarkKind::section ? Qt::SizeVerCursor : Qt::OpenHandCursor);
+    context_.canvas.setCursor(cursorOf(mark->id.kind));
   else
     context_.canvas.unsetCursor();
 }
@@ -251,6 +258,11 @@ bool SelectTool::doubleClicked(const PointerInput& input) {
     else
       context_.say(sentenceOf(next.failure(), context_.settings.units()));
     context_.canvas.setSelected(mark.id);
+    return true;
+  }
+  if (const auto flag = context_.canvas.flagAt(input.at_px)) {
+    context_.canvas.setSelected(*flag);
+    context_.askValues(FirstValue::force);
     return true;
   }
   const auto hit = curveAt(context_.canvas, input.at_px);

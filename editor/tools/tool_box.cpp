@@ -19,9 +19,9 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
                [this](const QString& text) { emit said(text); },
                [this](FirstValue first) { emit valuesRequested(first); }},
       keyboard_(context_),
-      tools_{std::make_unique<SelectTool>(context_), std::make_unique<AddKnotTool>(context_),
+      tools_{std::make_unique<SelectTool>(context_),  std::make_unique<AddKnotTool>(context_),
              std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_),
-             std::make_unique<ZoomTool>(context_)} {
+             std::make_unique<ZoomTool>(context_),    std::make_unique<MeasureTool>(context_)} {
   canvas_.setEvents(this);
   // The start of the drag no longer exists.
   connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::cancelDrag);
@@ -91,7 +91,7 @@ bool ToolBox::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void ToolBox::pointerLeft() {
-  if (!drag_.running()) canvas_.setFeedback({});
+  if (!drag_.running() && !canvas_.feedback().measured) canvas_.setFeedback({});
 }
 
 void ToolBox::contextMenu(const PointerInput&, QPoint global_px) {

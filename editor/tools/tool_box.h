@@ -11,8 +11,8 @@
 
 namespace detent::editor {
 
-enum class ToolKind { select, addKnot, addJump, pan, zoom };
-inline constexpr std::size_t toolCount = 5;
+enum class ToolKind { select, addKnot, addJump, pan, zoom, measure };
+inline constexpr std::size_t toolCount = 6;
 
 /// Escape cancels a drag; undo and a change of state end it; a tool is left without one. GUI thread.
 class ToolBox : public QObject, public CanvasEvents {

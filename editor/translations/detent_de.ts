@@ -26,8 +26,8 @@
         <translation>%1: %2 ± %3.</translation>
     </message>
     <message>
-        <source>Far from the others: %1.</source>
-        <translation>Weit von den anderen: %1.</translation>
+        <source>Outlier: %1.</source>
+        <translation>Ausreißer: %1.</translation>
     </message>
 </context>
 <context>
@@ -293,6 +293,10 @@
         <source>Stops at %1. %2</source>
         <translation>Hält bei %1. %2</translation>
     </message>
+    <message>
+        <source>Shift: one axis, Ctrl: no snapping, Esc: cancel</source>
+        <translation>Umschalt: eine Achse, Strg: kein Einrasten, Esc: abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>InputKinds</name>
@@ -453,10 +457,6 @@ Lizenz: %3</translation>
         <translation>noch nicht lesbar</translation>
     </message>
     <message>
-        <source>%1 % sure</source>
-        <translation>%1 % sicher</translation>
-    </message>
-    <message>
         <source>, check it</source>
         <translation>, bitte prüfen</translation>
     </message>
@@ -475,6 +475,10 @@ Lizenz: %3</translation>
     <message>
         <source>Choose one in the list of switches, or tick several there: each becomes a button of its own.</source>
         <translation>Wählen Sie einen in der Liste der Taster oder kreuzen Sie dort mehrere an: Aus jedem wird ein eigener Taster.</translation>
+    </message>
+    <message>
+        <source>Confidence %1 %</source>
+        <translation>Sicherheit %1 %</translation>
     </message>
 </context>
 <context>
@@ -501,6 +505,33 @@ Lizenz: %3</translation>
     <message>
         <source>Detent</source>
         <translation>Detent</translation>
+    </message>
+</context>
+<context>
+    <name>SampledAt</name>
+    <message>
+        <source>Example: 0.1, or 0; 0.5; 2</source>
+        <translation>Beispiel: 0,1 oder 0; 0,5; 2</translation>
+    </message>
+    <message>
+        <source>%1 lies outside the travel</source>
+        <translation>%1 liegt außerhalb des Wegs</translation>
+    </message>
+    <message>
+        <source>Give travels from %1 to %2</source>
+        <translation>Geben Sie Wege von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>No travel is given</source>
+        <translation>Es ist kein Weg angegeben</translation>
+    </message>
+    <message>
+        <source>The step is too small</source>
+        <translation>Der Schritt ist zu klein</translation>
+    </message>
+    <message>
+        <source>Give a step above 0, for example 0.1</source>
+        <translation>Geben Sie einen Schritt über 0 an, zum Beispiel 0,1</translation>
     </message>
 </context>
 <context>
@@ -1899,14 +1930,6 @@ Lizenz: %3</translation>
         <translation>Exemplare ± 1 SD</translation>
     </message>
     <message>
-        <source>operating</source>
-        <translation>schaltet</translation>
-    </message>
-    <message>
-        <source>reset</source>
-        <translation>schaltet zurück</translation>
-    </message>
-    <message>
         <source>grid</source>
         <translation>Raster</translation>
     </message>
@@ -2303,8 +2326,8 @@ Lizenz: %3</translation>
         <translation>Rückweg entfernen</translation>
     </message>
     <message>
-        <source>The release is then felt on the press curve.</source>
-        <translation>Der Rückweg wird dann auf der Kurve des Drückens gefühlt.</translation>
+        <source>Release will follow the press curve.</source>
+        <translation>Der Rückweg folgt dann der Hinwegkurve.</translation>
     </message>
     <message>
         <source>Scale force</source>
@@ -2351,8 +2374,8 @@ Lizenz: %3</translation>
         <translation>Üblich: 0,2 für eine weiche Taste, 0,6 für eine knackige Schnappscheibe</translation>
     </message>
     <message>
-        <source>Refit to the traced points</source>
-        <translation>Neu an die abgelesenen Punkte anpassen</translation>
+        <source>Refit curve</source>
+        <translation>Kurve neu anpassen</translation>
     </message>
     <message>
         <source>Fits the curves again to the traced points, with the number of pieces you choose. Replaces edits by hand.</source>
@@ -2369,14 +2392,6 @@ Lizenz: %3</translation>
     <message>
         <source>Pieces of the release</source>
         <translation>Stücke des Rückwegs</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>known</source>
-        <translation>bekannt</translation>
     </message>
     <message>
         <source>Operating and reset point</source>
@@ -2503,20 +2518,12 @@ Lizenz: %3</translation>
         <translation>„%1“ misst etwas anderes. Geben Sie eine Zahl in %2 ein.</translation>
     </message>
     <message>
-        <source>In “%1” some numbers have a unit and some have none. Give each its unit.</source>
-        <translation>In „%1“ haben manche Zahlen eine Einheit und manche keine. Geben Sie jeder ihre Einheit.</translation>
-    </message>
-    <message>
         <source>“%1” changes a value, and there is none yet. Type for example %2.</source>
         <translation>„%1“ ändert einen Wert, und es gibt noch keinen. Geben Sie zum Beispiel %2 ein.</translation>
     </message>
     <message>
         <source>“%1” is no whole number.</source>
         <translation>„%1“ ist keine ganze Zahl.</translation>
-    </message>
-    <message>
-        <source>“%1” is too large, or divides by zero.</source>
-        <translation>„%1“ ist zu groß oder teilt durch null.</translation>
     </message>
     <message>
         <source>Change: %1</source>
@@ -2529,14 +2536,6 @@ Lizenz: %3</translation>
     <message>
         <source>Remove: %1</source>
         <translation>Entfernen: %1</translation>
-    </message>
-    <message>
-        <source>%1 is more than any button has. Press Enter once more if that is meant.</source>
-        <translation>%1 ist mehr, als ein Taster hat. Wenn das gemeint ist, drücken Sie noch einmal die Eingabetaste.</translation>
-    </message>
-    <message>
-        <source>%1 is more than any button has. Meant: %2? Press Enter once more if not.</source>
-        <translation>%1 ist mehr, als ein Taster hat. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
     </message>
     <message>
         <source>a release lies up to %1 above the press of another speed at %2, which would make energy; the press is felt as that release there</source>
@@ -2722,6 +2721,58 @@ Lizenz: %3</translation>
         <source>is vertical</source>
         <translation>ist senkrecht</translation>
     </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>operating %1</source>
+        <translation>schaltet %1</translation>
+    </message>
+    <message>
+        <source>reset %1</source>
+        <translation>schaltet zurück %1</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>gesetzt</translation>
+    </message>
+    <message>
+        <source>Give every number in “%1” a unit.</source>
+        <translation>Geben Sie jeder Zahl in „%1“ eine Einheit.</translation>
+    </message>
+    <message>
+        <source>“%1” is out of range.</source>
+        <translation>„%1“ liegt außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+        <source>%1 is unusually high. Press Enter again to keep it.</source>
+        <translation>%1 ist ungewöhnlich viel. Noch einmal Eingabe behält es bei.</translation>
+    </message>
+    <message>
+        <source>%1 is unusually high. Did you mean %2? Press Enter again to keep %1.</source>
+        <translation>%1 ist ungewöhnlich viel. Meinten Sie %2? Noch einmal Eingabe behält %1 bei.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>pre-travel</source>
+        <translation>Vorlaufweg</translation>
+    </message>
+    <message>
+        <source>differential</source>
+        <translation>Differenzweg</translation>
+    </message>
+    <message>
+        <source>slope %1</source>
+        <translation>Steigung %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -2826,6 +2877,14 @@ Lizenz: %3</translation>
         <source>Message about the import</source>
         <translation>Meldung zum Import</translation>
     </message>
+    <message>
+        <source>Which unit is the displacement axis in?</source>
+        <translation>Welche Einheit hat die Wegachse?</translation>
+    </message>
+    <message>
+        <source>Which unit is the force axis in?</source>
+        <translation>Welche Einheit hat die Kraftachse?</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AnnotationsPanel</name>
@@ -2854,8 +2913,8 @@ Lizenz: %3</translation>
         <translation>Behalten am</translation>
     </message>
     <message>
-        <source>A remark at the point or section that is selected; Enter adds it</source>
-        <translation>Eine Bemerkung am gewählten Punkt oder Abschnitt; Enter fügt sie hinzu</translation>
+        <source>Note for the selected point. Enter adds it.</source>
+        <translation>Notiz zum gewählten Punkt. Eingabe fügt sie hinzu.</translation>
     </message>
     <message>
         <source>New note</source>
@@ -2870,8 +2929,8 @@ Lizenz: %3</translation>
         <translation>Name der Fassung</translation>
     </message>
     <message>
-        <source>&amp;One end of the travel</source>
-        <translation>&amp;Ein Ende des Wegs</translation>
+        <source>Keep all strokes e&amp;nding at the same travel</source>
+        <translation>Alle Hübe enden beim selben W&amp;eg</translation>
     </message>
     <message>
         <source>New note at the selected point</source>
@@ -2890,20 +2949,20 @@ Lizenz: %3</translation>
         <translation>Notiz entfernen</translation>
     </message>
     <message>
-        <source>Keep the button as it is now as …</source>
-        <translation>Den Taster, wie er jetzt ist, behalten als …</translation>
+        <source>Version name…</source>
+        <translation>Name der Version …</translation>
     </message>
     <message>
-        <source>Go back to it</source>
-        <translation>Dahin zurück</translation>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>The button becomes the chosen version</source>
         <translation>Der Taster wird zur gewählten Fassung</translation>
     </message>
     <message>
-        <source>Open beside</source>
-        <translation>Daneben öffnen</translation>
+        <source>Open in new tab</source>
+        <translation>In neuem Tab öffnen</translation>
     </message>
     <message>
         <source>Open the chosen version as a new button, to compare it</source>
@@ -2918,20 +2977,20 @@ Lizenz: %3</translation>
         <translation>Fassung entfernen</translation>
     </message>
     <message>
-        <source>Kept together while editing</source>
-        <translation>Beim Bearbeiten zusammengehalten</translation>
+        <source>Links</source>
+        <translation>Verknüpfungen</translation>
     </message>
     <message>
-        <source>Take all pins out</source>
-        <translation>Alle Nadeln lösen</translation>
+        <source>Unlock all</source>
+        <translation>Alle entsperren</translation>
     </message>
     <message>
         <source>All points can be moved again</source>
         <translation>Alle Punkte lassen sich wieder bewegen</translation>
     </message>
     <message>
-        <source>Select a point or section in the graph first; the note is placed there.</source>
-        <translation>Wählen Sie zuerst einen Punkt oder Abschnitt im Graphen; die Notiz kommt dorthin.</translation>
+        <source>Select a point first; the note will be attached to it.</source>
+        <translation>Wählen Sie zuerst einen Punkt; die Notiz wird an ihm befestigt.</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -2966,8 +3025,8 @@ Lizenz: %3</translation>
         <translation>Rückweg</translation>
     </message>
     <message>
-        <source>No point is pinned. P pins the selected one.</source>
-        <translation>Kein Punkt ist angeheftet. P heftet den gewählten an.</translation>
+        <source>No locked points. Press P to lock the selected one.</source>
+        <translation>Keine gesperrten Punkte. P sperrt den gewählten.</translation>
     </message>
     <message>
         <source>Pinned points: %1</source>
@@ -2978,8 +3037,8 @@ Lizenz: %3</translation>
         <translation>Ab jetzt gehen die Enden aller Zustände dorthin, wohin ein Ende von Drücken oder Rückweg geht</translation>
     </message>
     <message>
-        <source>&amp;Release follows the press, lower by</source>
-        <translation>&amp;Rückweg folgt dem Drücken, tiefer um</translation>
+        <source>Link &amp;release to press, offset</source>
+        <translation>&amp;Rückweg an Hinweg koppeln, Abstand</translation>
     </message>
     <message>
         <source>From now on, edits of the press move the release along. The release keeps its shape.</source>
@@ -3144,10 +3203,6 @@ Lizenz: %3</translation>
         <translation>%1 Teilstriche vorgegeben</translation>
     </message>
     <message>
-        <source>%1 of %2 numbers used, off by %3 px</source>
-        <translation>%1 von %2 Zahlen benutzt, Abweichung %3 px</translation>
-    </message>
-    <message>
         <source>titled “%1”</source>
         <translation>beschriftet „%1“</translation>
     </message>
@@ -3215,6 +3270,10 @@ Lizenz: %3</translation>
         <source>Direction of the axis</source>
         <translation>Richtung der Achse</translation>
     </message>
+    <message>
+        <source>%1 of %2 labels used (fit %3 px)</source>
+        <translation>%1 von %2 Zahlen verwendet (Abweichung %3 px)</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ButtonDocument</name>
@@ -3234,8 +3293,8 @@ Lizenz: %3</translation>
         <translation>Probleme und Auffälligkeiten des Tasters</translation>
     </message>
     <message>
-        <source>Nothing is odd about this button.</source>
-        <translation>An diesem Taster fällt nichts auf.</translation>
+        <source>No problems found.</source>
+        <translation>Keine Probleme gefunden.</translation>
     </message>
     <message>
         <source>Press Enter or click to go there</source>
@@ -3261,10 +3320,6 @@ Lizenz: %3</translation>
         <translation>&amp;Differenz</translation>
     </message>
     <message>
-        <source>Draw the difference of the others from the first below the graphs</source>
-        <translation>Unter den Graphen den Unterschied der anderen zum ersten zeichnen</translation>
-    </message>
-    <message>
         <source>&amp;Picture…</source>
         <translation>&amp;Bild …</translation>
     </message>
@@ -3281,28 +3336,8 @@ Lizenz: %3</translation>
         <translation>Die Graphen mit ihren Namen als Bild kopieren</translation>
     </message>
     <message>
-        <source>O&amp;ne more</source>
-        <translation>Noch ei&amp;ner</translation>
-    </message>
-    <message>
-        <source>Lay another open button over these</source>
-        <translation>Einen weiteren offenen Taster über diese legen</translation>
-    </message>
-    <message>
-        <source>One &amp;less</source>
-        <translation>Einen &amp;weniger</translation>
-    </message>
-    <message>
-        <source>Take the last one away</source>
-        <translation>Den letzten wegnehmen</translation>
-    </message>
-    <message>
         <source>S&amp;wap</source>
         <translation>&amp;Tauschen</translation>
-    </message>
-    <message>
-        <source>Exchange the first two: differences are counted the other way</source>
-        <translation>Die ersten beiden tauschen: Unterschiede zählen andersherum</translation>
     </message>
     <message>
         <source>Copy the &amp;table</source>
@@ -3349,8 +3384,32 @@ Lizenz: %3</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Figures of the comparison</source>
-        <translation>Größen des Vergleichs</translation>
+        <source>Show differences from the first button below the graph</source>
+        <translation>Unterschiede zum ersten Taster unter dem Graphen zeigen</translation>
+    </message>
+    <message>
+        <source>A&amp;dd button</source>
+        <translation>Taster &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Show another open button over these</source>
+        <translation>Einen weiteren offenen Taster darüberlegen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove button</source>
+        <translation>Taster &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the last button</source>
+        <translation>Den letzten Taster entfernen</translation>
+    </message>
+    <message>
+        <source>Swap the first two buttons; differences change their sign</source>
+        <translation>Die ersten beiden Taster tauschen; Unterschiede wechseln das Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Comparison table</source>
+        <translation>Vergleichstabelle</translation>
     </message>
 </context>
 <context>
@@ -3497,8 +3556,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::DeviceExportDialog</name>
     <message>
-        <source>none was there</source>
-        <translation>war keine da</translation>
+        <source>missing</source>
+        <translation>fehlt</translation>
     </message>
     <message>
         <source>Energy kept: %1</source>
@@ -3570,6 +3629,13 @@ Lizenz: %3</translation>
     <message>
         <source>What a finger feels that controls force: jumps are vertical lines.</source>
         <translation>Was ein Finger fühlt, der die Kraft steuert: Sprünge sind senkrechte Linien.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::DocumentTab</name>
+    <message>
+        <source>Select a point to type its values.</source>
+        <translation>Wählen Sie einen Punkt, um seine Werte einzugeben.</translation>
     </message>
 </context>
 <context>
@@ -3688,6 +3754,14 @@ Lizenz: %3</translation>
         <source>Export the comparison</source>
         <translation>Vergleich exportieren</translation>
     </message>
+    <message>
+        <source>Samples at given travels</source>
+        <translation>Werte bei bestimmten Wegen</translation>
+    </message>
+    <message>
+        <source>Step, or travels with spaces between them, in %1:</source>
+        <translation>Schritt, oder Wege mit Leerzeichen dazwischen, in %1:</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::FeelPanel</name>
@@ -3710,10 +3784,6 @@ Lizenz: %3</translation>
     <message>
         <source>Press the other button</source>
         <translation>Den anderen Taster drücken</translation>
-    </message>
-    <message>
-        <source>Exchange A and B under the finger. Both are played at their true levels: nothing is made equally loud.</source>
-        <translation>A und B unter dem Finger tauschen. Beide werden mit ihren wahren Pegeln gespielt: Nichts wird gleich laut gemacht.</translation>
     </message>
     <message>
         <source>Standard press</source>
@@ -3802,6 +3872,10 @@ Lizenz: %3</translation>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Switch between A and B while pressing. Both are played at their true levels: nothing is made equally loud.</source>
+        <translation>Wechselt beim Drücken zwischen A und B. Beide klingen in ihrer wahren Stärke: nichts wird gleich laut gemacht.</translation>
     </message>
 </context>
 <context>
@@ -4070,10 +4144,6 @@ Lizenz: %3</translation>
         <translation>Hängt: seit 10 s dieselbe Kraft. Etwas drückt darauf, oder er ist defekt.</translation>
     </message>
     <message>
-        <source>Unplugged. It goes on by itself when it is plugged in again.</source>
-        <translation>Abgezogen. Sobald er wieder angesteckt ist, geht es von selbst weiter.</translation>
-    </message>
-    <message>
         <source>; %1 readings rejected, %2 lines not understood</source>
         <translation>; %1 Messwerte verworfen, %2 Zeilen nicht verstanden</translation>
     </message>
@@ -4084,6 +4154,10 @@ Lizenz: %3</translation>
     <message>
         <source>Device profiles (*.device);;All files (*)</source>
         <translation>Geräteprofile (*.device);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Unplugged. Resumes when reconnected.</source>
+        <translation>Abgezogen. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
     </message>
 </context>
 <context>
@@ -4109,8 +4183,8 @@ Lizenz: %3</translation>
         <translation>Nicht gespeichert: %1</translation>
     </message>
     <message>
-        <source>Another Detent window (process %1) has this file open. Whoever saves second is asked before the first one&apos;s changes are overwritten.</source>
-        <translation>Ein anderes Detent-Fenster (Prozess %1) hat diese Datei offen. Wer als Zweiter speichert, wird gefragt, bevor die Änderungen des Ersten überschrieben werden.</translation>
+        <source>Another Detent window (process %1) has this file open. You&apos;ll be warned before overwriting the other window&apos;s changes.</source>
+        <translation>Ein anderes Detent-Fenster (Prozess %1) hat diese Datei geöffnet. Sie werden gewarnt, bevor Sie dessen Änderungen überschreiben.</translation>
     </message>
     <message>
         <source>Overwrite</source>
@@ -4263,24 +4337,8 @@ Lizenz: %3</translation>
         <translation>Rahmen zurücksetzen</translation>
     </message>
     <message>
-        <source>The last result that worked, %1 % sure</source>
-        <translation>Das letzte gelungene Ergebnis, %1 % sicher</translation>
-    </message>
-    <message>
-        <source>%1 % sure: please check</source>
-        <translation>%1 % sicher: bitte prüfen</translation>
-    </message>
-    <message>
-        <source>%1 % sure</source>
-        <translation>%1 % sicher</translation>
-    </message>
-    <message>
         <source>Reading the graph …</source>
         <translation>Der Graph wird gelesen …</translation>
-    </message>
-    <message>
-        <source>Nothing to import yet</source>
-        <translation>Noch nichts zu importieren</translation>
     </message>
     <message>
         <source>%1 %2 %</source>
@@ -4293,6 +4351,22 @@ Lizenz: %3</translation>
     <message>
         <source>because: %1</source>
         <translation>denn: %1</translation>
+    </message>
+    <message>
+        <source>Last valid result (%1 % confidence)</source>
+        <translation>Letztes gültiges Ergebnis (%1 % Sicherheit)</translation>
+    </message>
+    <message>
+        <source>Confidence %1 %: check before importing</source>
+        <translation>Sicherheit %1 %: vor dem Import prüfen</translation>
+    </message>
+    <message>
+        <source>Confidence %1 %</source>
+        <translation>Sicherheit %1 %</translation>
+    </message>
+    <message>
+        <source>Not readable yet</source>
+        <translation>Noch nicht lesbar</translation>
     </message>
 </context>
 <context>
@@ -4326,10 +4400,6 @@ Lizenz: %3</translation>
         <translation>Das Kraftgerät wird geöffnet …</translation>
     </message>
     <message>
-        <source>The force device is gone, without force. It goes on by itself when it is back.</source>
-        <translation>Das Kraftgerät ist weg, ohne Kraft. Sobald es zurück ist, geht es von selbst weiter.</translation>
-    </message>
-    <message>
         <source>No force: %1</source>
         <translation>Keine Kraft: %1</translation>
     </message>
@@ -4360,6 +4430,10 @@ Lizenz: %3</translation>
     <message>
         <source>Slopes against what the device bears, drawn over the graph</source>
         <translation>Steigungen gegen das, was das Gerät trägt, über den Graphen gezeichnet</translation>
+    </message>
+    <message>
+        <source>The force device is disconnected and without force. Resumes when reconnected.</source>
+        <translation>Das Kraftgerät ist getrennt und ohne Kraft. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
     </message>
 </context>
 <context>
@@ -4722,8 +4796,8 @@ Lizenz: %3</translation>
         <translation>Größe der Schrift</translation>
     </message>
     <message>
-        <source>&amp;Made for:</source>
-        <translation>&amp;Wofür:</translation>
+        <source>&amp;Preset:</source>
+        <translation>&amp;Vorlage:</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -4838,8 +4912,8 @@ Lizenz: %3</translation>
         <translation>Hinweg schwarz, Rückweg schwarz und gestrichelt</translation>
     </message>
     <message>
-        <source>&amp;Name the points</source>
-        <translation>P&amp;unkte benennen</translation>
+        <source>&amp;Label points</source>
+        <translation>Punkte &amp;beschriften</translation>
     </message>
     <message>
         <source>Tactile points, operating and reset point and bottom-out, with their values</source>
@@ -4866,8 +4940,8 @@ Lizenz: %3</translation>
         <translation>&amp;Toleranz ±:</translation>
     </message>
     <message>
-        <source>or by a force ±:</source>
-        <translation>oder um eine Kraft ±:</translation>
+        <source>or ± force:</source>
+        <translation>oder ± Kraft:</translation>
     </message>
     <message>
         <source>The font is too large for this size: there is no room for the curves.</source>
@@ -5085,8 +5159,8 @@ Lizenz: %3</translation>
         <translation>Am &amp;Raster fangen</translation>
     </message>
     <message>
-        <source>Dragged points cling to the snap grid</source>
-        <translation>Gezogene Punkte haften am Fangraster</translation>
+        <source>Snap dragged points to the grid</source>
+        <translation>Gezogene Punkte rasten am Raster ein</translation>
     </message>
     <message>
         <source>Snap to tr&amp;aced points</source>
@@ -5101,16 +5175,16 @@ Lizenz: %3</translation>
         <translation>An der anderen K&amp;urve fangen</translation>
     </message>
     <message>
-        <source>Points of the press cling to the release curve, and the other way round</source>
-        <translation>Punkte des Drückens haften an der Kurve des Rückwegs und umgekehrt</translation>
+        <source>Snap press points to the release curve, and vice versa</source>
+        <translation>Punkte des Hinwegs rasten an der Rückwegkurve ein und umgekehrt</translation>
     </message>
     <message>
         <source>&amp;Zoom to a rectangle</source>
         <translation>Rechteck ver&amp;größern</translation>
     </message>
     <message>
-        <source>Drag a rectangle to see it enlarged; a click comes nearer</source>
-        <translation>Ein Rechteck aufziehen, um es vergrößert zu sehen; ein Klick kommt näher</translation>
+        <source>Drag a rectangle to zoom in; a click zooms in</source>
+        <translation>Rechteck aufziehen zum Vergrößern; ein Klick vergrößert</translation>
     </message>
     <message>
         <source>Grid ste&amp;ps…</source>
@@ -5135,6 +5209,14 @@ Lizenz: %3</translation>
     <message>
         <source>Graph of %1</source>
         <translation>Graph von %1</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another: travel, force and slope between them</source>
+        <translation>Von einer Stelle zur anderen ziehen: Weg, Kraft und Steigung dazwischen</translation>
     </message>
 </context>
 <context>
@@ -5504,10 +5586,6 @@ Lizenz: %3</translation>
         <translation>Weg der kleinsten Kraft nach der Spitze.</translation>
     </message>
     <message>
-        <source>Peak force less valley force: what a finger feels as the event.</source>
-        <translation>Spitzenkraft weniger Talkraft: was ein Finger als Ereignis fühlt.</translation>
-    </message>
-    <message>
         <source>Tactile drop over peak force; also tactile or click ratio.</source>
         <translation>Kraftabfall durch Spitzenkraft; auch Click Ratio.</translation>
     </message>
@@ -5564,40 +5642,8 @@ Lizenz: %3</translation>
         <translation>Kennzahlen setzen</translation>
     </message>
     <message>
-        <source>%1 (mJ)</source>
-        <translation>%1 (mJ)</translation>
-    </message>
-    <message>
-        <source>Keep: %1</source>
-        <translation>Behalten: %1</translation>
-    </message>
-    <message>
-        <source>Typed values are applied at once; kept figures stay</source>
-        <translation>Eingegebene Werte gelten sofort; behaltene Kenngrößen bleiben</translation>
-    </message>
-    <message>
-        <source>Values that are to be had together: shown dashed in the graph before they are taken</source>
-        <translation>Werte, die zusammen gelten sollen: im Graphen gestrichelt zu sehen, bevor sie übernommen werden</translation>
-    </message>
-    <message>
-        <source>Figures that stay as they are while others are given</source>
-        <translation>Kennzahlen, die bleiben, während andere gegeben werden</translation>
-    </message>
-    <message>
         <source>Key figure</source>
         <translation>Kennzahl</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
-        <source>Wanted</source>
-        <translation>Gewünscht</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
     </message>
     <message>
         <source>Set: %1</source>
@@ -5635,32 +5681,76 @@ Lizenz: %3</translation>
         <source>Displacement of the end of the press (TT).</source>
         <translation>Weg am Ende des Drucks (TT).</translation>
     </message>
+    <message>
+        <source>Peak force minus valley force; the drop the finger feels.</source>
+        <translation>Spitzenkraft minus Talkraft; der Abfall, den der Finger spürt.</translation>
+    </message>
+    <message>
+        <source>Set…</source>
+        <translation>Setzen …</translation>
+    </message>
+    <message>
+        <source>Lock: %1</source>
+        <translation>Sperren: %1</translation>
+    </message>
+    <message>
+        <source>Changes apply immediately; locked figures don&apos;t move.</source>
+        <translation>Änderungen gelten sofort; gesperrte Kennzahlen bleiben.</translation>
+    </message>
+    <message>
+        <source>Targets are solved together; the dashed curve previews the result.</source>
+        <translation>Zielwerte werden gemeinsam gelöst; die gestrichelte Kurve zeigt das Ergebnis vorab.</translation>
+    </message>
+    <message>
+        <source>Locked figures stay as they are while others change.</source>
+        <translation>Gesperrte Kennzahlen bleiben, während sich andere ändern.</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Aktuell</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Fest</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::KeyFiguresPanel</name>
-    <message>
-        <source>Looking for the smallest change…</source>
-        <translation>Die kleinste Änderung wird gesucht …</translation>
-    </message>
     <message>
         <source>Key figures of the button</source>
         <translation>Kennzahlen des Tasters</translation>
     </message>
     <message>
-        <source>Take &amp;over</source>
-        <translation>Üb&amp;ernehmen</translation>
+        <source>A&amp;ll figures</source>
+        <translation>A&amp;lle Kennzahlen</translation>
     </message>
     <message>
-        <source>Change the curve to the wanted figures</source>
-        <translation>Die Kurve auf die gewünschten Kenngrößen ändern</translation>
+        <source>Show all key figures, not the most used alone</source>
+        <translation>Alle Kennzahlen zeigen, nicht nur die gebräuchlichsten</translation>
     </message>
     <message>
-        <source>Give &amp;up</source>
-        <translation>&amp;Verwerfen</translation>
+        <source>&amp;Apply</source>
+        <translation>&amp;Anwenden</translation>
     </message>
     <message>
-        <source>Want nothing any more</source>
-        <translation>Nichts mehr wünschen</translation>
+        <source>Change the curve to the target figures</source>
+        <translation>Die Kurve auf die Zielwerte bringen</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Clear all targets</source>
+        <translation>Alle Zielwerte löschen</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Wird gelöst …</translation>
     </message>
 </context>
 <context>
@@ -5719,20 +5809,20 @@ Lizenz: %3</translation>
         <translation>Knoten hinzufügen</translation>
     </message>
     <message>
-        <source>Take a pin out</source>
-        <translation>Nadel lösen</translation>
-    </message>
-    <message>
-        <source>Pin a point</source>
-        <translation>Punkt anheften</translation>
-    </message>
-    <message>
         <source>The point can be moved again.</source>
         <translation>Der Punkt lässt sich wieder bewegen.</translation>
     </message>
     <message>
         <source>Pinned: no edit moves this point until P is pressed on it again.</source>
         <translation>Angeheftet: nichts bewegt diesen Punkt, bis auf ihm wieder P gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Unlock a point</source>
+        <translation>Punkt entsperren</translation>
+    </message>
+    <message>
+        <source>Lock a point</source>
+        <translation>Punkt sperren</translation>
     </message>
 </context>
 <context>
@@ -5797,8 +5887,8 @@ Lizenz: %3</translation>
         <translation>Ordner wählen …</translation>
     </message>
     <message>
-        <source>The buttons of a folder can be listed here.</source>
-        <translation>Hier lassen sich die Taster eines Ordners aufführen.</translation>
+        <source>Choose a folder to list its buttons.</source>
+        <translation>Wählen Sie einen Ordner, um seine Taster aufzulisten.</translation>
     </message>
     <message>
         <source>No button files (*.button.json) with this name here.</source>
@@ -5854,10 +5944,6 @@ Lizenz: %3</translation>
         <translation>Sammlung</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>Werte</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Verlauf</translation>
     </message>
@@ -5866,20 +5952,12 @@ Lizenz: %3</translation>
         <translation>Prüfungen</translation>
     </message>
     <message>
-        <source>Feel it</source>
-        <translation>Fühlen</translation>
-    </message>
-    <message>
         <source>Button B to exchange with</source>
         <translation>Taster B zum Tauschen</translation>
     </message>
     <message>
         <source>The second button (B): press it in exchange with the one shown</source>
         <translation>Der zweite Taster (B): im Wechsel mit dem gezeigten zu drücken</translation>
-    </message>
-    <message>
-        <source>Exchange &amp;with:</source>
-        <translation>&amp;Tauschen mit:</translation>
     </message>
     <message>
         <source>Displacement and force under the mouse</source>
@@ -6166,32 +6244,12 @@ Lizenz: %3</translation>
         <translation>&amp;Hell</translation>
     </message>
     <message>
-        <source>Dark text on light ground</source>
-        <translation>Dunkler Text auf hellem Grund</translation>
-    </message>
-    <message>
         <source>&amp;Dark</source>
         <translation>&amp;Dunkel</translation>
     </message>
     <message>
-        <source>Light text on dark ground</source>
-        <translation>Heller Text auf dunklem Grund</translation>
-    </message>
-    <message>
         <source>&amp;Button</source>
         <translation>&amp;Taster</translation>
-    </message>
-    <message>
-        <source>&amp;Compare…</source>
-        <translation>&amp;Vergleichen …</translation>
-    </message>
-    <message>
-        <source>Lay this button over others and list the differences</source>
-        <translation>Diesen Taster über andere legen und die Unterschiede aufführen</translation>
-    </message>
-    <message>
-        <source>&amp;Who will be taken for whom?…</source>
-        <translation>&amp;Wer wird mit wem verwechselt? …</translation>
     </message>
     <message>
         <source>Predict for all open buttons which of them people will confuse</source>
@@ -6254,10 +6312,6 @@ Lizenz: %3</translation>
         <translation>&amp;Wiederherstellen: %1</translation>
     </message>
     <message>
-        <source>&amp;Forget these</source>
-        <translation>Diese &amp;vergessen</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
@@ -6294,12 +6348,8 @@ Lizenz: %3</translation>
         <translation>Den Teil der Seite um den Graphen mit dem Taster speichern, falls das Datenblatt einmal nicht zur Hand ist</translation>
     </message>
     <message>
-        <source>Write what a standard press feels like that begins in the state shown: mono, 48 kHz</source>
+        <source>Export the vibration of a standard press (WAV, mono, 48 kHz)</source>
         <translation>Schreiben, wie sich ein Normdruck anfühlt, der im gezeigten Zustand beginnt: mono, 48 kHz</translation>
-    </message>
-    <message>
-        <source>Key figures</source>
-        <translation>Kennzahlen</translation>
     </message>
     <message>
         <source>For a &amp;device…</source>
@@ -6318,24 +6368,12 @@ Lizenz: %3</translation>
         <translation>Eine Webseite schreiben, die jeder öffnen und drücken kann, ohne etwas zu installieren</translation>
     </message>
     <message>
-        <source>Write a picture of the graph as the window shows it, 2400 by 1600 pixels</source>
-        <translation>Ein Bild des Graphen schreiben, wie das Fenster ihn zeigt, 2400 mal 1600 Pixel</translation>
-    </message>
-    <message>
         <source>&amp;Graph for datasheet, paper or slide…</source>
         <translation>&amp;Graph für Datenblatt, Aufsatz oder Folie …</translation>
     </message>
     <message>
         <source>Write the graph as it is printed: SVG, PDF or PNG in any size, language and unit</source>
         <translation>Den Graphen schreiben, wie er gedruckt wird: SVG, PDF oder PNG in jeder Größe, Sprache und Einheit</translation>
-    </message>
-    <message>
-        <source>Open a second button: there is nothing in between yet.</source>
-        <translation>Öffnen Sie einen zweiten Taster: Noch liegt nichts dazwischen.</translation>
-    </message>
-    <message>
-        <source>&amp;Between two buttons…</source>
-        <translation>&amp;Zwischen zwei Tastern …</translation>
     </message>
     <message>
         <source>Make a button on the way from one open button to another</source>
@@ -6414,12 +6452,112 @@ Lizenz: %3</translation>
         <translation>Die gemessenen Schalter nennen, die diesem Taster am nächsten sind</translation>
     </message>
     <message>
-        <source>Open a second button: an average needs two.</source>
-        <translation>Öffnen Sie einen zweiten Taster: Ein Mittel braucht zwei.</translation>
-    </message>
-    <message>
         <source>&amp;Average open buttons…</source>
         <translation>&amp;Mittel der offenen Taster …</translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>Compare &amp;with:</source>
+        <translation>Vergleichen &amp;mit:</translation>
+    </message>
+    <message>
+        <source>Open a second button first: a blend needs two.</source>
+        <translation>Öffnen Sie zuerst einen zweiten Taster: Eine Mischung braucht zwei.</translation>
+    </message>
+    <message>
+        <source>Open a second button first: an average needs two.</source>
+        <translation>Öffnen Sie zuerst einen zweiten Taster: Ein Mittelwert braucht zwei.</translation>
+    </message>
+    <message>
+        <source>Copied the key figures as a table.</source>
+        <translation>Kennzahlen als Tabelle kopiert.</translation>
+    </message>
+    <message>
+        <source>Write a picture of the graph, 2400 by 1600 pixels. The button is stored inside: Detent opens it again</source>
+        <translation>Schreibt ein Bild des Graphen, 2400 mal 1600 Pixel. Der Taster steckt darin: Detent öffnet ihn wieder</translation>
+    </message>
+    <message>
+        <source>Samples at given t&amp;ravels (CSV)…</source>
+        <translation>Werte bei bestimmten We&amp;gen (CSV) …</translation>
+    </message>
+    <message>
+        <source>Write press and release at even steps of travel, or at the travels you type</source>
+        <translation>Schreibt Drücken und Rückweg in gleichen Wegschritten oder bei den eingegebenen Wegen</translation>
+    </message>
+    <message>
+        <source>Copy key fi&amp;gures</source>
+        <translation>Kennzahlen ko&amp;pieren</translation>
+    </message>
+    <message>
+        <source>Copy the key figures as a table for spreadsheets, in the units shown</source>
+        <translation>Kopiert die Kennzahlen als Tabelle für Tabellenkalkulationen, in den gezeigten Einheiten</translation>
+    </message>
+    <message>
+        <source>Show the graph and its inspector</source>
+        <translation>Zeigt den Graphen und seinen Inspektor</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Show buttons over each other, with their differences</source>
+        <translation>Zeigt Taster übereinander, mit ihren Unterschieden</translation>
+    </message>
+    <message>
+        <source>Fee&amp;l</source>
+        <translation>Füh&amp;len</translation>
+    </message>
+    <message>
+        <source>Press the button, hear it and see its vibration</source>
+        <translation>Den Taster drücken, hören und seine Schwingung sehen</translation>
+    </message>
+    <message>
+        <source>Dark text on light background</source>
+        <translation>Dunkle Schrift auf hellem Grund</translation>
+    </message>
+    <message>
+        <source>Light text on dark background</source>
+        <translation>Helle Schrift auf dunklem Grund</translation>
+    </message>
+    <message>
+        <source>&amp;Blend two buttons…</source>
+        <translation>Zwei Taster &amp;mischen …</translation>
+    </message>
+    <message>
+        <source>Predicted &amp;confusion…</source>
+        <translation>Vorhergesagte &amp;Verwechslung …</translation>
+    </message>
+    <message>
+        <source>&amp;Clear list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>&amp;Reference curve</source>
+        <translation>&amp;Referenzkurve</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keine</translation>
+    </message>
+    <message>
+        <source>This button as it is &amp;now</source>
+        <translation>Dieser Taster, wie er &amp;jetzt ist</translation>
+    </message>
+    <message>
+        <source>%1, kept</source>
+        <translation>%1, behalten</translation>
     </message>
 </context>
 <context>
@@ -6453,6 +6591,13 @@ Lizenz: %3</translation>
     <message>
         <source>Paint over parts that are not a curve. [ and ] change the size of the brush.</source>
         <translation>Übermalen Sie Teile, die keine Kurve sind. [ und ] ändern die Größe des Pinsels.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MeasureTool</name>
+    <message>
+        <source>Drag from one place to another to measure between them. Ctrl: no snapping.</source>
+        <translation>Von einer Stelle zur anderen ziehen, um dazwischen zu messen. Strg: kein Einrasten.</translation>
     </message>
 </context>
 <context>
@@ -6713,10 +6858,6 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
 <context>
     <name>detent::editor::MorphDialog</name>
     <message>
-        <source>Between two buttons</source>
-        <translation>Zwischen zwei Tastern</translation>
-    </message>
-    <message>
         <source>The button at the left end of the slider</source>
         <translation>Der Taster am linken Ende des Schiebers</translation>
     </message>
@@ -6725,12 +6866,12 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Der Taster am rechten Ende des Schiebers</translation>
     </message>
     <message>
-        <source>How far on the way from the one to the other, in %</source>
-        <translation>Wie weit auf dem Weg vom einen zum anderen, in %</translation>
+        <source>0 % = first button, 100 % = second</source>
+        <translation>0 % = erster Taster, 100 % = zweiter</translation>
     </message>
     <message>
-        <source>Share of the way</source>
-        <translation>Anteil des Wegs</translation>
+        <source>Blend</source>
+        <translation>Mischung</translation>
     </message>
     <message>
         <source>The three force graphs over each other</source>
@@ -6763,6 +6904,10 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
     <message>
         <source>Against B: %1</source>
         <translation>Gegen B: %1</translation>
+    </message>
+    <message>
+        <source>Blend two buttons</source>
+        <translation>Zwei Taster mischen</translation>
     </message>
 </context>
 <context>
@@ -6843,8 +6988,8 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>&amp;Rückweg entfernen …</translation>
     </message>
     <message>
-        <source>The release is then felt on the press curve</source>
-        <translation>Der Rückweg wird dann auf der Kurve des Drückens gefühlt</translation>
+        <source>Release will follow the press curve</source>
+        <translation>Der Rückweg folgt dann der Hinwegkurve</translation>
     </message>
     <message>
         <source>Scale &amp;force…</source>
@@ -6863,12 +7008,12 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>Alle Wege mit einem Faktor</translation>
     </message>
     <message>
-        <source>Ref&amp;it to the traced points…</source>
-        <translation>&amp;Neu an die abgelesenen Punkte anpassen …</translation>
+        <source>Ref&amp;it curve…</source>
+        <translation>Kurve neu an&amp;passen …</translation>
     </message>
     <message>
-        <source>With more or fewer pieces</source>
-        <translation>Mit mehr oder weniger Stücken</translation>
+        <source>Number of segments</source>
+        <translation>Anzahl der Abschnitte</translation>
     </message>
     <message>
         <source>&amp;Operating and reset point…</source>
@@ -7136,41 +7281,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::PointField</name>
-    <message>
-        <source>Values of the selected point</source>
-        <translation>Werte des gewählten Punkts</translation>
-    </message>
-    <message>
-        <source>&amp;Displacement</source>
-        <translation>&amp;Weg</translation>
-    </message>
-    <message>
-        <source>&amp;Force</source>
-        <translation>&amp;Kraft</translation>
-    </message>
-    <message>
-        <source>Slope &amp;before</source>
-        <translation>Steigung d&amp;avor</translation>
-    </message>
-    <message>
-        <source>&amp;Slope</source>
-        <translation>&amp;Steigung</translation>
-    </message>
-    <message>
-        <source>Slope a&amp;fter</source>
-        <translation>Steigung da&amp;nach</translation>
-    </message>
-    <message>
-        <source>Select a point to type its values.</source>
-        <translation>Wählen Sie einen Punkt, um seine Werte einzugeben.</translation>
-    </message>
-    <message>
-        <source>Set: %1</source>
-        <translation>Setzen: %1</translation>
-    </message>
-</context>
-<context>
     <name>detent::editor::PressPad</name>
     <message>
         <source>Press pad</source>
@@ -7240,8 +7350,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&lt;p&gt;Die letzten 3 Sekunden: Tiefe des Fingers (unten ist tiefer) und was zu fühlen war.&lt;/p&gt;&lt;p&gt;Kurze Striche: Körner der Steigungen. Balken: Sprünge des Drückens und des Rückwegs, Anschlag. Die Linie darüber steht für den geschlossenen Kontakt.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>What is felt runs through here</source>
-        <translation>Hier läuft durch, was zu fühlen ist</translation>
+        <source>Live trace</source>
+        <translation>Laufende Aufzeichnung</translation>
     </message>
 </context>
 <context>
@@ -7285,7 +7395,7 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::RecoveryStore</name>
     <message>
-        <source>Autosave is off: the folder %1 cannot be written. Save your work yourself.</source>
+        <source>Autosave is off: the folder %1 cannot be written. Save manually.</source>
         <translation>Das automatische Sichern ist aus: In den Ordner %1 lässt sich nicht schreiben. Speichern Sie Ihre Arbeit selbst.</translation>
     </message>
 </context>
@@ -7376,13 +7486,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::ScrubLabel</name>
-    <message>
-        <source>Drag to the right for more, to the left for less; with Shift ten times as fast</source>
-        <translation>Nach rechts ziehen für mehr, nach links für weniger; mit Umschalt zehnmal so schnell</translation>
-    </message>
-</context>
-<context>
     <name>detent::editor::SelectTool</name>
     <message>
         <source>There is no knot here. Add one (K) to select it with others.</source>
@@ -7416,6 +7519,29 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
+    <name>detent::editor::SelectionPanel</name>
+    <message>
+        <source>Numbers of the selected point</source>
+        <translation>Zahlen des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Select a point in the graph.</source>
+        <translation>Wählen Sie einen Punkt im Graphen.</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::SheetDesk</name>
     <message>
         <source>Discard the corrections of this sheet?</source>
@@ -7446,8 +7572,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Das Blatt suchen</translation>
     </message>
     <message>
-        <source>The page of %1 is behind the curves again.</source>
-        <translation>Die Seite von %1 liegt wieder hinter den Kurven.</translation>
+        <source>Datasheet page of %1 restored.</source>
+        <translation>Datenblattseite von %1 wiederhergestellt.</translation>
     </message>
     <message>
         <source>The sheet this button was read from, %1, is neither beside its file nor where it was last.</source>
@@ -7667,10 +7793,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Das Audiogerät %1 ist weg. Stecken Sie es an oder starten Sie seinen Server neu: Der Ton geht von selbst weiter. Bis dahin wird dem Finger still gefolgt.</translation>
     </message>
     <message>
-        <source>No sound: %1 The finger is followed silently.</source>
-        <translation>Kein Ton: %1 Dem Finger wird still gefolgt.</translation>
-    </message>
-    <message>
         <source>%1 · %2 kHz</source>
         <translation>%1 · %2 kHz</translation>
     </message>
@@ -7689,6 +7811,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source> · losses: %1</source>
         <translation> · Verluste: %1</translation>
+    </message>
+    <message>
+        <source>No audio output. Presses are tracked without sound. %1</source>
+        <translation>Keine Tonausgabe. Drücke werden ohne Ton verfolgt. %1</translation>
     </message>
 </context>
 <context>
@@ -8601,16 +8727,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Druckpunkt %1</translation>
     </message>
     <message>
-        <source>Turn %1</source>
-        <translation>Umkehrpunkt %1</translation>
-    </message>
-    <message>
         <source>Knot %1</source>
         <translation>Knoten %1</translation>
-    </message>
-    <message>
-        <source>Section %1</source>
-        <translation>Abschnitt %1</translation>
     </message>
     <message>
         <source>slope</source>
@@ -8633,22 +8751,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Rückweg: Druckpunkte</translation>
     </message>
     <message>
-        <source>Press: valleys and humps</source>
-        <translation>Drücken: Täler und Buckel</translation>
-    </message>
-    <message>
-        <source>Release: valleys and humps</source>
-        <translation>Rückweg: Täler und Buckel</translation>
-    </message>
-    <message>
-        <source>Press: sections, at their ends</source>
-        <translation>Drücken: Abschnitte, an ihren Enden</translation>
-    </message>
-    <message>
-        <source>Release: sections, at their ends</source>
-        <translation>Rückweg: Abschnitte, an ihren Enden</translation>
-    </message>
-    <message>
         <source>Press: knots</source>
         <translation>Drücken: Knoten</translation>
     </message>
@@ -8669,32 +8771,56 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Steigung auf der linken Seite des Knotens</translation>
     </message>
     <message>
-        <source>Slope on the knot&apos;s right side; of a section, from end to end</source>
-        <translation>Steigung auf der rechten Seite des Knotens; bei einem Abschnitt von Ende zu Ende</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
-    </message>
-    <message>
         <source>Set: %1</source>
         <translation>Setzen: %1</translation>
-    </message>
-    <message>
-        <source>At</source>
-        <translation>Bei</translation>
     </message>
     <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
     <message>
-        <source>Before</source>
-        <translation>Davor</translation>
+        <source>Valley or peak %1</source>
+        <translation>Tal oder Spitze %1</translation>
     </message>
     <message>
-        <source>Slope</source>
-        <translation>Steigung</translation>
+        <source>Segment %1</source>
+        <translation>Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>Press: valleys and peaks</source>
+        <translation>Drücken: Täler und Spitzen</translation>
+    </message>
+    <message>
+        <source>Release: valleys and peaks</source>
+        <translation>Rückweg: Täler und Spitzen</translation>
+    </message>
+    <message>
+        <source>Press: segments (end point)</source>
+        <translation>Drücken: Abschnitte (Endpunkt)</translation>
+    </message>
+    <message>
+        <source>Release: segments (end point)</source>
+        <translation>Rückweg: Abschnitte (Endpunkt)</translation>
+    </message>
+    <message>
+        <source>Slope on the knot&apos;s right side; of a segment, from end to end</source>
+        <translation>Steigung rechts des Knotens; bei einem Abschnitt von Ende zu Ende</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Slope before</source>
+        <translation>Steigung davor</translation>
+    </message>
+    <message>
+        <source>Slope after</source>
+        <translation>Steigung danach</translation>
     </message>
 </context>
 <context>
@@ -8711,23 +8837,19 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Legen Sie hier ein Datenblatt ab</translation>
     </message>
     <message>
-        <source>A picture, a PDF, an SVG, a force meter&apos;s CSV, or a button file. Detent reads the force graph and makes a button of it that you can shape and feel.</source>
+        <source>A picture, a PDF, an SVG, a force meter&apos;s CSV, or a button file. Detent reads the force graph and turns it into a button you can edit and feel.</source>
         <translation>Ein Bild, ein PDF, ein SVG, die CSV eines Kraftmessgeräts oder eine Tasterdatei. Detent liest den Kraftgraphen und macht daraus einen Taster, den Sie formen und fühlen können.</translation>
     </message>
     <message>
-        <source>Opened last</source>
+        <source>Recent files</source>
         <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Files opened last</source>
-        <translation>Zuletzt geöffnete Dateien</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::ZoomTool</name>
     <message>
-        <source>Drag a rectangle to see it enlarged; a click comes nearer, with Shift it goes back. F shows all.</source>
-        <translation>Ein Rechteck aufziehen, um es vergrößert zu sehen; ein Klick kommt näher, mit Umschalt geht es zurück. F zeigt alles.</translation>
+        <source>Drag a rectangle to zoom in; click zooms in, Shift+click zooms out, F fits.</source>
+        <translation>Rechteck aufziehen zum Vergrößern; Klick vergrößert, Umschalt+Klick verkleinert, F zeigt alles.</translation>
     </message>
 </context>
 <context>

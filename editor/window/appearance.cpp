@@ -2,6 +2,8 @@
 #include "editor/window/appearance.h"
 
 #include <cmath>
+#include <QAbstractItemView>
+#include <QPainter>
 #include <QProxyStyle>
 #include <QStyleOption>
 
@@ -42,9 +44,26 @@ QColor between(const QColor& from, const QColor& to, float share) {
                           std::lerp(from.blueF(), to.blueF(), share));
 }
 
+/// Fusion with outlines that can be seen, flat surfaces and one spacing.
 class OutlinedStyle : public QProxyStyle {
  public:
   OutlinedStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    switch (metric) {
+      case PM_LayoutLeftMargin:
+      case PM_LayoutTopMargin:
+      case PM_LayoutRightMargin:
+      case PM_LayoutBottomMargin:
+      case PM_LayoutHorizontalSpacing:
+      case PM_LayoutVerticalSpacing:
+        return spacing_px;
+      case PM_DockWidgetTitleMargin:
+        return spacing_px / 2;
+      default:
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
+  }
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
@@ -56,11 +75,45 @@ class OutlinedStyle : public QProxyStyle {
         return drawOutlined<QStyleOptionFrame>(*option, draw);
       case PE_IndicatorCheckBox:
       case PE_IndicatorRadioButton:
-      case PE_PanelButtonCommand:
         return drawOutlined<QStyleOptionButton>(*option, draw);
+      case PE_PanelButtonCommand:
+        return drawButton(*option, *painter);
+      case PE_IndicatorTabClose:
+        return drawCross(*option, *painter);
+      case PE_Frame:
+        if (qobject_cast<const QAbstractItemView*>(widget)) return;  // its background sets it off
+        return draw(*option);
       default:
         return draw(*option);
     }
+  }
+
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override {
+    switch (element) {
+      case CE_PushButtonLabel:
+        if (isPrimary(*option)) {
+          QStyleOptionButton label(*qstyleoption_cast<const QStyleOptionButton*>(option));
+          label.palette.setColor(QPalette::ButtonText, label.palette.color(QPalette::HighlightedText));
+          return QProxyStyle::drawControl(element, &label, painter, widget);
+        }
+        break;
+      case CE_TabBarTabShape:
+        return drawTab(*option, *painter);
+      case CE_ToolBar:
+        return painter->fillRect(option->rect, option->palette.window());
+      case CE_HeaderSection:
+        painter->fillRect(option->rect, option->palette.window());
+        return painter->fillRect(lowestLine(option->rect), option->palette.mid());
+      case CE_DockWidgetTitle:
+        painter->save();
+        makeBold(*painter);
+        QProxyStyle::drawControl(element, option, painter, widget);
+        return painter->restore();
+      default:
+        break;
+    }
+    QProxyStyle::drawControl(element, option, painter, widget);
   }
 
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
@@ -82,6 +135,74 @@ class OutlinedStyle : public QProxyStyle {
   }
 
  private:
+  static constexpr int spacing_px = 8;
+  static constexpr double radius_px = 4;
+
+  static void makeBold(QPainter& painter) {
+    QFont font = painter.font();
+    font.setBold(true);
+    painter.setFont(font);
+  }
+
+  static QRect lowestLine(const QRect& rect) { return {rect.left(), rect.bottom(), rect.width(), 1}; }
+
+  /// The button that Enter presses, in the accent colour.
+  static bool isPrimary(const QStyleOption& option) {
+    const auto* button = qstyleoption_cast<const QStyleOptionButton*>(&option);
+    return button && (button->features & QStyleOptionButton::DefaultButton) && (option.state & State_Enabled);
+  }
+
+  static void drawButton(const QStyleOption& option, QPainter& painter) {
+    constexpr int hovered = 106, pressed = 112;  // per cent darker
+    const bool primary = isPrimary(option);
+    QColor fill = option.palette.color(primary ? QPalette::Highlight : QPalette::Button);
+    if (option.state & (State_Sunken | State_On))
+      fill = fill.darker(pressed);
+    else if (option.state & State_MouseOver)
+      fill = fill.darker(hovered);
+    const bool focused = (option.state & State_HasFocus) && (option.state & State_KeyboardFocusChange);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(focused ? option.palette.color(QPalette::Link) : outlineOf(option), focused ? 2 : 1));
+    painter.setBrush(fill);
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), radius_px, radius_px);
+    painter.restore();
+  }
+
+  /// The chosen tab has the background of its page and a line in the accent colour.
+  static void drawTab(const QStyleOption& option, QPainter& painter) {
+    constexpr int line_px = 2;
+    const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(&option);
+    const bool chosen = option.state & State_Selected;
+    if (chosen || (option.state & State_MouseOver))
+      painter.fillRect(option.rect, chosen ? option.palette.base() : option.palette.button());
+    if (!chosen) return;
+    QRect line = option.rect;
+    if (tab && tab->shape == QTabBar::RoundedSouth)
+      line.setBottom(line.top() + line_px - 1);
+    else
+      line.setTop(line.bottom() - line_px + 1);
+    painter.fillRect(line, option.palette.link());
+  }
+
+  static void drawCross(const QStyleOption& option, QPainter& painter) {
+    const QPointF middle = QRectF(option.rect).center();
+    constexpr double half_px = 3.5;
+    const bool pointedAt = option.state & State_MouseOver;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (pointedAt) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(option.palette.mid());
+      painter.drawRoundedRect(option.rect, radius_px, radius_px);
+    }
+    painter.setPen(
+        QPen(option.palette.color(pointedAt ? QPalette::WindowText : QPalette::PlaceholderText), 1.4));
+    for (const double up : {-half_px, half_px})
+      painter.drawLine(middle + QPointF(-half_px, -up), middle + QPointF(half_px, up));
+    painter.restore();
+  }
+
   template <class Option, class Draw>
   static void drawOutlined(const QStyleOption& option, const Draw& draw) {
     const auto* given = qstyleoption_cast<const Option*>(&option);
@@ -93,15 +214,18 @@ class OutlinedStyle : public QProxyStyle {
 
   /// Fusion's outline is the window's colour, darkened; that of a focused control the highlight's.
   static void outline(QStyleOption& option) {
-    constexpr int darkened = 140;        // by Fusion, per cent
+    constexpr int darkened = 140;  // by Fusion, per cent
+    const QColor wanted = outlineOf(option);
+    option.palette.setColor(QPalette::Highlight, option.palette.color(QPalette::Link));
+    option.palette.setColor(QPalette::Window, wanted.lighter(darkened));
+  }
+
+  static QColor outlineOf(const QStyleOption& option) {
     constexpr float towardsText = 0.6F;  // boxes get it a tenth lighter
-    QPalette& palette = option.palette;
     const auto group = static_cast<QPalette::ColorGroup>(option.state & State_Enabled ? QPalette::Active
                                                                                       : QPalette::Disabled);
-    const QColor wanted = between(palette.color(group, QPalette::Window),
-                                  palette.color(group, QPalette::WindowText), towardsText);
-    palette.setColor(QPalette::Highlight, palette.color(QPalette::Link));
-    palette.setColor(QPalette::Window, wanted.lighter(darkened));
+    return between(option.palette.color(group, QPalette::Window),
+                   option.palette.color(group, QPalette::WindowText), towardsText);
   }
 };
 

@@ -79,7 +79,7 @@ QString energyWords(const playback::ExportLoss& loss) {
     const auto& kept = loss.energyKept[band];
     bands << range + QStringLiteral(": ") +
                  (kept ? numberText(100 * *kept, 3) + QStringLiteral(" %")
-                       : DeviceExportDialog::tr("none was there"));
+                       : DeviceExportDialog::tr("missing"));
   }
   return DeviceExportDialog::tr("Energy kept: %1").arg(bands.join(QStringLiteral(", ")));
 }

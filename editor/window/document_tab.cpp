@@ -9,6 +9,7 @@
 #include "editor/panels/history_panel.h"
 #include "editor/panels/key_figures_model.h"
 #include "editor/panels/key_figures_panel.h"
+#include "editor/panels/selection_panel.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
 #include "editor/tools/hit_test.h"
@@ -31,7 +32,7 @@ DocumentTab::DocumentTab(std::unique_ptr<ButtonDocument> document, ViewSettings&
 
 DocumentTab::~DocumentTab() {
   delete values_;
-  delete figures_;
+  delete inspector_;
   delete history_;
   delete checks_;
   delete annotations_;
@@ -53,14 +54,34 @@ QWidget* DocumentTab::valuesPanel() {
   return values_;
 }
 
-QWidget* DocumentTab::figuresPanel() {
-  if (!figures_) {
-    auto* figures = new KeyFiguresPanel(*document_, settings_, nullptr);
-    figures_ = figures;
+QWidget* DocumentTab::inspector() {
+  if (!inspector_) {
+    auto* selection = new SelectionPanel(*document_, settings_);
+    auto* figures = new KeyFiguresPanel(*document_, settings_);
+    inspector_ = new QWidget;
+    auto* column = new QVBoxLayout(inspector_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(selection);
+    column->addWidget(figures, 1);
+    inspector_->setFocusProxy(figures);
+    GraphCanvas& canvas = workspace_->canvas();
+    connect(&canvas, &GraphCanvas::selectionChanged, selection,
+            [selection, &canvas] { selection->showMark(canvas.selected()); });
+    selection->showMark(canvas.selected());
+    connect(workspace_, &GraphWorkspace::valuesRequested, this, [this, selection](FirstValue first) {
+      emit inspectorWanted();
+      if (!selection->edit(first)) emit workspace_->statusMessage(tr("Select a point to type its values."));
+    });
+    connect(selection, &SelectionPanel::edited, workspace_, qOverload<>(&QWidget::setFocus));
+    connect(figures, &KeyFiguresPanel::contactsRequested, this, [this] {
+      for (QAction* action : workspace_->editActions())
+        if (action->objectName() == QLatin1String("operationContacts")) action->trigger();
+    });
     connect(&figures->model(), &KeyFiguresModel::previewChanged, this,
             [this, figures] { workspace_->canvas().showPreview(figures->model().preview()); });
   }
-  return figures_;
+  return inspector_;
 }
 
 QWidget* DocumentTab::checksPanel() {

@@ -26,12 +26,14 @@ class DocumentTab : public QWidget {
   GraphWorkspace& workspace() { return *workspace_; }
   NoticeBar& notices() { return *notices_; }
   QWidget* valuesPanel();
-  QWidget* figuresPanel();
+  QWidget* inspector();
   QWidget* historyPanel();
   QWidget* checksPanel();
   QWidget* annotationsPanel();
 
  signals:
+  /// Numbers are to be typed in the inspector.
+  void inspectorWanted();
   /// An earlier version is to be opened as a button of its own.
   void versionOpened(const detent::Button& version);
 
@@ -42,7 +44,7 @@ class DocumentTab : public QWidget {
   GraphWorkspace* workspace_;
   void showPlace(const WarningPlace& place);
 
-  QPointer<QWidget> values_, figures_, history_, checks_, annotations_;
+  QPointer<QWidget> values_, inspector_, history_, checks_, annotations_;
 };
 
 }  // namespace detent::editor

@@ -6,6 +6,7 @@
 #include "editor/files/exports.h"
 #include "editor/library/compare_panel.h"
 #include "editor/library/compare_plot.h"
+#include "model/file/text_file.h"
 
 namespace detent::editor {
 namespace {
@@ -53,6 +54,25 @@ void ExportDesk::csv(DocumentTab& tab) {
         [&](const QString& path) { return exportCsv(document.button(), document.activeState(), path); });
 }
 
+void ExportDesk::csvAt(DocumentTab& tab) {
+  const ButtonDocument& document = tab.document();
+  const DisplayUnits& units = at_.view.units();
+  const auto typed =
+      at_.prompts.text(&at_.window, tr("Samples at given travels"),
+                       tr("Step, or travels with spaces between them, in %1:").arg(units.lengthSymbol()),
+                       QStringLiteral("0.1 mm"));
+  if (!typed) return;
+  const auto travels_mm = travelsFrom(*typed, document.graph(), units);
+  if (!travels_mm)
+    return tab.notices().say("export", NoticeBar::Kind::trouble,
+                             tr("Not exported: %1").arg(sentenceOf(travels_mm.failure())));
+  write(tab, tr("Export samples"), tr("CSV, mm and N") + " (*.csv)", ".csv", [&](const QString& path) {
+    return writeTextFileAtomically(
+        QFile::encodeName(path).toStdString(),
+        csvTextAt(document.button(), document.activeState(), *travels_mm).toStdString());
+  });
+}
+
 void ExportDesk::semicolonCsv(DocumentTab& tab) {
   const ButtonDocument& document = tab.document();
   write(tab, tr("Export samples"), tr("CSV with semicolons, mm and N") + " (*.csv)", ".csv",
@@ -72,7 +92,8 @@ void ExportDesk::graph(DocumentTab& tab) {
 
 void ExportDesk::png(DocumentTab& tab) {
   write(tab, tr("Export picture"), tr("PNG picture") + " (*.png)", ".png", [&](const QString& path) {
-    return exportPng(tab.workspace().renderImage(exportedPicture_px, exportedPixelRatio), path);
+    return exportButtonPng(tab.workspace().renderImage(exportedPicture_px, exportedPixelRatio),
+                           tab.document().button(), path);
   });
 }
 

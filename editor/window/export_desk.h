@@ -20,6 +20,7 @@ class ExportDesk : public QObject {
 
   void csv(DocumentTab& tab);
   /// CSV with decimal commas, and semicolons between the fields.
+  void csvAt(DocumentTab& tab);
   void semicolonCsv(DocumentTab& tab);
   /// The graph for printing; a dialogue requests the settings.
   void graph(DocumentTab& tab);

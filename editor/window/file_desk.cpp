@@ -160,8 +160,8 @@ void FileDesk::sayOtherEditor(DocumentTab& tab) {
   const auto other = marks_.otherEditor(tab.document());
   if (!other) return tab.notices().dismiss("otherEditor");
   tab.notices().say("otherEditor", NoticeBar::Kind::information,
-                    tr("Another Detent window (process %1) has this file open. Whoever saves second is asked "
-                       "before the first one's changes are overwritten.")
+                    tr("Another Detent window (process %1) has this file open. You'll be warned before "
+                       "overwriting the other window's changes.")
                         .arg(*other));
 }
 

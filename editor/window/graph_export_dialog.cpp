@@ -124,7 +124,7 @@ QFormLayout* GraphExportDialog::madeFor() {
   fontSize_ = described(new QSpinBox, "graphFontSize", tr("Size of the font"), tr("Size of the font"));
   fontSize_->setRange(5, 30);
   fontSize_->setSuffix(QStringLiteral(" pt"));
-  form->addRow(tr("&Made for:"), preset_);
+  form->addRow(tr("&Preset:"), preset_);
   form->addRow(tr("&Format:"), format_);
   form->addRow(tr("&Width:"), width_);
   form->addRow(tr("&Height:"), height_);
@@ -170,7 +170,7 @@ QFormLayout* GraphExportDialog::shown() {
   auto* form = new QFormLayout;
   monochrome_ =
       checkOf("graphMonochrome", tr("&Black and white"), tr("Press black, release black and dashed"));
-  callouts_ = checkOf("graphCallouts", tr("&Name the points"),
+  callouts_ = checkOf("graphCallouts", tr("&Label points"),
                       tr("Tactile points, operating and reset point and bottom-out, with their values"));
   dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"), tr("Pre-travel and differential travel"));
   tolerance_ = fieldOf("graphTolerance", tr("Tolerance band: this force above and below the press"),
@@ -181,7 +181,7 @@ QFormLayout* GraphExportDialog::shown() {
   for (QuantityField* field : {tolerance_, toleranceForce_}) field->setLowestText(tr("none"));
   for (QCheckBox* box : {monochrome_, callouts_, dimensions_}) form->addRow(box);
   form->addRow(tr("&Tolerance ±:"), tolerance_);
-  form->addRow(tr("or by a force ±:"), toleranceForce_);
+  form->addRow(tr("or ± force:"), toleranceForce_);
   return form;
 }
 

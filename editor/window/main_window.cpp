@@ -14,6 +14,7 @@
 #include <QPrinter>
 #include <QScreen>
 #include <QScrollArea>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -33,6 +34,7 @@
 #include "editor/library/morph_dialog.h"
 #include "editor/measured/measured_window.h"
 #include "editor/panels/key_figures_model.h"
+#include "editor/panels/key_figures_panel.h"
 #include "editor/quantity/quantity.h"
 #include "editor/study/experimenter_dialog.h"
 #include "editor/window/appearance.h"
@@ -48,14 +50,11 @@ namespace detent::editor {
 namespace {
 
 constexpr int messageTime_ms = 8000;
-constexpr int stateVersion = 4;  // of the docks' arrangement; changes when docks do
+constexpr int stateVersion = 5;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr int firstLibrary_px = 230, firstValues_px = 480;
-constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.5;  // of the window
-constexpr int leastForLibrary_px = 760;     // of the window: in a narrower one it is put away
-constexpr int leastForComparison_px = 640;  // of the window: in a lower one it floats
-constexpr double shareForComparison = 0.45;
-constexpr QSize floatingComparison_px{900, 640};
+constexpr int firstLibrary_px = 230, firstInspector_px = 290;
+constexpr double mostForInspector = 0.42, mostForFeel = 0.6;  // of the window
+constexpr int leastForLibrary_px = 1600;  // width of the window from which the library is shown at first
 constexpr QSize copiedPicture_px{1800, 1200};
 
 struct AverageWords {
@@ -90,8 +89,17 @@ QString averageWords(const UnitSpread& spread, const QStringList& titles, const 
   }
   QStringList far;
   for (const std::size_t unit : spread.outliers) far << titles[static_cast<qsizetype>(unit)];
-  if (!far.isEmpty()) sentences << AverageWords::tr("Far from the others: %1.").arg(far.join(", "));
+  if (!far.isEmpty()) sentences << AverageWords::tr("Outlier: %1.").arg(far.join(", "));
   return sentences.join(' ');
+}
+
+// A low screen does not have room for all of its contents.
+QScrollArea* scrolledArea(const char* name, const QString& title) {
+  auto* area = described(new QScrollArea, name, {}, title);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  return area;
 }
 
 void bringUp(QWidget& window) {
@@ -159,8 +167,18 @@ void MainWindow::makeCentre() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  auto* editing = new QSplitter(Qt::Vertical);
+  editing->setChildrenCollapsible(false);
+  editing->addWidget(tabs_);
+  editing->addWidget(feelArea_ = scrolledArea("feelArea", tr("Feel")));
+  editing->setStretchFactor(0, 1);
+  feelArea_->hide();
+  compareArea_ = scrolledArea("compareArea", tr("Comparison"));
+  centre_ = new QStackedWidget;
+  centre_->addWidget(editing);
+  centre_->addWidget(compareArea_);
   layout->addWidget(notices_);
-  layout->addWidget(tabs_, 1);
+  layout->addWidget(centre_, 1);
   setCentralWidget(centre);
   connect(welcome_, &WelcomePage::fileChosen, this, [this](const QString& path) { files_->open({path}); });
   connect(files_, &FileDesk::done, this,
@@ -183,7 +201,7 @@ QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWi
 void MainWindow::turn(QDockWidget& dock) {
   const bool seen = dock.isVisible() && !dock.visibleRegion().isEmpty();
   if (seen) return dock.hide();
-  if (&dock == compareDock_) return compareWith(nullptr);
+  if (&dock != libraryDock_) showView(CentreView::edit);
   dock.show();
   dock.raise();
   QWidget* inside = dock.widget();
@@ -192,50 +210,85 @@ void MainWindow::turn(QDockWidget& dock) {
   if (inside) inside->setFocus();
 }
 
+// ---- views of the centre
+
+void MainWindow::showView(CentreView view) {
+  if (!tabs_->current()) view = CentreView::edit;
+  if (view == CentreView::compare && !comparison_) return compareWith(nullptr);
+  if (view == CentreView::feel && !feel_) makeFeelPanel();
+  view_ = view;
+  for (const auto& [action, shown] : {std::pair{showEdit_, CentreView::edit},
+                                      {showCompare_, CentreView::compare},
+                                      {showFeel_, CentreView::feel}})
+    action->setChecked(view == shown);
+  centre_->setCurrentIndex(view == CentreView::compare ? 1 : 0);
+  const bool feelShown = feelArea_->isVisibleTo(centre_->widget(0));
+  feelArea_->setVisible(view == CentreView::feel);
+  if (view == CentreView::feel && !feelShown) {
+    auto* editing = static_cast<QSplitter*>(centre_->widget(0));
+    const int all_px = editing->height();
+    const int feel_px =
+        std::min(feelArea_->widget()->sizeHint().height(), static_cast<int>(mostForFeel * all_px));
+    editing->setSizes({all_px - feel_px, feel_px});
+  }
+  putDocksAway(view != CentreView::edit || !tabs_->current());
+  if (view == CentreView::feel) feel_->setFocus();
+  if (view == CentreView::edit && tabs_->current()) tabs_->current()->workspace().setFocus();
+}
+
+// Docks belong to the editing of one button. Without one they are empty; beside a comparison or the pad they
+// would take its room.
+void MainWindow::putDocksAway(bool away) {
+  if (away == docksAway_) return;
+  docksAway_ = away;
+  if (away) {
+    for (QDockWidget* dock : inspectorDocks()) {
+      if (dock->isHidden()) continue;
+      awayDocks_ << dock;
+      if (!dock->visibleRegion().isEmpty()) frontDock_ = dock;
+      dock->hide();
+    }
+    return;
+  }
+  for (QDockWidget* dock : std::exchange(awayDocks_, {})) dock->show();
+  if (frontDock_) frontDock_->raise();
+  if (docksAreNew_ && isVisible()) QTimer::singleShot(0, this, &MainWindow::sizeNewDocks);
+}
+
+QList<QDockWidget*> MainWindow::inspectorDocks() const {
+  return {inspectorDock_, valuesDock_, historyDock_, checksDock_, annotationsDock_};
+}
+
 void MainWindow::makeDocks() {
   libraryDock_ = dock("libraryDock", tr("Library"), Qt::LeftDockWidgetArea, QKeySequence("Alt+1"));
-  valuesDock_ = dock("valuesDock", tr("Values"), Qt::RightDockWidgetArea, QKeySequence("Alt+2"));
-  figuresDock_ = dock("figuresDock", tr("Key figures"), Qt::RightDockWidgetArea, QKeySequence("Alt+6"));
+  inspectorDock_ = dock("inspectorDock", tr("Inspector"), Qt::RightDockWidgetArea, QKeySequence("Alt+6"));
+  valuesDock_ = dock("valuesDock", tr("All values"), Qt::RightDockWidgetArea, QKeySequence("Alt+2"));
   historyDock_ = dock("historyDock", tr("History"), Qt::RightDockWidgetArea, QKeySequence("Alt+3"));
   checksDock_ = dock("checksDock", tr("Checks"), Qt::RightDockWidgetArea, QKeySequence("Alt+5"));
   annotationsDock_ = dock("annotationsDock", tr("Notes"), Qt::RightDockWidgetArea, QKeySequence("Alt+7"));
-  feelDock_ = dock("feelDock", tr("Feel it"), Qt::BottomDockWidgetArea, QKeySequence("Alt+4"));
-  compareDock_ = dock("compareDock", tr("Comparison"), Qt::BottomDockWidgetArea, QKeySequence("Alt+8"));
   library_ = new LibraryPanel;
   libraryDock_->setWidget(library_);
   values_ = new QStackedWidget;
   valuesDock_->setWidget(values_);
-  figures_ = new QStackedWidget;
-  figuresDock_->setWidget(figures_);
+  inspector_ = new QStackedWidget;
+  inspectorDock_->setWidget(inspector_);
   history_ = new QStackedWidget;
   historyDock_->setWidget(history_);
   checks_ = new QStackedWidget;
   checksDock_->setWidget(checks_);
   annotations_ = new QStackedWidget;
   annotationsDock_->setWidget(annotations_);
-  tabifyDockWidget(valuesDock_, figuresDock_);
-  tabifyDockWidget(figuresDock_, historyDock_);
+  tabifyDockWidget(inspectorDock_, valuesDock_);
+  tabifyDockWidget(valuesDock_, historyDock_);
   tabifyDockWidget(historyDock_, checksDock_);
   tabifyDockWidget(checksDock_, annotationsDock_);
-  valuesDock_->raise();
+  inspectorDock_->raise();
+  valuesDock_->hide();
+  frontDock_ = inspectorDock_;
   // Brought to the front, it has what the page says in words.
   connect(checksDock_, &QDockWidget::visibilityChanged, this, [this](bool seen) {
     if (!seen) return;
     if (DocumentTab* tab = tabs_->current()) tab->document().wantOrigin();
-  });
-  tabifyDockWidget(feelDock_, compareDock_);
-  compareDock_->hide();
-  connect(compareDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-    if (visible && !comparison_) compareWith(nullptr);
-  });
-  feelDock_->hide();
-  connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-    if (!visible || feel_) return;
-    makeFeelPanel();
-    QTimer::singleShot(0, this, [this] {
-      const int wanted_px = feelDock_->findChild<QScrollArea*>()->widget()->sizeHint().height();
-      resizeDocks({feelDock_}, {std::min(wanted_px, static_cast<int>(mostForFeel * height()))}, Qt::Vertical);
-    });
   });
   connect(library_, &LibraryPanel::documentChosen, this, [this](ButtonDocument* d) { tabs_->show(*d); });
   connect(library_, &LibraryPanel::fileChosen, this,
@@ -274,7 +327,7 @@ void MainWindow::makeFeelPanel() {
                      tr("The second button (B): press it in exchange with the one shown"),
                      tr("Button B to exchange with"));
   connect(other_, &QComboBox::activated, this, &MainWindow::chooseOther);
-  auto* label = new QLabel(tr("Exchange &with:"));
+  auto* label = new QLabel(tr("Compare &with:"));
   label->setBuddy(other_);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
@@ -288,13 +341,7 @@ void MainWindow::makeFeelPanel() {
   layout->setSpacing(0);
   layout->addLayout(row);
   layout->addWidget(feel_, 1);
-  auto* scrolled = new QScrollArea;  // below the graph of a low window there is not room for all of it
-  scrolled->setWidget(panel);
-  scrolled->setWidgetResizable(true);
-  scrolled->setFrameShape(QFrame::NoFrame);
-  scrolled->setFocusPolicy(Qt::NoFocus);
-  scrolled->setAccessibleName(feelDock_->windowTitle());
-  feelDock_->setWidget(scrolled);
+  feelArea_->setWidget(panel);
   updateDocuments();
 }
 
@@ -360,12 +407,18 @@ void MainWindow::connectTabs() {
 
 void MainWindow::adopt(DocumentTab& tab) {
   sessionHeld_ = false;
+  if (view_ == CentreView::compare) showView(CentreView::edit);  // an opened button is to be seen
   connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
   connect(&tab.workspace(), &GraphWorkspace::buttonCopyRequested, this, [this, &tab] { copyButton(tab); });
   connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::storeSession);
+  connect(&tab, &DocumentTab::inspectorWanted, this, [this] {
+    showView(CentreView::edit);
+    inspectorDock_->show();
+    inspectorDock_->raise();
+  });
   connect(&tab, &DocumentTab::versionOpened, this,
           [this](const Button& version) { tabs_->add(std::make_unique<ButtonDocument>(version)); });
   connect(&tab.document().history().stack(), &QUndoStack::indexChanged, this, &MainWindow::updateUndo);
@@ -397,8 +450,8 @@ void MainWindow::showTab(DocumentTab* tab) {
   if (tab) {
     values_->addWidget(tab->valuesPanel());
     values_->setCurrentWidget(tab->valuesPanel());
-    figures_->addWidget(tab->figuresPanel());
-    figures_->setCurrentWidget(tab->figuresPanel());
+    inspector_->addWidget(tab->inspector());
+    inspector_->setCurrentWidget(tab->inspector());
     history_->addWidget(tab->historyPanel());
     history_->setCurrentWidget(tab->historyPanel());
     checks_->addWidget(tab->checksPanel());
@@ -409,6 +462,7 @@ void MainWindow::showTab(DocumentTab* tab) {
   }
   if (tab && shown_ != &tab->document()) shownBefore_ = std::exchange(shown_, &tab->document());
   if (!otherChosen_) otherDocument_ = shownBefore_;
+  showView(tab ? view_ : CentreView::edit);
   updateFeel();
   showCursor({});
   updateUndo();
@@ -455,21 +509,24 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::compareWith(ButtonDocument* other) {
+  if (view_ == CentreView::compare && other) return comparison_->add(other);
   ButtonDocument* shown = tabs_->current() ? &tabs_->current()->document() : nullptr;
-  if (comparison_ && comparison_->isVisible() && other) {
-    comparison_->add(other);
-    return showComparison();
-  }
   for (ButtonDocument* document : tabs_->documents())
     if (!other && document != shown) other = document;
   compareAll({shown, other ? other : shown});
+}
+
+// A comparison that the shown button belongs to is kept as it is.
+void MainWindow::compareShown(DocumentTab& tab) {
+  if (comparison_ && comparison_->compares(tab.document())) return showView(CentreView::compare);
+  compareWith(nullptr);
 }
 
 void MainWindow::compareAll(const std::vector<ButtonDocument*>& documents) {
   makeComparison();
   comparison_->setDocuments(tabs_->documents());
   comparison_->compare(documents);
-  showComparison();
+  showView(CentreView::compare);
 }
 
 void MainWindow::compareFiles(const QStringList& paths) {
@@ -483,29 +540,7 @@ void MainWindow::makeComparison() {
   if (comparison_) return;
   comparison_ = new ComparePanel(at_.view);
   connect(comparison_, &ComparePanel::pictureRequested, this, &MainWindow::writeComparison);
-  auto* scrolled = new QScrollArea;  // a low screen has no room for all of it
-  scrolled->setWidget(comparison_);
-  scrolled->setWidgetResizable(true);
-  scrolled->setFrameShape(QFrame::NoFrame);
-  compareDock_->setWidget(scrolled);
-}
-
-// In a window too low to share it stands on its own.
-void MainWindow::showComparison() {
-  if (compareDock_->isVisible()) return compareDock_->raise();
-  const bool roomBelow = height() >= leastForComparison_px;
-  compareDock_->setFloating(!roomBelow);
-  compareDock_->show();
-  compareDock_->raise();
-  if (!roomBelow) {
-    const QRect most = screen()->availableGeometry();
-    compareDock_->resize(floatingComparison_px.boundedTo(most.size() - roomForFrame_px));
-    if (!most.contains(compareDock_->geometry())) compareDock_->move(most.topLeft());
-    return;
-  }
-  QTimer::singleShot(0, this, [this] {
-    resizeDocks({compareDock_}, {static_cast<int>(shareForComparison * height())}, Qt::Vertical);
-  });
+  compareArea_->setWidget(comparison_);
 }
 
 void MainWindow::writeComparison() {
@@ -532,8 +567,7 @@ void MainWindow::morph(DocumentTab& tab) {
     buttons.push_back(document->history().committed());
   }
   if (buttons.size() < 2)
-    return statusBar()->showMessage(tr("Open a second button: there is nothing in between yet."),
-                                    messageTime_ms);
+    return statusBar()->showMessage(tr("Open a second button first: a blend needs two."), messageTime_ms);
   auto* dialog = new MorphDialog(std::move(buttons), shown, at_.view.units(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
@@ -559,7 +593,7 @@ void MainWindow::average(DocumentTab& tab) {
     titles << document->title();
   }
   if (units.size() < 2)
-    return statusBar()->showMessage(tr("Open a second button: an average needs two."), messageTime_ms);
+    return statusBar()->showMessage(tr("Open a second button first: an average needs two."), messageTime_ms);
   auto* dialog = new AverageDialog(std::move(units), titles, current, at_.view.units(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
@@ -671,18 +705,23 @@ void MainWindow::restoreWindow() {
 // Docks take the widths they are given only in a window that has its own.
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
+  if (!docksAreNew_) return;
+  libraryDock_->setVisible(width() >= leastForLibrary_px);
+  if (!docksAway_) QTimer::singleShot(0, this, &MainWindow::sizeNewDocks);
+}
+
+void MainWindow::sizeNewDocks() {
   if (!std::exchange(docksAreNew_, false)) return;
-  QTimer::singleShot(0, this, [this] {
-    libraryDock_->setVisible(width() >= leastForLibrary_px);
-    const int library_px = std::min(firstLibrary_px, static_cast<int>(mostForLibrary * width()));
-    const int values_px = std::min(firstValues_px, static_cast<int>(mostForValues * width()));
-    resizeDocks({libraryDock_, valuesDock_}, {library_px, values_px}, Qt::Horizontal);
-  });
+  const int inspector_px = std::min(firstInspector_px, static_cast<int>(mostForInspector * width()));
+  resizeDocks({libraryDock_, inspectorDock_}, {firstLibrary_px, inspector_px}, Qt::Horizontal);
 }
 
 void MainWindow::storeWindow() {
   at_.settings.setValue("window/geometry", saveGeometry());
+  const bool away = docksAway_;
+  putDocksAway(false);
   at_.settings.setValue("window/state", saveState(stateVersion));
+  putDocksAway(away);
   if (feel_) at_.settings.setValue("feel", feel_->saveState());
   storeView(at_.view, at_.settings);
 }
@@ -782,6 +821,13 @@ void MainWindow::copyCsv(DocumentTab& tab) {
   statusBar()->showMessage(tr("Copied the samples as CSV, in mm and N."), messageTime_ms);
 }
 
+void MainWindow::copyFigures(DocumentTab& tab) {
+  const ButtonDocument& document = tab.document();
+  QApplication::clipboard()->setText(
+      figuresText(document.button().states()[document.activeState()], at_.view.units()));
+  statusBar()->showMessage(tr("Copied the key figures as a table."), messageTime_ms);
+}
+
 void MainWindow::print(DocumentTab& tab) {
   QPrinter printer(QPrinter::HighResolution);
   printer.setDocName(tab.document().title());
@@ -795,9 +841,11 @@ void MainWindow::print(DocumentTab& tab) {
 // Out of every table and list, and back: graph, values and what stands with them, feel, library.
 void MainWindow::focusNextPanel(int by) {
   QList<QWidget*> panels;
-  if (DocumentTab* tab = tabs_->current()) panels << &tab->workspace().canvas();
-  for (QDockWidget* dock : {valuesDock_, figuresDock_, historyDock_, checksDock_, annotationsDock_, feelDock_,
-                            compareDock_, libraryDock_})
+  if (DocumentTab* tab = tabs_->current(); tab && view_ != CentreView::compare)
+    panels << &tab->workspace().canvas();
+  for (QScrollArea* area : {feelArea_, compareArea_})
+    if (area->isVisible() && area->widget()) panels << area->widget();
+  for (QDockWidget* dock : inspectorDocks() + QList<QDockWidget*>{libraryDock_})
     if (dock->isVisible() && !dock->visibleRegion().isEmpty() && dock->widget()) panels << dock->widget();
   if (panels.isEmpty()) return;
   const QWidget* focus = QApplication::focusWidget();

@@ -6,7 +6,10 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPointer>
+#include <QScrollArea>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QToolButton>
 
 #include "editor/files/recovery_store.h"
@@ -56,9 +59,13 @@ class MainWindow : public QMainWindow {
   std::vector<ShortcutRow> shortcuts() const;
   /// Opens what was open when the window was closed last, and shows what was shown.
   void restoreSession();
+  /// Contents of the centre: a graph to edit, with its docks; graphs over each other with their differences;
+  /// the pad below the graph.
+  enum class CentreView { edit, compare, feel };
+  void showView(CentreView view);
   /// Compares another button with the one that is shown.
   void compareWith(ButtonDocument* other);
-  /// These, the first as the one differences are counted from; opens the dock.
+  /// These, the first as the one differences are counted from; shows the view.
   void compareAll(const std::vector<ButtonDocument*>& documents);
   /// The same of files, which are opened where they are not yet.
   void compareFiles(const QStringList& paths);
@@ -103,6 +110,7 @@ class MainWindow : public QMainWindow {
   void fill(TabMenu& menu, const QList<QAction*>& actions);
   void updateUndo();
   void updateRecent();
+  void fillReferences(QMenu& menu);
   void showShortcuts();
   void showAbout();
 
@@ -118,7 +126,10 @@ class MainWindow : public QMainWindow {
   void showTab(DocumentTab* tab);
   void updateDocuments();
   void makeComparison();
-  void showComparison();
+  void compareShown(DocumentTab& tab);
+  void putDocksAway(bool away);
+  QList<QDockWidget*> inspectorDocks() const;
+  void sizeNewDocks();
   void writeComparison();
   std::vector<ButtonDocument*> openAll(const std::vector<Button>& buttons);
   void updateTitle();
@@ -137,6 +148,7 @@ class MainWindow : public QMainWindow {
   void storeSession();
   void copyPicture(DocumentTab& tab);
   void copyCsv(DocumentTab& tab);
+  void copyFigures(DocumentTab& tab);
   void copyButton(DocumentTab& tab);
   void duplicateButton(DocumentTab& tab);
   bool pasteText(const QString& text);
@@ -157,14 +169,21 @@ class MainWindow : public QMainWindow {
   ComparePanel* comparison_ = nullptr;
   ForecastMatrix* forecasts_ = nullptr;
   ExperimenterDialog* study_ = nullptr;
-  QStackedWidget *values_ = nullptr, *figures_ = nullptr, *history_ = nullptr, *checks_ = nullptr,
+  QStackedWidget *values_ = nullptr, *inspector_ = nullptr, *history_ = nullptr, *checks_ = nullptr,
                  *annotations_ = nullptr;
   MeasuredWindow* measured_ = nullptr;
-  QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *figuresDock_ = nullptr,
-              *historyDock_ = nullptr, *checksDock_ = nullptr, *annotationsDock_ = nullptr,
-              *compareDock_ = nullptr, *feelDock_ = nullptr;
-  bool docksAreNew_ = false;    // nothing was kept of how they were arranged
-  QComboBox* other_ = nullptr;  // which button is B of the feel panel
+  QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *inspectorDock_ = nullptr,
+              *historyDock_ = nullptr, *checksDock_ = nullptr, *annotationsDock_ = nullptr;
+  QStackedWidget* centre_ = nullptr;  // buttons with the feel panel below them, or the comparison
+  QScrollArea *feelArea_ = nullptr, *compareArea_ = nullptr;
+  CentreView view_ = CentreView::edit;
+  QAction* toolsEnd_ = nullptr;  // the tools of the shown button stand before it
+  QAction *showEdit_ = nullptr, *showCompare_ = nullptr, *showFeel_ = nullptr;
+  bool docksAway_ = false;
+  QList<QDockWidget*> awayDocks_;    // docks that come back with the view of editing
+  QPointer<QDockWidget> frontDock_;  // of docks that share a place
+  bool docksAreNew_ = false;         // nothing was kept of how they were arranged
+  QComboBox* other_ = nullptr;       // which button is B of the feel panel
   QPointer<MarginOverlay> margin_;
   QPointer<ButtonDocument> otherDocument_;
   QPointer<ButtonDocument> shown_, shownBefore_;

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QToolBar>
 
+#include "editor/canvas/graph_canvas.h"
 #include "editor/document/described.h"
 #include "editor/document/line_icon.h"
 #include "editor/measured/measured_window.h"
@@ -90,10 +91,11 @@ void MainWindow::makeFileActions() {
   QMenu* exports = menu->addMenu(tr("&Export"));
   exports->setObjectName("exportMenu");
   exports->setToolTipsVisible(true);
-  exports->addAction(tabAction("exportPng", tr("&Picture (PNG)…"),
-                               tr("Write a picture of the graph as the window shows it, 2400 by 1600 pixels"),
-                               QKeySequence("Ctrl+E"),
-                               [this](DocumentTab& tab) { files_->exports().png(tab); }));
+  exports->addAction(
+      tabAction("exportPng", tr("&Picture (PNG)…"),
+                tr("Write a picture of the graph, 2400 by 1600 pixels. The button is stored inside: Detent "
+                   "opens it again"),
+                QKeySequence("Ctrl+E"), [this](DocumentTab& tab) { files_->exports().png(tab); }));
   exports->addAction(
       tabAction("exportGraph", tr("&Graph for datasheet, paper or slide…"),
                 tr("Write the graph as it is printed: SVG, PDF or PNG in any size, language and unit"),
@@ -106,6 +108,10 @@ void MainWindow::makeFileActions() {
       tr("Write the same samples with semicolons between the fields, as spreadsheets "
          "with decimal commas read them"),
       QKeySequence("Ctrl+Alt+Shift+E"), [this](DocumentTab& tab) { files_->exports().semicolonCsv(tab); }));
+  exports->addAction(
+      tabAction("exportCsvAt", tr("Samples at given t&ravels (CSV)…"),
+                tr("Write press and release at even steps of travel, or at the travels you type"),
+                QKeySequence("Ctrl+Alt+R"), [this](DocumentTab& tab) { files_->exports().csvAt(tab); }));
   exports->addAction(tabAction(
       "exportDataPackage", tr("Data pac&kage (Frictionless)…"),
       tr("Write a folder of tables, curve and key figures, with a description of every column and its unit"),
@@ -114,10 +120,10 @@ void MainWindow::makeFileActions() {
       "exportTracedProject", tr("P&roject of WebPlotDigitizer…"),
       tr("Write the state shown as a project that WebPlotDigitizer opens, axes in the units shown"),
       QKeySequence("Ctrl+Alt+J"), [this](DocumentTab& tab) { files_->exports().tracedProject(tab); }));
-  exports->addAction(
-      tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
-                tr("Write what a standard press feels like that begins in the state shown: mono, 48 kHz"),
-                QKeySequence("Ctrl+Alt+W"), [this](DocumentTab& tab) { files_->exports().wav(tab); }));
+  exports->addAction(tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
+                               tr("Export the vibration of a standard press (WAV, mono, 48 kHz)"),
+                               QKeySequence("Ctrl+Alt+W"),
+                               [this](DocumentTab& tab) { files_->exports().wav(tab); }));
   exports->addAction(tabAction("exportDevice", tr("For a &device…"),
                                tr("Write a press for phones, headsets, driver chips, firmware and touchpads"),
                                QKeySequence("Ctrl+Alt+V"),
@@ -162,6 +168,9 @@ void MainWindow::makeEditActions() {
                             QKeySequence("Ctrl+Shift+C"), [this](DocumentTab& tab) { copyPicture(tab); }));
   menu->addAction(tabAction("copyCsv", tr("Copy as C&SV"), tr("Copy samples of the state shown, in mm and N"),
                             QKeySequence("Ctrl+Alt+C"), [this](DocumentTab& tab) { copyCsv(tab); }));
+  menu->addAction(tabAction("copyFigures", tr("Copy key fi&gures"),
+                            tr("Copy the key figures as a table for spreadsheets, in the units shown"),
+                            QKeySequence("Ctrl+Alt+G"), [this](DocumentTab& tab) { copyFigures(tab); }));
   menu->addAction(tabAction("rename", tr("Re&name the button…"), tr("Give the button another name"),
                             QKeySequence("F2"), [this](DocumentTab& tab) { renameButton(tab); }));
   editMenu_.end = menu->addSeparator();
@@ -173,6 +182,26 @@ void MainWindow::makeViewActions() {
   viewMenu_.menu = menuOf(menuBar(), tr("&View"), "viewMenu");
   QMenu* menu = viewMenu_.menu;
   viewMenu_.end = menu->addSeparator();
+  auto* views = new QActionGroup(this);
+  const auto view = [&](const char* name, const QString& title, const QString& tip, const char* keys,
+                        CentreView shown) {
+    QAction* own = tabAction(name, title, tip, QKeySequence(keys), [this, shown](DocumentTab& tab) {
+      shown == CentreView::compare ? compareShown(tab) : showView(shown);
+    });
+    own->setCheckable(true);
+    views->addAction(own);
+    menu->addAction(own);
+    return own;
+  };
+  showEdit_ = view("edit", tr("&Edit"), tr("Show the graph and its inspector"), "Alt+0", CentreView::edit);
+  showCompare_ = view("compare", tr("&Compare"), tr("Show buttons over each other, with their differences"),
+                      "Ctrl+K", CentreView::compare);
+  showFeel_ = view("feel", tr("Fee&l"), tr("Press the button, hear it and see its vibration"), "Alt+4",
+                   CentreView::feel);
+  menu->addSeparator();
+  QMenu* references = menu->addMenu(tr("&Reference curve"));
+  references->setObjectName("referenceMenu");
+  connect(references, &QMenu::aboutToShow, this, [this, references] { fillReferences(*references); });
   unitMenu_ = menu->addMenu(tr("&Units"));
   unitMenu_->setObjectName("unitMenu");
   makeUnitActions(unitMenu_);
@@ -184,8 +213,7 @@ void MainWindow::makeViewActions() {
                          QKeySequence("F6"), [this] { focusNextPanel(1); }));
   menu->addAction(action("previousPanel", tr("Pre&vious panel"), tr("Back to the panel before"),
                          QKeySequence("Shift+F6"), [this] { focusNextPanel(-1); }));
-  for (QDockWidget* dock : {libraryDock_, valuesDock_, figuresDock_, historyDock_, checksDock_,
-                            annotationsDock_, feelDock_, compareDock_})
+  for (QDockWidget* dock : QList<QDockWidget*>{libraryDock_} + inspectorDocks())
     for (QAction* own : ownActions_)
       if (own->objectName() == dock->objectName() + "Toggle") menu->addAction(own);
   QAction* fullScreen =
@@ -237,25 +265,22 @@ void MainWindow::makeAppearanceActions(QMenu* menu) {
   };
   add("appearanceSystem", tr("As the &system"), tr("Light or dark as the desktop is"),
       QKeySequence("Ctrl+Alt+Y"), Appearance::system);
-  add("appearanceLight", tr("&Light"), tr("Dark text on light ground"), QKeySequence("Ctrl+Alt+L"),
+  add("appearanceLight", tr("&Light"), tr("Dark text on light background"), QKeySequence("Ctrl+Alt+L"),
       Appearance::light);
-  add("appearanceDark", tr("&Dark"), tr("Light text on dark ground"), QKeySequence("Ctrl+Alt+D"),
+  add("appearanceDark", tr("&Dark"), tr("Light text on dark background"), QKeySequence("Ctrl+Alt+D"),
       Appearance::dark);
 }
 
 void MainWindow::makeWindowActions() {
   buttonMenu_ = menuOf(menuBar(), tr("&Button"), "buttonMenu");
   QMenu* menu = buttonMenu_;
-  menu->addAction(tabAction("compare", tr("&Compare…"),
-                            tr("Lay this button over others and list the differences"),
-                            QKeySequence("Ctrl+K"), [this](DocumentTab&) { compareWith(nullptr); }));
-  menu->addAction(tabAction("morph", tr("&Between two buttons…"),
+  menu->addAction(tabAction("morph", tr("&Blend two buttons…"),
                             tr("Make a button on the way from one open button to another"),
                             QKeySequence("Ctrl+Alt+B"), [this](DocumentTab& tab) { morph(tab); }));
   menu->addAction(tabAction("average", tr("&Average open buttons…"),
                             tr("Make one button of several samples of it, and say how far they scatter"),
                             QKeySequence("Ctrl+Alt+A"), [this](DocumentTab& tab) { average(tab); }));
-  menu->addAction(action("forecasts", tr("&Who will be taken for whom?…"),
+  menu->addAction(action("forecasts", tr("Predicted &confusion…"),
                          tr("Predict for all open buttons which of them people will confuse"),
                          QKeySequence("Ctrl+Shift+K"), [this] { showForecasts(); }));
   menu->addAction(action("measured", tr("&Measured switches…"),
@@ -298,8 +323,10 @@ void MainWindow::makeToolBar() {
   tools_->addSeparator();
   for (const char* name : {"undo", "redo"}) add(name);
   tools_->addSeparator();
-  for (const char* name : {"compare", "feelDockToggle"}) add(name);
-  tools_->addSeparator();
+  auto* room = new QWidget;
+  room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  toolsEnd_ = tools_->addWidget(room);
+  for (QAction* view : {showEdit_, showCompare_, showFeel_}) tools_->addAction(view);
 }
 
 // ---- what changes with the tab
@@ -317,7 +344,7 @@ void MainWindow::showTabActions(DocumentTab* tab) {
   fill(viewMenu_, tab ? tab->workspace().viewActions() : QList<QAction*>());
   for (QAction* tool : toolMenu_.shown)
     if (tool->icon().isNull()) tool->setIcon(lineIcon(tool->objectName()));
-  tools_->addActions(toolMenu_.shown);
+  tools_->insertActions(toolsEnd_, toolMenu_.shown);
   toolMenu_.menu->menuAction()->setVisible(tab != nullptr);
 }
 
@@ -340,9 +367,31 @@ void MainWindow::updateRecent() {
     entry->setToolTip(QDir::toNativeSeparators(path));
   }
   recentMenu_->addSeparator();
-  recentMenu_->addAction(tr("&Forget these"), this, [this] { files_->recent().clear(); });
+  recentMenu_->addAction(tr("&Clear list"), this, [this] { files_->recent().clear(); });
   recentMenu_->setEnabled(!paths.isEmpty());
   welcome_->setRecent(paths);
+}
+
+void MainWindow::fillReferences(QMenu& menu) {
+  menu.clear();
+  DocumentTab* tab = tabs_->current();
+  if (!tab) return;
+  GraphCanvas& canvas = tab->workspace().canvas();
+  const auto add = [&](const QString& text, std::optional<Reference> reference) {
+    QAction* entry = menu.addAction(text, &canvas, [&canvas, reference] { canvas.showReference(reference); });
+    entry->setCheckable(true);
+    const auto& shown = canvas.reference();
+    entry->setChecked(reference.has_value() == shown.has_value() &&
+                      (!shown || (shown->name == reference->name && shown->state == reference->state)));
+  };
+  add(tr("&None"), {});
+  add(tr("This button as it is &now"),
+      Reference{canvas.state(), tr("%1, kept").arg(tab->document().title())});
+  menu.addSeparator();
+  for (ButtonDocument* document : tabs_->documents())
+    if (document != &tab->document())
+      add(document->title().replace('&', "&&"),
+          Reference{document->button().states()[document->activeState()], document->title()});
 }
 
 QList<QAction*> MainWindow::allActions() const {

@@ -142,7 +142,7 @@ void SheetDesk::connectPages() {
   };
   connect(&pages_, &PageReturn::returned, this, [this](ButtonDocument* document) {
     if (DocumentTab* tab = at_.tabs.tabOf(document)) tab->notices().dismiss("page");
-    emit done(tr("The page of %1 is behind the curves again.").arg(document->title()));
+    emit done(tr("Datasheet page of %1 restored.").arg(document->title()));
   });
   connect(&pages_, &PageReturn::missing, this, [say](ButtonDocument* document, const QString& name) {
     QString sentence =

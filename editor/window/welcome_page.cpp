@@ -36,10 +36,9 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
   layout->setSpacing(10);
   layout->addStretch(2);
   layout->addWidget(line(tr("Drop a datasheet here"), 1.7, true));
-  layout->addWidget(
-      line(tr("A picture, a PDF, an SVG, a force meter's CSV, or a button file. Detent reads the force "
-              "graph and makes a button of it that you can shape and feel."),
-           1, false));
+  layout->addWidget(line(tr("A picture, a PDF, an SVG, a force meter's CSV, or a button file. Detent reads "
+                            "the force graph and turns it into a button you can edit and feel."),
+                         1, false));
   layout->addSpacing(6);
   for (QAction* way : ways) {
     auto* button = described(new QPushButton(way->text()), "welcome_" + way->objectName(), way->toolTip());
@@ -50,8 +49,8 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
   recentSection_ = new QWidget;
   auto* recentLayout = new QVBoxLayout(recentSection_);
   recentLayout->setContentsMargins(0, 12, 0, 0);
-  recentLayout->addWidget(line(tr("Opened last"), 1, true));
-  recent_ = described(new QListWidget, "welcomeRecent", {}, tr("Files opened last"));
+  recentLayout->addWidget(line(tr("Recent files"), 1, true));
+  recent_ = described(new QListWidget, "welcomeRecent", {}, tr("Recent files"));
   recent_->setFrameShape(QFrame::NoFrame);
   recent_->setMaximumHeight(170);
   recentLayout->addWidget(recent_);

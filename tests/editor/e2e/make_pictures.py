@@ -4,7 +4,8 @@
 
     make_pictures.py --bin FOLDER [--out docs/pictures] [NAME...]
 
-Without names all of them. Look at them before committing.
+Without names all of them. Look at them before committing. contact-sheet shows every view at several sizes,
+light and dark, in English and German, on one sheet.
 """
 
 import argparse
@@ -120,6 +121,25 @@ class Camera:
         self.desktop.key("Home", *["Down"] * entry, "Return")
         time.sleep(0.3)
 
+    def views(self, appearance, folder):
+        """Import, edit, compare and feel, each as a picture in a folder."""
+        self.start(appearance, "plots/two-level-legend.png", *(f"buttons/{letter}.button.json" for letter in "ADCB"))
+        width, height = (int(part) for part in self.desktop.size.split("x"))
+        self.editor.widget("import", "importDialog", enabled=True, patience_s=120)
+        self.whole_screen(folder / "1-import.png")
+        self.desktop.key("Escape")
+        self.editor.gone("importDialog")
+        window = self.active_window()
+        self.desktop.xdotool("windowmove", window, 0, 0)
+        self.desktop.xdotool("windowsize", "--sync", window, width, height)
+        for number, (view, keys) in enumerate({"edit": "alt+0", "compare": "ctrl+k", "feel": "alt+4"}.items(), 2):
+            self.desktop.key(keys)
+            time.sleep(2)  # the forecast of a comparison, the signal of a press
+            self.whole_screen(folder / f"{number}-{view}.png")
+
+    def whole_screen(self, file):
+        subprocess.run(["import", "-window", "root", "-strip", str(file)], env=self.desktop.environment, check=True, timeout=60)
+
     def compare(self):
         self.start("light", "buttons/C.button.json", "buttons/B.button.json")
         self.desktop.key("ctrl+k")
@@ -168,16 +188,41 @@ PICTURES = {name.replace("_", "-"): name for name in
              "study_desk", "study_participant")}
 
 
+SHEET_SCREENS = (("1366x768", 1), ("1920x1080", 1), ("2732x1536", 2))  # pixels, and how many make one of the editor's
+SHEET_THUMBNAIL = "640x360"
+
+
+def contact_sheet(root, programs, out):
+    """A row for each screen, appearance and language, a column for each view."""
+    with tempfile.TemporaryDirectory(prefix="detent-pictures-") as folder:
+        pictures = []
+        for size, scale in SHEET_SCREENS:
+            for appearance in ("light", "dark"):
+                for language in ("en", "de"):
+                    place = Path(folder) / f"{size}-{appearance}-{language}"
+                    place.mkdir()
+                    with Desktop(place, size, scale, language) as desktop:
+                        Camera(root, programs, out, desktop).views(appearance, place)
+                    pictures += sorted(place.glob("?-*.png"))
+        file = out / "contact-sheet.jpg"
+        subprocess.run(["montage", *map(str, pictures), "-tile", "4x", "-geometry", f"{SHEET_THUMBNAIL}+4+4", "-quality", "80", str(file)],
+                       check=True, timeout=300)
+        print(f"{file}: {len(pictures)} pictures, {file.stat().st_size // 1024} KiB")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(PICTURES))
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join([*PICTURES, "contact-sheet"]))
     parser.add_argument("--bin", type=Path, required=True)
     parser.add_argument("--out", type=Path)
     arguments = parser.parse_args()
     root = Path(__file__).resolve().parents[3]
     out = (arguments.out or root / "docs/pictures").resolve()
     out.mkdir(parents=True, exist_ok=True)
-    for name in arguments.names or PICTURES:
+    for name in arguments.names or [*PICTURES, "contact-sheet"]:
+        if name == "contact-sheet":
+            contact_sheet(root, arguments.bin.resolve(), out)
+            continue
         with tempfile.TemporaryDirectory(prefix="detent-pictures-") as folder, Desktop(folder) as desktop:
             camera = Camera(root, arguments.bin.resolve(), out, desktop)
             getattr(camera, PICTURES[name])()

@@ -2,6 +2,7 @@
 // The key figures, typed, kept and wanted, judged by the button.
 #include "editor/panels/key_figures_panel.h"
 
+#include <QCheckBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -78,6 +79,7 @@ class KeyFiguresPanelTest : public QObject {
   void everyFigureHasItsOwnPicture();
   void undoAndHandsKeepTheTableTrue();
   void inALowPanelTheFiguresComeFirst();
+  void eightFiguresComeFirst();
   void namesStayBesideWhatIsKept();
 };
 
@@ -88,7 +90,7 @@ void KeyFiguresPanelTest::namesStayBesideWhatIsKept() {
   panel.show();
   auto* table = panel.findChild<QTableView*>();
   const QHeaderView& names = *table->verticalHeader();
-  panel.resize(283, 400);
+  panel.resize(240, 400);
   QTRY_VERIFY(names.isVisible() && table->isColumnHidden(KeyFiguresModel::figure));
   QVERIFY(table->horizontalScrollBar()->maximum() > 0);
   table->horizontalScrollBar()->setValue(table->horizontalScrollBar()->maximum());
@@ -290,8 +292,35 @@ void KeyFiguresPanelTest::figuresTheButtonLacksCannotBeTyped() {
   QCOMPARE(rig.steps(), 0);
 }
 
-// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says
-// why.
+// The others are shown by request, or where they are locked.
+void KeyFiguresPanelTest::eightFiguresComeFirst() {
+  WorkspaceRig rig(require(setOperatingPoint(require(tactileButton()), 0, {})));
+  KeyFiguresPanel panel(rig.document, rig.settings);
+  panel.resize(400, 700);
+  panel.show();
+  const auto* table = panel.findChild<QTableView*>();
+  const auto shown = [&] {
+    int rows = 0;
+    for (int row = 0; row < panel.model().rowCount(); ++row) rows += !table->isRowHidden(row);
+    return rows;
+  };
+  QCOMPARE(shown(), 8);
+  auto* all = panel.findChild<QCheckBox*>("allFigures");
+  all->click();
+  QCOMPARE(shown(), panel.model().rowCount());
+  const QModelIndex work = cell(panel.model(), KeyFigure::pressWork, KeyFiguresModel::keep);
+  QVERIFY(panel.model().setData(work, Qt::Checked, Qt::CheckStateRole));
+  all->click();
+  QCOMPARE(shown(), 9);
+  // A missing operating point is requested where its figure stands.
+  const QModelIndex missing = cell(panel.model(), KeyFigure::preTravel, KeyFiguresModel::now);
+  QCOMPARE(missing.data().toString(), QString("Set…"));
+  QSignalSpy requested(&panel, &KeyFiguresPanel::contactsRequested);
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(missing).center());
+  QCOMPARE(requested.size(), 1);
+}
+
+// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says why.
 void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   using enum KeyFigure;
   WorkspaceRig rig(
@@ -300,6 +329,7 @@ void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   panel.resize(700, 1000);
   panel.show();
   QVERIFY(QTest::qWaitForWindowActive(&panel));
+  panel.findChild<QCheckBox*>("allFigures")->click();
   auto* table = panel.findChild<QTableView*>();
   const auto* trouble = panel.findChild<QLabel*>("keyFiguresTrouble");
   const auto* meaning = panel.findChild<QLabel*>("keyFigureMeaning");

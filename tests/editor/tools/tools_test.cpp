@@ -30,6 +30,10 @@ class ToolsTest : public QObject {
 
  private slots:
   void dragOfTactilePointIsOneExactStep();
+  void aLabelMovesItsPoint();
+  void aDimensionMovesItsContact();
+  void aDragShowsWhatItChanges();
+  void measuresBetweenPoints();
   void escapeCancelsADragExactly();
   void refusedMoveStopsAtTheLimit();
   void undoInTheMiddleOfADragEndsIt();
@@ -88,6 +92,94 @@ void ToolsTest::dragOfTactilePointIsOneExactStep() {
   QVERIFY(rig.button() == before);
   rig.document.history().stack().redo();
   QVERIFY(rig.button() == after);
+}
+
+// The label of a point is a handle of the point, which does not jump to the pointer.
+void ToolsTest::aLabelMovesItsPoint() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().grab();  // labels stand where they were drawn last
+  const MarkId peak{MarkKind::tactilePoint, Stroke::press, 0};
+  constexpr double away_px = 20;  // label above the point
+  const QPointF label = rig.pixel(peak) - QPointF(0, away_px);
+  QVERIFY(rig.canvas().flagAt(label) && *rig.canvas().flagAt(label) == peak);
+  const TactilePoint before = tactilePoints(rig.press(), Stroke::press).front();
+  const double pxPerN = std::abs(rig.canvas().mapping().pxPerY);
+  rig.drag(label, label - QPointF(0, 12), Qt::ControlModifier);
+  const TactilePoint after = tactilePoints(rig.press(), Stroke::press).front();
+  QVERIFY(std::abs(after.force_N - before.force_N - 12 / pxPerN) < 1e-6);
+  QVERIFY(std::abs(after.displacement_mm - before.displacement_mm) < 1e-6);
+  QCOMPARE(rig.steps(), 1);
+}
+
+// The arrow of a dimension line moves its contact along the travel, whatever the pointer does with the force.
+void ToolsTest::aDimensionMovesItsContact() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().grab();
+  const double before_mm = *rig.canvas().state().operatingPoint_mm;
+  const StrokeCurve press = rig.press();
+  constexpr double aboveAxis_px = 52;
+  const QPointF arrow(rig.pixel(before_mm, 0).x(), rig.canvas().mapping().clip_px.bottom() - aboveAxis_px);
+  QVERIFY(rig.canvas().flagAt(arrow) && *rig.canvas().flagAt(arrow) == operating);
+  rig.drag(arrow, arrow + QPointF(20, -15), Qt::ControlModifier);
+  QVERIFY(
+      near(*rig.canvas().state().operatingPoint_mm, before_mm + 20 / rig.canvas().mapping().pxPerX, 1e-6));
+  QVERIFY(rig.press() == press);
+  QCOMPARE(rig.steps(), 1);
+  rig.action("viewHandles")->trigger();
+  rig.canvas().grab();
+  QVERIFY(!rig.canvas().flagAt({rig.pixel(*rig.canvas().state().operatingPoint_mm, 0).x(), arrow.y()}));
+}
+
+// While it moves, the curve as it was stays in sight, and the status says what the keys do.
+void ToolsTest::aDragShowsWhatItChanges() {
+  WorkspaceRig rig(require(tactileButton()));
+  QSignalSpy said(&rig.workspace, &GraphWorkspace::statusMessage);
+  const QPointF from = rig.pixel(tactile);
+  const CurvePoint start{rig.canvas().values().press.tactile.at(0).displacement_mm,
+                         rig.canvas().values().press.tactile.at(0).force_N};
+  const QImage still = rig.canvas().grab().toImage();
+  rig.press(from);
+  rig.move(from + QPointF(4, -4));
+  QVERIFY(said.last().front().toString().contains("Esc"));
+  rig.move(from + QPointF(60, -90));
+  QVERIFY(rig.canvas().feedback().draggedFrom == start);
+  const auto blue = [&](const QImage& picture, QPointF at) {
+    int most = 0;
+    for (int y = -3; y <= 3; ++y) {
+      const QColor seen = picture.pixelColor((at + QPointF(0, y)).toPoint());
+      most = std::max(most, seen.blue() - seen.red());
+    }
+    return most;
+  };
+  // Left of the diamond, where the curve is seen.
+  const double beside_mm = start.displacement_mm - 0.12;
+  const Button& before = rig.document.history().committed();
+  const QPointF old = rig.pixel(beside_mm, before.states()[0].graph.press().force_N(beside_mm));
+  QVERIFY(std::abs(old.y() - rig.pixel(beside_mm, rig.press().force_N(beside_mm)).y()) > 12);
+  QVERIFY(blue(still, old) > 80);
+  const QImage dragged = rig.canvas().grab().toImage();
+  QVERIFY2(blue(dragged, old) > 40, qPrintable(QString::number(blue(dragged, old))));
+  rig.release(from + QPointF(60, -90));
+  QVERIFY(!rig.canvas().feedback().draggedFrom);
+  QVERIFY(blue(rig.canvas().grab().toImage(), old) < 30);
+}
+
+void ToolsTest::measuresBetweenPoints() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  rig.action("toolMeasure")->trigger();
+  rig.drag(rig.pixel(tactile) + QPointF(3, 2), rig.pixel(valley) + QPointF(-3, 3));
+  const auto peak = placeOf(tactile, rig.canvas().state(), rig.canvas().values());
+  const auto low = placeOf(valley, rig.canvas().state(), rig.canvas().values());
+  QVERIFY((rig.canvas().feedback().measured == Measurement{*peak, *low}));
+  const QPointF free = rig.pixel(1, 0.9);
+  rig.drag(free, free + QPointF(30, 0), Qt::ControlModifier);
+  QVERIFY(near(rig.canvas().feedback().measured->to.displacement_mm -
+                   rig.canvas().feedback().measured->from.displacement_mm,
+               30 / rig.canvas().mapping().pxPerX, 1e-9));
+  QVERIFY(rig.button() == before);
+  rig.action("toolSelect")->trigger();
+  QVERIFY(!rig.canvas().feedback().measured);
 }
 
 void ToolsTest::escapeCancelsADragExactly() {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <QComboBox>
 #include <QDialog>
-#include <QDockWidget>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMap>
 #include <QScopeGuard>
 #include <QScreen>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTableWidget>
@@ -238,8 +238,8 @@ class FieldsTest : public QObject {
 
   void feelIt() {
     for (QAction* action : window_->allActions())
-      if (action->objectName() == "feelDockToggle") action->trigger();
-    auto* dock = window_->findChild<QDockWidget*>("feelDock");
+      if (action->objectName() == "feel") action->trigger();
+    auto* dock = window_->findChild<QScrollArea*>("feelArea");
     QVERIFY(dock->widget()->findChildren<QuantityField*>().size() >= 3);
     check(*dock->widget(), "the feel panel");
   }

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <QApplication>
 #include <QDir>
-#include <QDockWidget>
 #include <QFontDatabase>
 #include <QListView>
 #include <QTemporaryDir>
@@ -95,9 +94,6 @@ class GoldenTest : public QObject {
     window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
     window->compareWith(nullptr);
     auto* dialog = window->findChild<ComparePanel*>();
-    auto* dock = window->findChild<QDockWidget*>("compareDock");
-    dock->setFloating(true);
-    dock->resize(760, 620);
     dialog->findChild<QToolButton*>("compareDifference")->click();
     QTest::qWait(100);
     auto* forecast = dialog->findChild<QLabel*>("forecastWords");

@@ -90,7 +90,7 @@ class UnaskedTest : public QObject {
     const Seen before = seen();
     QList<QPointer<QLineEdit>> edits;
     for (auto* edit : window_->findChildren<QLineEdit*>())
-      if (edit->isVisible() && edit->isEnabled() && !edit->isReadOnly() && !isInDock(*edit, "feelDock"))
+      if (edit->isVisible() && edit->isEnabled() && !edit->isReadOnly() && !isInDock(*edit, "feelArea"))
         edits << edit;
     for (const auto& edit : edits) {
       if (!edit || !edit->isVisible()) continue;
@@ -144,7 +144,7 @@ class UnaskedTest : public QObject {
   /// Ticked and unticked again: neither changes the button, and the second restores what was noted.
   void visitTicks() {
     for (auto* box : window_->findChildren<QCheckBox*>()) {
-      if (!box->isVisible() || !box->isEnabled() || isInDock(*box, "feelDock")) continue;
+      if (!box->isVisible() || !box->isEnabled() || isInDock(*box, "feelArea")) continue;
       const Button before = document().button();
       const Annotations noted = document().annotations();
       const int step = document().history().stack().index();
@@ -163,7 +163,7 @@ class UnaskedTest : public QObject {
   void visitChoices() {
     const Seen before = seen();
     for (auto* box : window_->findChildren<QComboBox*>()) {
-      if (!box->isVisible() || !box->isEnabled() || isInDock(*box, "feelDock")) continue;
+      if (!box->isVisible() || !box->isEnabled() || isInDock(*box, "feelArea")) continue;
       const int now = box->currentIndex();
       for (int i = 0; i < box->count(); ++i) {
         box->setCurrentIndex(i);
@@ -265,8 +265,7 @@ class UnaskedTest : public QObject {
     window_->resize(1600, 1100);
     window_->show();
     open("B.button.json");
-    for (auto* dock : window_->findChildren<QDockWidget*>())
-      if (dock->objectName() != QLatin1String("feelDock")) dock->show();
+    for (auto* dock : window_->findChildren<QDockWidget*>()) dock->show();
     QCoreApplication::processEvents();
   }
 
@@ -280,7 +279,7 @@ class UnaskedTest : public QObject {
     for (const DisplayUnits& units : unitsVisited) {
       view_.setUnits(units);
       // Panels that share one place are seen one after the other.
-      for (const char* name : {"annotationsDock", "checksDock", "valuesDock", "figuresDock"}) {
+      for (const char* name : {"annotationsDock", "checksDock", "valuesDock", "inspectorDock"}) {
         auto* dock = window_->findChild<QDockWidget*>(name);
         dock->show();
         dock->raise();

@@ -17,12 +17,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScopeGuard>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -63,6 +65,7 @@
 #include "editor/window/stored_view.h"
 #include "editor/window/translation.h"
 #include "model/edits.h"
+#include "model/file/button_file.h"
 #include "model/file/graph_program.h"
 #include "model/file/traced_project.h"
 #include "model/metrics.h"
@@ -278,14 +281,19 @@ class WindowTest : public QObject {
     rig.window->resize(1280, 820);
     rig.window->files().open({sample("buttons/latch.button.json"), sample("buttons/B.button.json")});
     rig.action("checksDockToggle")->trigger();
-    rig.action("feelDockToggle")->trigger();
+    rig.action("feel")->trigger();
     QTest::qWait(100);
     rig.window->findChild<QToolButton*>("setupToggle")->click();
+    QTest::qWait(50);
+    QStringList cut = cutTexts(*rig.window);
+    rig.action("edit")->trigger();
+    QTest::qWait(50);
+    cut << cutTexts(*rig.window);
     rig.action("valuesDockToggle")->trigger();
     rig.window->resizeDocks({rig.window->findChild<QDockWidget*>("valuesDock")}, {480}, Qt::Horizontal);
     rig.view.setUnits({LengthUnit::micrometre, ForceUnit::centinewton});
     QTest::qWait(50);
-    QStringList cut = cutTexts(*rig.window);
+    cut << cutTexts(*rig.window);
     for (const char* name : {"operationScaleForce", "operationDamping", "operationTwoLevel", "snapGridSteps",
                              "forecasts", "study"}) {
       rig.action(name)->trigger();
@@ -904,13 +912,14 @@ class WindowTest : public QObject {
     rig.window->activateWindow();
     QCoreApplication::processEvents();
     QVERIFY(QTest::qWaitForWindowActive(rig.window.get()));
-    rig.action("feelDockToggle")->trigger();
+    rig.action("feel")->trigger();
     rig.action("historyDockToggle")->trigger();
     rig.action("checksDockToggle")->trigger();
     for (const char* place : {"graphCanvas", "valuesTable", "libraryOpenButtons", "tabBar", "historyView",
                               "checksList", "pressPad", "gain", "modeChoice", "libraryFilter"}) {
       auto* focus = rig.window->findChild<QWidget*>(place);
       QVERIFY2(focus, place);
+      rig.action("edit")->trigger();
       for (const char* name : {"rename", "valuesDockToggle", "historyDockToggle", "libraryDockToggle",
                                "operationScaleTravel", "operationAddJump", "compare", "undo"}) {
         QAction* action = rig.action(name);
@@ -1221,6 +1230,8 @@ class WindowTest : public QObject {
     rig.window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(rig.window.get()));
     rig.window->tabs().current()->workspace().canvas().setFocus();
+    rig.window->findChild<QDockWidget*>("libraryDock")->show();
+    QCoreApplication::processEvents();
     QSet<QWidget*> seen;
     for (int i = 0; i < 3; ++i) {
       seen << QApplication::focusWidget();
@@ -1237,7 +1248,7 @@ class WindowTest : public QObject {
     for (int run = 0; run < 3; ++run) {
       Rig rig(folder_->path());
       rig.window->files().open({sample("buttons/B.button.json")});
-      auto* values = rig.window->findChild<QDockWidget*>("valuesDock");
+      auto* values = rig.window->findChild<QDockWidget*>("inspectorDock");
       QTest::qWait(60);
       if (run == 0) {
         rig.window->resize(1280, 820);
@@ -1410,6 +1421,7 @@ class WindowTest : public QObject {
       rig.action("unit_length_in")->trigger();
       rig.action("appearanceDark")->trigger();
       QVERIFY(isDark(QApplication::palette()));
+      rig.window->findChild<QDockWidget*>("libraryDock")->show();
       rig.action("libraryDockToggle")->trigger();
       QVERIFY(rig.window->close());
     }
@@ -1456,7 +1468,7 @@ class WindowTest : public QObject {
     rig.window->resize(1500, 950);
     for (const char* name : {"buttons/B.button.json", "buttons/E.button.json"})
       rig.window->files().open({sample(name)});
-    rig.action("feelDockToggle")->trigger();
+    rig.action("feel")->trigger();
     rig.window->findChild<QToolButton*>("setupToggle")->click();
     for (const char* appearance : {"appearanceLight", "appearanceDark"}) {
       rig.action(appearance)->trigger();
@@ -1536,7 +1548,7 @@ class WindowTest : public QObject {
     Rig rig(folder_->path(), [&dark] { return dark ? darkPalette() : lightPalette(); });
     rig.action("appearanceSystem")->trigger();
     rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/E.button.json")});
-    rig.action("feelDockToggle")->trigger();
+    rig.action("feel")->trigger();
     rig.action("compare")->trigger();
     rig.action("study")->trigger();
     const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
@@ -1579,6 +1591,160 @@ class WindowTest : public QObject {
     }
   }
 
+  // The graph is what a window is opened for.
+  void theGraphOwnsTheWindow() {
+    Rig rig(folder_->path());
+    rig.window->resize(1366, 768);
+    QTest::qWait(60);
+    for (const char* name : {"A", "B", "C", "D"})
+      rig.window->files().open({sample(qPrintable(QString("buttons/%1.button.json").arg(name)))});
+    QTest::qWait(100);
+    const auto share = [&rig](const QWidget& graph) {
+      return double(graph.width()) * graph.height() / (double(rig.window->width()) * rig.window->height());
+    };
+    const QWidget& canvas = rig.window->tabs().current()->workspace().canvas();
+    QVERIFY2(share(canvas) >= 0.65, qPrintable(QString::number(share(canvas))));
+    rig.window->compareAll(rig.window->tabs().documents());
+    QTest::qWait(100);
+    const auto* plot = rig.window->findChild<QWidget*>("comparePlot");
+    QVERIFY(plot->isVisible());
+    QVERIFY2(share(*plot) >= 0.60, qPrintable(QString::number(share(*plot))));
+    qInfo("graph while editing %.3f, while comparing four %.3f of the window", share(canvas), share(*plot));
+    rig.action("edit")->trigger();
+    QTest::qWait(50);
+    QVERIFY(canvas.isVisible() && share(canvas) >= 0.65);
+    // The numbers of the selected point stand beside the graph.
+    auto* table = rig.window->findChild<QTableView*>("selectionTable");
+    QVERIFY(table->isVisible());
+    rig.window->tabs().current()->workspace().canvas().setSelected(
+        MarkId{MarkKind::tactilePoint, Stroke::press, 0});
+    const auto peak = tactilePoints(rig.document().graph().press(), Stroke::press).front();
+    QCOMPARE(table->model()->index(ValuesModel::displacement, 0).data(Qt::EditRole).toDouble(),
+             peak.displacement_mm);
+    QVERIFY(table->model()->setData(table->model()->index(ValuesModel::force, 0), "75 cN", Qt::EditRole));
+    QVERIFY(std::abs(tactilePoints(rig.document().graph().press(), Stroke::press).front().force_N - 0.75) <
+            1e-9);
+  }
+
+  // Enter on a point opens its numbers in the inspector; another Enter makes one step and goes back to the graph.
+  void numbersOfAPointAreTypedInTheInspector() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(rig.window.get()));
+    rig.window->findChild<QDockWidget*>("inspectorDock")->hide();
+    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    const auto type = [&](Qt::Key opens, const QString& text, Qt::Key ends) {
+      QTest::keyClick(&canvas, opens);
+      auto* editor = rig.window->findChild<QLineEdit*>("valueEditor");
+      QTRY_VERIFY(editor && editor->isVisible() && editor->hasFocus());
+      editor->selectAll();
+      QTest::keyClicks(editor, text);
+      QTest::keyClick(editor, ends);
+      QTest::qWait(20);
+    };
+    const auto peak = [&] { return tactilePoints(rig.document().graph().press(), Stroke::press).front(); };
+    const auto steps = [&] { return rig.document().history().stack().count(); };
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_Return);
+    QVERIFY(!rig.window->findChild<QLineEdit*>("valueEditor"));  // nothing is selected
+    canvas.setSelected(MarkId{MarkKind::tactilePoint, Stroke::press, 0});
+    type(Qt::Key_Return, "1.4 mm", Qt::Key_Return);
+    QCOMPARE(peak().displacement_mm, 1.4);
+    QCOMPARE(steps(), 1);
+    QTRY_VERIFY(canvas.hasFocus());
+    type(Qt::Key_F2, "60 gf", Qt::Key_Return);
+    QVERIFY(std::abs(peak().force_N - 60 * 0.00980665) < 1e-9);
+    QCOMPARE(steps(), 2);
+    const Button kept = rig.document().button();
+    type(Qt::Key_F2, "70", Qt::Key_Escape);
+    QVERIFY(rig.document().button() == kept);
+    QTRY_VERIFY(canvas.hasFocus());
+    // A refused number stays open, with its reason.
+    type(Qt::Key_Return, "3.9", Qt::Key_Return);
+    auto* editor = rig.window->findChild<QLineEdit*>("valueEditor");
+    QVERIFY(editor && editor->isVisible());
+    QVERIFY(!rig.window->findChild<QLabel*>("selectionTrouble")->text().isEmpty());
+    QTest::keyClick(editor, Qt::Key_Escape);
+    QVERIFY(rig.document().button() == kept);
+  }
+
+  // Another button's curves lie behind the edited ones, and in no picture that is exported.
+  void aReferenceStandsBehindTheCurve() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
+    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    auto* menu = rig.window->findChild<QMenu*>("referenceMenu");
+    const auto choose = [&](const QString& text) {
+      emit menu->aboutToShow();
+      for (QAction* entry : menu->actions())
+        if (entry->text() == text) return entry->trigger();
+      QFAIL(qPrintable(text));
+    };
+    const QImage plain = canvas.grab().toImage(), exported = canvas.renderImage({900, 600}, 1);
+    choose("C");
+    QVERIFY(canvas.reference() && canvas.reference()->name == "C");
+    QVERIFY(!(canvas.grab().toImage() == plain));
+    QVERIFY(canvas.renderImage({900, 600}, 1) == exported);
+    emit menu->aboutToShow();
+    for (const QAction* entry : menu->actions()) QCOMPARE(entry->isChecked(), entry->text() == "C");
+    choose("This button as it is &now");
+    rig.scale(1.5);
+    QVERIFY(canvas.reference()->state.graph.press().force_N(1) <
+            0.7 * rig.document().graph().press().force_N(1));
+    choose("&None");
+    QVERIFY(!canvas.reference());
+  }
+
+  void ownPictureOpensAsItsButton() {
+    const QString file = at("own.png"), plain = at("plain.png");
+    {
+      Rig rig(folder_->path());
+      rig.window->files().open({sample("buttons/B.button.json")});
+      rig.prompts.saveAnswers.push_back(file);
+      rig.action("exportPng")->trigger();
+      QVERIFY(QImage(file).width() == 2400);
+      QVERIFY(rig.window->close());
+    }
+    Rig rig(folder_->path());
+    rig.window->files().open({file});
+    QVERIFY(rig.window->tabs().current());
+    const auto original = readButtonFile(sample("buttons/B.button.json").toStdString());
+    QVERIFY(rig.document().button().states() == original->states());
+    QVERIFY(rig.document().path().isEmpty());  // saving does not write over the picture
+  }
+
+  void keyFiguresAreCopiedAsATable() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.action("copyFigures")->trigger();
+    const QString table = QApplication::clipboard()->text();
+    QVERIFY2(table.contains("Peak force\t55\tcN\n"), qPrintable(table));
+    QVERIFY2(table.contains("Pre-travel\t2\tmm\n"), qPrintable(table));
+  }
+
+  void samplesAreWrittenAtGivenTravels() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    const auto exported = [&](const QString& typed, const char* name) {
+      rig.prompts.textAnswers.push_back(typed);
+      rig.prompts.saveAnswers.push_back(at(name));
+      rig.action("exportCsvAt")->trigger();
+      QFile written(at(name));
+      return written.open(QIODevice::ReadOnly) ? QString::fromUtf8(written.readAll()).split('\n')
+                                               : QStringList();
+    };
+    const QStringList steps = exported("0.5 mm", "steps.csv");
+    QCOMPARE(steps.size(), 1 + 9 + 9 + 1);
+    QCOMPARE(steps[1], QString("press,0,0.32"));
+    QVERIFY2(steps[10].startsWith("release,4,"), qPrintable(steps[10]));
+    const QStringList given = exported("1.25 1.75", "given.csv");
+    QCOMPARE(given[1], QString("press,1.25,0.55"));
+    QCOMPARE(given[2], QString("press,1.75,0.42"));
+    for (const char* wrong : {"0", "-1", "9 1", "two", "", "0.0000001"})
+      QVERIFY2(exported(wrong, "wrong.csv").isEmpty(), wrong);
+  }
+
   void comparesTheOpenOnes() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
@@ -1586,7 +1752,7 @@ class WindowTest : public QObject {
     auto* dialog = rig.window->findChild<ComparePanel*>();
     QVERIFY(dialog && dialog->isVisible());
     QVERIFY(dialog->tableText().count('\n') > 8);
-    QVERIFY(rig.window->findChild<QDockWidget*>("compareDock")->isAncestorOf(dialog));
+    QVERIFY(rig.window->findChild<QScrollArea*>("compareArea")->isAncestorOf(dialog));
     const QImage before = dialog->findChild<QCustomPlot*>("comparePlot")->grab().toImage();
     for (const char* ending : {"svg", "pdf", "png"}) {
       rig.prompts.saveAnswers.push_back(at(QString("comparison.") + ending));
@@ -1603,7 +1769,7 @@ class WindowTest : public QObject {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
     QVERIFY(!rig.window->findChild<QWidget*>("feelOther"));
-    rig.action("feelDockToggle")->trigger();
+    rig.action("feel")->trigger();
     QTRY_VERIFY(rig.window->findChild<QWidget*>("feelOther"));
     QCOMPARE(rig.window->findChild<QComboBox*>("feelOther")->currentText(), QString("B"));  // shown before C
     rig.window->tabs().showNext(1);
@@ -1619,7 +1785,7 @@ class WindowTest : public QObject {
     const QJsonObject report = QJsonDocument::fromJson(geometryJson()).object();
     QSet<QString> names;
     for (const auto& widget : report["widgets"].toArray()) names << widget.toObject()["name"].toString();
-    for (const char* name : {"mainWindow", "tabBar", "cursorPosition", "unitButton", "libraryOpenButtons"})
+    for (const char* name : {"mainWindow", "tabBar", "cursorPosition", "unitButton", "selectionTable"})
       QVERIFY2(names.contains(name), name);
     new GeometryReport(at("geometry.json"), rig.window.get());
     QTRY_VERIFY(QFile::exists(at("geometry.json")));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers typed at a point, pins, notes, versions and links, judged by the button.
-#include "editor/panels/point_field.h"
+// Pins, notes, versions and links, judged by the button.
+#include "editor/panels/annotations_panel.h"
 
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "editor/panels/annotations_panel.h"
+#include "editor/quantity/quantity_field.h"
 #include "model/edits.h"
 #include "model/sections.h"
 #include "tests/editor/window_tests.h"
@@ -20,12 +20,6 @@ using namespace detent::editor::tests;
 namespace {
 
 constexpr MarkId tactile{MarkKind::tactilePoint, Stroke::press, 0};
-
-QuantityField* field(WorkspaceRig& rig, const char* name) {
-  auto* found = rig.canvas().findChild<QuantityField*>(name);
-  if (!found) qFatal("no field %s", name);
-  return found;
-}
 
 void type(QWidget* into, const QString& text) {
   QTest::keyClick(into, Qt::Key_A, Qt::ControlModifier);
@@ -45,13 +39,10 @@ double meanDistance_N(const WorkspaceRig& rig) {
 
 }  // namespace
 
-class PointFieldTest : public QObject {
+class AnnotationsPanelTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void enterOpensItAndEnterMakesOneStep();
-  void whatIsRefusedStaysOpenAndEscapeRestores();
-  void scrubbingALabelChangesTheNumber();
   void aPinnedPointIsMovedByNothing();
   void notesStandOnTheCurveAndVersionsComeBack();
   void linksActOnLaterEditsOnly();
@@ -59,64 +50,7 @@ class PointFieldTest : public QObject {
   void undoInAnEmptyFieldIsTheButtons();
 };
 
-void PointFieldTest::enterOpensItAndEnterMakesOneStep() {
-  WorkspaceRig rig(require(tactileButton()));
-  rig.canvas().setSelected(tactile);
-  rig.key(Qt::Key_Return);
-  auto* point = rig.canvas().findChild<PointField*>();
-  QVERIFY(point->isOpen() && point->isVisible());
-  QVERIFY(field(rig, "pointDisplacement")->hasFocus());
-  type(field(rig, "pointDisplacement"), "1.4 mm");
-  type(field(rig, "pointForce"), "60 gf");
-  QVERIFY(std::abs(peakOf(rig).force_N - 60 * 0.00980665) < 1e-9);  // seen before it is taken
-  QCOMPARE(rig.steps(), 0);
-  QTest::keyClick(field(rig, "pointForce"), Qt::Key_Return);
-  QCOMPARE(rig.steps(), 1);
-  QVERIFY(!point->isOpen());
-  QCOMPARE(peakOf(rig).displacement_mm, 1.4);
-  rig.key(Qt::Key_F2);
-  QVERIFY(field(rig, "pointForce")->hasFocus());
-  QTest::keyClick(field(rig, "pointForce"), Qt::Key_Return);
-  QCOMPARE(rig.steps(), 1);  // nothing was typed
-}
-
-void PointFieldTest::whatIsRefusedStaysOpenAndEscapeRestores() {
-  WorkspaceRig rig(require(tactileButton()));
-  const Button before = rig.button();
-  rig.canvas().setSelected(tactile);
-  rig.key(Qt::Key_Return);
-  auto* point = rig.canvas().findChild<PointField*>();
-  type(field(rig, "pointDisplacement"), "3.9");  // beyond its flanks
-  QTest::keyClick(field(rig, "pointDisplacement"), Qt::Key_Return);
-  QVERIFY(point->isOpen());
-  QVERIFY(!point->findChild<QLabel*>("pointTrouble")->text().isEmpty());
-  type(field(rig, "pointDisplacement"), "1.35");
-  QVERIFY(point->findChild<QLabel*>("pointTrouble")->text().isEmpty());
-  QVERIFY(!(rig.button() == before));
-  QTest::keyClick(field(rig, "pointDisplacement"), Qt::Key_Escape);
-  QVERIFY(!point->isOpen());
-  QVERIFY(rig.button() == before);
-  rig.key(Qt::Key_Return);
-  rig.document.history().cancelDrag();  // as undo does
-  QTest::keyClick(field(rig, "pointDisplacement"), Qt::Key_Escape);
-  QVERIFY(!point->isOpen());
-}
-
-void PointFieldTest::scrubbingALabelChangesTheNumber() {
-  WorkspaceRig rig(require(tactileButton()));
-  rig.canvas().setSelected(tactile);
-  rig.key(Qt::Key_Return);
-  auto* label = rig.canvas().findChildren<ScrubLabel*>()[1];
-  const double before_N = peakOf(rig).force_N;
-  rig.send(*label, QEvent::MouseButtonPress, {4, 4}, Qt::LeftButton);
-  rig.send(*label, QEvent::MouseMove, {24, 4}, Qt::LeftButton);
-  QVERIFY(peakOf(rig).force_N > before_N);
-  rig.send(*label, QEvent::MouseButtonRelease, {24, 4}, Qt::LeftButton);
-  QTest::keyClick(field(rig, "pointForce"), Qt::Key_Return);
-  QCOMPARE(rig.steps(), 1);
-}
-
-void PointFieldTest::aPinnedPointIsMovedByNothing() {
+void AnnotationsPanelTest::aPinnedPointIsMovedByNothing() {
   WorkspaceRig rig(require(tactileButton()));
   rig.canvas().setSelected(tactile);
   rig.key(Qt::Key_P);
@@ -134,7 +68,7 @@ void PointFieldTest::aPinnedPointIsMovedByNothing() {
   QVERIFY(!(rig.button() == before));
 }
 
-void PointFieldTest::notesStandOnTheCurveAndVersionsComeBack() {
+void AnnotationsPanelTest::notesStandOnTheCurveAndVersionsComeBack() {
   WorkspaceRig rig(require(tactileButton()));
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
   const Button first = rig.button();
@@ -161,7 +95,7 @@ void PointFieldTest::notesStandOnTheCurveAndVersionsComeBack() {
   QVERIFY(rig.document.annotations().empty());
 }
 
-void PointFieldTest::linksActOnLaterEditsOnly() {
+void AnnotationsPanelTest::linksActOnLaterEditsOnly() {
   const Button measured = require(tactileButton());
   WorkspaceRig rig(measured);
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
@@ -203,7 +137,7 @@ void PointFieldTest::linksActOnLaterEditsOnly() {
 }
 
 // Offered is how far the release lies below the press as it is, in the person's unit with two digits.
-void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
+void AnnotationsPanelTest::theOffsetOfferedIsThatOfTheStrokes() {
   WorkspaceRig rig(require(tactileButton()));
   rig.settings.setUnits({LengthUnit::millimetre, ForceUnit::gramForce});
   const AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
@@ -230,7 +164,7 @@ void PointFieldTest::theOffsetOfferedIsThatOfTheStrokes() {
 }
 
 // Undo in a field that holds nothing to take back is meant for the button.
-void PointFieldTest::undoInAnEmptyFieldIsTheButtons() {
+void AnnotationsPanelTest::undoInAnEmptyFieldIsTheButtons() {
   WorkspaceRig rig(require(tactileButton()));
   rig.canvas().setSelected(tactile);  // where the note stands
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
@@ -251,5 +185,5 @@ void PointFieldTest::undoInAnEmptyFieldIsTheButtons() {
   }
 }
 
-DETENT_WINDOW_TEST(PointFieldTest)
-#include "point_field_test.moc"
+DETENT_WINDOW_TEST(AnnotationsPanelTest)
+#include "annotations_panel_test.moc"

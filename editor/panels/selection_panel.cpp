@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/selection_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QSortFilterProxyModel>
+#include <QTransposeProxyModel>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "editor/document/described.h"
+#include "editor/document/graph_colors.h"
+#include "editor/panels/value_delegate.h"
+#include "editor/panels/values_model.h"
+
+namespace detent::editor {
+
+/// The row of one mark, as a column.
+class SelectedRow : public QTransposeProxyModel {
+ public:
+  SelectedRow(ValuesModel& model, QObject* parent) : QTransposeProxyModel(parent) {
+    only_.setSourceModel(&model);
+    setSourceModel(&only_);
+  }
+
+  void setMark(std::optional<MarkId> mark) {
+    only_.mark = mark;
+    only_.filterAgain();
+  }
+  QModelIndex toValues(const QModelIndex& index) const { return only_.mapToSource(mapToSource(index)); }
+  QModelIndex cell(int column) const { return index(column, 0); }
+
+  // The unit stands in the cell.
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+    const QVariant head = QTransposeProxyModel::headerData(section, orientation, role);
+    return role == Qt::DisplayRole ? head.toString().section('\n', 0, 0) : head;
+  }
+
+ private:
+  struct OnlyMark : QSortFilterProxyModel {
+    std::optional<MarkId> mark;
+    void filterAgain() { invalidateFilter(); }
+    bool filterAcceptsRow(int row, const QModelIndex&) const override {
+      const auto* values = static_cast<const ValuesModel*>(sourceModel());
+      const auto here = values->markOf(values->index(row, 0));
+      return mark && here && *here == *mark;
+    }
+  };
+
+  OnlyMark only_;
+};
+
+SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
+    : QWidget(parent),
+      model_(new ValuesModel(document, settings, this)),
+      row_(new SelectedRow(*model_, this)),
+      title_(described(new QLabel, "selectionTitle")),
+      trouble_(described(new QLabel, "selectionTrouble")),
+      table_(described(new ValueTable, "selectionTable", {}, tr("Numbers of the selected point"))) {
+  setObjectName(QStringLiteral("selectionPanel"));
+  QFont bold = title_->font();
+  bold.setBold(true);
+  title_->setFont(bold);
+  title_->setMargin(6);
+  trouble_->setMargin(6);
+  trouble_->setWordWrap(true);
+  trouble_->hide();
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, graphColors(isDark(palette())).refused);
+  trouble_->setPalette(colors);
+  table_->setModel(row_);
+  auto* delegate = new ValueDelegate(
+      [this](const QModelIndex& cell, const QString& text) {
+        return model_->typed(row_->toValues(cell), text).refusal;
+      },
+      [this](const QModelIndex& cell, const QString& text) {
+        return model_->doubt(row_->toValues(cell), text);
+      },
+      table_);
+  delegate->alignDecimals(QStringLiteral(".000 cN/mm"));
+  table_->setItemDelegate(delegate);
+  table_->setUpForNumbers();
+  table_->horizontalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->verticalHeader()->setHighlightSections(false);
+  setFocusProxy(table_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  for (QWidget* part :
+       {static_cast<QWidget*>(title_), static_cast<QWidget*>(table_), static_cast<QWidget*>(trouble_)})
+    layout->addWidget(part);
+  connect(delegate, &QAbstractItemDelegate::closeEditor, this,
+          [this](QWidget*, QAbstractItemDelegate::EndEditHint hint) {
+            const bool goesOn = hint == QAbstractItemDelegate::EditNextItem ||
+                                hint == QAbstractItemDelegate::EditPreviousItem;
+            if (!goesOn && std::exchange(editing_, false) && table_->hasFocus()) emit edited();
+          });
+  connect(delegate, &ValueDelegate::refused, this,
+          [this](const QModelIndex&, const QString& why) { showTrouble(why); });
+  connect(model_, &ValuesModel::refused, this,
+          [this](const QModelIndex&, const QString& why) { showTrouble(why); });
+  connect(&document, &ButtonDocument::changed, this, [this] { showTrouble({}); });
+  connect(model_, &QAbstractItemModel::modelReset, this, [this] { showMark(mark_); });
+  connect(model_, &QAbstractItemModel::dataChanged, this, &SelectionPanel::layOut);
+  showMark({});
+}
+
+// A slope handle has the numbers of its knot.
+void SelectionPanel::showMark(std::optional<MarkId> mark) {
+  if (mark && (mark->kind == MarkKind::slopeBefore || mark->kind == MarkKind::slopeAfter))
+    mark->kind = MarkKind::knot;
+  mark_ = mark;
+  row_->setMark(mark);
+  showTrouble({});
+  layOut();
+}
+
+bool SelectionPanel::edit(FirstValue first) {
+  if (row_->columnCount() == 0) return false;
+  QModelIndex cell = row_->cell(first == FirstValue::force ? ValuesModel::force : ValuesModel::displacement);
+  if (!(cell.flags() & Qt::ItemIsEditable)) cell = row_->cell(ValuesModel::displacement);
+  editing_ = true;
+  table_->setFocus(Qt::OtherFocusReason);
+  table_->setCurrentIndex(cell);
+  static_cast<QAbstractItemView*>(table_)->edit(cell);
+  return true;
+}
+
+// Lines without a number, such as the slope of an operating point, are not shown.
+void SelectionPanel::layOut() {
+  const bool found = row_->columnCount() > 0;
+  const QString name = found ? row_->cell(ValuesModel::name).data().toString() : QString();
+  const auto stroke = mark_ && mark_->stroke == Stroke::release ? tr("release") : tr("press");
+  title_->setText(found ? tr("%1, %2").arg(name, stroke) : tr("Select a point in the graph."));
+  int height_px = 2 * table_->frameWidth();
+  for (int row = 0; row < ValuesModel::columns; ++row) {
+    const bool shown = found && row != ValuesModel::name && !row_->cell(row).data().toString().isEmpty();
+    table_->setRowHidden(row, !shown);
+    if (shown) height_px += table_->rowHeight(row);
+  }
+  // Four lines keep their room, so that the figures below do not jump with each selection.
+  constexpr int mostLines = 4;
+  table_->setFixedHeight(std::max(
+      height_px, 2 * table_->frameWidth() + mostLines * table_->verticalHeader()->defaultSectionSize()));
+}
+
+void SelectionPanel::showTrouble(const QString& why) {
+  trouble_->setText(why);
+  trouble_->setAccessibleName(why);
+  trouble_->setVisible(!why.isEmpty());
+}
+
+}  // namespace detent::editor
