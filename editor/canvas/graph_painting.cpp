@@ -332,12 +332,31 @@ constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
 constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // of a label with two or three lines
 
-/// Labels beside marks. No label covers a mark or another label: a later one goes to the next free place, or
-/// keeps its own place if none is near.
+/// Points on both strokes, close enough to tell whether a label covers them.
+std::vector<QPointF> strokePoints_px(const PlotMapping& map, const GraphScene& scene) {
+  constexpr int samples = 80;
+  std::vector<QPointF> points;
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    if (stroke == Stroke::release && !scene.state.graph.release()) continue;
+    const StrokeCurve& curve = scene.state.graph.curve(stroke);
+    for (int i = 0; i <= samples; ++i) {
+      const double at_mm = curve.start_mm() + curve.travel_mm() * i / samples;
+      points.push_back(map.toPixel(at_mm, curve.forceBefore_N(at_mm)));
+    }
+  }
+  return points;
+}
+
+int pointsIn(const QRectF& box, const std::vector<QPointF>& points_px) {
+  return static_cast<int>(std::ranges::count_if(points_px, [&](QPointF at) { return box.contains(at); }));
+}
+
+/// Labels beside marks. No label covers a mark or another label: a later one goes to the next free place, best
+/// one beside the strokes, or is left out if none is near.
 class Tags {
  public:
   Tags(QPainter& painter, const PlotMapping& map, const GraphScene& scene)
-      : painter_(painter), map_(map), scene_(scene) {}
+      : painter_(painter), map_(map), scene_(scene), strokes_px_(strokePoints_px(map, scene)) {}
 
   void keepClear(const QRectF& box) { taken_.push_back(box); }
   void keepClear(QPointF mark_px, double half_px) {
@@ -345,13 +364,17 @@ class Tags {
   }
 
   void put(QPointF at_px, const QString& text, const QColor& tagColor, std::optional<MarkId> mark = {}) {
-    QRectF box = tagBox(painter_, at_px, text, map_.clip_px);
-    for (const QPointF& away : placesAround(box.size())) {
-      const QRectF moved = tagBox(painter_, box.center() + away, text, map_.clip_px);
-      if (!free(moved)) continue;
-      box = moved;
-      break;
-    }
+    const QRectF wished = tagBox(painter_, at_px, text, map_.clip_px);
+    const auto moved = [&](QPointF away) {
+      return tagBox(painter_, wished.center() + away, text, map_.clip_px);
+    };
+    const std::vector<QPointF> offsets = placesAround(wished.size());
+    auto place = std::ranges::find_if(
+        offsets, [&](QPointF away) { return free(moved(away)) && pointsIn(moved(away), strokes_px_) == 0; });
+    if (place == offsets.end())
+      place = std::ranges::find_if(offsets, [&](QPointF away) { return free(moved(away)); });
+    if (place == offsets.end()) return;
+    const QRectF box = moved(*place);
     taken_.push_back(box);
     if (mark && scene_.flags) scene_.flags->push_back({box, *mark});
     paintTagIn(painter_, box, text, tagColor, scene_.colors.background);
@@ -375,6 +398,7 @@ class Tags {
   QPainter& painter_;
   const PlotMapping& map_;
   const GraphScene& scene_;
+  std::vector<QPointF> strokes_px_;
   std::vector<QRectF> taken_;
 };
 
@@ -531,22 +555,7 @@ std::vector<LegendEntry> legendOf(const GraphScene& scene) {
   return entries;
 }
 
-/// Number of sampled offsets on the strokes inside the box.
-int curvePixelsIn(const QRectF& box, const PlotMapping& map, const GraphScene& scene) {
-  constexpr int samples = 80;
-  int inside = 0;
-  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
-    if (stroke == Stroke::release && !scene.state.graph.release()) continue;
-    const StrokeCurve& curve = scene.state.graph.curve(stroke);
-    for (int i = 0; i <= samples; ++i) {
-      const double at_mm = curve.start_mm() + curve.travel_mm() * i / samples;
-      inside += box.contains(map.toPixel(at_mm, curve.forceBefore_N(at_mm)));
-    }
-  }
-  return inside;
-}
-
-/// The box in the corner with the fewest offsets on the strokes.
+/// The box in the corner that covers the fewest points of the strokes.
 QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                  const std::vector<LegendEntry>& entries) {
   const QFontMetricsF metrics(painter.font());
@@ -557,12 +566,12 @@ QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphSce
   const QRectF within = map.clip_px.adjusted(legendGap_px.width(), legendGap_px.height(),
                                              -legendGap_px.width(), -legendGap_px.height());
   box.moveTopLeft(within.topLeft());
+  const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
   QRectF best = box;
-  int least = curvePixelsIn(box, map, scene);
+  int least = pointsIn(box, strokes_px);
   const auto move = [&](void (QRectF::*to)(const QPointF&), const QPointF& corner) {
     (box.*to)(corner);
-    const int tagColor = curvePixelsIn(box, map, scene);
-    if (tagColor < least) least = tagColor, best = box;
+    if (const int covered = pointsIn(box, strokes_px); covered < least) least = covered, best = box;
   };
   move(&QRectF::moveBottomRight, within.bottomRight());
   move(&QRectF::moveTopRight, within.topRight());
@@ -728,7 +737,9 @@ void paintDragReadout(QPainter& painter, const PlotMapping& map, const GraphScen
   const auto changed = [&](double from, double to, Quantity quantity) {
     const QString now = quantityWithUnit(to, quantity, scene.units, shownDigits);
     const QString then = quantityText(from, quantity, scene.units, shownDigits);
-    return then == quantityText(to, quantity, scene.units, shownDigits) ? now : then + QStringLiteral(" \u2192 ") + now;
+    return then == quantityText(to, quantity, scene.units, shownDigits)
+               ? now
+               : then + QStringLiteral(" \u2192 ") + now;
   };
   const CurvePoint to = *scene.feedback.dragged, from = scene.feedback.draggedFrom.value_or(to);
   const QString lines = changed(from.displacement_mm, to.displacement_mm, Quantity::length) + u'\n' +
@@ -805,6 +816,8 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   constexpr double flag_px = 46, half_px = 8;  // above the force label of a tactile point
   constexpr double beside_px = 26;             // half the flag and the margins of the text box
   constexpr int longest = 32, outside = 1000;
+  if (scene.notes.empty()) return;
+  const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);
     if (!at) continue;
@@ -823,9 +836,9 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
         const QRectF box(text_px - QPointF(halfWidth_px, metrics.height() / 2),
                          QSizeF(2 * halfWidth_px, metrics.height()));
         const bool inside = map.clip_px.contains(box.adjusted(half_px, 0, -half_px, 0));
-        const int tagColor = curvePixelsIn(box, map, scene) + (inside ? 0 : outside);
-        if (tagColor >= least) continue;
-        least = tagColor;
+        const int covered = pointsIn(box, strokes_px) + (inside ? 0 : outside);
+        if (covered >= least) continue;
+        least = covered;
         flag = there;
         middle = text_px;
       }

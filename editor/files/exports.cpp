@@ -57,10 +57,13 @@ Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& g
     return Failure{FailureCode::wrongUsage, "", "", problem.toStdString(), remedy.toStdString()};
   };
   std::vector<double> typed;
-  for (const QString& part : text.split(QRegularExpression(QStringLiteral("[;\\s]+")), Qt::SkipEmptyParts)) {
+  // A blank before a letter stands between a number and its unit.
+  static const QRegularExpression separator(QStringLiteral("\\s*;\\s*|\\s+(?![^\\s\\d.,+-])"));
+  for (const QString& part : text.split(separator, Qt::SkipEmptyParts)) {
     const QuantityReading reading = readQuantity(part, Quantity::length, units);
     if (!reading.value)
-      return refuse(refusalOf(reading, Quantity::length, units), SampledAt::tr("Example: 0.1, or 0; 0.5; 2"));
+      return refuse(refusalOf(reading, Quantity::length, units).remove(QRegularExpression("\\.$")),
+                    SampledAt::tr("Example: 0.1, or 0; 0.5; 2"));
     typed.push_back(*reading.value);
   }
   const double start_mm = graph.press().start_mm(), end_mm = graph.press().end_mm();

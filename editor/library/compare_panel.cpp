@@ -407,13 +407,15 @@ void ComparePanel::layOutTable() {
   if (!table_->verticalHeader()->isHidden()) spare_px += table_->verticalHeader()->width();
   for (int column = 1; column < columns; ++column) spare_px -= view.sizeHintForColumn(column) + 1;
   for (int column = 1; column < columns; ++column) {
-    const int least_px = view.sizeHintForColumn(column) + 1;
+    const bool isUnit = column == columns - 1;
+    const int least_px =
+        std::max(view.sizeHintForColumn(column) + 1, isUnit ? heads.sectionSizeHint(column) : 0);
     const int wished_px = std::min(heads.sectionSizeHint(column), widestHead_px);
     const int more_px = std::clamp(wished_px - least_px, 0, std::max(0, spare_px));
     table_->setColumnWidth(column, least_px + more_px);
     spare_px -= more_px;
     needed.numbers_px += least_px + more_px;
-    if (column <= 2) needed.beside_px += least_px + more_px;
+    if (column <= columns / 2) needed.beside_px += least_px + more_px;
   }
   keepNamesInSight(*table_, needed);
 }

@@ -22,7 +22,7 @@ namespace detent::editor {
 namespace {
 
 constexpr QSize panelPictureSize(132, 84);
-constexpr int widestNumber = 9;  // characters of a column of numbers
+constexpr int leastNumber = 6;  // characters of a column of numbers: room to type
 // What people ask first about a button.
 constexpr KeyFigure firstFigures[] = {
     KeyFigure::preTravel, KeyFigure::operatingForce, KeyFigure::peakForce,   KeyFigure::drop,
@@ -63,11 +63,10 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       solving_(described(new QLabel(tr("Solving…")), "keyFiguresSolving")) {
   setObjectName(QStringLiteral("keyFiguresPanel"));
   table_->setModel(model_);
-  auto* delegate = new ValueDelegate(
+  delegate_ = new ValueDelegate(
       [this](const QModelIndex& cell, const QString& text) { return model_->refusalOf(cell, text); },
       [this](const QModelIndex& cell, const QString& text) { return model_->doubtOf(cell, text); }, table_);
-  table_->setItemDelegate(delegate);
-  delegate->alignDecimals(QStringLiteral(".00 cN/mm"));
+  table_->setItemDelegate(delegate_);
   table_->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideRight, table_));
   table_->verticalHeader()->hide();
   table_->setUpForNumbers();
@@ -101,7 +100,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   layout->addLayout(buttons);
   layout->addWidget(about_);
 
-  connect(delegate, &ValueDelegate::refused, this, &KeyFiguresPanel::showRefusal);
+  connect(delegate_, &ValueDelegate::refused, this, &KeyFiguresPanel::showRefusal);
   connect(model_, &KeyFiguresModel::refused, this, &KeyFiguresPanel::showRefusal);
   connect(model_, &KeyFiguresModel::accepted, this, [this] { setTrouble({}); });
   connect(model_, &KeyFiguresModel::previewChanged, this, &KeyFiguresPanel::showPreview);
@@ -126,7 +125,6 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   connect(giveUp_, &QPushButton::clicked, model_, &KeyFiguresModel::giveUp);
   table_->viewport()->installEventFilter(this);
   showRows();
-  layOut();
   showPreview();
   table_->setCurrentIndex(model_->index(static_cast<int>(KeyFigure::peakForce), KeyFiguresModel::now));
   showMeaning();
@@ -142,12 +140,30 @@ void KeyFiguresPanel::showRows() {
     const bool first = std::ranges::find(firstFigures, static_cast<KeyFigure>(row)) != std::end(firstFigures);
     table_->setRowHidden(row, !first && !all_->isChecked() && !isSet(row));
   }
+  layOut();
 }
 
 // Numbers get the width they need, names the rest.
 void KeyFiguresPanel::layOut() {
+  const QFontMetrics metrics = table_->fontMetrics();
+  int name_px = 0, before_px = 0, after_px = 0;
+  QString widest;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (table_->isRowHidden(row)) continue;
+    const QString name = model_->index(row, KeyFiguresModel::figure).data().toString();
+    name_px = std::max(name_px, metrics.horizontalAdvance(name));
+    for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted}) {
+      const auto [before, after] = ValueDelegate::atDecimal(model_->index(row, column));
+      before_px = std::max(before_px, metrics.horizontalAdvance(before));
+      if (metrics.horizontalAdvance(after) <= after_px) continue;
+      after_px = metrics.horizontalAdvance(after);
+      widest = after;
+    }
+  }
+  delegate_->alignDecimals(widest);
   const int number_px =
-      widestNumber * fontMetrics().horizontalAdvance(QLatin1Char('0')) + figureTextMargin_px;
+      std::max(before_px + after_px, leastNumber * metrics.horizontalAdvance(QLatin1Char('0'))) +
+      figureTextMargin_px;
   int others = 0;
   for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted, KeyFiguresModel::keep}) {
     const int header_px = table_->horizontalHeader()->sectionSizeHint(column);
@@ -155,10 +171,6 @@ void KeyFiguresPanel::layOut() {
     table_->setColumnWidth(column, width);
     others += width;
   }
-  int name_px = 0;
-  for (int row = 0; row < model_->rowCount(); ++row)
-    name_px = std::max(name_px, fontMetrics().horizontalAdvance(
-                                    model_->index(row, KeyFiguresModel::figure).data().toString()));
   name_px += figureTextMargin_px;
   const int beside_px =
       table_->columnWidth(KeyFiguresModel::wanted) + table_->columnWidth(KeyFiguresModel::keep);

@@ -15,6 +15,7 @@ class QPushButton;
 namespace detent::editor {
 
 class KeyFiguresModel;
+class ValueDelegate;
 class ValueTable;
 
 /// Key figures as a table for spreadsheets: name, value, unit, with tabs between them, in the units shown.
@@ -48,6 +49,7 @@ class KeyFiguresPanel : public QWidget {
 
   KeyFiguresModel* model_;
   ValueTable* table_;
+  ValueDelegate* delegate_;
   QWidget* about_;
   QLabel *picture_, *meaning_, *trouble_;
   QCheckBox* all_;

@@ -33,7 +33,7 @@ class SelectedRow : public QTransposeProxyModel {
   // The unit stands in the cell.
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
     const QVariant head = QTransposeProxyModel::headerData(section, orientation, role);
-    return role == Qt::DisplayRole ? head.toString().section('\n', 0, 0) : head;
+    return role == Qt::DisplayRole ? head.toString().section('\n', 0, -2).replace('\n', ' ') : head;
   }
 
  private:
@@ -140,7 +140,8 @@ void SelectionPanel::layOut() {
     table_->setRowHidden(row, !shown);
     if (shown) height_px += table_->rowHeight(row);
   }
-  // Four lines keep their room, so that the figures below do not jump with each selection.
+  table_->setVisible(found);
+  // Four lines keep their room, so that the figures below do not jump from one selected point to the next.
   constexpr int mostLines = 4;
   table_->setFixedHeight(std::max(
       height_px, 2 * table_->frameWidth() + mostLines * table_->verticalHeader()->defaultSectionSize()));

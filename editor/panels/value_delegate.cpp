@@ -28,21 +28,24 @@ QString ValueDelegate::objection(const QString& text, const QModelIndex& index) 
   return question;
 }
 
+std::pair<QString, QString> ValueDelegate::atDecimal(const QModelIndex& cell) {
+  static const QRegularExpression number(QStringLiteral("^[-+\u2212]?[0-9]+"));
+  const QString text = cell.data().toString(), unit = cell.data(unitRole).toString();
+  const qsizetype whole = number.match(text).capturedLength();
+  if (whole == 0) return {text, {}};
+  return {text.left(whole), text.mid(whole) + u' ' + unit};
+}
+
 void ValueDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
   constexpr int margin_px = 4;
-  const QString text = index.data().toString();
-  const bool isNumber = text.contains(QRegularExpression(QStringLiteral("^[-+\u2212]?[0-9]")));
-  if (tail_.isEmpty() || !isNumber) return QStyledItemDelegate::paint(painter, option, index);
+  const auto [before, after] = atDecimal(index);
+  if (tail_.isEmpty() || after.isEmpty()) return QStyledItemDelegate::paint(painter, option, index);
   QStyleOptionViewItem cell = option;
   initStyleOption(&cell, index);
   const QStyle& style = cell.widget ? *cell.widget->style() : *QApplication::style();
   cell.text.clear();
   style.drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
-  const qsizetype whole = text.indexOf(QRegularExpression(QStringLiteral("[^-+\u22120-9]")));
-  const QString before = whole < 0 ? text : text.left(whole), unit = index.data(unitRole).toString();
-  const QString after =
-      (whole < 0 ? QString() : text.mid(whole)) + (unit.isEmpty() ? QString() : u' ' + unit);
   const QFontMetrics metrics(cell.font);
   const int sign_px = std::max(cell.rect.left() + margin_px + metrics.horizontalAdvance(before),
                                cell.rect.right() - margin_px - metrics.horizontalAdvance(tail_));

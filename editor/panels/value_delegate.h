@@ -5,6 +5,7 @@
 #include <functional>
 #include <QStyledItemDelegate>
 #include <QTableView>
+#include <utility>
 
 class QLineEdit;
 
@@ -27,6 +28,9 @@ class ValueDelegate : public QStyledItemDelegate {
   /// Draws numbers with their units, decimal signs below each other; `widest` is the longest text that may
   /// stand behind the whole part of a number.
   void alignDecimals(const QString& widest) { tail_ = widest; }
+  /// A cell's text before and from the decimal sign on, its unit included; the second part is empty for a text
+  /// that is no number.
+  static std::pair<QString, QString> atDecimal(const QModelIndex& cell);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
@@ -47,7 +51,7 @@ class ValueDelegate : public QStyledItemDelegate {
   Doubt doubt_;
   QPersistentModelIndex questionIndex_;  ///< place of the last question
   QString questionText_;                 ///< its text; empty: none
-  QString tail_;                   ///< decides where decimal signs stand; empty: numbers end at the right
+  QString tail_;  ///< decides where decimal signs stand; empty: numbers end at the right
 };
 
 /// Table in which typing changes the current cell or nothing: a cell that cannot be edited never passes the

@@ -15,6 +15,9 @@ constexpr int valuesDragPause_ms = 80;
 constexpr int shownValueDigits = 4;
 constexpr int editedValueDigits = 12;  // typed values are shown unchanged
 
+// Keeps a column of short numbers narrow.
+QString wordPerLine(const QString& heading) { return QString(heading).replace(' ', '\n'); }
+
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
 
 // The headings name the stroke.
@@ -219,9 +222,9 @@ QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int r
     case force:
       return tr("Force") + '\n' + units.forceSymbol();
     case slopeBefore:
-      return tr("Slope before") + '\n' + units.slopeSymbol();
+      return wordPerLine(tr("Slope before")) + '\n' + units.slopeSymbol();
     case slopeAfter:
-      return tr("Slope after") + '\n' + units.slopeSymbol();
+      return wordPerLine(tr("Slope after")) + '\n' + units.slopeSymbol();
     default:
       return {};
   }

@@ -242,6 +242,7 @@ void MainWindow::putDocksAway(bool away) {
   if (away == docksAway_) return;
   docksAway_ = away;
   if (away) {
+    keepInspectorWidth();
     for (QDockWidget* dock : inspectorDocks()) {
       if (dock->isHidden()) continue;
       awayDocks_ << dock;
@@ -252,7 +253,7 @@ void MainWindow::putDocksAway(bool away) {
   }
   for (QDockWidget* dock : std::exchange(awayDocks_, {})) dock->show();
   if (frontDock_) frontDock_->raise();
-  if (docksAreNew_ && isVisible()) QTimer::singleShot(0, this, &MainWindow::sizeNewDocks);
+  if (isVisible()) QTimer::singleShot(0, this, &MainWindow::sizeDocks);
 }
 
 QList<QDockWidget*> MainWindow::inspectorDocks() const {
@@ -698,6 +699,7 @@ void MainWindow::restoreWindow() {
   if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray()))
     resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
   docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
+  inspector_px_ = at_.settings.value("window/inspector_px").toInt();
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);
 }
@@ -707,13 +709,21 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!docksAreNew_) return;
   libraryDock_->setVisible(width() >= leastForLibrary_px);
-  if (!docksAway_) QTimer::singleShot(0, this, &MainWindow::sizeNewDocks);
+  if (!docksAway_) QTimer::singleShot(0, this, &MainWindow::sizeDocks);
 }
 
-void MainWindow::sizeNewDocks() {
-  if (!std::exchange(docksAreNew_, false)) return;
-  const int inspector_px = std::min(firstInspector_px, static_cast<int>(mostForInspector * width()));
-  resizeDocks({libraryDock_, inspectorDock_}, {firstLibrary_px, inspector_px}, Qt::Horizontal);
+// Qt forgets the width of docks that were hidden.
+void MainWindow::sizeDocks() {
+  if (std::exchange(docksAreNew_, false)) {
+    inspector_px_ = std::min(firstInspector_px, static_cast<int>(mostForInspector * width()));
+    resizeDocks({libraryDock_}, {firstLibrary_px}, Qt::Horizontal);
+  }
+  if (inspector_px_ > 0) resizeDocks({inspectorDock_}, {inspector_px_}, Qt::Horizontal);
+}
+
+void MainWindow::keepInspectorWidth() {
+  for (const QDockWidget* dock : inspectorDocks())
+    if (!dock->isFloating() && !dock->visibleRegion().isEmpty()) inspector_px_ = dock->width();
 }
 
 void MainWindow::storeWindow() {
@@ -721,6 +731,8 @@ void MainWindow::storeWindow() {
   const bool away = docksAway_;
   putDocksAway(false);
   at_.settings.setValue("window/state", saveState(stateVersion));
+  keepInspectorWidth();
+  if (inspector_px_ > 0) at_.settings.setValue("window/inspector_px", inspector_px_);
   putDocksAway(away);
   if (feel_) at_.settings.setValue("feel", feel_->saveState());
   storeView(at_.view, at_.settings);

@@ -129,7 +129,8 @@ class MainWindow : public QMainWindow {
   void compareShown(DocumentTab& tab);
   void putDocksAway(bool away);
   QList<QDockWidget*> inspectorDocks() const;
-  void sizeNewDocks();
+  void sizeDocks();
+  void keepInspectorWidth();
   void writeComparison();
   std::vector<ButtonDocument*> openAll(const std::vector<Button>& buttons);
   void updateTitle();
@@ -183,6 +184,7 @@ class MainWindow : public QMainWindow {
   QList<QDockWidget*> awayDocks_;    // docks that come back with the view of editing
   QPointer<QDockWidget> frontDock_;  // of docks that share a place
   bool docksAreNew_ = false;         // nothing was kept of how they were arranged
+  int inspector_px_ = 0;             // width of the docks at the right; 0: not known yet
   QComboBox* other_ = nullptr;       // which button is B of the feel panel
   QPointer<MarginOverlay> margin_;
   QPointer<ButtonDocument> otherDocument_;

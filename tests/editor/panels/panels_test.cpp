@@ -432,7 +432,7 @@ void PanelsTest::readValuesHaveTheDigitsTheirErrorLeaves() {
   QCOMPARE(force.data().toString(), QString("55.7"));
   QVERIFY(force.data(Qt::EditRole).toString().size() > 8);  // all of it is there to be edited
   QVERIFY(model.setData(force, "56.1234", Qt::EditRole));
-  QCOMPARE(force.data().toString(), QString("56.123"));  // typed: five digits, as everywhere
+  QCOMPARE(force.data().toString(), QString("56.12"));  // typed: four digits, as everywhere
   QVERIFY(model.setData(cell(model, tactile, ValuesModel::displacement), "1.23456789", Qt::EditRole));
   QCOMPARE(cell(model, tactile, ValuesModel::displacement).data().toString(), QString("1.235"));
 }

@@ -121,6 +121,7 @@ class GoldenTest : public QObject {
   void compareWindow(const QString& name, Appearance appearance, const std::vector<const char*>& files) {
     auto window = makeWindow(appearance);
     for (const char* file : files) window->files().open({sample(file)});
+    if (files.size() > 1) window->findChild<QDockWidget*>("libraryDock")->show();
     QTest::qWait(500);  // pictures of the library
     if (files.size() > 1) {
       const auto* open = window->findChild<QListView*>("libraryOpenButtons")->model();

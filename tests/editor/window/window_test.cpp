@@ -36,6 +36,7 @@
 #include <QTranslator>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QWidgetAction>
 #include <random>
 
 #include <qcustomplot.h>
@@ -44,6 +45,7 @@
 #include "editor/document/graph_colors.h"
 #include "editor/document/kept_page.h"
 #include "editor/document/message_words.h"
+#include "editor/document/names_in_sight.h"
 #include "editor/feel/feel_setup.h"
 #include "editor/feel/force_setup.h"
 #include "editor/files/document_files.h"
@@ -100,7 +102,8 @@ void collectCutChoices(const QComboBox& box, QStringList& cut) {
 void collectCutHeadings(const QHeaderView& header, QStringList& cut) {
   if (!header.isVisible() || header.orientation() != Qt::Horizontal) return;
   const QString table = header.parentWidget()->objectName();
-  for (int i = 0; i < header.count(); ++i)
+  const bool shortens = dynamic_cast<const ShorteningHeader*>(&header);  // and has the whole as a tool tip
+  for (int i = 0; i < header.count() && !shortens; ++i)
     if (header.sectionSizeHint(i) > header.sectionSize(i) + 1 && !header.isSectionHidden(i))
       cut << QString("%1: heading \"%2\"")
                  .arg(table, header.model()->headerData(i, Qt::Horizontal).toString());
@@ -336,8 +339,12 @@ class WindowTest : public QObject {
   void everyToolHasItsIcon() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
-    for (const QAction* tool : rig.window->findChild<QToolBar*>("toolBar")->actions())
-      QVERIFY2(tool->isSeparator() || !tool->icon().isNull(), qPrintable(tool->objectName()));
+    // The views of the centre have their names in place of icons.
+    const QStringList named{"edit", "compare", "feel"};
+    for (QAction* tool : rig.window->findChild<QToolBar*>("toolBar")->actions()) {
+      if (tool->isSeparator() || qobject_cast<QWidgetAction*>(tool)) continue;
+      QVERIFY2(named.contains(tool->objectName()) == tool->icon().isNull(), qPrintable(tool->objectName()));
+    }
     ImportDialog import(rig.view);
     for (const QAction* tool : import.findChild<QToolBar*>()->actions())
       QVERIFY2(tool->isSeparator() || !tool->icon().isNull(), qPrintable(tool->text()));
@@ -1614,10 +1621,11 @@ class WindowTest : public QObject {
     QTest::qWait(50);
     QVERIFY(canvas.isVisible() && share(canvas) >= 0.65);
     // The numbers of the selected point stand beside the graph.
-    auto* table = rig.window->findChild<QTableView*>("selectionTable");
-    QVERIFY(table->isVisible());
+    auto* table = rig.window->tabs().current()->inspector()->findChild<QTableView*>("selectionTable");
+    QVERIFY(!table->isVisible());  // nothing is selected
     rig.window->tabs().current()->workspace().canvas().setSelected(
         MarkId{MarkKind::tactilePoint, Stroke::press, 0});
+    QVERIFY(table->isVisible());
     const auto peak = tactilePoints(rig.document().graph().press(), Stroke::press).front();
     QCOMPARE(table->model()->index(ValuesModel::displacement, 0).data(Qt::EditRole).toDouble(),
              peak.displacement_mm);
@@ -1738,9 +1746,8 @@ class WindowTest : public QObject {
     QCOMPARE(steps.size(), 1 + 9 + 9 + 1);
     QCOMPARE(steps[1], QString("press,0,0.32"));
     QVERIFY2(steps[10].startsWith("release,4,"), qPrintable(steps[10]));
-    const QStringList given = exported("1.25 1.75", "given.csv");
-    QCOMPARE(given[1], QString("press,1.25,0.55"));
-    QCOMPARE(given[2], QString("press,1.75,0.42"));
+    for (const char* given : {"1.25 1.75", "1.25 mm 1.75 mm", "1.25;1.75", " 1.25 mm; 1.75 "})
+      QCOMPARE(exported(given, "given.csv").mid(1, 2), QStringList({"press,1.25,0.55", "press,1.75,0.42"}));
     for (const char* wrong : {"0", "-1", "9 1", "two", "", "0.0000001"})
       QVERIFY2(exported(wrong, "wrong.csv").isEmpty(), wrong);
   }
@@ -1785,7 +1792,7 @@ class WindowTest : public QObject {
     const QJsonObject report = QJsonDocument::fromJson(geometryJson()).object();
     QSet<QString> names;
     for (const auto& widget : report["widgets"].toArray()) names << widget.toObject()["name"].toString();
-    for (const char* name : {"mainWindow", "tabBar", "cursorPosition", "unitButton", "selectionTable"})
+    for (const char* name : {"mainWindow", "tabBar", "cursorPosition", "unitButton", "keyFiguresTable"})
       QVERIFY2(names.contains(name), name);
     new GeometryReport(at("geometry.json"), rig.window.get());
     QTRY_VERIFY(QFile::exists(at("geometry.json")));
