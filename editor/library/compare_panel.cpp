@@ -23,14 +23,14 @@ namespace {
 constexpr int updateDelay_ms = 50;
 constexpr int rowMargin_px = 8, swatch_px = 12;
 constexpr int leastPlot_px = 160;
-constexpr int figures_px = 320;           // width of the figures beside the plot
+constexpr int figures_px = 370;           // width of the figures beside the plot
 constexpr double sideBySideAspect = 1.3;  // width over height from which the figures stand beside the plot
 constexpr int leastTableRows = 5;
 constexpr int longestHead = 16;  // characters of a column's head
 
 QTableWidget* differencesTable() {
   auto* table = described(new QTableWidget, "compareTable", {}, ComparePanel::tr("Differences"));
-  table->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideRight, table));
+  table->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideMiddle, table));
   table->setHorizontalHeader(new ShorteningHeader(Qt::Horizontal, Qt::ElideMiddle, table));
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowMargin_px);
@@ -108,12 +108,14 @@ QWidget* ComparePanel::plotSide() {
   auto* tools = new QHBoxLayout;
   for (QToolButton* tool : {difference, picture, copy}) tools->addWidget(tool);
   tools->addStretch();
+  belowPlot_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  belowPlot_->addWidget(reading_, 1);
+  belowPlot_->addLayout(tools);
   auto* side = new QWidget;
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(4, 2, 4, 2);
   column->addWidget(plot_, 1);
-  column->addWidget(reading_);
-  column->addLayout(tools);
+  column->addLayout(belowPlot_);
   return side;
 }
 
@@ -161,6 +163,7 @@ void ComparePanel::resizeEvent(QResizeEvent* event) {
   const auto way = width() > sideBySideAspect * height() ? Qt::Horizontal : Qt::Vertical;
   if (way == split_->orientation()) return;
   split_->setOrientation(way);
+  belowPlot_->setDirection(way == Qt::Horizontal ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   const int figures = way == Qt::Horizontal ? figures_px : height() / 2;
   split_->setSizes({(way == Qt::Horizontal ? width() : height()) - figures, figures});
 }

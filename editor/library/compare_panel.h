@@ -92,6 +92,7 @@ class ComparePanel : public QWidget {
   std::vector<std::unique_ptr<Side>> sides_;  // two at least
   QVBoxLayout* rows_ = nullptr;
   QSplitter* split_ = nullptr;
+  QBoxLayout* belowPlot_ = nullptr;  ///< the reading and the tools, beside each other in a wide panel
   ComparePlot* plot_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel *distance_ = nullptr, *reading_ = nullptr;

@@ -189,6 +189,33 @@
     </message>
 </context>
 <context>
+    <name>ExperimenterDialog</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, complete</source>
+        <translation>%1, vollständig</translation>
+    </message>
+    <message>
+        <source>%1, ended early</source>
+        <translation>%1, vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>Mensch</translation>
+    </message>
+    <message>
+        <source>REHEARSAL, nothing felt</source>
+        <translation>PROBE, nichts zu fühlen</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+</context>
+<context>
     <name>FormatWords</name>
     <message>
         <source>Detent package (JSON)</source>
@@ -547,33 +574,6 @@ Lizenz: %3</translation>
     <message>
         <source>locked</source>
         <translation>eingerastet</translation>
-    </message>
-</context>
-<context>
-    <name>ExperimenterDialog</name>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>%1, complete</source>
-        <translation>%1, vollständig</translation>
-    </message>
-    <message>
-        <source>%1, ended early</source>
-        <translation>%1, vorzeitig beendet</translation>
-    </message>
-    <message>
-        <source>person</source>
-        <translation>Mensch</translation>
-    </message>
-    <message>
-        <source>REHEARSAL, nothing felt</source>
-        <translation>PROBE, nichts zu fühlen</translation>
-    </message>
-    <message>
-        <source>SIMULATED</source>
-        <translation>SIMULIERT</translation>
     </message>
 </context>
 <context>
@@ -3666,6 +3666,249 @@ Lizenz: %3</translation>
     <message>
         <source>Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. Over the frame of the graph shown it corrects that; beside it it adds a graph. Its edges cling to lines.</source>
         <translation>Ziehen Sie von einer Ecke des Graphen zur gegenüberliegenden: das Rechteck, in dem die Kurven gezeichnet sind. Über dem Rahmen des gezeigten Graphen berichtigt das ihn; daneben fügt es einen Graphen hinzu. Seine Kanten haften an Linien.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ExperimenterDialog</name>
+    <message>
+        <source>Study: experimenter</source>
+        <translation>Studie: Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>&amp;New study…</source>
+        <translation>&amp;Neue Studie …</translation>
+    </message>
+    <message>
+        <source>Make a study of the open buttons</source>
+        <translation>Eine Studie mit den offenen Tastern anlegen</translation>
+    </message>
+    <message>
+        <source>&amp;Open a study…</source>
+        <translation>Studie &amp;öffnen …</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a study</source>
+        <translation>Den Ordner einer Studie wählen</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Teilnehmer/in</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Beantwortet</translation>
+    </message>
+    <message>
+        <source>Answers by</source>
+        <translation>Antworten von</translation>
+    </message>
+    <message>
+        <source>To be known</source>
+        <translation>Zu wissen</translation>
+    </message>
+    <message>
+        <source>Letters, digits, - and _; no name of a person. One that is in the list goes on at the very question</source>
+        <translation>Buchstaben, Ziffern, - und _; kein Name eines Menschen. Wer in der Liste steht, macht genau bei seiner Frage weiter</translation>
+    </message>
+    <message>
+        <source>Where nothing is felt, every row and every page of the report says so</source>
+        <translation>Wo nichts zu fühlen ist, sagt es jede Zeile und jede Seite des Berichts</translation>
+    </message>
+    <message>
+        <source>a person, with the sound device</source>
+        <translation>ein Mensch, mit dem Audiogerät</translation>
+    </message>
+    <message>
+        <source>nobody who counts: a rehearsal without a sound device</source>
+        <translation>niemand, der zählt: eine Probe ohne Audiogerät</translation>
+    </message>
+    <message>
+        <source>the program, guessing</source>
+        <translation>das Programm, geraten</translation>
+    </message>
+    <message>
+        <source>the program, without an error</source>
+        <translation>das Programm, ohne Fehler</translation>
+    </message>
+    <message>
+        <source>What reaches the ears; kept in every row</source>
+        <translation>Was die Ohren erreicht; steht in jeder Zeile</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>still</translation>
+    </message>
+    <message>
+        <source>masked by rain</source>
+        <translation>durch Regen verdeckt</translation>
+    </message>
+    <message>
+        <source>on the outputs behind the vibration&apos;s</source>
+        <translation>auf den Ausgängen hinter dem der Schwingung</translation>
+    </message>
+    <message>
+        <source>Sound device of the headphones that play rain; turn it up until the vibration is inaudible</source>
+        <translation>Audiogerät der Kopfhörer, die Regen spielen; drehen Sie auf, bis die Schwingung nicht zu hören ist</translation>
+    </message>
+    <message>
+        <source>Serial port of a force sensor under the finger, calibrated by the study&apos;s device profile; empty: keys and large buttons press</source>
+        <translation>Serieller Anschluss eines Kraftsensors unter dem Finger, kalibriert durch das Geräteprofil der Studie; leer: Tasten und große Knöpfe drücken</translation>
+    </message>
+    <message>
+        <source>Next &amp;participant:</source>
+        <translation>&amp;Nächste Person:</translation>
+    </message>
+    <message>
+        <source>&amp;Answers by:</source>
+        <translation>&amp;Antworten von:</translation>
+    </message>
+    <message>
+        <source>&amp;Listening:</source>
+        <translation>&amp;Gehör:</translation>
+    </message>
+    <message>
+        <source>&amp;Headphones:</source>
+        <translation>&amp;Kopfhörer:</translation>
+    </message>
+    <message>
+        <source>Force &amp;sensor:</source>
+        <translation>Kraft&amp;sensor:</translation>
+    </message>
+    <message>
+        <source>&amp;Begin or go on</source>
+        <translation>&amp;Beginnen oder weitermachen</translation>
+    </message>
+    <message>
+        <source>Open the participant&apos;s window, or let the program answer</source>
+        <translation>Das Fenster für die Person öffnen, oder das Programm antworten lassen</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report…</source>
+        <translation>&amp;Bericht schreiben …</translation>
+    </message>
+    <message>
+        <source>Write tables and pictures of the answers so far as one HTML page</source>
+        <translation>Tabellen und Bilder der bisherigen Antworten als eine HTML-Seite schreiben</translation>
+    </message>
+    <message>
+        <source>Open a study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Make a new study of the open buttons, or open the folder of one.</source>
+        <translation>Legen Sie eine neue Studie mit den offenen Tastern an, oder öffnen Sie den Ordner einer Studie.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2. Questions for each participant: %3</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Fragen an jede Person: %3</translation>
+    </message>
+    <message>
+        <source>A participant is at work: finish or pause there first.</source>
+        <translation>Eine Person ist bei der Arbeit: Beenden oder pausieren Sie zuerst dort.</translation>
+    </message>
+    <message>
+        <source>%1 Or choose a rehearsal.</source>
+        <translation>%1 Oder wählen Sie eine Probe.</translation>
+    </message>
+    <message>
+        <source>%1 has answered everything.</source>
+        <translation>%1 hat alles beantwortet.</translation>
+    </message>
+    <message>
+        <source>The program answers…</source>
+        <translation>Das Programm antwortet …</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Of everything the participant reads</source>
+        <translation>Von allem, was die Versuchsperson liest</translation>
+    </message>
+    <message>
+        <source>It is covered wholly; on another one this window stays</source>
+        <translation>Er wird ganz bedeckt; auf einem anderen bleibt dieses Fenster stehen</translation>
+    </message>
+    <message>
+        <source>Their lan&amp;guage:</source>
+        <translation>Deren S&amp;prache:</translation>
+    </message>
+    <message>
+        <source>Their s&amp;creen:</source>
+        <translation>Deren Bil&amp;dschirm:</translation>
+    </message>
+    <message>
+        <source>%1 is at work.</source>
+        <translation>%1 ist an der Arbeit.</translation>
+    </message>
+    <message>
+        <source>reads the consent text</source>
+        <translation>liest die Einwilligung</translation>
+    </message>
+    <message>
+        <source>reads what comes</source>
+        <translation>liest, was kommt</translation>
+    </message>
+    <message>
+        <source>is at a question</source>
+        <translation>ist an einer Frage</translation>
+    </message>
+    <message>
+        <source>rests</source>
+        <translation>ruht aus</translation>
+    </message>
+    <message>
+        <source>pauses</source>
+        <translation>macht eine Pause</translation>
+    </message>
+    <message>
+        <source>waits for you: a device went away</source>
+        <translation>wartet auf Sie: ein Gerät ist weg</translation>
+    </message>
+    <message>
+        <source>is done and waits for you</source>
+        <translation>ist fertig und wartet auf Sie</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 answered; %4</source>
+        <translation>%1: %2 von %3 beantwortet; %4</translation>
+    </message>
+    <message>
+        <source>force device of Feel it</source>
+        <translation>Kraftgerät von Fühlen</translation>
+    </message>
+    <message>
+        <source>The button is felt on it and pressed there; chosen under Setup of Feel it</source>
+        <translation>Der Taster wird darauf gefühlt und gedrückt; gewählt unter Einrichtung bei Fühlen</translation>
+    </message>
+    <message>
+        <source>none is chosen</source>
+        <translation>keines ist gewählt</translation>
+    </message>
+    <message>
+        <source>Choose one under Setup of Feel it</source>
+        <translation>Eines unter Einrichtung in Fühlen wählen</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
     </message>
 </context>
 <context>
@@ -7815,249 +8058,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>No audio output. Presses are tracked without sound. %1</source>
         <translation>Keine Tonausgabe. Drücke werden ohne Ton verfolgt. %1</translation>
-    </message>
-</context>
-<context>
-    <name>detent::editor::ExperimenterDialog</name>
-    <message>
-        <source>Study: experimenter</source>
-        <translation>Studie: Versuchsleitung</translation>
-    </message>
-    <message>
-        <source>&amp;New study…</source>
-        <translation>&amp;Neue Studie …</translation>
-    </message>
-    <message>
-        <source>Make a study of the open buttons</source>
-        <translation>Eine Studie mit den offenen Tastern anlegen</translation>
-    </message>
-    <message>
-        <source>&amp;Open a study…</source>
-        <translation>Studie &amp;öffnen …</translation>
-    </message>
-    <message>
-        <source>Choose the folder of a study</source>
-        <translation>Den Ordner einer Studie wählen</translation>
-    </message>
-    <message>
-        <source>Participants</source>
-        <translation>Teilnehmende</translation>
-    </message>
-    <message>
-        <source>Participant</source>
-        <translation>Teilnehmer/in</translation>
-    </message>
-    <message>
-        <source>Answered</source>
-        <translation>Beantwortet</translation>
-    </message>
-    <message>
-        <source>Answers by</source>
-        <translation>Antworten von</translation>
-    </message>
-    <message>
-        <source>To be known</source>
-        <translation>Zu wissen</translation>
-    </message>
-    <message>
-        <source>Letters, digits, - and _; no name of a person. One that is in the list goes on at the very question</source>
-        <translation>Buchstaben, Ziffern, - und _; kein Name eines Menschen. Wer in der Liste steht, macht genau bei seiner Frage weiter</translation>
-    </message>
-    <message>
-        <source>Where nothing is felt, every row and every page of the report says so</source>
-        <translation>Wo nichts zu fühlen ist, sagt es jede Zeile und jede Seite des Berichts</translation>
-    </message>
-    <message>
-        <source>a person, with the sound device</source>
-        <translation>ein Mensch, mit dem Audiogerät</translation>
-    </message>
-    <message>
-        <source>nobody who counts: a rehearsal without a sound device</source>
-        <translation>niemand, der zählt: eine Probe ohne Audiogerät</translation>
-    </message>
-    <message>
-        <source>the program, guessing</source>
-        <translation>das Programm, geraten</translation>
-    </message>
-    <message>
-        <source>the program, without an error</source>
-        <translation>das Programm, ohne Fehler</translation>
-    </message>
-    <message>
-        <source>What reaches the ears; kept in every row</source>
-        <translation>Was die Ohren erreicht; steht in jeder Zeile</translation>
-    </message>
-    <message>
-        <source>quiet</source>
-        <translation>still</translation>
-    </message>
-    <message>
-        <source>masked by rain</source>
-        <translation>durch Regen verdeckt</translation>
-    </message>
-    <message>
-        <source>on the outputs behind the vibration&apos;s</source>
-        <translation>auf den Ausgängen hinter dem der Schwingung</translation>
-    </message>
-    <message>
-        <source>Sound device of the headphones that play rain; turn it up until the vibration is inaudible</source>
-        <translation>Audiogerät der Kopfhörer, die Regen spielen; drehen Sie auf, bis die Schwingung nicht zu hören ist</translation>
-    </message>
-    <message>
-        <source>Serial port of a force sensor under the finger, calibrated by the study&apos;s device profile; empty: keys and large buttons press</source>
-        <translation>Serieller Anschluss eines Kraftsensors unter dem Finger, kalibriert durch das Geräteprofil der Studie; leer: Tasten und große Knöpfe drücken</translation>
-    </message>
-    <message>
-        <source>Next &amp;participant:</source>
-        <translation>&amp;Nächste Person:</translation>
-    </message>
-    <message>
-        <source>&amp;Answers by:</source>
-        <translation>&amp;Antworten von:</translation>
-    </message>
-    <message>
-        <source>&amp;Listening:</source>
-        <translation>&amp;Gehör:</translation>
-    </message>
-    <message>
-        <source>&amp;Headphones:</source>
-        <translation>&amp;Kopfhörer:</translation>
-    </message>
-    <message>
-        <source>Force &amp;sensor:</source>
-        <translation>Kraft&amp;sensor:</translation>
-    </message>
-    <message>
-        <source>&amp;Begin or go on</source>
-        <translation>&amp;Beginnen oder weitermachen</translation>
-    </message>
-    <message>
-        <source>Open the participant&apos;s window, or let the program answer</source>
-        <translation>Das Fenster für die Person öffnen, oder das Programm antworten lassen</translation>
-    </message>
-    <message>
-        <source>Write the &amp;report…</source>
-        <translation>&amp;Bericht schreiben …</translation>
-    </message>
-    <message>
-        <source>Write tables and pictures of the answers so far as one HTML page</source>
-        <translation>Tabellen und Bilder der bisherigen Antworten als eine HTML-Seite schreiben</translation>
-    </message>
-    <message>
-        <source>Open a study</source>
-        <translation>Studie öffnen</translation>
-    </message>
-    <message>
-        <source>Make a new study of the open buttons, or open the folder of one.</source>
-        <translation>Legen Sie eine neue Studie mit den offenen Tastern an, oder öffnen Sie den Ordner einer Studie.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: %2. Questions for each participant: %3</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Fragen an jede Person: %3</translation>
-    </message>
-    <message>
-        <source>A participant is at work: finish or pause there first.</source>
-        <translation>Eine Person ist bei der Arbeit: Beenden oder pausieren Sie zuerst dort.</translation>
-    </message>
-    <message>
-        <source>%1 Or choose a rehearsal.</source>
-        <translation>%1 Oder wählen Sie eine Probe.</translation>
-    </message>
-    <message>
-        <source>%1 has answered everything.</source>
-        <translation>%1 hat alles beantwortet.</translation>
-    </message>
-    <message>
-        <source>The program answers…</source>
-        <translation>Das Programm antwortet …</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Write the report</source>
-        <translation>Bericht schreiben</translation>
-    </message>
-    <message>
-        <source>Web page (*.html)</source>
-        <translation>Webseite (*.html)</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
-    </message>
-    <message>
-        <source>Of everything the participant reads</source>
-        <translation>Von allem, was die Versuchsperson liest</translation>
-    </message>
-    <message>
-        <source>It is covered wholly; on another one this window stays</source>
-        <translation>Er wird ganz bedeckt; auf einem anderen bleibt dieses Fenster stehen</translation>
-    </message>
-    <message>
-        <source>Their lan&amp;guage:</source>
-        <translation>Deren S&amp;prache:</translation>
-    </message>
-    <message>
-        <source>Their s&amp;creen:</source>
-        <translation>Deren Bil&amp;dschirm:</translation>
-    </message>
-    <message>
-        <source>%1 is at work.</source>
-        <translation>%1 ist an der Arbeit.</translation>
-    </message>
-    <message>
-        <source>reads the consent text</source>
-        <translation>liest die Einwilligung</translation>
-    </message>
-    <message>
-        <source>reads what comes</source>
-        <translation>liest, was kommt</translation>
-    </message>
-    <message>
-        <source>is at a question</source>
-        <translation>ist an einer Frage</translation>
-    </message>
-    <message>
-        <source>rests</source>
-        <translation>ruht aus</translation>
-    </message>
-    <message>
-        <source>pauses</source>
-        <translation>macht eine Pause</translation>
-    </message>
-    <message>
-        <source>waits for you: a device went away</source>
-        <translation>wartet auf Sie: ein Gerät ist weg</translation>
-    </message>
-    <message>
-        <source>is done and waits for you</source>
-        <translation>ist fertig und wartet auf Sie</translation>
-    </message>
-    <message>
-        <source>%1: %2 of %3 answered; %4</source>
-        <translation>%1: %2 von %3 beantwortet; %4</translation>
-    </message>
-    <message>
-        <source>force device of Feel it</source>
-        <translation>Kraftgerät von Fühlen</translation>
-    </message>
-    <message>
-        <source>The button is felt on it and pressed there; chosen under Setup of Feel it</source>
-        <translation>Der Taster wird darauf gefühlt und gedrückt; gewählt unter Einrichtung bei Fühlen</translation>
-    </message>
-    <message>
-        <source>none is chosen</source>
-        <translation>keines ist gewählt</translation>
-    </message>
-    <message>
-        <source>Choose one under Setup of Feel it</source>
-        <translation>Eines unter Einrichtung in Fühlen wählen</translation>
-    </message>
-    <message>
-        <source>Study</source>
-        <translation>Studie</translation>
     </message>
 </context>
 <context>
