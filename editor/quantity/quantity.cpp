@@ -176,9 +176,9 @@ QString doubtOf(const QString& text, double value, Quantity quantity, const Disp
   if (std::abs(value) <= (isForce ? mostForce_N : mostTravel_mm)) return {};
   const QString meant = meantBy(text, quantity, units);
   const QString typedText = quantityWithUnit(value, quantity, units);
-  return meant.isEmpty()
-             ? tr("%1 is unusually high. Press Enter again to keep it.").arg(typedText)
-             : tr("%1 is unusually high. Did you mean %2? Press Enter again to keep %1.").arg(typedText, meant);
+  return meant.isEmpty() ? tr("%1 is unusually high. Press Enter again to keep it.").arg(typedText)
+                         : tr("%1 is unusually high. Did you mean %2? Press Enter again to keep %1.")
+                               .arg(typedText, meant);
 }
 
 double shownUnitOf(Quantity quantity, const DisplayUnits& units) {
