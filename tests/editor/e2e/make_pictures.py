@@ -32,10 +32,11 @@ class Camera:
         self.editor.widget("mainWindow")
         self.resize()
 
-    def resize(self):
-        window = self.active_window()
-        self.desktop.xdotool("windowmove", window, 20, 30)
-        self.desktop.xdotool("windowsize", "--sync", window, *SIZE)
+    def resize(self, corner=(20, 30), size=SIZE):
+        # The active window may be a dialogue that has just been closed.
+        wait_for("a window that moves",
+                 lambda: self.desktop.xdotool("windowmove", self.active_window(), *corner, check=False).returncode == 0)
+        self.desktop.xdotool("windowsize", "--sync", self.active_window(), *size)
         time.sleep(0.5)
 
     def active_window(self):
@@ -129,9 +130,7 @@ class Camera:
         self.whole_screen(folder / "1-import.png")
         self.desktop.key("Escape")
         self.editor.gone("importDialog")
-        window = self.active_window()
-        self.desktop.xdotool("windowmove", window, 0, 0)
-        self.desktop.xdotool("windowsize", "--sync", window, width, height)
+        self.resize((0, 0), (width, height))
         for number, (view, keys) in enumerate({"edit": "alt+0", "compare": "ctrl+k", "feel": "alt+4"}.items(), 2):
             self.desktop.key(keys)
             time.sleep(2)  # the forecast of a comparison, the signal of a press
