@@ -22,7 +22,7 @@ namespace detent::editor {
 namespace {
 
 constexpr QSize panelPictureSize(132, 84);
-constexpr int leastNumber = 6;  // characters of a column of numbers: room to type
+constexpr int leastNumber = 3;  // characters before the decimal sign
 // What people ask first about a button.
 constexpr KeyFigure firstFigures[] = {
     KeyFigure::preTravel, KeyFigure::operatingForce, KeyFigure::peakForce,   KeyFigure::drop,
@@ -146,31 +146,26 @@ void KeyFiguresPanel::showRows() {
 // Numbers get the width they need, names the rest.
 void KeyFiguresPanel::layOut() {
   const QFontMetrics metrics = table_->fontMetrics();
-  int name_px = 0, before_px = 0, after_px = 0;
+  const QHeaderView& heads = *table_->horizontalHeader();
+  int name_px = 0, after_px = 0, others = heads.sectionSizeHint(KeyFiguresModel::keep);
+  table_->setColumnWidth(KeyFiguresModel::keep, others);
   QString widest;
-  for (int row = 0; row < model_->rowCount(); ++row) {
-    if (table_->isRowHidden(row)) continue;
-    const QString name = model_->index(row, KeyFiguresModel::figure).data().toString();
-    name_px = std::max(name_px, metrics.horizontalAdvance(name));
-    for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted}) {
+  for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted}) {
+    int before_px = leastNumber * metrics.horizontalAdvance(QLatin1Char('0')), columnAfter_px = 0;
+    for (int row = 0; row < model_->rowCount(); ++row) {
+      if (table_->isRowHidden(row)) continue;
+      const QString name = model_->index(row, KeyFiguresModel::figure).data().toString();
+      name_px = std::max(name_px, metrics.horizontalAdvance(name));
       const auto [before, after] = ValueDelegate::atDecimal(model_->index(row, column));
+      columnAfter_px = std::max(columnAfter_px, metrics.horizontalAdvance(after));
       before_px = std::max(before_px, metrics.horizontalAdvance(before));
-      if (metrics.horizontalAdvance(after) <= after_px) continue;
-      after_px = metrics.horizontalAdvance(after);
-      widest = after;
+      if (columnAfter_px > after_px) after_px = columnAfter_px, widest = after;
     }
+    const int number_px = before_px + columnAfter_px + figureTextMargin_px;
+    table_->setColumnWidth(column, std::max(number_px, heads.sectionSizeHint(column)));
+    others += table_->columnWidth(column);
   }
   delegate_->alignDecimals(widest);
-  const int number_px =
-      std::max(before_px + after_px, leastNumber * metrics.horizontalAdvance(QLatin1Char('0'))) +
-      figureTextMargin_px;
-  int others = 0;
-  for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted, KeyFiguresModel::keep}) {
-    const int header_px = table_->horizontalHeader()->sectionSizeHint(column);
-    const int width = column == KeyFiguresModel::keep ? header_px : std::max(number_px, header_px);
-    table_->setColumnWidth(column, width);
-    others += width;
-  }
   name_px += figureTextMargin_px;
   const int beside_px =
       table_->columnWidth(KeyFiguresModel::wanted) + table_->columnWidth(KeyFiguresModel::keep);

@@ -52,7 +52,7 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 5;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr int firstLibrary_px = 230, firstInspector_px = 290;
+constexpr int firstLibrary_px = 230, firstInspector_px = 310;
 constexpr double mostForInspector = 0.42, mostForFeel = 0.6;  // of the window
 constexpr int leastForLibrary_px = 1600;  // width of the window from which the library is shown at first
 constexpr QSize copiedPicture_px{1800, 1200};
