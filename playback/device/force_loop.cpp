@@ -72,12 +72,22 @@ void ForceLoop::takeOrders() {
   if (emergency_.exchange(false)) engine_.emergencyStop();  // last: of both the stop counts
 }
 
-// What a late loop did not see may have moved.
-void ForceLoop::step(ForceReading reading) {
+bool ForceLoop::isStall(double pause_s) const {
+  return settings_.paced && pause_s > std::max(program_->limits.stall_s, longestGap * program_->period_s);
+}
+
+void ForceLoop::step() {
+  requested_s_ = now_s();
+  // The device has given up the force of before the pause; it must not have it back at once.
+  if (exchanged_s_ > 0 && isStall(requested_s_ - exchanged_s_)) command_.force_N = 0;
+  ForceReading reading = device_->exchange(command_);
   if (settings_.paced) {
     const double before_s = std::exchange(exchanged_s_, now_s());
+    // What a late loop did not see may have moved.
     if (before_s > 0) reading.periods = std::max(1.0, (exchanged_s_ - before_s) / program_->period_s);
   }
+  // An answer that waited while this program stood still is the place of before the pause.
+  if (isStall(exchanged_s_ - requested_s_)) reading.fresh = false;
   if (settings_.paced && !reading.fresh)
     ++(late_s_ > lateShare * program_->period_s ? deadlines_.computerLate : deadlines_.deviceLate);
   command_ = engine_.step(reading);
@@ -152,19 +162,14 @@ void ForceLoop::run() {
     if (!settings_.paced && i > 0 && i == settings_.waitsAfter_steps) awaitProgram();
     takeProgram();
     takeOrders();
-    // The device has given up the force of before the pause; it must not have it back at once.
-    if (settings_.paced && exchanged_s_ > 0 && now_s() - exchanged_s_ > program_->limits.stall_s &&
-        now_s() - exchanged_s_ > longestGap * program_->period_s)
-      command_.force_N = 0;
-    requested_s_ = now_s();
-    step(device_->exchange(command_));
+    step();
     keep(engine_.last(), !settings_.paced);
     publish(false);
   }
   engine_.stop();
   for (int i = 0; i < longestFade_steps && !engine_.silent(); ++i) {
     if (settings_.paced) sleepUntil(due_s += program_->period_s);
-    step(device_->exchange(command_));
+    step();
   }
   // Whatever law the device runs by itself, and whoever stopped it: no force follows from here on.
   ForceCommand nothing;

@@ -84,7 +84,8 @@ class ForceLoop {
   void takeProgram();
   void awaitProgram();
   void takeOrders();
-  void step(ForceReading reading);
+  bool isStall(double pause_s) const;
+  void step();
 
   ForceLoopSettings settings_;
   std::unique_ptr<ForceDevice> device_;

@@ -434,6 +434,7 @@ OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double&
   if (position) {
     if (unsure_) return Answer::late;
     if (!std::exchange(pending_, false)) {
+      ++counts_.repeated;
       askMarker();  // not requested: one more may follow
       return Answer::late;
     }
@@ -455,10 +456,23 @@ OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double&
   return Answer::other;
 }
 
+/// Takes the lines that lie in the port before a position is requested: an answer too many would pass for that
+/// position's answer, and each further one would make all positions a period older.
+void OdriveForceDevice::takeArrived(double deadline_s) {
+  requestedNow_ = false;
+  while (now_s() < deadline_s) {
+    const std::optional<std::string_view> line = link_.line(now_s());
+    if (!line) return;
+    double turns = 0;
+    take(*line, turns);
+  }
+}
+
 /// Requests the position until it comes; only while no loop runs.
 std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
+  takeArrived(deadline_s);
   if (pending_ && now_s() - requested_s_ > slowestRoundTrip_s) askMarker();
-  if (!pending_) askPosition();
+  if (!pending_ && !unsure_) askPosition();
   requestedNow_ = true;
   for (;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
@@ -528,7 +542,7 @@ ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
 /// The position of this period, if its answer comes in time.
 std::optional<double> OdriveForceDevice::nextPosition() {
   const double start_s = now_s();
-  requestedNow_ = false;
+  takeArrived(start_s + wait_s_);
   if (pending_ && !unsure_ && start_s - requested_s_ > positionLost_s) askMarker();
   if (unsure_ && start_s - markerSent_s_ > slowestRoundTrip_s) askMarker();
   if (unsure_ && start_s - unsureSince_s_ > longestUnsure_s) settle();

@@ -39,7 +39,7 @@ class OdriveForceDevice : public ForceDevice {
   ~OdriveForceDevice() override;
 
   /// One question is in flight at a time, because an ODrive's answers carry no number: an answer that comes after its period is late, not
-  /// fresh, and while it is pending nothing else is requested.
+  /// fresh, and while it is pending nothing else is requested. An answer that nobody requested is counted as repeated, never used.
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
   bool setPace(double period_s) override;
@@ -71,6 +71,7 @@ class OdriveForceDevice : public ForceDevice {
   void askPosition();
   void askMarker();
   void noteState(double state);
+  void takeArrived(double deadline_s);
   std::optional<double> feedback_turns(double deadline_s);
   std::optional<double> fedFeedback_turns();
   std::optional<double> nextPosition();

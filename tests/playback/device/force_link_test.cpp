@@ -862,6 +862,35 @@ TEST_CASE("ODrive: an answer that comes after its period is late, whatever the d
   }
 }
 
+TEST_CASE("ODrive: an answer that comes twice is used once, and no later position is older for it") {
+  FakeOdrive odrive;
+  std::atomic<bool> doubles{false};
+  FakeDevice fake([&](const std::string& line) {
+    if (doubles && line.starts_with("f 0")) odrive.turns = odrive.turns + 0.001;
+    const std::string answer = odrive.answer(line);
+    return doubles ? answer + answer : answer;
+  });
+  OdriveSettings settings;
+  settings.port = fake.port;
+  settings.period_s = 0.1;
+  auto device = OdriveForceDevice::open(settings);
+  for (int i = 1; i < tries && !device; ++i) device = OdriveForceDevice::open(settings);
+  REQUIRE(device);
+  const double rest_turns = odrive.turns;
+  doubles = true;
+  int fresh = 0, old = 0;
+  for (int i = 0; i < 15; ++i) {
+    const ForceReading reading = (*device)->exchange({});
+    sleepUntil(now_s() + 0.02);  // until the board has heard every question
+    const double newest_mm = (odrive.turns - rest_turns) * settings.mmPerTurn;
+    fresh += reading.fresh ? 1 : 0;
+    old += reading.fresh && std::abs(reading.position_mm - newest_mm) > 0.03 ? 1 : 0;
+  }
+  CHECK(fresh > 5);
+  CHECK(old == 0);
+  CHECK((*device)->counts().repeated > 5);
+}
+
 TEST_CASE("serial ports are for one program alone, and the other one is named") {
   FakeDevice fake([](const std::string& line) { return goodBoard(line, 0); });
   const auto first = opened(fake, 0.001);

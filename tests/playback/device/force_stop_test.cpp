@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who stops a running force loop, how fast, and that the loop allocates nothing while it runs.
 #include <atomic>
+#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -171,6 +173,54 @@ class AnsweredPty {
 };
 
 }  // namespace
+
+namespace {
+
+/// Its handle stands at 2 mm. Then the program stands still between a question and its answer, and meanwhile
+/// the finger pushes the handle to 6 mm.
+class PausingDevice : public ForceDevice {
+ public:
+  ForceReading exchange(const ForceCommand& command) override {
+    if (paused) forces_N.push_back(command.force_N);
+    force_N = command.force_N;
+    ForceReading reading;
+    reading.position_mm = paused ? 6 : 2;
+    if (!paused && pauses) {
+      sleepUntil(now_s() + 0.06);
+      paused = true;
+    }
+    return reading;
+  }
+  std::atomic<double> force_N{0};
+  std::atomic<bool> pauses{false};
+  bool paused = false;
+  std::vector<double> forces_N;  ///< since the pause
+};
+
+}  // namespace
+
+TEST_CASE("force loop: an answer from before a pause is not believed, and the force rises from nothing") {
+  const ForceProgram program = benchProgram();  // 0.25 N/mm
+  auto owned = std::make_unique<PausingDevice>();
+  PausingDevice& device = *owned;
+  ForceLoop loop(std::move(owned), program, ForceLoopSettings{});
+  const auto waitFor = [&](double force_N) {
+    const double end_s = now_s() + 20;
+    while (std::abs(device.force_N - force_N) > 0.005 && now_s() < end_s) sleepUntil(now_s() + 0.001);
+    CHECK(device.force_N == Approx(force_N).margin(0.005));
+  };
+  waitFor(0.5);
+  device.pauses = true;
+  waitFor(1.5);
+  CHECK(loop.status().halt == ForceHalt::none);
+  loop.stop();
+  while (!loop.status().finished) sleepUntil(now_s() + 0.001);
+  const double perStep_N = 1.5 * program.period_s / program.limits.startRamp_s;
+  int aboveRamp = 0;
+  for (std::size_t i = 0; i < device.forces_N.size(); ++i)
+    aboveRamp += device.forces_N[i] > perStep_N * static_cast<double>(i + 1) + 1e-9 ? 1 : 0;
+  CHECK(aboveRamp == 0);
+}
 
 TEST_CASE("force loop: a step allocates nothing") {
   if (!test::guardWorks()) return;
