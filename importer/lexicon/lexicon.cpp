@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kNoMatch = std::numeric_limits<double>::infinity();  // cost
 
-constexpr std::array<std::pair<std::string_view, WordKind>, 10> kKinds{{{"press", WordKind::press},
+constexpr std::array<std::pair<std::string_view, WordKind>, 11> kKinds{{{"press", WordKind::press},
                                                                         {"release", WordKind::release},
                                                                         {"point", WordKind::point},
                                                                         {"wear", WordKind::wear},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<std::string_view, WordKind>, 10> kKinds{{{"press"
                                                                         {"variant", WordKind::variant},
                                                                         {"series", WordKind::series},
                                                                         {"quantity", WordKind::quantity},
+                                                                        {"symbol", WordKind::symbol},
                                                                         {"also", WordKind::also},
                                                                         {"unit", WordKind::unit}}};
 
@@ -339,15 +340,18 @@ bool namesQuantity(std::string_view title, Quantity quantity, TextSource source)
   });
 }
 
+bool isPrintedAsForce(std::string_view quantity) {
+  return std::ranges::any_of(entriesOf(WordKind::also),
+                             [&](const LexiconEntry& entry) { return entry.word == quantity; });
+}
+
 NamedQuantity quantityNamedIn(std::string_view title, TextSource source) {
   const auto found = quantitiesIn(title, source);
   const auto names = [&](std::string_view name) { return std::ranges::find(found, name) != found.end(); };
   if (names("force")) return {Quantity::force, "force", true};
   if (names("travel")) return {Quantity::travel, "travel", false};
   if (found.empty()) return {};
-  const bool asForce = std::ranges::any_of(
-      entriesOf(WordKind::also), [&](const LexiconEntry& entry) { return entry.word == found.front(); });
-  return {Quantity::other, found.front(), asForce};
+  return {Quantity::other, found.front(), isPrintedAsForce(found.front())};
 }
 
 std::string_view quantityOfUnit(std::string_view unit) {

@@ -18,7 +18,7 @@ enum class TextSource {
 };
 
 /// The third column of lexicon.tsv, which describes each.
-enum class WordKind { press, release, point, wear, curve, variant, series, quantity, also, unit };
+enum class WordKind { press, release, point, wear, curve, variant, series, quantity, symbol, also, unit };
 
 /// Where an entry may stand in a label.
 enum class WordForm {
@@ -73,6 +73,9 @@ struct NamedQuantity {
   std::string_view name;        ///< English: "inductance"
   bool printedAsForce = false;  ///< another quantity that people print in units of force: pressure, mass
 };
+
+/// Returns true if people print a quantity in units of force as well.
+bool isPrintedAsForce(std::string_view quantity);
 
 /// The quantity that the words of a title name; force and travel go before others ("force over time of
 /// use"), force before travel ("Kraft-Weg"). `none` if no word of it is known.

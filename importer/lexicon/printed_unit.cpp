@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/lexicon/letters.h"
+#include "importer/lexicon/quantity_symbol.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -250,12 +251,37 @@ std::string unknownWordIn(const std::string& title, TextSource source) {
   return {};
 }
 
-/// Returns true if a unit of force or length stands where only units stand: in brackets, after a slash or a
+/// The first unit of force or length that stands where only units stand: in brackets, after a slash or a
 /// comma.
-bool hasUnitInPlace(const std::string& title) {
-  return std::ranges::any_of(pieces(title), [](const Piece& piece) {
-    return piece.sure >= 0.9 && (forceUnitFrom(piece.text) || lengthUnitFrom(piece.text));
-  });
+struct UnitInPlace {
+  std::optional<ForceUnit> force;
+  std::optional<LengthUnit> length;
+};
+std::optional<UnitInPlace> unitInPlace(const std::string& title) {
+  for (const Piece& piece : pieces(title)) {
+    const UnitInPlace unit{forceUnitFrom(withSmallF(piece.text)), lengthUnitFrom(piece.text)};
+    if (piece.sure >= 0.9 && (unit.force || unit.length)) return unit;
+  }
+  return {};
+}
+
+/// What a title measures: what its words say, without any what the letter in front of its unit stands for. A
+/// letter of several quantities counts as the one that has the unit; "G [g]" may be a weight and an
+/// acceleration, and counts as the latter.
+NamedQuantity measuredBy(const std::string& title, TextSource source) {
+  const NamedQuantity named = quantityNamedIn(title, source);
+  const auto unit = named.quantity == Quantity::none ? unitInPlace(title) : std::nullopt;
+  if (!unit) return named;
+  const auto symbol = quantitiesOfSymbol(title, unit->force ? "force" : "travel", source);
+  const auto mayBe = [&](std::string_view name) { return std::ranges::find(symbol, name) != symbol.end(); };
+  constexpr std::string_view acceleration = "acceleration";  // in multiples of gravity, "g"
+  if (unit->force == ForceUnit::gramForce && mayBe(acceleration)) return {Quantity::other, acceleration};
+  if (unit->force && mayBe("force")) return {Quantity::force, "force", true};
+  if (mayBe("travel")) return {Quantity::travel, "travel"};
+  if (symbol.empty() || mayBe("force")) return named;
+  const auto alsoForce = std::ranges::find_if(symbol, isPrintedAsForce);
+  return alsoForce != symbol.end() ? NamedQuantity{Quantity::other, *alsoForce, true}
+                                   : NamedQuantity{Quantity::other, symbol.front()};
 }
 
 /// Words of a heading that may be units: the parts of its brackets, or without brackets the words behind
@@ -285,7 +311,7 @@ std::vector<std::string> headingTokens(const std::string& heading, bool perLengt
 
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
-  const NamedQuantity named = quantityNamedIn(plain, source);
+  const NamedQuantity named = measuredBy(plain, source);
   if (named.quantity == Quantity::travel || (named.quantity == Quantity::other && !named.printedAsForce) ||
       !unknownWordIn(plain, source).empty())
     return {};
@@ -294,10 +320,9 @@ std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title, TextSo
 
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
-  const bool agrees = namesQuantity(plain, Quantity::travel, source);
-  if (!agrees &&
-      (quantityNamedIn(plain, source).quantity != Quantity::none || !unknownWordIn(plain, source).empty()))
-    return {};
+  const Quantity measured = measuredBy(plain, source).quantity;
+  const bool agrees = measured == Quantity::travel || namesQuantity(plain, Quantity::travel, source);
+  if (!agrees && (measured != Quantity::none || !unknownWordIn(plain, source).empty())) return {};
   return unitIn(plain, source, agrees, unprintedLengths, lengthUnitFrom);
 }
 
@@ -320,7 +345,7 @@ std::optional<HeadingUnits> headingUnitsIn(std::string_view heading, TextSource 
 
 std::string otherQuantityIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
-  const NamedQuantity named = quantityNamedIn(plain, source);
+  const NamedQuantity named = measuredBy(plain, source);
   for (const Piece& piece : pieces(plain)) {
     if (piece.sure < 0.9) continue;
     // A single letter may be a quantity's symbol ("Kraft, F"), or read of anything.
@@ -334,7 +359,7 @@ std::string otherQuantityIn(std::string_view title, TextSource source) {
     const bool multiple = piece.text.starts_with("x1") || piece.text.starts_with("\xC3\x97");
     if (piece.sure >= 1 && (multiple || (sign != std::string::npos && sign > 0))) return piece.text;
   }
-  if (hasUnitInPlace(plain))
+  if (unitInPlace(plain))
     if (std::string unknown = unknownWordIn(plain, source); !unknown.empty()) return unknown;
   const bool isForce = named.printedAsForce && forceUnitIn(title, source);  // "Pressure, gf"
   return named.quantity == Quantity::other && !isForce ? std::string(named.name) : std::string();
