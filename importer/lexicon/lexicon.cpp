@@ -340,18 +340,15 @@ bool namesQuantity(std::string_view title, Quantity quantity, TextSource source)
   });
 }
 
-bool isPrintedAsForce(std::string_view quantity) {
-  return std::ranges::any_of(entriesOf(WordKind::also),
-                             [&](const LexiconEntry& entry) { return entry.word == quantity; });
-}
-
 NamedQuantity quantityNamedIn(std::string_view title, TextSource source) {
   const auto found = quantitiesIn(title, source);
   const auto names = [&](std::string_view name) { return std::ranges::find(found, name) != found.end(); };
   if (names("force")) return {Quantity::force, "force", true};
   if (names("travel")) return {Quantity::travel, "travel", false};
   if (found.empty()) return {};
-  return {Quantity::other, found.front(), isPrintedAsForce(found.front())};
+  const bool asForce = std::ranges::any_of(
+      entriesOf(WordKind::also), [&](const LexiconEntry& entry) { return entry.word == found.front(); });
+  return {Quantity::other, found.front(), asForce};
 }
 
 std::string_view quantityOfUnit(std::string_view unit) {

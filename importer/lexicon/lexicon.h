@@ -74,9 +74,6 @@ struct NamedQuantity {
   bool printedAsForce = false;  ///< another quantity that people print in units of force: pressure, mass
 };
 
-/// Returns true if people print a quantity in units of force as well.
-bool isPrintedAsForce(std::string_view quantity);
-
 /// The quantity that the words of a title name; force and travel go before others ("force over time of
 /// use"), force before travel ("Kraft-Weg"). `none` if no word of it is known.
 NamedQuantity quantityNamedIn(std::string_view title, TextSource source);

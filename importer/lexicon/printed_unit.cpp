@@ -38,8 +38,8 @@ std::string plainTitle(std::string_view s) {
     } else if (byte(0) == 0xC2 && byte(1) == 0xA0) {
       out += ' ';
       i += 1;
-    } else if (byte(0) == 0xE2 && byte(1) == 0x82 &&
-               byte(2) == 0xAC) {  // a bracket of a stroke font, as read
+    } else if (byte(0) == 0xE2 && byte(1) == 0x82 && byte(2) == 0xAC &&
+               s.find_first_of("([") == std::string_view::npos) {  // a bracket of a stroke font, as read
       out += '(';
       i += 2;
     } else if (s[i] == '<' || (s[i] == '>' && out.rfind('(') + 1 > out.rfind(')') + 1)) {
@@ -233,11 +233,15 @@ std::optional<PrintedUnit<Unit>> unitIn(const std::string& title, TextSource sou
   return best;
 }
 
-/// A word of a document's own title that the lexicon does not know, where no other word says what is
-/// measured; empty without any. Of recognised text nothing is said: letters may be wrong.
-std::string unknownWordIn(const std::string& title, TextSource source) {
+/// Where no word says what is measured: a letter in front of the unit that stands for another quantity, or a
+/// word of a document's own title that the lexicon does not know; empty without any. Of words in recognised
+/// text nothing is said: letters may be wrong.
+std::string unknownNameIn(const std::string& title, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters of a word
-  if (source != TextSource::exact || quantityNamedIn(title, source).quantity != Quantity::none) return {};
+  if (quantityNamedIn(title, source).quantity != Quantity::none) return {};
+  if (const auto symbol = symbolBeforeUnit(withoutArrow(title), source))
+    return symbol->agrees ? std::string() : symbol->letter;
+  if (source != TextSource::exact) return {};
   for (const std::string& word : wordsOf(title)) {
     const bool isKnown =
         matchWord(word,
@@ -251,37 +255,14 @@ std::string unknownWordIn(const std::string& title, TextSource source) {
   return {};
 }
 
-/// The first unit of force or length that stands where only units stand: in brackets, after a slash or a
+/// Returns true if a unit of force or length stands where only units stand: in brackets, after a slash or a
 /// comma.
-struct UnitInPlace {
-  std::optional<ForceUnit> force;
-  std::optional<LengthUnit> length;
-};
-std::optional<UnitInPlace> unitInPlace(const std::string& title) {
-  for (const Piece& piece : pieces(title)) {
-    const UnitInPlace unit{forceUnitFrom(withSmallF(piece.text)), lengthUnitFrom(piece.text)};
-    if (piece.sure >= 0.9 && (unit.force || unit.length)) return unit;
-  }
-  return {};
-}
-
-/// What a title measures: what its words say, without any what the letter in front of its unit stands for. A
-/// letter of several quantities counts as the one that has the unit; "G [g]" may be a weight and an
-/// acceleration, and counts as the latter.
-NamedQuantity measuredBy(const std::string& title, TextSource source) {
-  const NamedQuantity named = quantityNamedIn(title, source);
-  const auto unit = named.quantity == Quantity::none ? unitInPlace(title) : std::nullopt;
-  if (!unit) return named;
-  const auto symbol = quantitiesOfSymbol(title, unit->force ? "force" : "travel", source);
-  const auto mayBe = [&](std::string_view name) { return std::ranges::find(symbol, name) != symbol.end(); };
-  constexpr std::string_view acceleration = "acceleration";  // in multiples of gravity, "g"
-  if (unit->force == ForceUnit::gramForce && mayBe(acceleration)) return {Quantity::other, acceleration};
-  if (unit->force && mayBe("force")) return {Quantity::force, "force", true};
-  if (mayBe("travel")) return {Quantity::travel, "travel"};
-  if (symbol.empty() || mayBe("force")) return named;
-  const auto alsoForce = std::ranges::find_if(symbol, isPrintedAsForce);
-  return alsoForce != symbol.end() ? NamedQuantity{Quantity::other, *alsoForce, true}
-                                   : NamedQuantity{Quantity::other, symbol.front()};
+bool hasUnitInPlace(const std::string& title, TextSource source) {
+  return std::ranges::any_of(pieces(title), [&](const Piece& piece) {
+    const auto reading = unitReadAs(piece.text, source, false);
+    const bool isUnit = forceUnitFrom(piece.text) || lengthUnitFrom(piece.text);
+    return piece.sure >= 0.9 && (isUnit || (reading && !reading->needsQuantity));
+  });
 }
 
 /// Words of a heading that may be units: the parts of its brackets, or without brackets the words behind
@@ -311,18 +292,19 @@ std::vector<std::string> headingTokens(const std::string& heading, bool perLengt
 
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
-  const NamedQuantity named = measuredBy(plain, source);
+  const NamedQuantity named = quantityNamedIn(plain, source);
   if (named.quantity == Quantity::travel || (named.quantity == Quantity::other && !named.printedAsForce) ||
-      !unknownWordIn(plain, source).empty())
+      !unknownNameIn(plain, source).empty())
     return {};
   return unitIn(plain, source, named.quantity != Quantity::none, unprintedForces, forceUnitFrom);
 }
 
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
-  const Quantity measured = measuredBy(plain, source).quantity;
-  const bool agrees = measured == Quantity::travel || namesQuantity(plain, Quantity::travel, source);
-  if (!agrees && (measured != Quantity::none || !unknownWordIn(plain, source).empty())) return {};
+  const bool agrees = namesQuantity(plain, Quantity::travel, source);
+  if (!agrees &&
+      (quantityNamedIn(plain, source).quantity != Quantity::none || !unknownNameIn(plain, source).empty()))
+    return {};
   return unitIn(plain, source, agrees, unprintedLengths, lengthUnitFrom);
 }
 
@@ -345,7 +327,7 @@ std::optional<HeadingUnits> headingUnitsIn(std::string_view heading, TextSource 
 
 std::string otherQuantityIn(std::string_view title, TextSource source) {
   const std::string plain = plainTitle(title);
-  const NamedQuantity named = measuredBy(plain, source);
+  const NamedQuantity named = quantityNamedIn(plain, source);
   for (const Piece& piece : pieces(plain)) {
     if (piece.sure < 0.9) continue;
     // A single letter may be a quantity's symbol ("Kraft, F"), or read of anything.
@@ -359,8 +341,8 @@ std::string otherQuantityIn(std::string_view title, TextSource source) {
     const bool multiple = piece.text.starts_with("x1") || piece.text.starts_with("\xC3\x97");
     if (piece.sure >= 1 && (multiple || (sign != std::string::npos && sign > 0))) return piece.text;
   }
-  if (unitInPlace(plain))
-    if (std::string unknown = unknownWordIn(plain, source); !unknown.empty()) return unknown;
+  if (hasUnitInPlace(plain, source))
+    if (std::string unknown = unknownNameIn(plain, source); !unknown.empty()) return unknown;
   const bool isForce = named.printedAsForce && forceUnitIn(title, source);  // "Pressure, gf"
   return named.quantity == Quantity::other && !isForce ? std::string(named.name) : std::string();
 }

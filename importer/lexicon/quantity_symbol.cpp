@@ -4,121 +4,138 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
-#include <string>
 
 #include "importer/lexicon/letters.h"
+#include "model/units.h"
 
 namespace detent::importer {
 namespace {
 
-/// A letter that a title begins with, and whether a difference is meant: "Δl".
-struct Symbol {
-  std::u32string_view letter;
-  bool isDifference = false;
-};
+/// The first sign of a text, which is not empty.
+std::string_view firstSign(std::string_view text) {
+  std::size_t bytes = 1;
+  while (bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) ++bytes;
+  return text.substr(0, bytes);
+}
+
+char32_t codeOf(std::string_view sign) { return codePoints(sign).front(); }
 
 bool isSymbolLetter(char32_t c) {
-  return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z') || c == 0xB5 || (c >= 0x370 && c <= 0x3FF);
+  constexpr char32_t micro = 0xB5, firstGreek = 0x370, lastGreek = 0x3FF;
+  return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z') || c == micro ||
+         (c >= firstGreek && c <= lastGreek);
 }
 
-bool isDigitOrIndex(char32_t c) {
-  return (c >= U'0' && c <= U'9') || (c >= 0x2080 && c <= 0x209C);  // subscripts
+bool isDigit(char32_t c) { return c >= U'0' && c <= U'9'; }
+
+/// Returns true for what may stand for a letter: engines make digits and signs of Greek ones, and so do
+/// documents whose fonts name their letters wrongly.
+bool mayBeSymbol(char32_t c, TextSource source) {
+  constexpr char32_t firstLatinSign = 0xA1, lastLatinSign = 0xBF, euro = 0x20AC;
+  const bool isLatinSign = c >= firstLatinSign && c <= lastLatinSign;
+  return isSymbolLetter(c) || isLatinSign || (source == TextSource::recognised && (isDigit(c) || c == euro));
 }
 
-/// Takes this text off the front; returns true if it stood there.
-bool takeOff(std::u32string_view& text, std::u32string_view front) {
+bool takeOff(std::string_view& text, std::string_view front) {
   if (!text.starts_with(front)) return false;
   text.remove_prefix(front.size());
   return true;
 }
 
 template <class Test>
-void takeOffWhile(std::u32string_view& text, Test test) {
-  while (!text.empty() && test(text.front())) text.remove_prefix(1);
+void takeOffWhile(std::string_view& text, Test test) {
+  while (!text.empty() && test(codeOf(firstSign(text)))) text.remove_prefix(firstSign(text).size());
 }
 
-/// The directions and the extremes that symbols carry as an index.
-constexpr std::array<std::u32string_view, 8> kIndices{U"max", U"min", U"rms", U"x", U"y", U"z", U"n", U"N"};
-
 /// Takes off "_{max}", "z", "₁".
-void takeOffIndex(std::u32string_view& text) {
-  const auto isLetterOrDigit = [](char32_t c) { return isSymbolLetter(c) || isDigitOrIndex(c); };
-  takeOffWhile(text, isDigitOrIndex);
-  if (takeOff(text, U"_")) {
-    takeOff(text, U"{");
-    takeOffWhile(text, isLetterOrDigit);
-    takeOff(text, U"}");
+void takeOffIndex(std::string_view& text) {
+  constexpr std::array<std::string_view, 8> indices{"max", "min", "rms", "x", "y", "z", "n", "N"};
+  const auto isIndexDigit = [](char32_t c) { return isDigit(c) || (c >= 0x2080 && c <= 0x209C); };
+  const auto isOfIndex = [&](char32_t c) { return isSymbolLetter(c) || isIndexDigit(c); };
+  takeOffWhile(text, isIndexDigit);
+  if (takeOff(text, "_")) {
+    takeOff(text, "{");
+    takeOffWhile(text, isOfIndex);
+    takeOff(text, "}");
     return;
   }
-  for (const std::u32string_view index : kIndices) {
-    std::u32string_view rest = text;
-    takeOff(rest, U" ");
-    if (!takeOff(rest, index) || (!rest.empty() && isLetterOrDigit(rest.front()))) continue;
+  for (const std::string_view index : indices) {
+    std::string_view rest = text;
+    if (!takeOff(rest, index) || (!rest.empty() && isOfIndex(codeOf(firstSign(rest))))) continue;
     text = rest;
     return;
   }
 }
 
-/// Takes off the argument of a function, "(t)", where more than it stands there.
-void takeOffArgument(std::u32string_view& text) {
-  if (text.size() > 3 && text[0] == U'(' && text[2] == U')' && isSymbolLetter(text[1])) text.remove_prefix(3);
+/// Takes off the argument of a function, "(t)", where more stands behind it.
+void takeOffArgument(std::string_view& text) {
+  if (text.size() > 3 && text[0] == '(' && text[2] == ')' &&
+      isSymbolLetter(static_cast<unsigned char>(text[1])))
+    text.remove_prefix(3);
 }
 
-std::optional<Symbol> symbolAtStart(std::u32string_view title) {
-  const auto isAround = [](char32_t c) { return c == U' ' || c == U'$' || c == U'|' || c == U'\\'; };
-  takeOffWhile(title, isAround);
-  const bool isDifference = title.size() > 1 && (title[0] == 0x394 || title[0] == 0x2206) &&
-                            (isSymbolLetter(title[1]) || (title[1] == U' ' && title.size() > 2));
-  if (isDifference) takeOffWhile(title, [](char32_t c) { return c == 0x394 || c == 0x2206 || c == U' '; });
-  if (title.empty() || !isSymbolLetter(title.front())) return {};
-  const Symbol symbol{title.substr(0, 1), isDifference};
-  title.remove_prefix(1);
-  takeOffIndex(title);
-  takeOffArgument(title);
-  takeOffWhile(title, isAround);
-  constexpr std::u32string_view announcesUnit = U"[({<,./:;";
-  const bool isBeforeUnit =
-      !title.empty() &&
-      (announcesUnit.find(title.front()) != std::u32string_view::npos || title.starts_with(U"in "));
-  return isBeforeUnit ? std::optional(symbol) : std::nullopt;
+/// Without the sign of a difference or of an amount, as printed or as an engine reads it: "Δa", "Aa", "lal".
+std::string_view withoutDifference(std::string_view title, TextSource source) {
+  for (const std::string_view difference : {"\xCE\x94", "\xE2\x88\x86", "A"}) {
+    std::string_view rest = title;
+    if ((difference == "A" && source == TextSource::exact) || !takeOff(rest, difference)) continue;
+    takeOff(rest, " ");
+    return !rest.empty() && isSymbolLetter(codeOf(firstSign(rest))) ? rest : title;
+  }
+  return title;
 }
 
-/// Quantities of the lexicon's symbols that fit.
-template <class Fits>
-std::vector<std::string_view> quantitiesWhere(Fits fits) {
-  std::vector<std::string_view> found;
-  for (const LexiconEntry& entry : entriesOf(WordKind::symbol))
-    if (fits(entry.word) && std::ranges::find(found, entry.value) == found.end()) found.push_back(entry.value);
-  return found;
+std::string withoutAmount(std::string_view title) {
+  constexpr std::string_view strokes = "|lI1";
+  const bool isAmount = title.size() > 3 && title[0] == title[2] &&
+                        strokes.find(title[0]) != std::string_view::npos &&
+                        isSymbolLetter(static_cast<unsigned char>(title[1]));
+  return isAmount ? title[1] + std::string(title.substr(3)) : std::string(title);
+}
+
+/// The quantity of a unit of force or length with the signs around it; `none` of anything else.
+Quantity measuredIn(std::string_view unit) {
+  constexpr std::string_view around = " \t[](){}<>|/,.:;";
+  const auto first = unit.find_first_not_of(around), last = unit.find_last_not_of(around);
+  if (first == std::string_view::npos) return Quantity::none;
+  std::string symbol(unit.substr(first, last - first + 1));
+  if (const auto reading = unitReadAs(symbol, TextSource::recognised, false);
+      reading && !reading->needsQuantity)
+    symbol = reading->printed;
+  return forceUnitFrom(symbol) ? Quantity::force : lengthUnitFrom(symbol) ? Quantity::travel : Quantity::none;
+}
+
+bool isSymbolOf(std::string_view symbol, std::string_view quantity, TextSource source) {
+  constexpr double likeliest = 0.5;  // cost of one letter that the engine confuses
+  // A letter is what it was read as; only other signs may be misread ones.
+  const bool mayBeMisread = source == TextSource::recognised && !isSymbolLetter(codeOf(symbol));
+  return std::ranges::any_of(entriesOf(WordKind::symbol), [&](const LexiconEntry& entry) {
+    return entry.value == quantity &&
+           (entry.word == symbol || (mayBeMisread && costOfReading(symbol, entry.word, likeliest, true)));
+  });
 }
 
 }  // namespace
 
-std::vector<std::string_view> quantitiesOfSymbol(std::string_view title, std::string_view wanted,
-                                                 TextSource source) {
-  constexpr double likeliest = 0.5;  // cost of one letter that the engine confuses
-  const std::u32string letters = codePoints(title);
-  const std::optional<Symbol> symbol = symbolAtStart(letters);
-  if (!symbol) return {};
-  const auto isIt = [&](std::string_view word) { return codePoints(word) == symbol->letter; };
-  const auto names = [](const std::vector<std::string_view>& quantities, std::string_view quantity) {
-    return std::ranges::find(quantities, quantity) != quantities.end();
-  };
-  std::vector<std::string_view> found = quantitiesWhere(isIt);
-  if (source == TextSource::recognised && !found.empty()) {
-    const auto same = std::ranges::find_if(entriesOf(WordKind::symbol),
-                                           [&](const LexiconEntry& entry) { return isIt(entry.word); });
-    const std::string read = folded(same->word);
-    found = quantitiesWhere([&](std::string_view word) { return folded(word) == read; });
-    const auto mayBeMisread = [&](std::string_view word) {
-      return costOfReading(read, folded(word), likeliest, true).has_value();
-    };
-    if (!names(found, wanted) && names(quantitiesWhere(mayBeMisread), wanted)) return {};
-  }
-  // The difference of two lengths is a travel.
-  if (symbol->isDifference && names(found, "length")) found.insert(found.begin(), "travel");
-  return found;
+std::optional<QuantitySymbol> symbolBeforeUnit(std::string_view title, TextSource source) {
+  const auto isAround = [](char32_t c) { return c == U' ' || c == U'$' || c == U'|' || c == U'\\'; };
+  const std::string plain = source == TextSource::recognised ? withoutAmount(title) : std::string(title);
+  std::string_view rest = plain;
+  takeOffWhile(rest, isAround);
+  rest = withoutDifference(rest, source);
+  if (rest.empty() || !mayBeSymbol(codeOf(firstSign(rest)), source)) return {};
+  const std::string_view symbol = firstSign(rest);
+  rest.remove_prefix(symbol.size());
+  takeOffIndex(rest);
+  takeOffArgument(rest);
+  takeOffWhile(rest, isAround);
+  constexpr std::string_view announcesUnit = "[({<,./:;";
+  const bool isAnnounced = !rest.empty() && announcesUnit.find(rest.front()) != std::string_view::npos;
+  if (!isAnnounced && !takeOff(rest, "in ")) return {};
+  const Quantity measured = measuredIn(rest);
+  if (measured == Quantity::none) return {};
+  const std::string_view quantity = measured == Quantity::force ? "force" : "travel";
+  return QuantitySymbol{std::string(symbol), isSymbolOf(symbol, quantity, source)};
 }
 
 }  // namespace detent::importer
