@@ -367,14 +367,11 @@ class Doubts {
 
   void unit(const AxisReading& axis, bool force, bool given) {
     const bool settled = given || axis.unitFound || confirmedBySpec(checks_, force);
-    if (axis.otherQuantity.empty() && settled) return;
-    const std::string name = force ? "y" : "x";
-    const RemedyKind give = force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit;
-    if (axis.otherQuantity.empty())
-      add(DoubtCode::unitMissing, unconfirmed, {name, axis.unit}, give);
-    else
-      add(DoubtCode::otherQuantity, contradicted, {name, axis.otherQuantity},
-          {{give, force ? "if it is a force all the same" : "if it is a travel all the same"}});
+    if (auto other = otherQuantityOf(axis, force))
+      doubts_.push_back({std::move(*other), contradicted});
+    else if (!settled)
+      add(DoubtCode::unitMissing, unconfirmed, {force ? "y" : "x", axis.unit},
+          force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit);
   }
 
   void sizes() {
@@ -900,6 +897,16 @@ class Doubts {
 };
 
 }  // namespace
+
+std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce) {
+  if (axis.otherQuantity.empty()) return {};
+  return isForce ? Doubt{DoubtCode::otherQuantity,
+                         {"y", axis.otherQuantity},
+                         {{RemedyKind::giveYUnit, "if it is a force all the same"}}}
+                 : Doubt{DoubtCode::otherQuantity,
+                         {"x", axis.otherQuantity},
+                         {{RemedyKind::giveXUnit, "if it is a travel all the same"}}};
+}
 
 double worthOf(PageClass pageClass) {
   constexpr double onScans = 0.88, onPhotos = 0.66;  // of the confidence

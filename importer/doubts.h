@@ -4,6 +4,7 @@
 // not resemble one button's strokes. docs/develop/decisions/0805-doubts.md names the wrong buttons that each
 // has found.
 
+#include <optional>
 #include <vector>
 
 #include "importer/graph_findings.h"
@@ -15,6 +16,9 @@ struct WeighedDoubt {
   Doubt doubt;
   double confidence = 0;
 };
+
+/// The doubt about an axis that measures neither force nor travel; nullopt without one.
+std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce);
 
 /// Factor of the steps' confidence on pages of a class, 0..1: counted,
 /// docs/measurements/import-confidence.md.

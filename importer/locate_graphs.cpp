@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "importer/axes/frame_by_numbers.h"
+#include "importer/doubts.h"
 #include "importer/page/crop.h"
 
 namespace detent::importer {
@@ -112,9 +113,18 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
   return graph;
 }
 
+/// The doubt about what the axes of a graph measure; nullopt without one.
+std::optional<Doubt> otherQuantityOf(const LocatedGraph& graph) {
+  const AxisCalibration& axes = graph.axes.calibration.value;
+  const auto other = otherQuantityOf(axes.y, true);
+  return other ? other : otherQuantityOf(axes.x, false);
+}
+
 RejectedFrame rejection(const FrameCandidate& candidate, const Result<LocatedGraph>& graph,
                         const std::string& source) {
   if (!graph) return {candidate.pageBox, candidate.quarterTurns, graph.failure()};
+  if (const auto other = otherQuantityOf(*graph))
+    return {candidate.pageBox, candidate.quarterTurns, failureOf(*other, source, "plot frame")};
   return {candidate.pageBox, candidate.quarterTurns,
           failureOf({DoubtCode::ratherADrawing,
                      {messagesOf(graph->axes.calibration.evidence)},
@@ -195,8 +205,9 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
         continue;
       }
       located.rejected.push_back(rejection(candidate.value, graph, page.source));
-      if (!graph && moreTelling(graph.failure(), located.bestRejection))
-        located.bestRejection = graph.failure();
+      const bool isNamed = !graph || otherQuantityOf(*graph);
+      const Failure& reason = located.rejected.back().why;
+      if (isNamed && moreTelling(reason, located.bestRejection)) located.bestRejection = reason;
     }
   };
   readAll(candidates);

@@ -112,7 +112,14 @@ std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool ap
 }  // namespace
 
 std::string UnitToken::endOf(const std::string& line) const {
-  const std::string words = line.substr(0, std::min(line.find_last_of(' '), line.find_first_of("([{")));
+  std::size_t end = std::min(line.find_last_of(' '), line.find_first_of("([{"));
+  // Where as many letters were read as there are blobs, those of the unit are known: "vIN]" is "v" and "[N]".
+  const auto isLetter = [](char c) { return c != ' ' && (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  if (static_cast<std::size_t>(std::ranges::count_if(line, isLetter)) == lettersOfLine)
+    for (std::size_t i = 0, before = 0; i < line.size(); ++i)
+      if (isLetter(line[i]) && before++ == lettersBefore) end = i;
+  std::string words = line.substr(0, end);
+  while (words.ends_with(' ')) words.pop_back();
   return words + (apart ? " (" + symbol + ")" : " " + symbol);
 }
 
@@ -143,7 +150,10 @@ std::optional<UnitToken> unitTokenIn(TextReader& reader, const std::vector<Box>&
     const SeenText seen =
         reader.readLineCarefully(turned(token, 4 - quarterTurns), TextKind::unit, angle_deg);
     if (seen.confidence >= leastSure(seen.utf8))
-      if (auto unit = named(seen.utf8, letters.size() - from, behindMark)) return unit;
+      if (auto unit = named(seen.utf8, letters.size() - from, behindMark)) {
+        unit->lettersBefore = from, unit->lettersOfLine = letters.size();
+        return unit;
+      }
     behindMark = !seen.utf8.empty() && seen.utf8.front() == '/';
   }
   return {};

@@ -2,6 +2,7 @@
 #pragma once
 // The last word of a title by itself: whatever language stands before it, units are written with few letters.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace detent::importer {
 struct UnitToken {
   std::string symbol;
   bool apart = false;  ///< brackets, a stroke or a comma say that a unit stands there; else a blank alone
+  std::size_t lettersBefore = 0, lettersOfLine = 0;  ///< blobs
 
   /// The line with this unit in place of what was read there.
   std::string endOf(const std::string& line) const;

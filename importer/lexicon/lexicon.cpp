@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kNoMatch = std::numeric_limits<double>::infinity();  // cost
 
-constexpr std::array<std::pair<std::string_view, WordKind>, 10> kKinds{{{"press", WordKind::press},
+constexpr std::array<std::pair<std::string_view, WordKind>, 11> kKinds{{{"press", WordKind::press},
                                                                         {"release", WordKind::release},
                                                                         {"point", WordKind::point},
                                                                         {"wear", WordKind::wear},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<std::string_view, WordKind>, 10> kKinds{{{"press"
                                                                         {"variant", WordKind::variant},
                                                                         {"series", WordKind::series},
                                                                         {"quantity", WordKind::quantity},
+                                                                        {"symbol", WordKind::symbol},
                                                                         {"also", WordKind::also},
                                                                         {"unit", WordKind::unit}}};
 

@@ -18,7 +18,7 @@ enum class TextSource {
 };
 
 /// The third column of lexicon.tsv, which describes each.
-enum class WordKind { press, release, point, wear, curve, variant, series, quantity, also, unit };
+enum class WordKind { press, release, point, wear, curve, variant, series, quantity, symbol, also, unit };
 
 /// Where an entry may stand in a label.
 enum class WordForm {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/lexicon/letters.h"
+#include "importer/lexicon/quantity_symbol.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -37,8 +38,8 @@ std::string plainTitle(std::string_view s) {
     } else if (byte(0) == 0xC2 && byte(1) == 0xA0) {
       out += ' ';
       i += 1;
-    } else if (byte(0) == 0xE2 && byte(1) == 0x82 &&
-               byte(2) == 0xAC) {  // a bracket of a stroke font, as read
+    } else if (byte(0) == 0xE2 && byte(1) == 0x82 && byte(2) == 0xAC &&
+               s.find_first_of("([") == std::string_view::npos) {  // a bracket of a stroke font, as read
       out += '(';
       i += 2;
     } else if (s[i] == '<' || (s[i] == '>' && out.rfind('(') + 1 > out.rfind(')') + 1)) {
@@ -232,11 +233,15 @@ std::optional<PrintedUnit<Unit>> unitIn(const std::string& title, TextSource sou
   return best;
 }
 
-/// A word of a document's own title that the lexicon does not know, where no other word says what is
-/// measured; empty without any. Of recognised text nothing is said: letters may be wrong.
-std::string unknownWordIn(const std::string& title, TextSource source) {
+/// Where no word says what is measured: a letter in front of the unit that stands for another quantity, or a
+/// word of a document's own title that the lexicon does not know; empty without any. Of words in recognised
+/// text nothing is said: letters may be wrong.
+std::string unknownNameIn(const std::string& title, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters of a word
-  if (source != TextSource::exact || quantityNamedIn(title, source).quantity != Quantity::none) return {};
+  if (quantityNamedIn(title, source).quantity != Quantity::none) return {};
+  if (const auto symbol = symbolBeforeUnit(withoutArrow(title), source))
+    return symbol->agrees ? std::string() : symbol->letter;
+  if (source != TextSource::exact) return {};
   for (const std::string& word : wordsOf(title)) {
     const bool isKnown =
         matchWord(word,
@@ -252,9 +257,11 @@ std::string unknownWordIn(const std::string& title, TextSource source) {
 
 /// Returns true if a unit of force or length stands where only units stand: in brackets, after a slash or a
 /// comma.
-bool hasUnitInPlace(const std::string& title) {
-  return std::ranges::any_of(pieces(title), [](const Piece& piece) {
-    return piece.sure >= 0.9 && (forceUnitFrom(piece.text) || lengthUnitFrom(piece.text));
+bool hasUnitInPlace(const std::string& title, TextSource source) {
+  return std::ranges::any_of(pieces(title), [&](const Piece& piece) {
+    const auto reading = unitReadAs(piece.text, source, false);
+    const bool isUnit = forceUnitFrom(piece.text) || lengthUnitFrom(piece.text);
+    return piece.sure >= 0.9 && (isUnit || (reading && !reading->needsQuantity));
   });
 }
 
@@ -287,7 +294,7 @@ std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title, TextSo
   const std::string plain = plainTitle(title);
   const NamedQuantity named = quantityNamedIn(plain, source);
   if (named.quantity == Quantity::travel || (named.quantity == Quantity::other && !named.printedAsForce) ||
-      !unknownWordIn(plain, source).empty())
+      !unknownNameIn(plain, source).empty())
     return {};
   return unitIn(plain, source, named.quantity != Quantity::none, unprintedForces, forceUnitFrom);
 }
@@ -296,7 +303,7 @@ std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title, Text
   const std::string plain = plainTitle(title);
   const bool agrees = namesQuantity(plain, Quantity::travel, source);
   if (!agrees &&
-      (quantityNamedIn(plain, source).quantity != Quantity::none || !unknownWordIn(plain, source).empty()))
+      (quantityNamedIn(plain, source).quantity != Quantity::none || !unknownNameIn(plain, source).empty()))
     return {};
   return unitIn(plain, source, agrees, unprintedLengths, lengthUnitFrom);
 }
@@ -334,8 +341,8 @@ std::string otherQuantityIn(std::string_view title, TextSource source) {
     const bool multiple = piece.text.starts_with("x1") || piece.text.starts_with("\xC3\x97");
     if (piece.sure >= 1 && (multiple || (sign != std::string::npos && sign > 0))) return piece.text;
   }
-  if (hasUnitInPlace(plain))
-    if (std::string unknown = unknownWordIn(plain, source); !unknown.empty()) return unknown;
+  if (hasUnitInPlace(plain, source))
+    if (std::string unknown = unknownNameIn(plain, source); !unknown.empty()) return unknown;
   const bool isForce = named.printedAsForce && forceUnitIn(title, source);  // "Pressure, gf"
   return named.quantity == Quantity::other && !isForce ? std::string(named.name) : std::string();
 }

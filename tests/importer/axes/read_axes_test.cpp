@@ -292,6 +292,30 @@ TEST_CASE("a plot without units says which ones it took") {
   }
 }
 
+TEST_CASE("a letter of another quantity beside a unit of force leaves the axes uncertain") {
+  PlotStyle s;
+  s.xStep = 0.25, s.yStep = 10;
+  auto looked = readWithoutCurves(s);
+  writeBelow(looked.view, s);
+  writeLeft(looked.view, s);
+  const auto titled = [&](const char* x, const char* y) {
+    PageView view = looked.view;
+    view.texts.push_back({x, {420, 545, 500, 562}, 0});
+    view.texts.push_back({y, {20, 220, 38, 320}, 90});
+    return readAxes(view, looked.frame).value().calibration;
+  };
+  const auto right = titled("s [mm]", "F [cN]");
+  CHECK(right.confidence > 0.8);
+  CHECK(right.value.y.unit == "cN");
+  const auto voltage = titled("s [mm]", "U [cN]");
+  CHECK(voltage.confidence < 0.5);
+  CHECK(voltage.value.y.otherQuantity == "U");
+  CHECK(voltage.value.x.otherQuantity.empty());
+  const auto time = titled("t [mm]", "F [cN]");
+  CHECK(time.confidence < 0.5);
+  CHECK(time.value.x.otherQuantity == "t");
+}
+
 TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
   if (skipWithoutEngine()) return;
   PlotStyle s;

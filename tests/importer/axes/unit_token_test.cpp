@@ -71,3 +71,11 @@ TEST_CASE("what is no unit by itself is none") {
   CAPTURE(latin);
   CHECK_FALSE(behindSquares(latin, 12).has_value());
 }
+
+TEST_CASE("a line gives way to its unit where the letters in front of it are known by number") {
+  const UnitToken token{"N", true, 1, 4};
+  CHECK(token.endOf("vIN]") == "v (N)");
+  CHECK(token.endOf("v I N]") == "v (N)");
+  CHECK(token.endOf("\u03C3 [N]") == "\u03C3 (N)");
+  CHECK(token.endOf("Load [N]") == "Load (N)");  // other letters than blobs
+}

@@ -26,6 +26,18 @@ std::string lengthIn(std::string_view title, TextSource source) {
   return unit ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
+/// A title with the units of force and length in it, and what it measures instead.
+struct Row {
+  const char *title, *force, *length, *other;
+};
+
+void check(const Row& row, TextSource source) {
+  CAPTURE(row.title);
+  CHECK(forceIn(row.title, source) == row.force);
+  CHECK(lengthIn(row.title, source) == row.length);
+  CHECK(otherQuantityIn(row.title, source) == row.other);
+}
+
 }  // namespace
 
 TEST_CASE("every line of the lexicon has a known kind and every quantity a name", "[lexicon]") {
@@ -33,6 +45,11 @@ TEST_CASE("every line of the lexicon has a known kind and every quantity a name"
     CAPTURE(entry.word);
     CHECK_FALSE(entry.value.empty());
     CHECK(folded(entry.word) == entry.word);
+  }
+  for (const LexiconEntry& entry : entriesOf(WordKind::symbol)) {
+    CAPTURE(entry.word);
+    CHECK(letterCount(entry.word) == 1);
+    CHECK((entry.value == "force" || entry.value == "travel"));
   }
   for (const WordKind kind :
        {WordKind::press, WordKind::release, WordKind::point, WordKind::curve, WordKind::variant})
@@ -48,9 +65,6 @@ TEST_CASE("every line of the lexicon has a known kind and every quantity a name"
 }
 
 TEST_CASE("a unit counts with a quantity that agrees or with none", "[lexicon]") {
-  struct Row {
-    const char *title, *force, *length, *other;
-  };
   for (const Row& row : {Row{"Force [cN]", "cN", "", ""},
                          Row{"Touch weight (g)", "gf", "", ""},
                          Row{"Effort du doigt (cN)", "cN", "", ""},
@@ -72,12 +86,8 @@ TEST_CASE("a unit counts with a quantity that agrees or with none", "[lexicon]")
                          Row{"Compressive strain (mm/mm)", "", "", "strain (mm/mm)"},
                          Row{"Pressure (kPa)", "", "", "pressure (kPa)"},
                          Row{"G-force [g]", "", "", "acceleration"},
-                         Row{"Force over time of use [N]", "N", "", ""}}) {
-    CAPTURE(row.title);
-    CHECK(forceIn(row.title, TextSource::exact) == row.force);
-    CHECK(lengthIn(row.title, TextSource::exact) == row.length);
-    CHECK(otherQuantityIn(row.title, TextSource::exact) == row.other);
-  }
+                         Row{"Force over time of use [N]", "N", "", ""}})
+    check(row, TextSource::exact);
 }
 
 TEST_CASE("a unit beside a word that nobody knows is a question", "[lexicon]") {
@@ -88,6 +98,42 @@ TEST_CASE("a unit beside a word that nobody knows is a question", "[lexicon]") {
   CHECK(otherQuantityIn("Cherry MX Brown", TextSource::exact).empty());  // no title of an axis
   CHECK(forceIn("Press [N]", TextSource::exact) == "N");
   CHECK(forceIn("Newtons", TextSource::exact) == "N");
+}
+
+TEST_CASE("a letter in place of words counts where it is one of what its unit measures", "[lexicon]") {
+  for (const Row& row : {Row{"U [N]", "", "", "U"},           Row{"v [N]", "", "", "v"},
+                         Row{"\u03C3 [N]", "", "", "\u03C3"}, Row{"x [N]", "", "", "x"},
+                         Row{"s [g]", "", "", "s"},           Row{"a / g", "", "", "a"},
+                         Row{"a in g", "", "", "a"},          Row{"a, g", "", "", "a"},
+                         Row{"a_z [g]", "", "", "a"},         Row{"|a| (g)", "", "", "a"},
+                         Row{"a(t) [g]", "", "", "a"},        Row{"\u0394a [g]", "", "", "a"},
+                         Row{"amax [gf]", "", "", "a"},       Row{"$a$ [g]", "", "", "a"},
+                         Row{"C [lb]", "", "", "C"},          Row{"t [mm]", "", "", "t"},
+                         Row{"T [mm]", "", "", "T"},          Row{"U [mm]", "", "", "U"},
+                         Row{"F [mm]", "", "", "F"},          Row{"\u03B5 [mm] \u2192", "", "", "\u03B5"},
+                         Row{"F [N]", "N", "", ""},           Row{"F_z / mN", "mN", "", ""},
+                         Row{"|F| [cN]", "cN", "", ""},       Row{"Fmax [N]", "N", "", ""},
+                         Row{"\u0394F [N]", "N", "", ""},     Row{"P, gf", "gf", "", ""},
+                         Row{"F in N", "N", "", ""},          Row{"s [mm]", "", "mm", ""},
+                         Row{"u, mm", "", "mm", ""},          Row{"\u03B4 [mm]", "", "mm", ""},
+                         Row{"\u0394x / mm", "", "mm", ""},   Row{"x\u2081 (mm)", "", "mm", ""},
+                         Row{"s(t) [in]", "", "in", ""},      Row{"P.T. (mm)", "", "mm", ""},
+                         Row{"(mm)", "", "mm", ""},           Row{"\u529B (N)", "N", "", ""}})
+    check(row, TextSource::exact);
+}
+
+TEST_CASE("a letter that was read is what it was read as, another sign may be a Greek letter", "[lexicon]") {
+  for (const Row& row :
+       {Row{"U [N]", "", "", "U"}, Row{"w (N)", "", "", "w"}, Row{"W (N)", "N", "", ""},
+        Row{"U [mm]", "", "", "U"}, Row{"u [mm]", "", "mm", ""},
+        Row{"\u20AC (gf)", "", "", "\u20AC"},  // an epsilon as it is read
+        Row{"9 (gf)", "", "", "9"},            // a theta
+        Row{"5 (mm)", "", "mm", ""},           // a delta
+        Row{"1 [mm]", "", "mm", ""},           // a small L
+        Row{"I [Ib]", "", "", "I"}, Row{"Aa (gf)", "", "", "a"}, Row{"Az (mm)", "", "mm", ""},
+        Row{"lal (gf)", "", "", "a"}, Row{"|F| (N)", "N", "", ""}, Row{"F, (N)", "N", "", ""},
+        Row{"Fy (N)", "N", "", ""}, Row{"{1 / mm", "", "mm", ""}})
+    check(row, TextSource::recognised);
 }
 
 TEST_CASE("the axes of force and travel exchanged name each other", "[lexicon]") {
