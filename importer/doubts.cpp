@@ -13,7 +13,7 @@
 #include "importer/lexicon/printed_unit.h"
 #include "importer/lexicon/stroke_words.h"
 #include "importer/page/polyline.h"
-#include "importer/page/same_ink.h"
+#include "importer/page/same_colour.h"
 #include "importer/strokes/legend.h"
 #include "importer/wider_frame.h"
 
@@ -153,8 +153,8 @@ bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   for (int x = static_cast<int>(box.x1 + apart_px); x < box.x1 + apart_px + farShare * box.width(); ++x) {
     bool any = false;
     for (int y = static_cast<int>(box.y0 + apart_px); y < box.y1 - apart_px && !any; ++y)
-      any = !isLine(y) && (isInkOf(picture, color, x, y) || isInkOf(picture, color, x + 1, y) ||
-                           isInkOf(picture, color, x - 1, y));
+      any = !isLine(y) && (hasColour(picture, color, x, y) || hasColour(picture, color, x + 1, y) ||
+                           hasColour(picture, color, x - 1, y));
     ++columns, inked += any ? 1 : 0;
   }
   return columns > 0 && inked >= nearlyAll * columns;
@@ -464,7 +464,7 @@ class Doubts {
              each.box_px.width() >= leastWidth * frame.width() &&
              each.box_px.height() >= leastHeight * frame.height() && !outlinesABox(each) && liesApart(each);
     });
-    if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::inkLeftOver, unconfirmed);
+    if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::curveLeftOver, unconfirmed);
   }
 
   /// Of a switch chosen among several a press alone was followed, and pixels of its colour continue above or
@@ -497,14 +497,14 @@ class Doubts {
     for (int x = from; x < from + columns; ++x)
       for (int y = static_cast<int>(frame.y0 + apart_px); y < frame.y1 - apart_px; ++y) {
         const auto isThere = [&](const Extent& rows) { return y >= rows.low && y <= rows.high; };
-        if (!isInkOf(findings_.graph.view.raster, color, x, y) ||
+        if (!hasColour(findings_.graph.view.raster, color, x, y) ||
             std::ranges::any_of(explained[static_cast<std::size_t>(x - from)], isThere))
           continue;
         beside.push_back({static_cast<double>(x), static_cast<double>(y)});
         break;
       }
     if (static_cast<double>(beside.size()) > mostShare * columns)
-      sayAt(beside[beside.size() / 2], DoubtCode::inkLeftOver, unconfirmed);
+      sayAt(beside[beside.size() / 2], DoubtCode::curveLeftOver, unconfirmed);
   }
 
   /// A colour given for one stroke is the curve's that the legend calls the other. It is done as given, and
@@ -591,21 +591,21 @@ class Doubts {
              }) != stroke.points_px.end();
     };
     const StrokePair& strokes = findings_.strokes.value;
-    const auto along = std::ranges::count_if(left.ink_px, [&](Point at) {
+    const auto along = std::ranges::count_if(left.pixels_px, [&](Point at) {
       return alongStroke(at, strokes.press) || (strokes.release && alongStroke(at, *strokes.release));
     });
-    return 2 * static_cast<std::size_t>(along) <= left.ink_px.size();
+    return 2 * static_cast<std::size_t>(along) <= left.pixels_px.size();
   }
 
   /// As the box of a legend: most of its pixels lie on the edges of its bounding box.
   static bool outlinesABox(const Remainder& left) {
     constexpr double nearShare = 0.05, most = 0.5;  // of the box; of the pixels
     const Box& box = left.box_px;
-    const auto onEdge = std::ranges::count_if(left.ink_px, [&](Point p) {
+    const auto onEdge = std::ranges::count_if(left.pixels_px, [&](Point p) {
       return std::min(p.x - box.x0, box.x1 - p.x) < nearShare * box.width() ||
              std::min(p.y - box.y0, box.y1 - p.y) < nearShare * box.height();
     });
-    return static_cast<double>(onEdge) > most * static_cast<double>(left.ink_px.size());
+    return static_cast<double>(onEdge) > most * static_cast<double>(left.pixels_px.size());
   }
 
   /// Pixels of a curve's colour that neither the curves nor the plot's lines and words explain; curves
@@ -619,15 +619,15 @@ class Doubts {
     if (most != left.end() && most->likeness >= likeACurve)
       // A curve that goes on is a curve cut short; an isolated mark may be another thing of the page: it is
       // reported, not refused.
-      sayAt(most->box_px.middle(), DoubtCode::inkLeftOver,
+      sayAt(most->box_px.middle(), DoubtCode::curveLeftOver,
             most->atAnEnd || most->dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
         0.1;  // of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
-    if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::inkLeftOver, unconfirmed);
+    if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::curveLeftOver, unconfirmed);
     constexpr double mostBeside = 0.4;  // of a lone curve's travel: dots have half
-    if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::inkLeftOver, unconfirmed);
+    if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::curveLeftOver, unconfirmed);
     if (const auto jump = std::ranges::find_if(jumps, ofAStroke); jump != jumps.end())
-      sayAt(0.5 * (jump->from_px + jump->to_px), DoubtCode::curveWithoutInk, unconfirmed);
+      sayAt(0.5 * (jump->from_px + jump->to_px), DoubtCode::curveOverPaper, unconfirmed);
   }
 
   /// Assumptions of a step that the page does not show.
@@ -635,7 +635,7 @@ class Doubts {
     for (const EvidenceItem& item : findings_.strokes.evidence)
       if (item.code == EvidenceCode::nameNearly)
         add(DoubtCode::assumed, inPart, {messageOf(item)}, {{RemedyKind::chooseSwitch, {}}});
-      else if (item.code == EvidenceCode::footUnderAnother)
+      else if (item.code == EvidenceCode::startUnderAnother)
         add(DoubtCode::assumed, inPart, {messageOf(item)}, {{RemedyKind::drawPress, {}}});
     for (const EvidenceItem& item : findings_.graph.axes.calibration.evidence)
       if (item.code == EvidenceCode::unitsOfHeading)
@@ -841,15 +841,16 @@ class Doubts {
     const StrokePair& strokes = findings_.strokes.value;
     const auto press = traceColorOf(strokes.press);
     const auto release = strokes.release ? traceColorOf(*strokes.release) : press;
-    return !press || !release || isSameInk(color, *press) || isSameInk(color, *release);
+    return !press || !release || isSameColour(color, *press) || isSameColour(color, *release);
   }
 
   /// Number of a remainder's pixels that show a colour.
   std::size_t shownOf(const Remainder& left, Rgb color) const {
     const Raster& picture = findings_.graph.view.raster;
     if (picture.empty()) return 0;
-    return static_cast<std::size_t>(std::ranges::count_if(left.ink_px, [&](Point p) {
-      return isInkOf(picture, color, static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+    return static_cast<std::size_t>(std::ranges::count_if(left.pixels_px, [&](Point p) {
+      return hasColour(picture, color, static_cast<int>(std::lround(p.x)),
+                       static_cast<int>(std::lround(p.y)));
     }));
   }
 
@@ -865,7 +866,7 @@ class Doubts {
   }
 
   /// Attributes a jump of the trace to the curve it lies on.
-  bool isOfAStroke(const Leap& jump) const {
+  bool isOfAStroke(const TraceJump& jump) const {
     constexpr double on_px = 1.5;
     bool ofOthers = false;
     for (const CurveTrace& trace : findings_.traces) {
@@ -888,8 +889,8 @@ class Doubts {
     std::size_t ofStrokes = 0;
     for (const CurveTrace& trace : findings_.traces)
       ofStrokes = std::max(ofStrokes, shownOf(left, trace.color));
-    return !left.ink_px.empty() && !findings_.graph.view.raster.empty() && onlyFalls(left.ink_px) &&
-           static_cast<double>(ofStrokes) < mostOfStrokes * static_cast<double>(left.ink_px.size());
+    return !left.pixels_px.empty() && !findings_.graph.view.raster.empty() && onlyFalls(left.pixels_px) &&
+           static_cast<double>(ofStrokes) < mostOfStrokes * static_cast<double>(left.pixels_px.size());
   }
 
   const GraphFindings& findings_;

@@ -167,7 +167,7 @@ Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const Draw
 }
 
 /// Replaces the requested name by the number of its switch if the text engine did not read the name, but the
-/// legend's picture looks like it.
+/// legend's picture resembles it.
 StrokeHints asSeen(StrokeHints hints, const std::vector<CurveTrace>& curves, const PageView& view) {
   const std::vector<PlotSwitch> switches = switchesAmong(curves);
   if (chosenSwitch(switches, curves, hints.curve)) return hints;

@@ -149,7 +149,7 @@ struct StrokeReport {
 };
 
 /// One reading of a graph and its result. `precise` reads more than once (importer/second_opinion.h).
-struct PageLook {
+struct ReadingSummary {
   double magnification =
       1;                  ///< a picture was looked at so many times its size, a document drawn as much finer
   double confidence = 0;  ///< 0..1; 0 where nothing was read
@@ -178,7 +178,8 @@ struct ImportReport {
   std::optional<Doubt> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do
   Quality quality = Quality::standard;
   std::map<ImportStep, double> seconds;  ///< per step that ran; steps whose result was kept are not in it
-  std::vector<PageLook> looks;    ///< in the order they were made; empty where one was all there was to be
+  std::vector<ReadingSummary>
+      readings;                   ///< in the order they were made; empty where one was all there was to be
   bool endedByTimeLimit = false;  ///< ImportRequest::timeLimit passed: more could have been done
   std::vector<Remark> remarks;
   std::optional<StrokeSpeed> pressSpeed, releaseSpeed;  ///< of force logs with a column of times

@@ -58,8 +58,8 @@ bool isPhotograph(const ImportReport& report) {
 
 bool isCertain(const ImportAttempt& attempt) { return attempt.report && !attempt.report->doubt; }
 
-PageLook summaryOf(const PageReading& reading) {
-  PageLook summary;
+ReadingSummary summaryOf(const PageReading& reading) {
+  ReadingSummary summary;
   summary.magnification = reading.magnification;
   const auto& report = reading.attempt.report;
   if (!report) {
@@ -110,10 +110,10 @@ ImportReport readAlike(ImportReport report, double sure) {
   return withProvenance(std::move(report));
 }
 
-ImportAttempt taken(PageReading chosen, std::vector<PageLook> summaries) {
+ImportAttempt taken(PageReading chosen, std::vector<ReadingSummary> summaries) {
   if (!chosen.attempt.report) return std::move(chosen.attempt);
-  for (PageLook& summary : summaries) summary.taken = summary.magnification == chosen.magnification;
-  chosen.attempt.report->looks = std::move(summaries);
+  for (ReadingSummary& summary : summaries) summary.taken = summary.magnification == chosen.magnification;
+  chosen.attempt.report->readings = std::move(summaries);
   return std::move(chosen.attempt);
 }
 
@@ -150,7 +150,7 @@ bool anotherMaySettle(const ImportAttempt& attempt) {
 
 ImportAttempt settled(PageReading first, PageReading second, const std::function<PageReading()>& third,
                       double sure) {
-  std::vector<PageLook> summaries{summaryOf(first), summaryOf(second)};
+  std::vector<ReadingSummary> summaries{summaryOf(first), summaryOf(second)};
   const auto& report = first.attempt.report;
   const auto& other = second.attempt.report;
   if (isCertain(first.attempt)) {

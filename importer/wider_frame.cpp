@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "importer/page/same_ink.h"
+#include "importer/page/same_colour.h"
 
 namespace detent::importer {
 namespace {
@@ -34,7 +34,8 @@ std::optional<Reach> pixelsEndAt(const CurveTrace& curve, const std::vector<Curv
   std::vector<std::pair<int, int>> open;
   const auto visit = [&](int x, int y) {
     if (!isBeyond(x, y) || y < top || y > bottom) return;
-    if (std::ranges::none_of(all, [&](const CurveTrace& each) { return isInkOf(picture, each.color, x, y); }))
+    if (std::ranges::none_of(all,
+                             [&](const CurveTrace& each) { return hasColour(picture, each.color, x, y); }))
       return;
     if (seen.emplace(x, y).second) open.emplace_back(x, y);
   };
@@ -62,7 +63,7 @@ bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
   std::vector<std::pair<int, int>> open;
   const auto visit = [&](int x, int y) {
     if (x < x0 || x > x0 + farthest_px || y > y0 + 2 || y < y0 - riseHeight_px) return;
-    if (isInkOf(picture, color, x, y) && seen.emplace(x, y).second) open.emplace_back(x, y);
+    if (hasColour(picture, color, x, y) && seen.emplace(x, y).second) open.emplace_back(x, y);
   };
   for (int y = y0 - 2; y <= y0 + 2; ++y) visit(x0, y);
   while (!open.empty()) {
@@ -124,7 +125,7 @@ bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& pict
     const int y = static_cast<int>(std::lround(end.y + beyond_px * (end.y - before.y) / run));
     for (int v = y - reach; v <= y + reach; ++v)
       for (int u = x - reach; u <= x + reach; ++u)
-        if (isInkOf(picture, color, u, v)) return true;
+        if (hasColour(picture, color, u, v)) return true;
     return false;
   };
   constexpr std::array beyond_px{5.0, 7.0, 9.0};

@@ -168,7 +168,7 @@ double prominenceBar(const StrokeCurve& curve, const BottomOut& bottomOut, const
   double low = infinity, high = -infinity;
   for (const MonotoneStretch& s : curve.monotoneStretches()) {
     if (s.from_mm > bottomOut.displacement_mm) break;
-    const bool reachesBottomOut = bottomOut.wall && s.to_mm >= bottomOut.displacement_mm;
+    const bool reachesBottomOut = bottomOut.isSteep && s.to_mm >= bottomOut.displacement_mm;
     for (double force : {s.fromForce_N, reachesBottomOut ? bottomOut.force_N : s.toForce_N}) {
       low = std::min(low, force);
       high = std::max(high, force);
@@ -188,7 +188,7 @@ std::vector<ProminentTurn> prominentTurns(const StrokeCurve& curve, const Travel
   const double bar = prominenceBar(curve, bottomOut, settings);
   std::vector<ProminentTurn> found;
   for (const Turn& turn : turnsOf(way.stretches)) {
-    if (bottomOut.wall && turn.displacement_mm > bottomOut.displacement_mm) continue;
+    if (bottomOut.isSteep && turn.displacement_mm > bottomOut.displacement_mm) continue;
     const double prominence = std::min(dropBefore(way.stretches, turn), dropAfter(way.stretches, turn));
     if (prominence > 0 && prominence >= bar) found.push_back({turn, prominence});
   }
@@ -276,7 +276,7 @@ std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const B
 
   std::vector<Section> sections;
   double at_mm = first.displacement_mm, atForce = first.force_N;
-  if (!press && bottomOut.wall) {
+  if (!press && bottomOut.isSteep) {
     sections.push_back(
         sectionBetween(SectionKind::bottomOut, at_mm, bottomOut.displacement_mm, atForce, bottomOut.force_N));
     at_mm = bottomOut.displacement_mm;
@@ -296,11 +296,11 @@ std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const B
   }
   if (press) {
     const bool startsAhead =
-        bottomOut.wall && (bottomOut.displacement_mm > at_mm ||
-                           (bottomOut.displacement_mm == at_mm && bottomOut.force_N >= atForce));
+        bottomOut.isSteep && (bottomOut.displacement_mm > at_mm ||
+                              (bottomOut.displacement_mm == at_mm && bottomOut.force_N >= atForce));
     if (startsAhead)
       appendSlope(sections, at_mm, atForce, bottomOut.displacement_mm, bottomOut.force_N);
-    else if (!bottomOut.wall)
+    else if (!bottomOut.isSteep)
       appendSlope(sections, at_mm, atForce, last.displacement_mm, last.force_N);
     sections.push_back(
         sectionBetween(SectionKind::bottomOut, at_mm, last.displacement_mm, atForce, last.force_N));

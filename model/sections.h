@@ -44,7 +44,7 @@ struct SectionSettings {
 struct BottomOut {
   double displacement_mm = 0;  ///< start of the bottom-out; the end of the travel if the curve has none
   double force_N = 0;          ///< force there
-  bool wall = false;           ///< the curve itself has a steep rise (CHERRY's graphs often end before it)
+  bool isSteep = false;        ///< the curve itself has a steep rise (CHERRY's graphs often end before it)
 };
 
 /// Finds the bottom-out: it lies in the last half of the travel, reaches its end, gains at least

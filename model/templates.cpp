@@ -6,8 +6,8 @@
 namespace detent {
 namespace {
 
-void appendBottomOut(std::vector<CurvePoint>& points, std::optional<double> wallForce_N) {
-  if (wallForce_N) points.push_back({points.back().displacement_mm, *wallForce_N});
+void appendBottomOut(std::vector<CurvePoint>& points, std::optional<double> bottomOutForce_N) {
+  if (bottomOutForce_N) points.push_back({points.back().displacement_mm, *bottomOutForce_N});
 }
 
 Result<ForceGraph> graphFrom(const StrokeSketch& press, const StrokeSketch& release) {
@@ -33,7 +33,7 @@ StrokeSketch pressSketch(const TactileTemplate& values) {
     sketch.points.push_back(level.valley);
   }
   sketch.points.push_back({values.travel_mm, values.endForce_N});
-  appendBottomOut(sketch.points, values.wallForce_N);
+  appendBottomOut(sketch.points, values.bottomOutForce_N);
   return sketch;
 }
 
@@ -44,7 +44,7 @@ StrokeSketch releaseSketch(const TactileTemplate& values) {
     sketch.points.push_back(level->tactile);
   }
   sketch.points.push_back({values.travel_mm, values.releaseEndForce_N});
-  appendBottomOut(sketch.points, values.wallForce_N);
+  appendBottomOut(sketch.points, values.bottomOutForce_N);
   return sketch;
 }
 
@@ -72,8 +72,8 @@ Result<Button> linearButton(const LinearTemplate& values) {
   StrokeSketch release{{{0, values.startForce_N - values.hysteresis_N},
                         {values.travel_mm, values.endForce_N - values.hysteresis_N}},
                        {0}};
-  appendBottomOut(press.points, values.wallForce_N);
-  appendBottomOut(release.points, values.wallForce_N);
+  appendBottomOut(press.points, values.bottomOutForce_N);
+  appendBottomOut(release.points, values.bottomOutForce_N);
   return momentary(values.name, press, release, values.operatingPoint_mm, values.resetPoint_mm);
 }
 
@@ -96,8 +96,8 @@ Result<Button> clickyButton(const ClickyTemplate& values) {
         values.valleyForce_N - (values.endForce_N - values.releaseEndForce_N)},
        {values.travel_mm, values.releaseEndForce_N}},
       {0, 1, 3}};
-  appendBottomOut(press.points, values.wallForce_N);
-  appendBottomOut(release.points, values.wallForce_N);
+  appendBottomOut(press.points, values.bottomOutForce_N);
+  appendBottomOut(release.points, values.bottomOutForce_N);
   return momentary(values.name, press, release, values.operatingPoint_mm, values.resetPoint_mm);
 }
 
@@ -111,7 +111,7 @@ TactileTemplate twoLevelValues() {
   values.releaseStartForce_N = 0.10;
   values.release = {{{1.15, 0.95}, {0.98, 1.30}}, {{0.50, 0.40}, {0.36, 0.55}}};
   values.releaseEndForce_N = 1.90;
-  values.wallForce_N = 4.0;
+  values.bottomOutForce_N = 4.0;
   values.operatingPoint_mm = 1.2;
   values.resetPoint_mm = 1.05;
   return values;
@@ -142,7 +142,7 @@ Result<Button> selfLockingButton(const SelfLockingTemplate& values) {
                               {values.travel_mm, values.endForce_N - values.hysteresis_N}},
                              {}};
   for (StrokeSketch* sketch : {&unlockedPress, &unlockedRelease, &lockedPress, &lockedRelease})
-    appendBottomOut(sketch->points, values.wallForce_N);
+    appendBottomOut(sketch->points, values.bottomOutForce_N);
   auto unlocked = graphFrom(unlockedPress, unlockedRelease);
   if (!unlocked) return unlocked.failure();
   auto locked = graphFrom(lockedPress, lockedRelease);

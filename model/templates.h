@@ -26,8 +26,8 @@ struct LinearTemplate {
   double travel_mm = 4;
   double startForce_N = 0.30;
   double endForce_N = 0.80;
-  double hysteresis_N = 0.05;         ///< release below press; >= 0
-  std::optional<double> wallForce_N;  ///< force at the top of a vertical bottom-out; nullopt: none
+  double hysteresis_N = 0.05;              ///< release below press; >= 0
+  std::optional<double> bottomOutForce_N;  ///< force at the top of a vertical bottom-out; nullopt: none
   std::optional<double> operatingPoint_mm = 2.0, resetPoint_mm = 1.9;
 };
 Result<Button> linearButton(const LinearTemplate& values = {});
@@ -53,7 +53,7 @@ struct TactileTemplate {
   std::vector<ReleaseLevel> release = {
       {{1.6, 0.22}, {1.1, 0.36}}};  ///< in the order travelled: from deep to shallow
   double releaseEndForce_N = 0.58;  ///< at the end of the travel
-  std::optional<double> wallForce_N = 1.2;
+  std::optional<double> bottomOutForce_N = 1.2;
   std::optional<double> operatingPoint_mm = 2.0, resetPoint_mm = 1.7;
 };
 Result<Button> tactileButton(const TactileTemplate& values = {});
@@ -72,7 +72,7 @@ struct ClickyTemplate {
   CurvePoint releaseTactile = {1.2, 0.20};
   double releaseHumpForce_N = 0.38;
   double releaseEndForce_N = 0.60;
-  std::optional<double> wallForce_N = 1.2;
+  std::optional<double> bottomOutForce_N = 1.2;
   std::optional<double> operatingPoint_mm = 1.9, resetPoint_mm = 1.1;
 };
 Result<Button> clickyButton(const ClickyTemplate& values = {});
@@ -96,7 +96,7 @@ struct SelfLockingTemplate {
   ReleaseLevel release = {{1.8, 0.30}, {1.2, 0.50}};  ///< of the locked state, on its way back to 0
   double releaseStartForce_N = 0.20;
   double hysteresis_N = 0.05;
-  std::optional<double> wallForce_N = 1.6;
+  std::optional<double> bottomOutForce_N = 1.6;
 };
 Result<Button> selfLockingButton(const SelfLockingTemplate& values = {});
 

@@ -61,7 +61,7 @@ struct Findings {
 double firstBottomOut(const StrokeCurve& press, const StrokeCurve& release, const SectionSettings& settings) {
   double first = std::numeric_limits<double>::infinity();
   for (const StrokeCurve* curve : {&press, &release})
-    if (const BottomOut bottomOut = bottomOutOf(*curve, settings); bottomOut.wall)
+    if (const BottomOut bottomOut = bottomOutOf(*curve, settings); bottomOut.isSteep)
       first = std::min(first, bottomOut.displacement_mm);
   return first;
 }

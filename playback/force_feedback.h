@@ -97,9 +97,9 @@ struct ForceStatus {
 
 /// Pace that the link allows; all 0 if it is as quick as the device was prepared for.
 struct ForceLinkPace {
-  double roundTrip_s = 0;  ///< measured: nine of ten answers take no longer
-  double asked_Hz = 0;     ///< requested rate
-  double computer_s = 0;   ///< of the round trip, what this computer alone takes
+  double roundTrip_s = 0;   ///< measured: nine of ten answers take no longer
+  double requested_Hz = 0;  ///< requested rate
+  double computer_s = 0;    ///< of the round trip, what this computer alone takes
   double addedDamping_Ns_per_mm = 0,
          largestForceChange_N = 0;  ///< what the button lost to it, besides slopes
 };

@@ -80,7 +80,7 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   slower.jitter_s = 0.5 * slow_s + slower.late_s();
   ForceLinkPace pace;
   pace.roundTrip_s = *roundTrip_s;
-  pace.asked_Hz = 1 / period_s;
+  pace.requested_Hz = 1 / period_s;
   pace.computer_s = computer_s;
   Result<FittedForce> fitted = fittedTo(button, slower, settings.force, pace);
   if (!fitted) return fitted;

@@ -76,14 +76,14 @@ void shadeJumpAreas(QPainter& painter, const PlotMapping& map, const GraphScene&
 }
 
 // Draws the end of the travel as a line with hatching behind it, as in mechanical drawings.
-void paintWall(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+void paintBottomOut(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const double at_px = map.toPixel(scene.state.graph.travel_mm(), 0).x();
   const QRectF& clip = map.clip_px;
   if (at_px < clip.left() - 1 || at_px > clip.right() + 1) return;
-  painter.setPen(QPen(scene.colors.wall, 1.5));
+  painter.setPen(QPen(scene.colors.bottomOut, 1.5));
   painter.drawLine(QPointF(at_px, clip.top()), QPointF(at_px, clip.bottom()));
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QBrush(withAlpha(scene.colors.wall, 0.55), Qt::BDiagPattern));
+  painter.setBrush(QBrush(withAlpha(scene.colors.bottomOut, 0.55), Qt::BDiagPattern));
   painter.drawRect(QRectF(at_px, clip.top(), 9, clip.height()));
 }
 
@@ -125,14 +125,14 @@ void paintOtherSpeeds(QPainter& painter, const PlotMapping& map, const GraphScen
 
 // Each label where its press is farthest from the edited one.
 void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  constexpr int looks = 64;
-  constexpr double beforeWall = 0.9;  // of the travel
+  constexpr int samples = 64;
+  constexpr double beforeBottomOut = 0.9;  // of the travel
   const StrokeCurve& front = scene.state.graph.press();
   for (const SpeedGraph& other : scene.state.otherSpeeds) {
     const StrokeCurve& press = other.graph.press();
     double farthest_N = -1, at_mm = press.start_mm();
-    for (int i = 1; i < looks; ++i) {
-      const double here_mm = press.start_mm() + press.travel_mm() * beforeWall * i / looks;
+    for (int i = 1; i < samples; ++i) {
+      const double here_mm = press.start_mm() + press.travel_mm() * beforeBottomOut * i / samples;
       const double apart_N = std::abs(press.force_N(here_mm) - front.force_N(here_mm));
       if (apart_N > farthest_N) farthest_N = apart_N, at_mm = here_mm;
     }
@@ -143,13 +143,13 @@ void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScen
 
 // Behind the curves, as wide as the units scatter on each side.
 void paintSpread(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  const auto band = [&](const ToleranceBand& points, const QColor& ink) {
+  const auto band = [&](const ToleranceBand& points, const QColor& tagColor) {
     QPolygonF outline;
     for (const BandPoint& point : points)
       outline.push_back(map.toPixel(point.displacement_mm, point.mean_N + point.sd_N));
     for (auto point = points.rbegin(); point != points.rend(); ++point)
       outline.push_back(map.toPixel(point->displacement_mm, point->mean_N - point->sd_N));
-    painter.setBrush(withAlpha(ink, bandOpacity));
+    painter.setBrush(withAlpha(tagColor, bandOpacity));
     painter.drawPolygon(outline);
   };
   painter.setPen(Qt::NoPen);
@@ -243,7 +243,7 @@ void paintResiduals(QPainter& painter, const PlotMapping& map, const StrokeCurve
 
 void paintKnots(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   const std::vector<Knot>& knots = scene.state.graph.curve(stroke).knots();
-  const QColor ink = stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  const QColor tagColor = stroke == Stroke::press ? scene.colors.press : scene.colors.release;
   QVector<QRectF> squares;
   const QRectF near = map.clip_px.adjusted(-4, -4, 4, 4);
   const double half = knots.size() > fewKnots ? 1.5 : 3;
@@ -253,15 +253,15 @@ void paintKnots(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, squares.size() <= qsizetype(fewKnots));
-  painter.setPen(QPen(ink, knots.size() > fewKnots ? 1 : 1.4));
+  painter.setPen(QPen(tagColor, knots.size() > fewKnots ? 1 : 1.4));
   painter.setBrush(scene.colors.background);
   painter.drawRects(squares);
   painter.restore();
 }
 
 void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
-  const QColor ink = stroke == Stroke::press ? scene.colors.press : scene.colors.release;
-  painter.setPen(QPen(ink, 1.5));
+  const QColor tagColor = stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  painter.setPen(QPen(tagColor, 1.5));
   painter.setBrush(scene.colors.background);
   for (const CurvePoint& turn : scene.values.of(stroke).turns) {
     const QPointF at = pixelOf(map, turn);
@@ -288,13 +288,13 @@ QRectF tagBox(const QPainter& painter, QPointF at_px, const QString& text, const
   return box;
 }
 
-void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const QColor& ink,
-                const QColor& ground) {
+void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const QColor& tagColor,
+                const QColor& background) {
   painter.save();
   painter.setPen(Qt::NoPen);
-  painter.setBrush(withAlpha(ground, 0.85));
+  painter.setBrush(withAlpha(background, 0.85));
   painter.drawRoundedRect(box, 3, 3);
-  painter.setPen(ink);
+  painter.setPen(tagColor);
   painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
   painter.restore();
 }
@@ -315,7 +315,7 @@ class Tags {
     keepClear(QRectF(mark_px - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px)));
   }
 
-  void put(QPointF at_px, const QString& text, const QColor& ink) {
+  void put(QPointF at_px, const QString& text, const QColor& tagColor) {
     QRectF box = tagBox(painter_, at_px, text, map_.clip_px);
     for (const QPointF& away : placesAround(box.size())) {
       const QRectF moved = tagBox(painter_, box.center() + away, text, map_.clip_px);
@@ -324,18 +324,18 @@ class Tags {
       break;
     }
     taken_.push_back(box);
-    paintTagIn(painter_, box, text, ink, scene_.colors.background);
+    paintTagIn(painter_, box, text, tagColor, scene_.colors.background);
   }
 
  private:
   /// Places around a mark, nearest first.
   static std::vector<QPointF> placesAround(QSizeF size) {
-    std::vector<QPointF> places;
+    std::vector<QPointF> offsets;
     for (const double lines : {0, 1, -1, 2, -2, 3, -3})
       for (const double sideways : {0, 1, -1, 2, -2})
-        places.emplace_back(sideways * (size.width() / 2 + 2 * tactileMark_px), lines * size.height());
-    std::ranges::stable_sort(places, {}, [](QPointF away) { return std::hypot(away.x(), away.y()); });
-    return places;
+        offsets.emplace_back(sideways * (size.width() / 2 + 2 * tactileMark_px), lines * size.height());
+    std::ranges::stable_sort(offsets, {}, [](QPointF away) { return std::hypot(away.x(), away.y()); });
+    return offsets;
   }
   bool free(const QRectF& box) const {
     return std::none_of(taken_.begin(), taken_.end(),
@@ -376,16 +376,17 @@ void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scen
 struct Contact {
   Stroke stroke;
   QPointF at_px;
-  QColor ink;
+  QColor tagColor;
   bool operating() const { return stroke == Stroke::press; }
 };
 
 std::vector<Contact> contactsIn(const PlotMapping& map, const GraphScene& scene) {
   std::vector<Contact> contacts;
-  const auto add = [&](const std::optional<double>& at_mm, Stroke stroke, const QColor& ink) {
+  const auto add = [&](const std::optional<double>& at_mm, Stroke stroke, const QColor& tagColor) {
     if (!at_mm) return;
     const QPointF at = map.toPixel(*at_mm, scene.state.graph.curve(stroke).force_N(*at_mm));
-    if (at.x() >= map.clip_px.left() && at.x() <= map.clip_px.right()) contacts.push_back({stroke, at, ink});
+    if (at.x() >= map.clip_px.left() && at.x() <= map.clip_px.right())
+      contacts.push_back({stroke, at, tagColor});
   };
   add(scene.state.operatingPoint_mm, Stroke::press, scene.colors.operatingPoint);
   add(scene.state.resetPoint_mm, Stroke::release, scene.colors.resetPoint);
@@ -395,11 +396,11 @@ std::vector<Contact> contactsIn(const PlotMapping& map, const GraphScene& scene)
 // A thin line through the plot and a marker on its stroke.
 void paintContact(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                   const Contact& contact) {
-  const auto& [stroke, at, ink] = contact;
-  painter.setPen(QPen(withAlpha(ink, 0.75), 1, Qt::DashDotLine));
+  const auto& [stroke, at, tagColor] = contact;
+  painter.setPen(QPen(withAlpha(tagColor, 0.75), 1, Qt::DashDotLine));
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
   painter.setPen(QPen(scene.colors.background, 1.5));
-  painter.setBrush(ink);
+  painter.setBrush(tagColor);
   const double r = contactMark_px;
   const double up = contact.operating() ? 1 : -1;  // points down where the contact closes, up where it opens
   painter.drawPolygon(QPolygonF(
@@ -428,22 +429,22 @@ std::vector<QString> legendOf(const GraphScene& scene) {
   return names;
 }
 
-/// Number of sampled places on the strokes inside the box.
-int inkIn(const QRectF& box, const PlotMapping& map, const GraphScene& scene) {
-  constexpr int places = 80;
+/// Number of sampled offsets on the strokes inside the box.
+int curvePixelsIn(const QRectF& box, const PlotMapping& map, const GraphScene& scene) {
+  constexpr int samples = 80;
   int inside = 0;
   for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     if (stroke == Stroke::release && !scene.state.graph.release()) continue;
     const StrokeCurve& curve = scene.state.graph.curve(stroke);
-    for (int i = 0; i <= places; ++i) {
-      const double at_mm = curve.start_mm() + curve.travel_mm() * i / places;
+    for (int i = 0; i <= samples; ++i) {
+      const double at_mm = curve.start_mm() + curve.travel_mm() * i / samples;
       inside += box.contains(map.toPixel(at_mm, curve.forceBefore_N(at_mm)));
     }
   }
   return inside;
 }
 
-/// The box in the corner with the fewest places on the strokes.
+/// The box in the corner with the fewest offsets on the strokes.
 QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                  const std::vector<QString>& names) {
   const QFontMetricsF metrics(painter.font());
@@ -454,11 +455,11 @@ QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphSce
                                              -legendGap_px.width(), -legendGap_px.height());
   box.moveTopLeft(within.topLeft());
   QRectF best = box;
-  int least = inkIn(box, map, scene);
+  int least = curvePixelsIn(box, map, scene);
   const auto move = [&](void (QRectF::*to)(const QPointF&), const QPointF& corner) {
     (box.*to)(corner);
-    const int ink = inkIn(box, map, scene);
-    if (ink < least) least = ink, best = box;
+    const int tagColor = curvePixelsIn(box, map, scene);
+    if (tagColor < least) least = tagColor, best = box;
   };
   move(&QRectF::moveBottomRight, within.bottomRight());
   move(&QRectF::moveTopRight, within.topRight());
@@ -487,7 +488,7 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
   constexpr double aboveAxis_px = 12, lineAbove_px = 30;
   for (const Contact& contact : contacts)
     tags.put({contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
-             contact.operating() ? tr("operating") : tr("reset"), contact.ink);
+             contact.operating() ? tr("operating") : tr("reset"), contact.tagColor);
 }
 
 void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -593,15 +594,15 @@ void paintRefusal(QPainter& painter, const PlotMapping& map, const GraphScene& s
 
 void paintProposal(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const Proposal& proposal = *scene.feedback.proposal;
-  const QColor ink = proposal.stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  const QColor tagColor = proposal.stroke == Stroke::press ? scene.colors.press : scene.colors.release;
   const QPointF at = pixelOf(map, proposal.at);
-  painter.setPen(QPen(ink, 1.6));
-  painter.setBrush(withAlpha(ink, 0.25));
+  painter.setPen(QPen(tagColor, 1.6));
+  painter.setBrush(withAlpha(tagColor, 0.25));
   painter.drawEllipse(at, 7, 7);
   painter.drawLine(at + QPointF(-3.5, 0), at + QPointF(3.5, 0));
   painter.drawLine(at + QPointF(0, -3.5), at + QPointF(0, 3.5));
   if (!proposal.to) return;
-  painter.setPen(QPen(ink, 1, Qt::DashLine));
+  painter.setPen(QPen(tagColor, 1, Qt::DashLine));
   painter.drawLine(at, pixelOf(map, *proposal.to));
 }
 
@@ -617,11 +618,11 @@ void paintDragReadout(QPainter& painter, const PlotMapping& map, const GraphScen
 void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const FingerPosition& finger = *scene.finger;
   const QPointF at = map.toPixel(finger.displacement_mm, finger.force_N);
-  const QColor ink = finger.stroke == Stroke::press ? scene.colors.press : scene.colors.release;
-  painter.setPen(QPen(withAlpha(ink, 0.5), 1));
+  const QColor tagColor = finger.stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  painter.setPen(QPen(withAlpha(tagColor, 0.5), 1));
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
   painter.setPen(QPen(scene.colors.background, 2));
-  painter.setBrush(ink);
+  painter.setBrush(tagColor);
   painter.drawEllipse(at, 7, 7);
 }
 
@@ -667,18 +668,20 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
     const QString text = shortened(QString::fromStdString(scene.notes[i].text).simplified(), longest);
     const double left_px = at->x() - map.clip_px.left(), right_px = map.clip_px.right() - at->x();
     const QString words = metrics.elidedText(text, Qt::ElideRight, std::max(left_px, right_px) - beside_px);
-    const double wide = metrics.horizontalAdvance(words) / 2 + half_px + 8;
+    const double halfWidth_px = metrics.horizontalAdvance(words) / 2 + half_px + 8;
     // Above and to the right, unless that leaves the plot or covers more of the strokes.
     QPointF flag, middle;
     int least = std::numeric_limits<int>::max();
     for (const double up : {-1.0, 1.0})
       for (const double side : {1.0, -1.0}) {
-        const QPointF there = *at + QPointF(0, up * flag_px), text_px = there + QPointF(side * wide, 0);
-        const QRectF box(text_px - QPointF(wide, metrics.height() / 2), QSizeF(2 * wide, metrics.height()));
+        const QPointF there = *at + QPointF(0, up * flag_px),
+                      text_px = there + QPointF(side * halfWidth_px, 0);
+        const QRectF box(text_px - QPointF(halfWidth_px, metrics.height() / 2),
+                         QSizeF(2 * halfWidth_px, metrics.height()));
         const bool inside = map.clip_px.contains(box.adjusted(half_px, 0, -half_px, 0));
-        const int ink = inkIn(box, map, scene) + (inside ? 0 : outside);
-        if (ink >= least) continue;
-        least = ink;
+        const int tagColor = curvePixelsIn(box, map, scene) + (inside ? 0 : outside);
+        if (tagColor >= least) continue;
+        least = tagColor;
         flag = there;
         middle = text_px;
       }
@@ -728,9 +731,9 @@ void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& sc
 
 }  // namespace
 
-void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
-              const QRectF& bounds_px) {
-  paintTagIn(painter, tagBox(painter, at_px, text, bounds_px), text, ink, ground);
+void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& tagColor,
+              const QColor& background, const QRectF& bounds_px) {
+  paintTagIn(painter, tagBox(painter, at_px, text, bounds_px), text, tagColor, background);
 }
 
 QString speedText(double speed_mm_per_s) { return tr("%1 mm/s").arg(numberText(speed_mm_per_s, 4)); }
@@ -752,7 +755,7 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   shadeJumpAreas(painter, map, scene, Stroke::press);
   if (scene.state.graph.release()) shadeJumpAreas(painter, map, scene, Stroke::release);
   painter.setRenderHint(QPainter::Antialiasing, true);
-  paintWall(painter, map, scene);
+  paintBottomOut(painter, map, scene);
   if (scene.spread) paintSpread(painter, map, scene);
   if (scene.otherState) paintGhost(painter, map, scene);
   if (!scene.state.otherSpeeds.empty()) paintOtherSpeeds(painter, map, scene);

@@ -48,8 +48,8 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
 void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphScene& scene);
 
 /// A short text near a point on a box of the background colour, kept inside `bounds_px`.
-void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
-              const QRectF& bounds_px);
+void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& tagColor,
+              const QColor& background, const QRectF& bounds_px);
 
 /// "100 mm/s".
 QString speedText(double speed_mm_per_s);

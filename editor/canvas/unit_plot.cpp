@@ -72,7 +72,7 @@ UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidg
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(160, 90);
   connect(&settings_, &ViewSettings::changed, this, &UnitPlot::applySettings);
-  connect(this, &QCustomPlot::beforeReplot, this, [this] { groundStale_ = true; });
+  connect(this, &QCustomPlot::beforeReplot, this, [this] { backgroundStale_ = true; });
   connect(this, &QCustomPlot::afterLayout, this, [this] {
     if (!exporting_) emit viewChanged();
   });
@@ -211,14 +211,14 @@ void UnitPlot::drawAsPicture(QCPPainter& painter, QSize size) {
 }
 
 // QCustomPlot would fill and blend its buffers with every frame; copying an opaque picture is faster.
-void UnitPlot::refreshGround() {
+void UnitPlot::refreshBackground() {
   const double ratio = devicePixelRatioF();
-  ground_ = QPixmap((QSizeF(size()) * ratio).toSize());
-  ground_.setDevicePixelRatio(ratio);
-  ground_.fill(colors_.background);
-  QCPPainter painter(&ground_);
+  background_ = QPixmap((QSizeF(size()) * ratio).toSize());
+  background_.setDevicePixelRatio(ratio);
+  background_.fill(colors_.background);
+  QCPPainter painter(&background_);
   for (const auto& buffer : mPaintBuffers) buffer->draw(&painter);
-  groundStale_ = false;
+  backgroundStale_ = false;
 }
 
 void UnitPlot::paintEvent(QPaintEvent* event) {
@@ -227,10 +227,10 @@ void UnitPlot::paintEvent(QPaintEvent* event) {
     setBufferDevicePixelRatio(ratio);
     replot(QCustomPlot::rpQueuedRefresh);
   }
-  if (groundStale_ || ground_.size() != (QSizeF(size()) * ratio).toSize()) refreshGround();
+  if (backgroundStale_ || background_.size() != (QSizeF(size()) * ratio).toSize()) refreshBackground();
   QPainter painter(this);
   painter.setClipRegion(event->region());
-  painter.drawPixmap(0, 0, ground_);
+  painter.drawPixmap(0, 0, background_);
   painter.setRenderHint(QPainter::Antialiasing);
   drawContent(painter, mapping());
 }

@@ -72,7 +72,7 @@ class UnitPlot : public QCustomPlot {
 
  private:
   class Content;
-  void refreshGround();
+  void refreshBackground();
   void spaceLabels(QSize size);
   void applySettings();
   void applyColors();
@@ -86,8 +86,8 @@ class UnitPlot : public QCustomPlot {
   std::optional<QPointF> panFrom_px_;
   bool fitted_ = true;
   bool exporting_ = false;
-  QPixmap ground_;  ///< static content, opaque
-  bool groundStale_ = true;
+  QPixmap background_;  ///< static content, opaque
+  bool backgroundStale_ = true;
 };
 
 }  // namespace detent::editor

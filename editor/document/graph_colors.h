@@ -14,7 +14,7 @@ namespace detent::editor {
 struct GraphColors {
   QColor background, grid, axis, text;
   QColor press, release;
-  QColor tactilePoint, operatingPoint, resetPoint, wall;
+  QColor tactilePoint, operatingPoint, resetPoint, bottomOut;
   QColor slopeSection, jumpSection, bottomOutSection;  ///< with alpha, under the curves
   QColor tracedPoint, residual;
   QColor selection, refused;  ///< for selected items; for a forbidden move

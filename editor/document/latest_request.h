@@ -69,7 +69,7 @@ template <class Request>
 class LatestAnswer {
  public:
   /// A running request. Worker thread.
-  class Asked {
+  class Query {
    public:
     const Request& request;
     const std::uint64_t revision;  ///< counted from 1
@@ -77,31 +77,31 @@ class LatestAnswer {
     /// Returns true if a newer request exists, or nobody waits any more.
     bool overtaken() const { return answers_.latest_ != revision; }
     /// Calls the callback in the GUI thread, unless a newer request exists by then.
-    template <class Told>
-    void tell(Told told) const {
-      tellAnyway([&answers = answers_, asked = revision, told = std::move(told)] {
-        if (answers.latest_ == asked) told();
+    template <class Report>
+    void tell(Report report) const {
+      tellAnyway([&answers = answers_, number = revision, report = std::move(report)] {
+        if (answers.latest_ == number) report();
       });
     }
     /// The same for a request that may be overtaken. Qt drops events for a destroyed object; the destructor
     /// waits for this thread.
-    template <class Told>
-    void tellAnyway(Told told) const {
-      QMetaObject::invokeMethod(answers_.owner_, std::move(told), Qt::QueuedConnection);
+    template <class Report>
+    void tellAnyway(Report report) const {
+      QMetaObject::invokeMethod(answers_.owner_, std::move(report), Qt::QueuedConnection);
     }
 
    private:
     friend class LatestAnswer;
-    Asked(LatestAnswer& answers, const Request& its, std::uint64_t asked)
-        : request(its), revision(asked), answers_(answers) {}
+    Query(LatestAnswer& answers, const Request& current, std::uint64_t number)
+        : request(current), revision(number), answers_(answers) {}
     LatestAnswer& answers_;
   };
 
   /// `owner` receives the answers and holds this. `work` runs on the worker thread.
-  LatestAnswer(QObject* owner, std::function<void(const Asked&)> work)
+  LatestAnswer(QObject* owner, std::function<void(const Query&)> work)
       : owner_(owner),
         work_(std::move(work)),
-        requests_([this](const Waiting& next) { work_(Asked(*this, next.request, next.revision)); }) {}
+        requests_([this](const Waiting& next) { work_(Query(*this, next.request, next.revision)); }) {}
   /// Cancels the running request and waits for it.
   ~LatestAnswer() { cancel(); }
   LatestAnswer(const LatestAnswer&) = delete;
@@ -124,7 +124,7 @@ class LatestAnswer {
   };
 
   QObject* owner_;
-  std::function<void(const Asked&)> work_;
+  std::function<void(const Query&)> work_;
   std::atomic<std::uint64_t> latest_{0};
   LatestRequest<Waiting> requests_;  // last, because its thread uses the others
 };

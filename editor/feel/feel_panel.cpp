@@ -260,11 +260,11 @@ void FeelPanel::chooseReference() {
 }
 
 void FeelPanel::layOut() {
-  const bool wide = width() > wideRatio * height();
-  sections_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  const bool sideBySide = width() > wideRatio * height();
+  sections_->setDirection(sideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   sections_->activate();
   writeNames();
-  sections_->setStretch(2, wide ? 3 : (setupPage_->isVisibleTo(this) ? 4 : 0));
+  sections_->setStretch(2, sideBySide ? 3 : (setupPage_->isVisibleTo(this) ? 4 : 0));
 }
 
 // ---- between widgets and session
@@ -385,11 +385,11 @@ void FeelPanel::showReference() {
 void FeelPanel::showScale() {
   const auto& press = session_.signal();
   const auto& reference = session_.reference();
-  const bool both = press && !press->failure && reference;
-  const double longer_s = both ? std::max(press->duration_s(), reference->duration_s()) : 0;
-  const double shorter_s = both ? std::min(press->duration_s(), reference->duration_s()) : 0;
+  const bool comparable = press && !press->failure && reference;
+  const double longer_s = comparable ? std::max(press->duration_s(), reference->duration_s()) : 0;
+  const double shorter_s = comparable ? std::min(press->duration_s(), reference->duration_s()) : 0;
   const double duration_s = longer_s <= comparableDurations * shorter_s ? longer_s : 0;
-  const double peak = both ? std::max(press->peak, reference->peak) : 0;
+  const double peak = comparable ? std::max(press->peak, reference->peak) : 0;
   view_->setLeast(duration_s, peak);
   referenceView_->setLeast(duration_s, peak);
 }

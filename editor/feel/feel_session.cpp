@@ -24,9 +24,9 @@ FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
       soundDevices_(nullptr, devices),
       player_(nullptr, devices),
       force_(nullptr, devices),
-      references_(this, [this](const auto& asked) {
-        const auto drawing = std::make_shared<const ReferenceDrawing>(referenceDrawingOf(asked.request));
-        asked.tell([this, drawing] { takeReference(drawing); });
+      references_(this, [this](const auto& query) {
+        const auto drawing = std::make_shared<const ReferenceDrawing>(referenceDrawingOf(query.request));
+        query.tell([this, drawing] { takeReference(drawing); });
       }) {
   for (const FeelSide side : {FeelSide::a, FeelSide::b})
     connect(&slot(side).source, &PressSignalSource::ready, this,

@@ -226,7 +226,7 @@ void FeelSetup::showDevices() {
   const QString note =
       devices_.asking()               ? tr("Looking for sound devices…")
       : !devices_.trouble().isEmpty() ? devices_.trouble()
-      : asked_ && devices_.outputs().empty()
+      : listed_ && devices_.outputs().empty()
           ? tr("No sound device was found. Connect one or start the sound server, then search again.")
           : QString();
   deviceNote_->setText(note);
@@ -323,8 +323,8 @@ void FeelSetup::chooseProfile() {
 
 void FeelSetup::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (event->spontaneous() || asked_ || !playback::livePlaybackAvailable()) return;
-  asked_ = true;
+  if (event->spontaneous() || listed_ || !playback::livePlaybackAvailable()) return;
+  listed_ = true;
   devices_.refresh();
 }
 

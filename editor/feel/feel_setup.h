@@ -63,7 +63,7 @@ class FeelSetup : public QWidget {
   FeelSettings settings_;
   std::optional<playback::DeviceProfile> profile_;
   unsigned buffer_ = 0;
-  bool filling_ = false, asked_ = false;
+  bool filling_ = false, listed_ = false;
 
   QFormLayout* form_;
   QComboBox *drive_, *mode_, *device_, *rate_, *bufferChoice_, *port_, *baud_;

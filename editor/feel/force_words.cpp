@@ -65,11 +65,11 @@ QString marginWords(const playback::StabilityMargin& margin, const Button& butto
   const auto worst = std::min_element(
       margin.unstable.begin(), margin.unstable.end(),
       [](const auto& a, const auto& b) { return a.worst.margin_N_per_mm() < b.worst.margin_N_per_mm(); });
-  const QString places = margin.unstable.size() == 1
-                             ? tr("In one place the button is steeper than the device bears.")
-                             : tr("In %1 places the button is steeper than the device bears. The worst:")
-                                   .arg(margin.unstable.size());
-  return places + " " + stretchWords(*worst, button, units);
+  const QString stretches = margin.unstable.size() == 1
+                                ? tr("In one place the button is steeper than the device bears.")
+                                : tr("In %1 places the button is steeper than the device bears. The worst:")
+                                      .arg(margin.unstable.size());
+  return stretches + " " + stretchWords(*worst, button, units);
 }
 
 QString remarkWords(const playback::ForceRemark& remark, const Button& button, const DisplayUnits& units) {
@@ -77,7 +77,7 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
   const QString at = in(remark.at_mm, Quantity::length);
   QString words;
   switch (remark.kind) {
-    case playback::ForceRemarkKind::wallSoftened:
+    case playback::ForceRemarkKind::bottomOutSoftened:
       words = tr("the rise of %1 at %2 is felt as %3")
                   .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
       break;

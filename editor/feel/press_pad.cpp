@@ -348,7 +348,7 @@ void PressPad::paintCap(QPainter& painter) const {
   const double bottomOut = lampGlow(Lamp::bottomOut);
   const QRectF floor(well.left() + 12, well.bottom() - floor_px + 2, well.width() - 24, 4);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(mixed(colors.wall, colors.refused, bottomOut));
+  painter.setBrush(mixed(colors.bottomOut, colors.refused, bottomOut));
   painter.drawRoundedRect(floor, 1.5, 1.5);
 
   const double capTop = area.top() + depth_px;

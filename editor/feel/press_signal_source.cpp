@@ -7,10 +7,10 @@ namespace detent::editor {
 
 // Outdated results are reported too: while a hand drags, the waveform follows it.
 PressSignalSource::PressSignalSource(QObject* parent)
-    : QObject(parent), answers_(this, [this](const auto& asked) {
-        auto signal = std::make_shared<PressSignal>(pressSignalOf(asked.request));
-        signal->revision = asked.revision;
-        asked.tellAnyway([this, signal] { emit ready(signal); });
+    : QObject(parent), answers_(this, [this](const auto& query) {
+        auto signal = std::make_shared<PressSignal>(pressSignalOf(query.request));
+        signal->revision = query.revision;
+        query.tellAnyway([this, signal] { emit ready(signal); });
       }) {}
 
 }  // namespace detent::editor

@@ -101,21 +101,21 @@ QImage pictureOf(const playback::Spectrogram& s) {
 }  // namespace
 
 QRgb levelColor(double level_dB, double floor_dB) {
-  // Nine places of viridis (S. van der Walt, N. Smith, 2015; CC0).
-  constexpr std::array<std::array<int, 3>, 9> places{{{68, 1, 84},
-                                                      {71, 44, 122},
-                                                      {59, 81, 139},
-                                                      {44, 113, 142},
-                                                      {33, 144, 141},
-                                                      {39, 173, 129},
-                                                      {92, 200, 99},
-                                                      {170, 220, 50},
-                                                      {253, 231, 37}}};
-  const double at = std::clamp(1 - level_dB / floor_dB, 0.0, 1.0) * static_cast<double>(places.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), places.size() - 2);
+  // Nine colours of viridis (S. van der Walt, N. Smith, 2015; CC0).
+  constexpr std::array<std::array<int, 3>, 9> colours{{{68, 1, 84},
+                                                       {71, 44, 122},
+                                                       {59, 81, 139},
+                                                       {44, 113, 142},
+                                                       {33, 144, 141},
+                                                       {39, 173, 129},
+                                                       {92, 200, 99},
+                                                       {170, 220, 50},
+                                                       {253, 231, 37}}};
+  const double at = std::clamp(1 - level_dB / floor_dB, 0.0, 1.0) * static_cast<double>(colours.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), colours.size() - 2);
   const double share = at - static_cast<double>(low);
   const auto channel = [&](std::size_t c) {
-    return static_cast<int>(std::lround(places[low][c] + (places[low + 1][c] - places[low][c]) * share));
+    return static_cast<int>(std::lround(colours[low][c] + (colours[low + 1][c] - colours[low][c]) * share));
   };
   return qRgb(channel(0), channel(1), channel(2));
 }

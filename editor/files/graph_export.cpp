@@ -57,7 +57,7 @@ struct DrawnText {
 
 struct DrawnTexts {
   QStringList families;
-  QColor ink;
+  QColor color;
   std::vector<DrawnText> texts;
 };
 
@@ -72,7 +72,7 @@ DrawnTexts textsOf(const QByteArray& svg) {
       for (const QString& family : given.value("font-family").toString().split(','))
         drawn.families << family.trimmed();
       usual_px = given.value("font-size").toDouble();
-      drawn.ink = QColor(given.value("fill").toString());
+      drawn.color = QColor(given.value("fill").toString());
     }
     if (xml.name() != QLatin1String("text")) continue;
     DrawnText text{{given.value("x").toDouble(), given.value("y").toDouble()}, {}, {}, usual_px};
@@ -98,7 +98,7 @@ void paintTexts(QPainter& painter, const DrawnTexts& drawn) {
     const double width = QFontMetricsF(font).horizontalAdvance(text.words);
     const double before = text.anchor == QLatin1String("middle") ? 0.5 : text.anchor == QLatin1String("end");
     painter.save();
-    painter.setPen(drawn.ink);
+    painter.setPen(drawn.color);
     painter.setFont(font);
     painter.translate(text.at);
     painter.rotate(text.turn_deg);

@@ -23,41 +23,41 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsIn(std::size_t buttons, Fo
 }  // namespace
 
 ForecastSource::ForecastSource(QObject* parent)
-    : QObject(parent), answers_(this, [this](const Asked& asked) {
-        std::optional<Forecast> computed = compute(asked);
+    : QObject(parent), answers_(this, [this](const Query& query) {
+        std::optional<Forecast> computed = compute(query);
         if (!computed) return;
         const auto forecast = std::make_shared<const Forecast>(*std::move(computed));
-        asked.tell([this, forecast] { emit ready(forecast); });
+        query.tell([this, forecast] { emit ready(forecast); });
       }) {}
 
-std::optional<Forecast> ForecastSource::compute(const Asked& asked) {
-  const std::vector<Button>& buttons = asked.request.buttons;
-  const auto pairs = pairsIn(buttons.size(), asked.request.pairs);
+std::optional<Forecast> ForecastSource::compute(const Query& query) {
+  const std::vector<Button>& buttons = query.request.buttons;
+  const auto pairs = pairsIn(buttons.size(), query.request.pairs);
   const std::size_t all = buttons.size() + pairs.size();
   FeltList felt;
   for (const Button& button : buttons) {
-    Result<std::shared_ptr<const Felt>> made = feltOf(button, asked);
-    if (asked.overtaken()) return {};
-    if (!made) return Forecast{asked.revision, {}, sentenceOf(made.failure())};
+    Result<std::shared_ptr<const Felt>> made = feltOf(button, query);
+    if (query.overtaken()) return {};
+    if (!made) return Forecast{query.revision, {}, sentenceOf(made.failure())};
     felt.push_back(*std::move(made));
-    tellProgress(asked, felt.size(), all);
+    tellProgress(query, felt.size(), all);
   }
-  Forecast forecast{asked.revision, {}, {}};
+  Forecast forecast{query.revision, {}, {}};
   for (const auto& [first, second] : pairs) {
-    if (asked.overtaken()) return {};
+    if (query.overtaken()) return {};
     forecast.pairs.push_back(pairOf(*felt[first], *felt[second]));
-    tellProgress(asked, felt.size() + forecast.pairs.size(), all);
+    tellProgress(query, felt.size() + forecast.pairs.size(), all);
   }
   forgetOld(felt);
   return forecast;
 }
 
 Result<std::shared_ptr<const ForecastSource::Felt>> ForecastSource::feltOf(const Button& button,
-                                                                           const Asked& asked) {
+                                                                           const Query& query) {
   const auto known =
       std::find_if(kept_.begin(), kept_.end(), [&](const auto& f) { return f->button == button; });
   if (known != kept_.end()) return *known;
-  Result<playback::FeltButton> made = playback::feel(button, {}, [&asked] { return asked.overtaken(); });
+  Result<playback::FeltButton> made = playback::feel(button, {}, [&query] { return query.overtaken(); });
   if (!made) return made.failure();
   kept_.push_back(std::make_shared<const Felt>(Felt{nextId_++, button, *std::move(made)}));
   return kept_.back();
@@ -81,8 +81,8 @@ void ForecastSource::forgetOld(const FeltList& used) {
                 [&](const auto& pair) { return gone(pair.first.first) || gone(pair.first.second); });
 }
 
-void ForecastSource::tellProgress(const Asked& asked, std::size_t done, std::size_t all) {
-  asked.tell(
+void ForecastSource::tellProgress(const Query& query, std::size_t done, std::size_t all) {
+  query.tell(
       [this, done = static_cast<int>(done), all = static_cast<int>(all)] { emit progress(done, all); });
 }
 

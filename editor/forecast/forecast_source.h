@@ -53,7 +53,7 @@ class ForecastSource : public QObject {
     std::vector<Button> buttons;
     ForecastPairs pairs = ForecastPairs::all;
   };
-  using Asked = LatestAnswer<Wanted>::Asked;
+  using Query = LatestAnswer<Wanted>::Query;
   struct Felt {
     std::uint64_t id = 0;
     Button button;
@@ -61,11 +61,11 @@ class ForecastSource : public QObject {
   };
   using FeltList = std::vector<std::shared_ptr<const Felt>>;
   // Worker thread; nothing when overtaken.
-  std::optional<Forecast> compute(const Asked& asked);
-  Result<std::shared_ptr<const Felt>> feltOf(const Button& button, const Asked& asked);
+  std::optional<Forecast> compute(const Query& query);
+  Result<std::shared_ptr<const Felt>> feltOf(const Button& button, const Query& query);
   playback::PredictedPair pairOf(const Felt& a, const Felt& b);
   void forgetOld(const FeltList& used);
-  void tellProgress(const Asked& asked, std::size_t done, std::size_t all);
+  void tellProgress(const Query& query, std::size_t done, std::size_t all);
 
   // Of the worker thread.
   FeltList kept_;

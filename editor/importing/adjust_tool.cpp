@@ -388,7 +388,7 @@ bool AdjustTool::key(const QKeyEvent& event) {
   }
 }
 
-bool AdjustTool::walk(bool forward) {
+bool AdjustTool::selectNext(bool forward) {
   const auto handles = handlesOf(view_);
   if (handles.empty()) return false;
   const auto at = active_ ? std::find(handles.begin(), handles.end(), *active_) : handles.end();

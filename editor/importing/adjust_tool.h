@@ -33,7 +33,7 @@ class AdjustTool : public PageTool {
   bool release(const QMouseEvent& event) override;
   bool doubleClick(const QMouseEvent& event) override;
   bool key(const QKeyEvent& event) override;
-  bool walk(bool forward) override;
+  bool selectNext(bool forward) override;
   bool menu(QPointF widget, QPoint global) override;
   bool busy() const override { return drag_.has_value(); }
   void cancel() override;

@@ -42,10 +42,10 @@ void AdviceBar::say(Tone tone, const Advice& advice) {
   mark_->setPixmap(style()->standardIcon(icon).pixmap(22, 22));
   QPalette colors = parentWidget() ? parentWidget()->palette() : palette();
   const bool dark = isDark(colors);
-  const QColor ground = tone == Tone::fault   ? (dark ? "#4a2326" : "#fdeaea")
-                        : tone == Tone::doubt ? (dark ? "#463a1d" : "#fff5dc")
-                                              : (dark ? "#24384a" : "#e8f2fb");
-  colors.setColor(QPalette::Window, ground);
+  const QColor background = tone == Tone::fault   ? (dark ? "#4a2326" : "#fdeaea")
+                            : tone == Tone::doubt ? (dark ? "#463a1d" : "#fff5dc")
+                                                  : (dark ? "#24384a" : "#e8f2fb");
+  colors.setColor(QPalette::Window, background);
   setPalette(colors);
   while (QLayoutItem* item = buttons_->takeAt(0)) {
     if (item->widget()) item->widget()->deleteLater();

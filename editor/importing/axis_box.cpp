@@ -16,7 +16,7 @@
 namespace detent::editor {
 namespace {
 
-// What cannot be read stays as typed, marked, with the reason beside it.
+// Marks a field whose text cannot be read and shows the reason beside it. The text stays.
 void showRefusal(QLineEdit& edit, const QString& why) {
   QPalette colors = edit.palette();
   colors.setColor(QPalette::Text, why.isEmpty() ? edit.parentWidget()->palette().color(QPalette::Text)
@@ -137,7 +137,7 @@ QHBoxLayout* AxisBox::originRow() {
   auto* row = new QHBoxLayout;
   auto* ticks = new QPushButton(tr("Set on page…"));
   ticks->setToolTip(tr("Click ticks of the axis on the page and type their values"));
-  connect(ticks, &QPushButton::clicked, this, &AxisBox::ticksAsked);
+  connect(ticks, &QPushButton::clicked, this, &AxisBox::ticksRequested);
   auto* name = new QLabel(tr("Range:"));
   row->addWidget(ticks);
   row->addStretch();
@@ -167,20 +167,20 @@ void AxisBox::takeUnit(std::size_t index) {
 }
 
 QuantityReading AxisBox::typedIn(const QLineEdit& field) const {
-  const AxisQuantity asked = axisQuantity(axis_, unit_->currentText().toStdString());
+  const AxisQuantity shownAxis = axisQuantity(axis_, unit_->currentText().toStdString());
   std::optional<double> now = &field == max_ ? maxShown_ : minShown_;
-  if (now) *now *= shownUnitOf(asked.quantity, asked.units);
-  return readQuantity(field.text(), asked.quantity, asked.units, now);
+  if (now) *now *= shownUnitOf(shownAxis.quantity, shownAxis.units);
+  return readQuantity(field.text(), shownAxis.quantity, shownAxis.units, now);
 }
 
 void AxisBox::takeEnd(bool isMax) {
   QLineEdit *edit = isMax ? max_ : min_, *otherEdit = isMax ? min_ : max_;
   if (!edit->isModified()) return;
   const QuantityReading value = typedIn(*edit), other = typedIn(*otherEdit);
-  const AxisQuantity asked = axisQuantity(axis_, unit_->currentText().toStdString());
+  const AxisQuantity shownAxis = axisQuantity(axis_, unit_->currentText().toStdString());
   if (!value.value && takeWithUnit(*edit, isMax)) return;
-  showRefusal(*edit, value.value ? QString() : refusalOf(value, asked.quantity, asked.units));
-  if (!value.value) return;  // as typed, so that it can be mended
+  showRefusal(*edit, value.value ? QString() : refusalOf(value, shownAxis.quantity, shownAxis.units));
+  if (!value.value) return;  // the text stays, so that the user can correct it
   if (other.value && other.shown == value.shown) return showRefusal(*edit, noLength());
   edit->setModified(false);
   const std::optional<double> otherShown = other.value ? std::optional(other.shown) : std::nullopt;
@@ -202,11 +202,12 @@ QString AxisBox::noLength() const {
 bool AxisBox::takeWithUnit(QLineEdit& edit, bool isMax) {
   if (!unit_->currentText().isEmpty()) return false;
   for (int i = 0; i < unit_->count(); ++i) {
-    const AxisQuantity asked = axisQuantity(axis_, unit_->itemText(i).toStdString());
+    const AxisQuantity shownAxis = axisQuantity(axis_, unit_->itemText(i).toStdString());
     if (!edit.text().trimmed().endsWith(unit_->itemText(i))) continue;
-    const QuantityReading value = readQuantity(edit.text(), asked.quantity, asked.units);
+    const QuantityReading value = readQuantity(edit.text(), shownAxis.quantity, shownAxis.units);
     if (!value.value) continue;
-    const QuantityReading other = readQuantity((isMax ? min_ : max_)->text(), asked.quantity, asked.units);
+    const QuantityReading other =
+        readQuantity((isMax ? min_ : max_)->text(), shownAxis.quantity, shownAxis.units);
     if (other.value && other.shown == value.shown) return false;
     showRefusal(edit, {});
     edit.setModified(false);

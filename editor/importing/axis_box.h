@@ -34,7 +34,7 @@ class AxisBox : public QGroupBox {
 
  signals:
   /// The values are to be set on the page.
-  void ticksAsked();
+  void ticksRequested();
 
  private:
   void build();

@@ -60,7 +60,7 @@ QHBoxLayout* CurvesBox::strokeRow(Stroke stroke) {
   button->setToolTip(isPress ? tr("Click the press curve on the page")
                              : tr("Click the release curve on the page"));
   connect(button, &QPushButton::clicked, this, [this, isPress] {
-    emit toolAsked(isPress ? PageToolKind::pressColor : PageToolKind::releaseColor);
+    emit toolRequested(isPress ? PageToolKind::pressColor : PageToolKind::releaseColor);
   });
   auto* origin = new OriginMark(state_, button->objectName() + QStringLiteral("Reset"),
                                 isPress ? tr("Reset press curve") : tr("Reset release curve"),
@@ -81,7 +81,7 @@ QHBoxLayout* CurvesBox::strokeRow(Stroke stroke) {
 QHBoxLayout* CurvesBox::maskRow() {
   auto* box = new QPushButton(tr("Mask…"));
   box->setToolTip(tr("Drag rectangles over parts that are not a curve"));
-  connect(box, &QPushButton::clicked, this, [this] { emit toolAsked(PageToolKind::maskBox); });
+  connect(box, &QPushButton::clicked, this, [this] { emit toolRequested(PageToolKind::maskBox); });
   noMasks_ = described(new QToolButton, "removeMasks");
   noMasks_->setText(tr("Remove all"));
   noMasks_->setAutoRaise(true);

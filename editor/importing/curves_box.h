@@ -28,7 +28,7 @@ class CurvesBox : public QGroupBox {
   QuantityField* resolutionField() { return dpi_; }
 
  signals:
-  void toolAsked(PageToolKind kind);
+  void toolRequested(PageToolKind kind);
 
  private:
   QHBoxLayout* strokeRow(Stroke stroke);

@@ -62,13 +62,13 @@ std::vector<QPointF> linesOf(GraphAxis axis, const importer::GraphEvidence& evid
   const auto& corners = evidence.frame.corners;
   const bool leans =
       std::abs(corners[2].y - corners[3].y) > level_px || std::abs(corners[0].x - corners[3].x) > level_px;
-  std::vector<QPointF> feet;
+  std::vector<QPointF> points;
   for (const auto& line : axis == GraphAxis::x ? evidence.frame.xLines : evidence.frame.yLines) {
     if (leans && !line.spansFrame) continue;
     const importer::Point p = placeOfTick(axis, evidence, line.position_px);
-    feet.emplace_back(p.x, p.y);
+    points.emplace_back(p.x, p.y);
   }
-  return feet;
+  return points;
 }
 
 void addTactile(DrawnResult& drawn, Stroke stroke, const importer::FitSummary& summary,

@@ -14,7 +14,7 @@ namespace detent::editor {
 namespace {
 
 // Pages are light in both themes: the colours for a light background serve both.
-const GraphColors& ink() {
+const GraphColors& pageColors() {
   static const GraphColors colors = graphColors(false);
   return colors;
 }
@@ -42,8 +42,8 @@ void haloed(QPainter& painter, const QPolygonF& line, const QPen& pen) {
 }
 
 void paintMasks(QPainter& painter, const FindingsPicture& picture) {
-  painter.setPen(QPen(ink().refused, 1));
-  QBrush hatch(ink().refused, Qt::BDiagPattern);
+  painter.setPen(QPen(pageColors().refused, 1));
+  QBrush hatch(pageColors().refused, Qt::BDiagPattern);
   painter.setBrush(hatch);
   for (const auto& mask : picture.given.masks)
     painter.drawRect(
@@ -55,7 +55,7 @@ void paintFrame(QPainter& painter, const FindingsPicture& picture) {
   for (const auto& corner : *picture.corners) outline << toWidget(picture, corner);
   outline << outline.front();
   painter.setBrush(Qt::NoBrush);
-  haloed(painter, outline, QPen(ink().operatingPoint, picture.given.frame ? 2 : 1.2));
+  haloed(painter, outline, QPen(pageColors().operatingPoint, picture.given.frame ? 2 : 1.2));
 }
 
 /// The lines on which the values of the ticks lie, as the corners have them: where they part from the printed
@@ -124,8 +124,8 @@ void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& pictur
               tick.used ? used : unused, false, taken);
   }
   for (const AxisTick& tick : given)
-    paintTick(painter, axis, picture, toWidget(picture, tick.at), shortNumber(tick.value), ink().release,
-              true, taken);
+    paintTick(painter, axis, picture, toWidget(picture, tick.at), shortNumber(tick.value),
+              pageColors().release, true, taken);
 }
 
 void paintStroke(QPainter& painter, const FindingsPicture& picture, const DrawnStroke& stroke,
@@ -173,9 +173,9 @@ void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMar
                std::vector<QRectF>& taken) {
   const QPointF at = picture.pageToWidget.map(mark.at);
   const QColor color = mark.kind == DrawnMark::Kind::tactile
-                           ? (mark.stroke == Stroke::press ? ink().press : ink().release)
-                       : mark.kind == DrawnMark::Kind::operating ? ink().operatingPoint
-                                                                 : ink().resetPoint;
+                           ? (mark.stroke == Stroke::press ? pageColors().press : pageColors().release)
+                       : mark.kind == DrawnMark::Kind::operating ? pageColors().operatingPoint
+                                                                 : pageColors().resetPoint;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(Qt::white, 4));
   painter.drawEllipse(at, 6, 6);
@@ -240,10 +240,11 @@ void paintFindings(QPainter& painter, const FindingsPicture& picture) {
   std::vector<QRectF> taken;
   const auto keepClear = [&](QPointF at) { taken.emplace_back(at - QPointF(7, 7), QSizeF(14, 14)); };
   paintMasks(painter, picture);
-  painter.setPen(QPen(ink().refused, 1.5));
+  painter.setPen(QPen(pageColors().refused, 1.5));
   for (const QPolygonF& trace : picture.drawn.traces) painter.drawPolyline(picture.pageToWidget.map(trace));
-  if (picture.drawn.release) paintStroke(painter, picture, *picture.drawn.release, ink().release, true);
-  if (picture.drawn.press) paintStroke(painter, picture, *picture.drawn.press, ink().press, false);
+  if (picture.drawn.release)
+    paintStroke(painter, picture, *picture.drawn.release, pageColors().release, true);
+  if (picture.drawn.press) paintStroke(painter, picture, *picture.drawn.press, pageColors().press, false);
   if (picture.corners) {
     if (picture.given.frame) paintImpliedGrid(painter, picture);
     paintFrame(painter, picture);

@@ -33,6 +33,6 @@ QPointF tickPlate(GraphAxis axis, const FrameCorners& corners, const QTransform&
 QPointF freePlace(QPointF mark, QSizeF text, bool above, const QRectF& shown, std::vector<QRectF>& taken);
 
 /// A text on a plate, so that it can be read on any page. `at` is the plate's left middle.
-void paintPlate(QPainter& painter, QPointF at, const QString& text, const QColor& ink);
+void paintPlate(QPainter& painter, QPointF at, const QString& text, const QColor& color);
 
 }  // namespace detent::editor

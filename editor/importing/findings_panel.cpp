@@ -55,9 +55,9 @@ void FindingsPanel::build() {
   for (QWidget* box : std::initializer_list<QWidget*>{x_, y_, curves_, result_}) column->addWidget(box);
   column->addStretch();
   setWidget(content);
-  connect(curves_, &CurvesBox::toolAsked, this, &FindingsPanel::toolAsked);
+  connect(curves_, &CurvesBox::toolRequested, this, &FindingsPanel::toolRequested);
   for (AxisBox* box : {x_, y_})
-    connect(box, &AxisBox::ticksAsked, this, [this] { emit toolAsked(PageToolKind::scale); });
+    connect(box, &AxisBox::ticksRequested, this, [this] { emit toolRequested(PageToolKind::scale); });
 }
 
 // The text determines the width, in any language.
@@ -94,7 +94,7 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
 QGroupBox* FindingsPanel::frameBox() {
   auto* box = new QGroupBox(tr("Plot frame"));
   auto* draw = described(new QPushButton(tr("Draw…")), "drawFrame", tr("Drag a new plot frame on the page"));
-  connect(draw, &QPushButton::clicked, this, [this] { emit toolAsked(PageToolKind::drawFrame); });
+  connect(draw, &QPushButton::clicked, this, [this] { emit toolRequested(PageToolKind::drawFrame); });
   frameOrigin_ = new OriginMark(state_, QStringLiteral("resetFrame"), tr("Reset plot frame"),
                                 [](Corrections& c) { c.frame.reset(); });
   frameDetails_ = wrappedLabel();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What was found and what was given, step by step, with fields to correct it.
+// Shows found and given values, step by step, with fields to correct them.
 
 #include <QCheckBox>
 #include <QLabel>
@@ -17,8 +17,8 @@
 
 namespace detent::editor {
 
-/// How sure the import is, and a box for each thing that can be corrected: every change is a labelled step of the
-/// current graph, each given value has a button that goes back to what was found. GUI thread.
+/// The import's confidence, and a box for each value that can be corrected. Every change can be undone, and
+/// each given value has a button that restores the found one. GUI thread.
 class FindingsPanel : public QScrollArea {
   Q_OBJECT
 
@@ -31,12 +31,12 @@ class FindingsPanel : public QScrollArea {
   void focusUnit(GraphAxis axis);
   void focusDpi();
   void focusSwitches();
-  /// Whether all that is typed can be read. Where not, puts the keyboard on the first such field, which says why.
+  /// Returns true if all typed values can be read. If not, focuses the first field with an error.
   bool acceptable();
 
  signals:
-  void toolAsked(PageToolKind kind);
-  /// What is said now needs more room than before to be seen without scrolling sideways.
+  void toolRequested(PageToolKind kind);
+  /// The content now needs this width to be visible without horizontal scrolling.
   void widthWanted(int width_px);
 
  protected:

@@ -348,7 +348,7 @@ void ImportDialog::Impl::build() {
   QObject::connect(quality, &QComboBox::activated, &state,
                    [this](int index) { state.setQuality(qualities[static_cast<std::size_t>(index)]); });
   QObject::connect(view, &PageView::hint, hint, &ElidedLabel::say);
-  QObject::connect(findings, &FindingsPanel::toolAsked, view, [this](PageToolKind kind) {
+  QObject::connect(findings, &FindingsPanel::toolRequested, view, [this](PageToolKind kind) {
     view->setTool(kind);
     view->setFocus();
   });

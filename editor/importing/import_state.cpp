@@ -167,7 +167,7 @@ std::optional<ResultBrief> ImportGraph::brief() const {
 void ImportGraph::letResultGo() {
   letGo = brief();
   last.reset(), good.reset(), unmarked.reset();
-  if (pending == 0) asked = false;
+  if (pending == 0) requested = false;
 }
 
 std::vector<SwitchChoice> ImportGraph::switches() const {
@@ -183,21 +183,21 @@ std::vector<SwitchChoice> ImportGraph::switches() const {
 }
 
 bool ImportGraph::upToDate(importer::Quality quality) const {
-  return pending == 0 && last && last->report && asked && askedWith == history.now() &&
-         askedQuality == quality;
+  return pending == 0 && last && last->report && requested && requestedWith == history.now() &&
+         requestedQuality == quality;
 }
 
-ImportState::ImportState(QObject* parent) : QObject(parent), desk_(this) {
-  connect(&desk_, &ImportDesk::answered, this,
-          [this](ImportDesk::Ticket ticket, const std::shared_ptr<const Answer>& answer) {
+ImportState::ImportState(QObject* parent) : QObject(parent), client_(this) {
+  connect(&client_, &ImportClient::answered, this,
+          [this](ImportClient::Ticket ticket, const std::shared_ptr<const Answer>& answer) {
             if (const auto* imported = std::get_if<ImportedGraph>(answer.get())) {
               takeImport(ticket, answer, *imported);
             } else {
               take(ticket, *answer);
             }
           });
-  connect(&desk_, &ImportDesk::progressed, this,
-          [this](ImportDesk::Ticket ticket, double fraction, importer::ImportStep step) {
+  connect(&client_, &ImportClient::progressed, this,
+          [this](ImportClient::Ticket ticket, double fraction, importer::ImportStep step) {
             const ImportGraph* graph = current();
             if (ticket == openTicket_ || (graph && graph->pending == ticket)) emit progressed(fraction, step);
           });
@@ -250,7 +250,7 @@ void ImportState::openPicture(const QImage& picture) {
 }
 
 void ImportState::open(Query query, const QString& name) {
-  desk_.forgetAll();
+  client_.forgetAll();
   toAccept_.clear();
   name_ = name;
   path_.clear(), pasted_ = {};
@@ -260,11 +260,11 @@ void ImportState::open(Query query, const QString& name) {
   currentPage_ = 0, current_.reset(), sheet_.reset();
   lookedAt_.clear();
   sheetTicket_ = 0;
-  openTicket_ = desk_.ask(std::move(query), Urgency::now);
+  openTicket_ = client_.ask(std::move(query), Urgency::now);
   emit documentChanged();
 }
 
-void ImportState::take(ImportDesk::Ticket ticket, const Answer& answer) {
+void ImportState::take(ImportClient::Ticket ticket, const Answer& answer) {
   if (const auto* failure = std::get_if<Failure>(&answer)) return takeFailure(ticket, *failure);
   if (const auto* facts = std::get_if<DocumentFacts>(&answer)) return takeFacts(*facts);
   if (const auto* thumbnail = std::get_if<PageThumbnail>(&answer)) return takeThumbnail(*thumbnail);
@@ -276,7 +276,7 @@ void ImportState::take(ImportDesk::Ticket ticket, const Answer& answer) {
   }
 }
 
-void ImportState::takeFailure(ImportDesk::Ticket ticket, const Failure& failure) {
+void ImportState::takeFailure(ImportClient::Ticket ticket, const Failure& failure) {
   if (ticket == openTicket_) {
     openTicket_ = 0;
     openFailure_ = failure;
@@ -316,20 +316,20 @@ void ImportState::takeFacts(const DocumentFacts& facts) {
 }
 
 void ImportState::askForPages() {
-  constexpr int firstLook = 8;  // as many as a list shows before it says which are visible
-  for (int number = 1; number <= std::min(firstLook, pageCount()); ++number)
+  constexpr int firstPages = 8;  // as many as a list shows before it says which are visible
+  for (int number = 1; number <= std::min(firstPages, pageCount()); ++number)
     pageRef(number).thumbnailTicket =
-        desk_.ask(ReadThumbnail{number}, number == 1 ? Urgency::visible : Urgency::background);
+        client_.ask(ReadThumbnail{number}, number == 1 ? Urgency::visible : Urgency::background);
   for (int number = 1; number <= pageCount(); ++number)
-    pageRef(number).searchTicket = desk_.ask(FindGraphs{number, quality_}, Urgency::background);
+    pageRef(number).searchTicket = client_.ask(FindGraphs{number, quality_}, Urgency::background);
 }
 
 void ImportState::setVisiblePages(int first, int last) {
   for (int number = std::max(1, first); number <= std::min(last, pageCount()); ++number) {
     ImportPage& page = pageRef(number);
     if (!page.thumbnail.isNull() || page.failure) continue;
-    desk_.forget(page.thumbnailTicket);
-    page.thumbnailTicket = desk_.ask(ReadThumbnail{number}, Urgency::visible);
+    client_.forget(page.thumbnailTicket);
+    page.thumbnailTicket = client_.ask(ReadThumbnail{number}, Urgency::visible);
   }
 }
 
@@ -425,8 +425,8 @@ void ImportState::showPage(int number) {
 }
 
 void ImportState::askForSheet() {
-  desk_.forget(sheetTicket_);
-  sheetTicket_ = desk_.ask(ReadSheet{currentPage_}, Urgency::visible);
+  client_.forget(sheetTicket_);
+  sheetTicket_ = client_.ask(ReadSheet{currentPage_}, Urgency::visible);
 }
 
 void ImportState::selectGraph(GraphId id) {
@@ -455,7 +455,7 @@ void ImportState::letOldResultsGo() {
     ImportGraph& graph = graphs_.at(id);
     bytes += bytesOf(graph);
     if (bytes <= mostBytes) return false;
-    if (graph.pending != 0 && !accepting()) desk_.forget(std::exchange(graph.pending, 0));
+    if (graph.pending != 0 && !accepting()) client_.forget(std::exchange(graph.pending, 0));
     graph.letResultGo();
     return true;
   };
@@ -546,35 +546,36 @@ void ImportState::cancel() {
   toAccept_.clear();
   ImportGraph* graph = currentRef();
   if (!graph || graph->pending == 0) return;
-  desk_.forget(graph->pending);
+  client_.forget(graph->pending);
   graph->pending = 0;
-  graph->asked = false;
+  graph->requested = false;
   emit resultChanged();
 }
 
 void ImportState::stopAll() {
-  desk_.forgetAll();
+  client_.forgetAll();
   toAccept_.clear();
   openTicket_ = sheetTicket_ = 0;
   for (ImportPage& page : pages_) page.thumbnailTicket = page.searchTicket = 0;
   for (auto& each : graphs_) {
-    if (each.second.pending != 0) each.second.asked = false;
+    if (each.second.pending != 0) each.second.requested = false;
     each.second.pending = 0;
   }
   emit resultChanged();
 }
 
 void ImportState::askForImport(ImportGraph& graph, Urgency urgency) {
-  desk_.forget(graph.pending);
-  graph.askedWith = graph.history.now();
-  graph.askedQuality = quality_;
-  graph.asked = true;
-  graph.pending = desk_.ask(ImportOne{graph.id, hintsFrom(graph.askedWith, graph.found), quality_}, urgency);
+  client_.forget(graph.pending);
+  graph.requestedWith = graph.history.now();
+  graph.requestedQuality = quality_;
+  graph.requested = true;
+  graph.pending =
+      client_.ask(ImportOne{graph.id, hintsFrom(graph.requestedWith, graph.found), quality_}, urgency);
 }
 
 void ImportState::rememberFound(ImportGraph& graph, const ImportedGraph& imported) {
   if (!imported.evidence) return;
-  const Corrections& given = graph.askedWith;
+  const Corrections& given = graph.requestedWith;
   const bool axesFound = given.x.empty() && given.y.empty();
   if (!graph.found) graph.found = FoundAxes{cornersOf(*imported.evidence), {}, {}};
   if (!given.frame) graph.found->corners = cornersOf(*imported.evidence);
@@ -585,18 +586,18 @@ void ImportState::rememberFound(ImportGraph& graph, const ImportedGraph& importe
   graph.foundY = imported.evidence->axes.calibration.value.y;
 }
 
-void ImportState::takeImport(ImportDesk::Ticket ticket, const std::shared_ptr<const Answer>& kept,
+void ImportState::takeImport(ImportClient::Ticket ticket, const std::shared_ptr<const Answer>& kept,
                              const ImportedGraph& imported) {
   const auto place = graphs_.find(imported.graph);
   if (place == graphs_.end() || place->second.pending != ticket) return;  // stale
   ImportGraph& graph = place->second;
   graph.pending = 0;
   if (wasCancelled(imported)) {
-    graph.asked = false;
+    graph.requested = false;
   } else {
     graph.last = std::shared_ptr<const ImportedGraph>(kept, &imported);
     if (imported.report) {
-      const MarkedImport marked = withMarks(imported, graph.askedWith.marks);
+      const MarkedImport marked = withMarks(imported, graph.requestedWith.marks);
       graph.refusedMarks = marked.refused;
       graph.unmarked = graph.last;
       if (marked.imported.report != imported.report)
@@ -655,7 +656,7 @@ void ImportState::acceptNext() {
     if (graph.pending != 0) return;  // goes on with its answer
     if (!wanted.curve.empty()) choose(graph, wanted.curve);
     const bool answered =
-        graph.asked && graph.askedWith == graph.history.now() && graph.askedQuality == quality_;
+        graph.requested && graph.requestedWith == graph.history.now() && graph.requestedQuality == quality_;
     if (!graph.upToDate(quality_) && !answered) {
       askForImport(graph, Urgency::now);
       if (current_ == graph.id) emit resultChanged();

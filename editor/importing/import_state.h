@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "editor/importing/corrections.h"
-#include "editor/importing/import_desk.h"
+#include "editor/importing/import_client.h"
 #include "editor/importing/import_draft.h"
 
 namespace detent::editor {
@@ -25,7 +25,7 @@ struct ImportPage {
   bool searched = false;
   std::optional<Failure> failure;  ///< it cannot be read
   std::vector<importer::RejectedFrame> rejected;
-  ImportDesk::Ticket thumbnailTicket = 0, searchTicket = 0;
+  ImportClient::Ticket thumbnailTicket = 0, searchTicket = 0;
 };
 
 /// The rest of a result that was released.
@@ -61,10 +61,10 @@ struct ImportGraph {
   std::optional<FoundAxes> found;     ///< ticks and corners as found, to which "reset" goes back
   std::optional<importer::AxisReading> foundX, foundY;
 
-  ImportDesk::Ticket pending = 0;
-  Corrections askedWith;  ///< of the newest question
-  importer::Quality askedQuality = importer::Quality::standard;
-  bool asked = false;
+  ImportClient::Ticket pending = 0;
+  Corrections requestedWith;  ///< of the newest question
+  importer::Quality requestedQuality = importer::Quality::standard;
+  bool requested = false;
 
   /// The switches that the newest reading saw in the plot, if there are several, with what chooses each of
   /// them.
@@ -167,13 +167,13 @@ class ImportState : public QObject {
 
  private:
   void open(Query query, const QString& name);
-  void take(ImportDesk::Ticket ticket, const Answer& answer);
+  void take(ImportClient::Ticket ticket, const Answer& answer);
   void takeFacts(const DocumentFacts& facts);
   void takeThumbnail(const PageThumbnail& thumbnail);
   void takeGraphs(const FoundGraphs& found);
-  void takeImport(ImportDesk::Ticket ticket, const std::shared_ptr<const Answer>& kept,
+  void takeImport(ImportClient::Ticket ticket, const std::shared_ptr<const Answer>& kept,
                   const ImportedGraph& imported);
-  void takeFailure(ImportDesk::Ticket ticket, const Failure& failure);
+  void takeFailure(ImportClient::Ticket ticket, const Failure& failure);
   void askForPages();
   void askForSheet();
   void askForImport(ImportGraph& graph, Urgency urgency);
@@ -193,8 +193,8 @@ class ImportState : public QObject {
   ImportGraph* currentRef();
   void restoreGraphs(int page);
 
-  ImportDesk desk_;
-  ImportDesk::Ticket openTicket_ = 0, sheetTicket_ = 0;
+  ImportClient client_;
+  ImportClient::Ticket openTicket_ = 0, sheetTicket_ = 0;
   QString name_, path_;
   QImage pasted_;
   std::vector<DraftGraph> toRestore_;  ///< corrections whose graphs are not known yet
@@ -213,8 +213,8 @@ class ImportState : public QObject {
 
 /// A found tick's place on the page.
 importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evidence, double position_px);
-/// Returns true if the axis' values fall to the right or upwards on the page. Such a plot is read in a mirror, where
-/// the values of its AxisReading rise.
+/// Returns true if the axis' values fall to the right or upwards on the page. Such a plot is read in a
+/// mirror, where the values of its AxisReading rise.
 bool fallsOnPage(GraphAxis axis, const importer::GraphEvidence& evidence);
 /// Corners of the evidence's frame in page units, from the upper left one clockwise as the page shows them.
 FrameCorners cornersOf(const importer::GraphEvidence& evidence);

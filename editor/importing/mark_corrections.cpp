@@ -170,7 +170,7 @@ MarkedImport withMarks(const ImportedGraph& imported, const std::vector<MarkCorr
     button = *std::move(next);
     taken.push_back(mark);
   }
-  if (auto told = withGiven(button, taken)) button = *std::move(told);
+  if (auto corrected = withGiven(button, taken)) button = *std::move(corrected);
   auto report = std::make_shared<importer::ImportReport>(*imported.report);
   takeButton(*report, std::move(button), *imported.evidence, taken);
   marked.imported.report = std::move(report);

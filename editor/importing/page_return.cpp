@@ -84,7 +84,7 @@ importer::ImportRequest requestAgain(const Provenance& provenance) {
   return request;
 }
 
-PageReturn::PageReturn(QSettings& places, QObject* parent) : QObject(parent), places_(places) {
+PageReturn::PageReturn(QSettings& folders, QObject* parent) : QObject(parent), places_(folders) {
   thread_.setMaxThreadCount(1);
 }
 
@@ -106,11 +106,11 @@ void PageReturn::bringBack(ButtonDocument& document) {
   const auto& provenance = document.button().provenance();
   if (document.origin() || document.sheet()) return;
   if (!provenance || provenance->sourceSha256.empty()) return showKept(document);
-  QStringList places;
+  QStringList folders;
   if (!document.path().isEmpty())
-    places << QFileInfo(document.path()).dir().filePath(QString::fromStdString(provenance->sourceFile));
-  if (const QString last = lastPlaceOf(document.button()); !last.isEmpty()) places << last;
-  ask(document, places, false);
+    folders << QFileInfo(document.path()).dir().filePath(QString::fromStdString(provenance->sourceFile));
+  if (const QString last = lastPlaceOf(document.button()); !last.isEmpty()) folders << last;
+  ask(document, folders, false);
 }
 
 void PageReturn::bringBackFrom(ButtonDocument& document, const QString& path) { ask(document, {path}, true); }
@@ -129,12 +129,12 @@ void PageReturn::readAgain(const Button& button, Answer& answer, const importer:
   if (imported) answer.report = std::make_shared<const importer::ImportReport>(*std::move(imported));
 }
 
-PageReturn::Answer PageReturn::lookAndRead(const Button& button, const QStringList& places, bool traced,
+PageReturn::Answer PageReturn::findAndRead(const Button& button, const QStringList& folders, bool traced,
                                            const std::atomic<bool>& stop) {
   Answer answer;
   importer::Progress progress;
   progress.cancelled = [&stop] { return stop.load(); };
-  for (const QString& place : places)
+  for (const QString& place : folders)
     if (answer.path.isEmpty() && !stop && isSheet(place, button.provenance()->sourceSha256))
       answer.path = place;
   if (answer.path.isEmpty() || stop) return answer;
@@ -146,11 +146,11 @@ PageReturn::Answer PageReturn::lookAndRead(const Button& button, const QStringLi
   return answer;
 }
 
-void PageReturn::start(ButtonDocument& document, const QStringList& places, bool traced,
+void PageReturn::start(ButtonDocument& document, const QStringList& folders, bool traced,
                        std::function<void(ButtonDocument&, const Answer&)> take) {
-  thread_.start([this, guarded = QPointer<ButtonDocument>(&document), button = document.button(), places,
+  thread_.start([this, guarded = QPointer<ButtonDocument>(&document), button = document.button(), folders,
                  traced, take = std::move(take)] {
-    Answer answer = lookAndRead(button, places, traced, stop_);
+    Answer answer = findAndRead(button, folders, traced, stop_);
     if (stop_) return;
     QMetaObject::invokeMethod(
         this,
@@ -161,8 +161,8 @@ void PageReturn::start(ButtonDocument& document, const QStringList& places, bool
   });
 }
 
-void PageReturn::ask(ButtonDocument& document, const QStringList& places, bool chosen) {
-  start(document, places, false,
+void PageReturn::ask(ButtonDocument& document, const QStringList& folders, bool chosen) {
+  start(document, folders, false,
         [this, chosen](ButtonDocument& itself, const Answer& answer) { take(itself, answer, chosen); });
 }
 

@@ -30,7 +30,7 @@ class PageReturn : public QObject {
 
  public:
   /// `places` keeps where sheets were last seen, by hash.
-  explicit PageReturn(QSettings& places, QObject* parent = nullptr);
+  explicit PageReturn(QSettings& folders, QObject* parent = nullptr);
   /// Waits for the thread.
   ~PageReturn() override;
 
@@ -61,12 +61,12 @@ class PageReturn : public QObject {
     std::optional<Failure> failure;  ///< of reading it again
   };
   /// Searches the locations, lays the page, and reads it again if that cannot be done or `traced` is wanted.
-  static Answer lookAndRead(const Button& button, const QStringList& places, bool traced,
+  static Answer findAndRead(const Button& button, const QStringList& folders, bool traced,
                             const std::atomic<bool>& stop);
   static void readAgain(const Button& button, Answer& answer, const importer::Progress& progress);
-  void ask(ButtonDocument& document, const QStringList& places, bool chosen);
+  void ask(ButtonDocument& document, const QStringList& folders, bool chosen);
   void trace(ButtonDocument& document);
-  void start(ButtonDocument& document, const QStringList& places, bool traced,
+  void start(ButtonDocument& document, const QStringList& folders, bool traced,
              std::function<void(ButtonDocument&, const Answer&)> take);
   QString lastPlaceOf(const Button& button) const;
   /// Shows the page that the button's file keeps, if the sheet is missing.

@@ -29,7 +29,7 @@ class PageTool {
   virtual bool doubleClick(const QMouseEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }
   /// Tab goes to the tool's next mark; false at the end.
-  virtual bool walk(bool forward) {
+  virtual bool selectNext(bool forward) {
     Q_UNUSED(forward);
     return false;
   }

@@ -90,24 +90,24 @@ class ScaleTool : public PageTool {
     if (!corners) return {};
     if (distance(widget, view_.toWidget((*corners)[3])) <= clings_px)
       return Target{GraphAxis::x, (*corners)[3], true};
-    const auto footOn = [&](GraphAxis axis) -> std::optional<importer::Point> {
+    const auto projectionOn = [&](GraphAxis axis) -> std::optional<importer::Point> {
       const auto share = shareAlong(axis, *corners, view_.toPage(widget));
       if (!share) return {};
       return placeAlong(axis, *corners, *share);
     };
-    const auto x = footOn(GraphAxis::x), y = footOn(GraphAxis::y);
+    const auto x = projectionOn(GraphAxis::x), y = projectionOn(GraphAxis::y);
     if (!x || !y) return {};
     const bool nearX = distance(widget, view_.toWidget(*x)) <= distance(widget, view_.toWidget(*y));
-    const Target foot{nearX ? GraphAxis::x : GraphAxis::y, nearX ? *x : *y};
-    Target target = foot;
+    const Target onAxis{nearX ? GraphAxis::x : GraphAxis::y, nearX ? *x : *y};
+    Target target = onAxis;
     double best = clings_px;
     const auto cling = [&](importer::Point place) {
-      const double d = distance(view_.toWidget(foot.at), view_.toWidget(place));
+      const double d = distance(view_.toWidget(onAxis.at), view_.toWidget(place));
       if (d < best) best = d, target.at = place;
     };
     for (const QPointF& line : nearX ? view_.drawn().xLines : view_.drawn().yLines)
       cling({line.x(), line.y()});
-    for (const double end : {0.0, 1.0}) cling(placeAlong(foot.axis, *corners, end));
+    for (const double end : {0.0, 1.0}) cling(placeAlong(onAxis.axis, *corners, end));
     return target;
   }
 
@@ -186,8 +186,8 @@ bool isSameGraph(const FrameCorners& a, const FrameCorners& b) {
     for (const importer::Point& p : c) outline << QPointF(p.x, p.y);
     return outline.boundingRect();
   };
-  const QRectF x = boxOfFrame(a), y = boxOfFrame(b), both = x & y;
-  return both.width() * both.height() >=
+  const QRectF x = boxOfFrame(a), y = boxOfFrame(b), united = x & y;
+  return united.width() * united.height() >=
          leastShare * std::min(x.width() * x.height(), y.width() * y.height());
 }
 
@@ -230,9 +230,9 @@ class LineSnap {
         greys.push_back(grey(edge + k * step, along, upright).value_or(-1));
       std::vector<int> sorted = greys;
       std::nth_element(sorted.begin(), sorted.begin() + offsets, sorted.end());
-      const int ground = sorted[static_cast<std::size_t>(offsets)];
+      const int background = sorted[static_cast<std::size_t>(offsets)];
       for (std::size_t k = 0; k < greys.size(); ++k)
-        if (greys[k] >= 0 && std::abs(greys[k] - ground) >= leastContrast) ++seen[k];
+        if (greys[k] >= 0 && std::abs(greys[k] - background) >= leastContrast) ++seen[k];
     }
     const auto best = std::max_element(seen.begin(), seen.end());
     if (*best < leastShare * samples) return edge;
@@ -398,11 +398,11 @@ class DrawCurveTool : public PageTool {
     QPolygonF line;
     for (const importer::Point& p : points_) line << view_.toWidget(p);
     if (!line.isEmpty() && !held_) line << at_;
-    const QColor ink = stroke_ == Stroke::press ? view_.colors().press : view_.colors().release;
-    painter.setPen(QPen(ink, 1.5, Qt::DashLine));
+    const QColor strokeColor = stroke_ == Stroke::press ? view_.colors().press : view_.colors().release;
+    painter.setPen(QPen(strokeColor, 1.5, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(line);
-    painter.setBrush(ink);
+    painter.setBrush(strokeColor);
     for (const importer::Point& p : points_) painter.drawEllipse(view_.toWidget(p), 2.5, 2.5);
   }
   QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
@@ -445,7 +445,7 @@ class PipetteTool : public PageTool {
     return true;
   }
   bool release(const QMouseEvent& event) override {
-    const auto color = view_.inkAt(event.position());
+    const auto color = view_.curveColorAt(event.position());
     if (!color || !view_.state().current()) return false;
     Corrections next = view_.shown();
     (stroke_ == Stroke::press ? next.pressColor : next.releaseColor) = rgbOf(*color);
@@ -455,7 +455,7 @@ class PipetteTool : public PageTool {
   }
   void cancel() override { view_.setMagnifier({}); }
   void paint(QPainter& painter) const override {
-    const auto color = at_.isNull() ? std::nullopt : view_.inkAt(at_);
+    const auto color = at_.isNull() ? std::nullopt : view_.curveColorAt(at_);
     if (!color) return;
     painter.setPen(QPen(Qt::white, 3));
     painter.setBrush(*color);

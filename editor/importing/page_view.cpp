@@ -37,7 +37,8 @@ void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size
     same->value = tick.value;
 }
 
-// The units printed at the axes, or given for them: the person compares labels with the page. Others: as shown.
+// The units printed at the axes, or given for them: the person compares labels with the page. Others: as
+// shown.
 DisplayUnits unitsOfPage(const ImportGraph& graph, DisplayUnits units) {
   const Corrections& given = graph.history.now();
   const auto& result = graph.good ? graph.good : graph.last;
@@ -217,7 +218,7 @@ void PageView::setMagnifier(std::optional<QPointF> widget) {
   update();
 }
 
-std::optional<QColor> PageView::inkAt(QPointF widget) const {
+std::optional<QColor> PageView::curveColorAt(QPointF widget) const {
   const PagePicture* picture = drawnFrom_ && !drawnFrom_->view.empty() ? &drawnFrom_->view : nullptr;
   const importer::Point page = toPage(widget);
   if (!picture || !picture->colorAt({page.x, page.y}))
@@ -237,9 +238,10 @@ std::optional<QColor> PageView::inkAt(QPointF widget) const {
   std::nth_element(
       byLightness.begin(), byLightness.begin() + static_cast<std::ptrdiff_t>(byLightness.size() / 2),
       byLightness.end(), [](const QColor& a, const QColor& b) { return a.lightness() < b.lightness(); });
-  const QColor ground = byLightness[byLightness.size() / 2];
-  const auto contrast = [&ground](const QColor& c) {
-    return std::hypot(c.red() - ground.red(), c.green() - ground.green(), c.blue() - ground.blue());
+  const QColor background = byLightness[byLightness.size() / 2];
+  const auto contrast = [&background](const QColor& c) {
+    return std::hypot(c.red() - background.red(), c.green() - background.green(),
+                      c.blue() - background.blue());
   };
   std::optional<QColor> best;
   for (int dy = -reach; dy <= reach; ++dy) {
@@ -251,26 +253,26 @@ std::optional<QColor> PageView::inkAt(QPointF widget) const {
   return best;
 }
 
-void PageView::ask(const AskedValue& asked) {
+void PageView::ask(const TypedValue& field) {
   closeEditor();
-  auto* editor = described(new QLineEdit(asked.text, this), "tickValue", asked.name, asked.name);
-  editor->setPlaceholderText(asked.placeholder);
+  auto* editor = described(new QLineEdit(field.text, this), "tickValue", field.name, field.name);
+  editor->setPlaceholderText(field.placeholder);
   editor->setFixedWidth(valueField_px);
-  QPoint place = toWidget(asked.at).toPoint() + asked.beside;
+  QPoint place = toWidget(field.at).toPoint() + field.beside;
   place.setX(std::clamp(place.x(), 2, std::max(2, width() - valueField_px - 4)));
   place.setY(std::clamp(place.y(), 2, std::max(2, height() - 30)));
   editor->move(place);
   editor->selectAll();
   editor->show();
   editor->setFocus();
-  const auto now = readQuantity(asked.text, asked.axis.quantity, asked.axis.units).value;
-  connect(editor, &QLineEdit::returnPressed, this, [this, editor, asked, now] {
-    const QuantityReading typed = readQuantity(editor->text(), asked.axis.quantity, asked.axis.units, now);
+  const auto now = readQuantity(field.text, field.axis.quantity, field.axis.units).value;
+  connect(editor, &QLineEdit::returnPressed, this, [this, editor, field, now] {
+    const QuantityReading typed = readQuantity(editor->text(), field.axis.quantity, field.axis.units, now);
     if (typed.value) {
       closeEditor();
-      return asked.take(typed.shown);
+      return field.take(typed.shown);
     }
-    const QString why = refusalOf(typed, asked.axis.quantity, asked.axis.units);
+    const QString why = refusalOf(typed, field.axis.quantity, field.axis.units);
     editor->setAccessibleDescription(why);
     QToolTip::showText(editor->mapToGlobal(editor->rect().bottomLeft()), why, editor);
     emit hint(why);
@@ -282,10 +284,10 @@ void PageView::ask(const AskedValue& asked) {
 
 void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces) {
   const bool isX = axis == GraphAxis::x;
-  AskedValue asked;
-  asked.at = at;
-  asked.beside = isX ? QPoint(-valueField_px / 2, 8) : QPoint(-valueField_px - 8, -12);
-  asked.name = isX ? tr("Value of the displacement tick") : tr("Value of the force tick");
+  TypedValue field;
+  field.at = at;
+  field.beside = isX ? QPoint(-valueField_px / 2, 8) : QPoint(-valueField_px - 8, -12);
+  field.name = isX ? tr("Value of the displacement tick") : tr("Value of the force tick");
   QString unit;
   if (state_.current() && drawnFrom_ && drawnFrom_->evidence) {
     const auto& calibration = drawnFrom_->evidence->axes.calibration.value;
@@ -293,29 +295,29 @@ void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::s
     unit = QString::fromStdString(reading.unit);
     if (const auto corners = shownCorners()) {
       const double share = shareAlong(axis, *corners, at).value_or(0);
-      asked.text = numberText(reading.min + share * (reading.max - reading.min), 4);
+      field.text = numberText(reading.min + share * (reading.max - reading.min), 4);
     }
   }
-  if (replaces) asked.text = numberText(shown().axis(axis).ticks[*replaces].value, 6);
-  asked.placeholder = unit.isEmpty() ? tr("value") : tr("value in %1").arg(unit);
-  asked.axis = axisQuantity(axis, unit.toStdString());
-  asked.take = [this, axis, at, replaces, isX](double value) {
+  if (replaces) field.text = numberText(shown().axis(axis).ticks[*replaces].value, 6);
+  field.placeholder = unit.isEmpty() ? tr("value") : tr("value in %1").arg(unit);
+  field.axis = axisQuantity(axis, unit.toStdString());
+  field.take = [this, axis, at, replaces, isX](double value) {
     Corrections next = shown();
     endsToTicks(next.axis(axis), axis, shownCorners());
     setTick(next.axis(axis), {at, value}, replaces);
     state_.apply(next, isX ? tr("Set displacement tick") : tr("Set force tick"));
   };
-  ask(asked);
+  ask(field);
 }
 
 void PageView::askOrigin(importer::Point at) {
-  AskedValue asked;
-  asked.at = at;
-  asked.beside = QPoint(-valueField_px - 8, 8);
-  asked.name = tr("Value of both axes at their common corner");
-  asked.text = numberText(0);
-  asked.placeholder = tr("value of both axes");
-  asked.take = [this, at](double value) {
+  TypedValue field;
+  field.at = at;
+  field.beside = QPoint(-valueField_px - 8, 8);
+  field.name = tr("Value of both axes at their common corner");
+  field.text = numberText(0);
+  field.placeholder = tr("value of both axes");
+  field.take = [this, at](double value) {
     Corrections next = shown();
     for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) {
       endsToTicks(next.axis(axis), axis, shownCorners());
@@ -323,7 +325,7 @@ void PageView::askOrigin(importer::Point at) {
     }
     state_.apply(next, tr("Set the origin"));
   };
-  ask(asked);
+  ask(field);
 }
 
 bool PageView::takeEditor() {
@@ -399,15 +401,15 @@ void PageView::drawPage(QPainter& painter) const {
   }
   // Nearer to the background: findings must stand out.
   if (state_.current())
-    painter.fillRect(paper, hasDarkGround() ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 80));
+    painter.fillRect(paper, hasDarkBackground() ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 80));
 }
 
 /// The page's background as a whole, from its thumbnail.
-bool PageView::hasDarkGround() const {
+bool PageView::hasDarkBackground() const {
   const QImage& thumbnail = state_.page(state_.currentPage()).thumbnail;
   if (thumbnail.isNull()) return false;
-  if (thumbnail.cacheKey() != groundOf_) {
-    groundOf_ = thumbnail.cacheKey();
+  if (thumbnail.cacheKey() != backgroundOf_) {
+    backgroundOf_ = thumbnail.cacheKey();
     int dark = 0, all = 0;
     constexpr int step = 8;
     for (int y = step / 2; y < thumbnail.height(); y += step) {
@@ -415,9 +417,9 @@ bool PageView::hasDarkGround() const {
         if (qGray(thumbnail.pixel(x, y)) < 100) ++dark;
       }
     }
-    darkGround_ = 2 * dark > all;
+    darkBackground_ = 2 * dark > all;
   }
-  return darkGround_;
+  return darkBackground_;
 }
 
 void PageView::drawEmpty(QPainter& painter) const {
@@ -605,7 +607,7 @@ void PageView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 bool PageView::focusNextPrevChild(bool next) {
-  if (hasFocus() && tool_->walk(next)) {
+  if (hasFocus() && tool_->selectNext(next)) {
     emit hint(tool_->hint());
     return true;
   }

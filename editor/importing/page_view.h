@@ -62,10 +62,11 @@ class PageView : public QWidget {
   /// A point kept on the page.
   importer::Point onPage(importer::Point page) const;
   GraphColors colors() const;
-  /// Of the labels: those of the page's axes, so that a person can compare both; without a graph, those shown.
+  /// Of the labels: those of the page's axes, so that a person can compare both; without a graph, those
+  /// shown.
   DisplayUnits units() const;
   /// Colour of the mark nearest to a point: the pixel that differs most from the background around it.
-  std::optional<QColor> inkAt(QPointF widget) const;
+  std::optional<QColor> curveColorAt(QPointF widget) const;
   void panBy(QPointF widgetDelta);
   /// Asks for the value at a place of an axis, beside it; given as a step when it is typed.
   void askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces);
@@ -101,14 +102,14 @@ class PageView : public QWidget {
  private:
   enum class Fit { page, graph, none };
   /// A value that is typed at a place of the page.
-  struct AskedValue {
+  struct TypedValue {
     QString name, text, placeholder;
     importer::Point at;
     QPoint beside;  ///< of the field, from the place
     AxisQuantity axis;
     std::function<void(double)> take;  ///< in the printed unit
   };
-  void ask(const AskedValue& asked);
+  void ask(const TypedValue& field);
   bool closeEditor();  ///< of a tick's value; false if none is open
   void takeResult();
   void takeCurrent();
@@ -119,7 +120,7 @@ class PageView : public QWidget {
   QRectF pageBounds() const;
   int quarterTurns() const;
   void drawPage(QPainter& painter) const;
-  bool hasDarkGround() const;
+  bool hasDarkBackground() const;
   void drawEmpty(QPainter& painter) const;
   void drawOtherFrames(QPainter& painter) const;
   void drawMagnifier(QPainter& painter) const;
@@ -142,8 +143,8 @@ class PageView : public QWidget {
   int fittedPage_ = 0;
   std::optional<QPointF> panFrom_, magnifier_;
   bool spaceDown_ = false;
-  mutable qint64 groundOf_ = 0;  ///< thumbnail whose background was read
-  mutable bool darkGround_ = false;
+  mutable qint64 backgroundOf_ = 0;  ///< thumbnail whose background was read
+  mutable bool darkBackground_ = false;
 };
 
 }  // namespace detent::editor

@@ -15,8 +15,8 @@ namespace {
 constexpr double margin = 0.15;       // of the frame's longer side, as much as axes and titles take
 constexpr int largestSide_px = 2000;  // as the import's own view
 constexpr int samplesOfCurve = 96;
-constexpr int nearInk_px = 2,
-              ground_px = 9;       // a curve is searched this near, its background is the pixels this near
+constexpr int nearCurve_px = 2,
+              background_px = 9;   // a curve is searched this near, its background is the pixels this near
 constexpr int leastContrast = 60;  // of 255, in one channel
 
 /// What the frame spans: displacement to the right, force upwards.
@@ -54,46 +54,48 @@ QPolygonF cornersOf(const importer::Box& frame, const importer::Homography& page
 std::array<int, 3> channelsOf(QRgb color) { return {qRed(color), qGreen(color), qBlue(color)}; }
 
 /// The median of the surroundings: the paper, or a filled background.
-std::array<int, 3> groundAt(const QImage& picture, QPoint at) {
+std::array<int, 3> backgroundAt(const QImage& picture, QPoint at) {
   std::array<std::vector<int>, 3> around;
   const QRect patch =
-      QRect(at.x() - ground_px, at.y() - ground_px, 2 * ground_px + 1, 2 * ground_px + 1) & picture.rect();
+      QRect(at.x() - background_px, at.y() - background_px, 2 * background_px + 1, 2 * background_px + 1) &
+      picture.rect();
   for (int y = patch.top(); y <= patch.bottom(); y += 2)
     for (int x = patch.left(); x <= patch.right(); x += 2) {
       const auto color = channelsOf(picture.pixel(x, y));
       for (std::size_t channel = 0; channel < 3; ++channel) around[channel].push_back(color[channel]);
     }
-  std::array<int, 3> ground{};
+  std::array<int, 3> background{};
   for (std::size_t channel = 0; channel < 3; ++channel) {
     auto& values = around[channel];
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
                      values.end());
-    ground[channel] = values[values.size() / 2];
+    background[channel] = values[values.size() / 2];
   }
-  return ground;
+  return background;
 }
 
-bool hasInk(const QImage& picture, QPoint at) {
+bool hasCurveColor(const QImage& picture, QPoint at) {
   if (!picture.rect().contains(at)) return false;
-  const auto ground = groundAt(picture, at);
-  const QRect near = QRect(at.x() - nearInk_px, at.y() - nearInk_px, 2 * nearInk_px + 1, 2 * nearInk_px + 1) &
-                     picture.rect();
+  const auto background = backgroundAt(picture, at);
+  const QRect near =
+      QRect(at.x() - nearCurve_px, at.y() - nearCurve_px, 2 * nearCurve_px + 1, 2 * nearCurve_px + 1) &
+      picture.rect();
   for (int y = near.top(); y <= near.bottom(); ++y)
     for (int x = near.left(); x <= near.right(); ++x) {
       const auto color = channelsOf(picture.pixel(x, y));
       for (std::size_t channel = 0; channel < 3; ++channel)
-        if (std::abs(color[channel] - ground[channel]) >= leastContrast) return true;
+        if (std::abs(color[channel] - background[channel]) >= leastContrast) return true;
     }
   return false;
 }
 
-double shareOnInk(const StrokeCurve& curve, const QImage& picture, const QTransform& axesToPixel) {
-  int onInk = 0;
+double shareOnCurve(const StrokeCurve& curve, const QImage& picture, const QTransform& axesToPixel) {
+  int onCurve = 0;
   for (int i = 0; i < samplesOfCurve; ++i) {
     const double at_mm = curve.start_mm() + (i + 0.5) / samplesOfCurve * (curve.end_mm() - curve.start_mm());
-    onInk += hasInk(picture, axesToPixel.map(QPointF(at_mm, curve.force_N(at_mm))).toPoint());
+    onCurve += hasCurveColor(picture, axesToPixel.map(QPointF(at_mm, curve.force_N(at_mm))).toPoint());
   }
-  return double(onInk) / samplesOfCurve;
+  return double(onCurve) / samplesOfCurve;
 }
 
 }  // namespace
@@ -117,13 +119,13 @@ std::optional<PlacedPage> placedPage(const Button& button, const importer::Docum
                           {span->right(), span->bottom()},
                           {span->right(), span->top()},
                           {span->left(), span->top()}};
-  double best = leastOnInk;
+  double best = leastOnCurve;
   bool lies = false;
   for (int turns = 0; turns < 4; ++turns) {
     QTransform pixelToAxes;
     if (!QTransform::quadToQuad(cornersOf(frame, pageToPicture, turns), onGraph, pixelToAxes)) continue;
     const double share =
-        shareOnInk(button.states().front().graph.press(), placed.picture, pixelToAxes.inverted());
+        shareOnCurve(button.states().front().graph.press(), placed.picture, pixelToAxes.inverted());
     if (share < best) continue;
     lies = true;
     best = share + 1e-9;  // of equals the first: pages seldom lie on their side

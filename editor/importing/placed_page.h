@@ -13,7 +13,7 @@ namespace detent::editor {
 /// gaps; on a wrongly placed page only crossings with gridlines are covered; a curve reshaped by hand keeps
 /// its unchanged part. Not yet counted over many sheets
 /// (docs/develop/decisions/1064-page-behind-a-button.md).
-constexpr double leastOnInk = 0.5;
+constexpr double leastOnCurve = 0.5;
 
 /// The part of the sheet around the button's plot frame. Turned pages are laid by quarters so that marks lie
 /// under the press curve; nothing if they do not (the curve was reshaped, the page is tilted), if the file

@@ -11,8 +11,8 @@
 
 namespace detent::editor {
 
-QColor colorFrom(const importer::Rgb& ink);
+QColor colorFrom(const importer::Rgb& rgb);
 /// One or more colours side by side, framed as `palette` frames things; transparent ones stay empty.
-QIcon swatchOf(const std::vector<QColor>& inks, const QPalette& palette);
+QIcon swatchOf(const std::vector<QColor>& colors, const QPalette& palette);
 
 }  // namespace detent::editor

@@ -18,11 +18,11 @@ std::string curveOf(const QListWidgetItem& item) { return item.data(curveRole).t
 
 QListWidgetItem* itemOf(const SwitchChoice& choice, int number, const QPalette& palette) {
   const importer::PlotSwitch& itself = *choice.itself;
-  std::vector<QColor> inks{colorFrom(itself.pressColor)};
-  if (itself.releaseColor) inks.push_back(colorFrom(*itself.releaseColor));
+  std::vector<QColor> colors{colorFrom(itself.pressColor)};
+  if (itself.releaseColor) colors.push_back(colorFrom(*itself.releaseColor));
   const QString name =
       itself.name.empty() ? SwitchesBox::tr("Switch %1").arg(number) : QString::fromStdString(itself.name);
-  auto* item = new QListWidgetItem(swatchOf(inks, palette), name);
+  auto* item = new QListWidgetItem(swatchOf(colors, palette), name);
   item->setData(curveRole, QString::fromStdString(choice.curve));
   item->setToolTip(itself.releaseColor ? SwitchesBox::tr("%1: press and release").arg(name)
                                        : SwitchesBox::tr("%1: press only").arg(name));

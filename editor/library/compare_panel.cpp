@@ -99,7 +99,7 @@ QWidget* ComparePanel::plotSide() {
   connect(difference, &QToolButton::toggled, plot_, &ComparePlot::showDifferences);
   auto* picture = button<QToolButton>("comparePicture", tr("&Picture…"),
                                       tr("Write the graphs with their names as PNG, SVG or PDF"));
-  connect(picture, &QToolButton::clicked, this, &ComparePanel::pictureAsked);
+  connect(picture, &QToolButton::clicked, this, &ComparePanel::pictureRequested);
   auto* copy = button<QToolButton>("compareCopyPicture", tr("C&opy the picture"),
                                    tr("Copy the graphs with their names as a picture"));
   connect(copy, &QToolButton::clicked, this,

@@ -50,7 +50,7 @@ class ComparePanel : public QWidget {
 
  signals:
   /// The plot is to be written as a picture.
-  void pictureAsked();
+  void pictureRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -12,7 +12,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double roomBeyondWall = 0.03;  // of the travel
+constexpr double roomBeyondBottomOut = 0.03;  // of the travel
 constexpr int digits = 4;
 constexpr int namesInLine = 3;
 constexpr double differenceHeight = 0.5;  // of the graphs'
@@ -144,7 +144,7 @@ void ComparePlot::drawCurves() {
     }
   if (graphs_.empty()) return;
   xAxis->rescale();
-  xAxis->setRangeUpper(xAxis->range().upper + roomBeyondWall * xAxis->range().size());
+  xAxis->setRangeUpper(xAxis->range().upper + roomBeyondBottomOut * xAxis->range().size());
   yAxis->rescale();
   yAxis->scaleRange(1.1);
   if (differences_) drawDifferences();

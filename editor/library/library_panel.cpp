@@ -49,7 +49,7 @@ QListView* pictureList(QAbstractItemModel* model, const QString& objectName, con
 }
 
 // A menu key asks for the middle of the list, not for a place in it.
-QModelIndex askedFor(const QListView& list, QPoint at) {
+QModelIndex clickedIndex(const QListView& list, QPoint at) {
   const QModelIndex under = list.indexAt(at);
   return under.isValid() ? under : list.currentIndex();
 }
@@ -70,7 +70,7 @@ LibraryPanel::LibraryPanel(QWidget* parent) : QWidget(parent) {
   connect(&forecastSoon_, &QTimer::timeout, this, &LibraryPanel::askForecasts);
   connect(&forecasts_, &ForecastSource::ready, this,
           [this](const auto& forecast) { showForecasts(*forecast); });
-  updateLook();
+  updateDrawingColors();
   showFolderName();
 }
 
@@ -201,7 +201,7 @@ QStringList LibraryPanel::selectedFiles() const {
 }
 
 void LibraryPanel::openMenu(QPoint at) {
-  ButtonDocument* document = open_.documentAt(askedFor(*openList_, at));
+  ButtonDocument* document = open_.documentAt(clickedIndex(*openList_, at));
   if (!document) return;
   QMenu menu;
   if (const auto selected = selectedDocuments(); selected.size() > 1) {
@@ -216,7 +216,7 @@ void LibraryPanel::openMenu(QPoint at) {
 }
 
 void LibraryPanel::folderMenu(QPoint at) {
-  const QString path = files_.pathAt(askedFor(*fileList_, at));
+  const QString path = files_.pathAt(clickedIndex(*fileList_, at));
   if (path.isEmpty()) return;
   QMenu menu;
   if (const QStringList selected = selectedFiles(); selected.size() > 1) {
@@ -231,11 +231,11 @@ void LibraryPanel::folderMenu(QPoint at) {
 
 void LibraryPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && openList_) updateLook();
+  if (event->type() == QEvent::PaletteChange && openList_) updateDrawingColors();
 }
 
-void LibraryPanel::updateLook() {
-  pictures_.setLook(graphColors(isDark(palette())), devicePixelRatioF());
+void LibraryPanel::updateDrawingColors() {
+  pictures_.setDrawing(graphColors(isDark(palette())), devicePixelRatioF());
   open_.redraw();
   files_.redraw();
 }

@@ -50,7 +50,7 @@ class LibraryPanel : public QWidget {
   QWidget* folderSection();
   void askFolder();
   void showFolderName();
-  void updateLook();
+  void updateDrawingColors();
   std::vector<ButtonDocument*> selectedDocuments() const;
   QStringList selectedFiles() const;
   void openMenu(QPoint at);

@@ -29,10 +29,10 @@ PictureCache::~PictureCache() {
   painter_.waitForDone();
 }
 
-void PictureCache::setLook(const GraphColors& colors, double devicePixelRatio) {
+void PictureCache::setDrawing(const GraphColors& colors, double devicePixelRatio) {
   colors_ = colors;
   devicePixelRatio_ = devicePixelRatio;
-  ++look_;
+  ++appearance_;
   files_.clear();
   making_.clear();
 }
@@ -42,20 +42,20 @@ QImage PictureCache::ofFile(const QString& path) {
   if (const Entry* entry = files_.object(path); entry && entry->stamp == stamp) return entry->image;
   if (making_.contains(path)) return {};
   making_.insert(path);
-  painter_.start(
-      [this, path, stamp, size = size_px_, ratio = devicePixelRatio_, colors = colors_, look = look_] {
-        const auto button = readButtonFile(QFile::encodeName(path).toStdString());
-        const QImage image = button ? graphPicture(*button, size, ratio, colors) : QImage();
-        const QString why = button ? QString() : sentenceOf(button.failure());
-        QMetaObject::invokeMethod(
-            this, [=, this] { finished(path, stamp, image, why, look); }, Qt::QueuedConnection);
-      });
+  painter_.start([this, path, stamp, size = size_px_, ratio = devicePixelRatio_, colors = colors_,
+                  appearance = appearance_] {
+    const auto button = readButtonFile(QFile::encodeName(path).toStdString());
+    const QImage image = button ? graphPicture(*button, size, ratio, colors) : QImage();
+    const QString why = button ? QString() : sentenceOf(button.failure());
+    QMetaObject::invokeMethod(
+        this, [=, this] { finished(path, stamp, image, why, appearance); }, Qt::QueuedConnection);
+  });
   return {};
 }
 
 void PictureCache::finished(const QString& key, const QString& stamp, const QImage& image,
-                            const QString& trouble, int look) {
-  if (look != look_) return;  // made with colours that are gone
+                            const QString& trouble, int appearance) {
+  if (appearance != appearance_) return;  // made with colours that are gone
   making_.remove(key);
   files_.insert(key, new Entry{stamp, image, trouble});
   emit ready(key);
@@ -67,18 +67,18 @@ QString PictureCache::trouble(const QString& path) const {
 }
 
 void PictureCache::draw(const QString& key, const Button& button) {
-  painter_.start(
-      [this, key, button, size = size_px_, ratio = devicePixelRatio_, colors = colors_, look = look_] {
-        const QImage image = graphPicture(button, size, ratio, colors);
-        QMetaObject::invokeMethod(
-            this,
-            [=, this] {
-              if (look != look_) return;
-              open_.insert(key, image);
-              emit ready(key);
-            },
-            Qt::QueuedConnection);
-      });
+  painter_.start([this, key, button, size = size_px_, ratio = devicePixelRatio_, colors = colors_,
+                  appearance = appearance_] {
+    const QImage image = graphPicture(button, size, ratio, colors);
+    QMetaObject::invokeMethod(
+        this,
+        [=, this] {
+          if (appearance != appearance_) return;
+          open_.insert(key, image);
+          emit ready(key);
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 QImage PictureCache::drawn(const QString& key) const { return open_.value(key); }

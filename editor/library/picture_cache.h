@@ -37,7 +37,7 @@ class PictureCache : public QObject {
   QString trouble(const QString& path) const;
 
   /// Colours and pixel ratio of the pictures made from now on; what was made with others is dropped.
-  void setLook(const GraphColors& colors, double devicePixelRatio);
+  void setDrawing(const GraphColors& colors, double devicePixelRatio);
 
  signals:
   /// `key`: a path or a document's key.
@@ -45,7 +45,7 @@ class PictureCache : public QObject {
 
  private:
   void finished(const QString& key, const QString& stamp, const QImage& image, const QString& trouble,
-                int look);
+                int appearance);
 
   struct Entry {
     QString stamp;  // of the file it was made from
@@ -55,7 +55,7 @@ class PictureCache : public QObject {
   QSize size_px_;
   GraphColors colors_ = graphColors(false);
   double devicePixelRatio_ = 1;
-  int look_ = 0;
+  int appearance_ = 0;
   QCache<QString, Entry> files_{400};
   QHash<QString, QImage> open_;
   QSet<QString> making_;

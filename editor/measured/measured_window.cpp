@@ -64,8 +64,8 @@ QString joined(const QStringList& texts) {
 
 }  // namespace
 
-MeasuredWindow::MeasuredWindow(MeasuredPlaces places, QWidget* parent)
-    : QDialog(parent), places_(std::move(places)) {
+MeasuredWindow::MeasuredWindow(MeasuredPlaces context, QWidget* parent)
+    : QDialog(parent), places_(std::move(context)) {
   setObjectName("measuredWindow");
   setWindowTitle(tr("Measured switches"));
   setWindowFlag(Qt::WindowMinMaxButtonsHint);
@@ -207,7 +207,7 @@ QLayout* MeasuredWindow::askRow() {
   row->addWidget(like_);
   row->addStretch();
   row->addWidget(count_);
-  connect(like_, &QComboBox::activated, this, &MeasuredWindow::chooseAsked);
+  connect(like_, &QComboBox::activated, this, &MeasuredWindow::chooseReference);
   return row;
 }
 
@@ -433,10 +433,10 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
   setWindowTitle(tr("Measured switches \u2013 %1").arg(QFileInfo(path).fileName()));
   sayBusy(false);
   chosen_.clear();
-  if (asked_ && asked_->own) asked_.reset();  // its place in the library may be another's
+  if (reference_ && reference_->own) reference_.reset();  // its place in the library may be another's
   table_.setSwitches(switches);
   pages_->setCurrentIndex(switches->switches.empty() ? 0 : 1);
-  listAsked();
+  listRequested();
   rank();
   followUnits();
   emit shown();
@@ -446,51 +446,52 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
 
 void MeasuredWindow::followDocuments() {
   if (places_.documents) listed_ = places_.documents();
-  if (asked_ && !asked_->own && std::ranges::find(listed_, asked_->document.data()) == listed_.end()) {
-    asked_.reset();
+  if (reference_ && !reference_->own &&
+      std::ranges::find(listed_, reference_->document.data()) == listed_.end()) {
+    reference_.reset();
     rank();
   }
-  listAsked();
+  listRequested();
 }
 
-void MeasuredWindow::listAsked() {
+void MeasuredWindow::listRequested() {
   like_->clear();
   like_->addItem(tr("nothing asked for"));
   for (ButtonDocument* document : listed_) {
     like_->addItem(document->title());
-    if (asked_ && asked_->document == document) like_->setCurrentIndex(like_->count() - 1);
+    if (reference_ && reference_->document == document) like_->setCurrentIndex(like_->count() - 1);
   }
-  if (!asked_ || !asked_->own) return;
-  like_->addItem(asked_->name);
+  if (!reference_ || !reference_->own) return;
+  like_->addItem(reference_->name);
   like_->setCurrentIndex(like_->count() - 1);
 }
 
-void MeasuredWindow::chooseAsked() {
+void MeasuredWindow::chooseReference() {
   const int index = like_->currentIndex();
   if (index > 0 && static_cast<std::size_t>(index) <= listed_.size())
     return askFor(*listed_[static_cast<std::size_t>(index - 1)]);
   if (index > 0) return;
-  asked_.reset();
+  reference_.reset();
   rank();
-  listAsked();
+  listRequested();
 }
 
 void MeasuredWindow::askFor(ButtonDocument& document) {
-  if (asked_ && asked_->document) asked_->document->disconnect(&rankSoon_);
-  asked_ = Asked{document.title(), {}, {}, &document};
+  if (reference_ && reference_->document) reference_->document->disconnect(&rankSoon_);
+  reference_ = Reference{document.title(), {}, {}, &document};
   nearestFirst();
   for (const auto signal : {&ButtonDocument::changed, &ButtonDocument::activeStateChanged})
     connect(&document, signal, &rankSoon_, qOverload<>(&QTimer::start));
-  listAsked();
+  listRequested();
   rank();
 }
 
 void MeasuredWindow::askLikeChosen() {
   if (chosen_.size() != 1) return;
   const importer::LibrarySwitch& entry = table_.switches()[*chosen_.begin()];
-  asked_ = Asked{titleOf(entry), entry, *chosen_.begin(), {}};
+  reference_ = Reference{titleOf(entry), entry, *chosen_.begin(), {}};
   nearestFirst();
-  listAsked();
+  listRequested();
   rank();
 }
 
@@ -499,16 +500,16 @@ void MeasuredWindow::nearestFirst() { view_->horizontalHeader()->setSortIndicato
 
 void MeasuredWindow::rank() {
   std::optional<importer::FeltShape> shape;
-  if (asked_ && asked_->document) {
-    ButtonDocument& document = *asked_->document;
+  if (reference_ && reference_->document) {
+    ButtonDocument& document = *reference_->document;
     const ButtonState& state = document.button().states()[document.activeState()];
     shape = importer::feltShapeOf(state.graph);
-    asked_->entry.name = document.title().toStdString();
-    asked_->entry.licence = importer::noLicenceStated;
-    asked_->entry.figures = keyFiguresOf(state);
-    if (shape) asked_->entry.shape = *shape;
-  } else if (asked_ && asked_->own) {
-    shape = asked_->entry.shape;
+    reference_->entry.name = document.title().toStdString();
+    reference_->entry.licence = importer::noLicenceStated;
+    reference_->entry.figures = keyFiguresOf(state);
+    if (shape) reference_->entry.shape = *shape;
+  } else if (reference_ && reference_->own) {
+    shape = reference_->entry.shape;
   }
   forecasts_.cancel();
   view_->setColumnHidden(MeasuredTable::distanceColumn, !shape);
@@ -522,16 +523,16 @@ void MeasuredWindow::rank() {
 }
 
 void MeasuredWindow::forecastNearest() {
-  if (!asked_ || !table_.ranked()) return;
+  if (!reference_ || !table_.ranked()) return;
   std::vector<SwitchIndex> order = table_.shown();
   std::ranges::stable_sort(order, {}, [&](SwitchIndex each) { return table_.distanceOf(each); });
   std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest;
   for (const SwitchIndex each : order) {
     if (nearest.size() == foretoldSwitches) break;
-    if (asked_->own != each) nearest.emplace_back(each, table_.switches()[each]);
+    if (reference_->own != each) nearest.emplace_back(each, table_.switches()[each]);
   }
-  if (asked_->document) return forecasts_.ask(asked_->document->button(), std::move(nearest));
-  const auto button = importer::buttonOf(asked_->entry, importer::Quality::draft);
+  if (reference_->document) return forecasts_.ask(reference_->document->button(), std::move(nearest));
+  const auto button = importer::buttonOf(reference_->entry, importer::Quality::draft);
   if (button) forecasts_.ask(*button, std::move(nearest));
 }
 
@@ -594,7 +595,7 @@ void MeasuredWindow::showChosen() {
     }
   const std::size_t count = entries.size();
   overlay_->show(std::move(entries),
-                 asked_ && table_.ranked() ? std::optional(asked_->entry.shape) : std::nullopt,
+                 reference_ && table_.ranked() ? std::optional(reference_->entry.shape) : std::nullopt,
                  places_.view.units());
   map_->setChosen(chosen_);
   likeThis_->setEnabled(count == 1);
@@ -646,8 +647,8 @@ void MeasuredWindow::openChosen(bool compare) {
 }
 
 void MeasuredWindow::writeReport() {
-  if (!asked_ || !table_.ranked()) return;
-  const QString path = places_.page(this, asked_->name + QStringLiteral(".html"));
+  if (!reference_ || !table_.ranked()) return;
+  const QString path = places_.page(this, reference_->name + QStringLiteral(".html"));
   if (path.isEmpty()) return;
   std::vector<importer::FoundSwitch> found;
   for (const SwitchIndex each : table_.shown())
@@ -657,7 +658,7 @@ void MeasuredWindow::writeReport() {
   const std::size_t fitting = found.size();
   if (found.size() > reportedSwitches) found.erase(found.begin() + reportedSwitches, found.end());
   const auto written = writeTextFileAtomically(QFile::encodeName(path).toStdString(),
-                                               importer::reportPage(asked_->entry, found, fitting));
+                                               importer::reportPage(reference_->entry, found, fitting));
   said_->setText(written ? tr("Written: %1.").arg(QDir::toNativeSeparators(path))
                          : sentenceOf(written.failure()));
   said_->show();

@@ -49,7 +49,7 @@ class MeasuredWindow : public QDialog {
   Q_OBJECT
 
  public:
-  explicit MeasuredWindow(MeasuredPlaces places, QWidget* parent = nullptr);
+  explicit MeasuredWindow(MeasuredPlaces context, QWidget* parent = nullptr);
 
   /// The open buttons that can be chosen changed.
   void followDocuments();
@@ -69,7 +69,7 @@ class MeasuredWindow : public QDialog {
 
  private:
   /// The reference of the comparison.
-  struct Asked {
+  struct Reference {
     QString name;
     importer::LibrarySwitch entry;   ///< its own where it is of the library
     std::optional<SwitchIndex> own;  ///< likewise
@@ -94,12 +94,12 @@ class MeasuredWindow : public QDialog {
   void sayBusy(bool busy);
   void showRefused();
 
-  void chooseAsked();
+  void chooseReference();
   void askLikeChosen();
   void nearestFirst();
   void rank();
   void forecastNearest();
-  void listAsked();
+  void listRequested();
 
   void filterChanged();
   void rowsChanged();
@@ -120,7 +120,7 @@ class MeasuredWindow : public QDialog {
   MeasuredPlaces places_;
   MeasuredTable table_;
   std::set<SwitchIndex> chosen_;
-  std::optional<Asked> asked_;
+  std::optional<Reference> reference_;
   std::vector<importer::RefusedFile> refused_;
   std::vector<ButtonDocument*> listed_;  // in the order of the choice
   bool loadedOnce_ = false, restoring_ = false, comparing_ = false;

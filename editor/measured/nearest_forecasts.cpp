@@ -6,8 +6,8 @@ namespace detent::editor {
 NearestForecasts::NearestForecasts(QObject* parent) : QObject(parent) {
   reader_.setMaxThreadCount(1);
   connect(&source_, &ForecastSource::ready, this, [this](const std::shared_ptr<const Forecast>& forecast) {
-    for (std::size_t i = 0; i < std::min(asked_.size(), forecast->pairs.size()); ++i)
-      emit foretold(asked_[i], forecast->pairs[i]);
+    for (std::size_t i = 0; i < std::min(requested_.size(), forecast->pairs.size()); ++i)
+      emit foretold(requested_[i], forecast->pairs[i]);
   });
 }
 
@@ -22,10 +22,10 @@ void NearestForecasts::cancel() {
   source_.cancel();
 }
 
-void NearestForecasts::ask(const Button& asked,
+void NearestForecasts::ask(const Button& reference,
                            std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest) {
   cancel();
-  reader_.start([this, question = question_.load(), asked, nearest = std::move(nearest)] {
+  reader_.start([this, question = question_.load(), reference, nearest = std::move(nearest)] {
     std::vector<SwitchIndex> read;
     std::vector<Button> buttons;
     for (const auto& [index, entry] : nearest) {
@@ -36,16 +36,16 @@ void NearestForecasts::ask(const Button& asked,
       }
     }
     QMetaObject::invokeMethod(
-        this, [this, question, asked, read, buttons] { request(question, asked, read, buttons); },
+        this, [this, question, reference, read, buttons] { request(question, reference, read, buttons); },
         Qt::QueuedConnection);
   });
 }
 
-void NearestForecasts::request(quint64 question, const Button& asked, const std::vector<SwitchIndex>& read,
-                               const std::vector<Button>& buttons) {
+void NearestForecasts::request(quint64 question, const Button& reference,
+                               const std::vector<SwitchIndex>& read, const std::vector<Button>& buttons) {
   if (question != question_ || buttons.empty()) return;
-  asked_ = read;
-  std::vector<Button> all{asked};
+  requested_ = read;
+  std::vector<Button> all{reference};
   all.insert(all.end(), buttons.begin(), buttons.end());
   source_.request(std::move(all), ForecastPairs::ofFirst);
 }

@@ -21,18 +21,18 @@ class NearestForecasts : public QObject {
   ~NearestForecasts() override;
 
   /// `foretold` follows once for each that could be read, unless another question overtakes this one.
-  void ask(const Button& asked, std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest);
+  void ask(const Button& reference, std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest);
   void cancel();
 
  signals:
   void foretold(detent::editor::SwitchIndex of, const detent::playback::PredictedPair& pair);
 
  private:
-  void request(quint64 question, const Button& asked, const std::vector<SwitchIndex>& read,
+  void request(quint64 question, const Button& reference, const std::vector<SwitchIndex>& read,
                const std::vector<Button>& buttons);
 
   std::atomic<quint64> question_{0};
-  std::vector<SwitchIndex> asked_;  // of the request that is worked on
+  std::vector<SwitchIndex> requested_;  // of the request that is worked on
   ForecastSource source_;
   QThreadPool reader_;  // last: its thread uses the others
 };

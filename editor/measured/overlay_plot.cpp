@@ -51,10 +51,10 @@ OverlayPlot::OverlayPlot(QWidget* parent) : QCustomPlot(parent) {
   for (QCPAxis* axis : {xAxis, yAxis}) axis->setTicker(QSharedPointer<UnitTicker>::create());
 }
 
-void OverlayPlot::show(std::vector<Entry> entries, std::optional<importer::FeltShape> asked,
+void OverlayPlot::show(std::vector<Entry> entries, std::optional<importer::FeltShape> requested,
                        const DisplayUnits& units) {
   entries_ = std::move(entries);
-  asked_ = std::move(asked);
+  requested_ = std::move(requested);
   units_ = units;
   redraw();
 }
@@ -112,7 +112,7 @@ void OverlayPlot::redraw() {
   xAxis->setLabel(tr("From first contact (%1)").arg(units_.lengthSymbol()));
   yAxis->setLabel(tr("Force (%1)").arg(units_.forceSymbol()));
   drawBand(colors.axis);
-  if (asked_) drawShape(*asked_, QPen(colors.text, 3), tr("asked for"));
+  if (requested_) drawShape(*requested_, QPen(colors.text, 3), tr("asked for"));
   for (std::size_t i = 0; i < std::min(entries_.size(), mostCurves); ++i)
     drawShape(*entries_[i].shape, QPen(seriesColor(i, dark), 1.5), shortened(entries_[i].name, longestName));
   if (graphCount() > 0) {

@@ -36,7 +36,8 @@ class OverlayPlot : public QCustomPlot {
     const importer::FeltShape* shape = nullptr;  ///< lives as long as it is shown
   };
   /// The reference of the others (null: none) is drawn in the text's colour.
-  void show(std::vector<Entry> entries, std::optional<importer::FeltShape> asked, const DisplayUnits& units);
+  void show(std::vector<Entry> entries, std::optional<importer::FeltShape> requested,
+            const DisplayUnits& units);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -49,7 +50,7 @@ class OverlayPlot : public QCustomPlot {
   void drawBand(const QColor& color);
 
   std::vector<Entry> entries_;
-  std::optional<importer::FeltShape> asked_;
+  std::optional<importer::FeltShape> requested_;
   DisplayUnits units_;
 };
 

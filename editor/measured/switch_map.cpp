@@ -50,7 +50,7 @@ SwitchMap::SwitchMap(const MeasuredTable& table, QWidget* parent) : QCustomPlot(
 }
 
 std::optional<double> SwitchMap::valueOf(SwitchIndex which, const MapScale& scale) const {
-  if (!scale.figure) return table_.map().places[which][scale.axis];
+  if (!scale.figure) return table_.map().positions[which][scale.axis];
   const auto& value = table_.switches()[which].figures[*scale.figure];
   return value ? std::optional(shownFigure(*value, *scale.figure, units_)) : std::nullopt;
 }

@@ -132,7 +132,7 @@ class Drawing {
     static const KeyFigures figures = keyFiguresOf(drawnSwitch());
     const auto of = [](KeyFigure wanted) { return figures[wanted].value_or(0); };
     using enum KeyFigure;
-    const double peak = of(peakTravel), valley = of(valleyTravel), foot = of(bottomOutTravel);
+    const double peak = of(peakTravel), valley = of(valleyTravel), bottomOut = of(bottomOutTravel);
     const double operating = of(preTravel), reset = of(resetTravel);
     const double reset_N = of(resetForce);
     switch (figure) {
@@ -161,7 +161,7 @@ class Drawing {
       case slopeOfDrop:
         return chord(onPress(peak), onPress(valley));
       case slopeToBottomOut:
-        return chord(onPress(valley), onPress(foot));
+        return chord(onPress(valley), onPress(bottomOut));
       case resetTravel:
         way(0, reset, 0, reset_N);
         return dot(at(reset, reset_N));
@@ -175,9 +175,9 @@ class Drawing {
         way(operating, end_mm(), of(operatingForce), of(endForce));
         return dot(onPress(operating));
       case bottomOutForce:
-        return height(foot, of(bottomOutForce));
+        return height(bottomOut, of(bottomOutForce));
       case bottomOutTravel:
-        return wayOnPress(0, foot);
+        return wayOnPress(0, bottomOut);
       case totalTravel:
         return wayOnPress(0, end_mm());
       case endForce:

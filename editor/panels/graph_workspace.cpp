@@ -87,7 +87,7 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   connect(canvas_, &GraphCanvas::cursorMoved, this, &GraphWorkspace::cursorMoved);
   connect(canvas_, &GraphCanvas::selectionChanged, this, &GraphWorkspace::followDocument);
   connect(tools_.get(), &ToolBox::said, this, &GraphWorkspace::statusMessage);
-  connect(tools_.get(), &ToolBox::valuesAsked, point_, &PointField::open);
+  connect(tools_.get(), &ToolBox::valuesRequested, point_, &PointField::open);
   connect(point_, &PointField::said, this, &GraphWorkspace::statusMessage);
   connect(tools_.get(), &ToolBox::contextMenuRequested, this, &GraphWorkspace::showContextMenu);
   connect(damping_, &DampingView::said, this, &GraphWorkspace::statusMessage);
@@ -256,7 +256,7 @@ void GraphWorkspace::copySelected() {
     emit statusMessage(tr("Copied the selected stretch"));
     return;
   }
-  emit buttonCopyAsked();
+  emit buttonCopyRequested();
 }
 
 void GraphWorkspace::paste(const GraphStretch& stretch) {

@@ -65,7 +65,7 @@ class GraphWorkspace : public QWidget {
   /// Refusals and hints for the status bar; empty clears it.
   void statusMessage(const QString& text);
   /// Copy was requested without a selection.
-  void buttonCopyAsked();
+  void buttonCopyRequested();
 
  private:
   QWidget* makeBar();

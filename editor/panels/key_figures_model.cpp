@@ -103,11 +103,11 @@ KeyFiguresModel::KeyFiguresModel(ButtonDocument& document, ViewSettings& setting
       document_(document),
       settings_(settings),
       typedSolve_(this,
-                  [this](const Solving::Asked& asked) {
-                    asked.tell([this, outcome = solved(asked)] { takeTyped(outcome); });
+                  [this](const Solving::Query& query) {
+                    query.tell([this, outcome = solved(query)] { takeTyped(outcome); });
                   }),
-      aheadSolve_(this, [this](const Solving::Asked& asked) {
-        asked.tell([this, outcome = solved(asked)] { takeAhead(outcome); });
+      aheadSolve_(this, [this](const Solving::Query& query) {
+        query.tell([this, outcome = solved(query)] { takeAhead(outcome); });
       }) {
   pause_.setSingleShot(true);
   pause_.setInterval(figuresDragPause_ms);
@@ -136,7 +136,7 @@ void KeyFiguresModel::follow() {
   figures_ = keyFiguresOf(state());
   if (!document_.history().dragging()) {
     solveNext();
-    if (anyWanted()) lookAhead();
+    if (anyWanted()) solveAhead();
   }
   emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
 }
@@ -153,12 +153,12 @@ std::vector<FigureTarget> KeyFiguresModel::kept() const {
   return targets;
 }
 
-TargetOutcome KeyFiguresModel::solved(const Solving::Asked& asked) {
-  return bentToTargets(asked.request.button, asked.request.state, asked.request.targets, {}, {},
-                       {[&asked] { return asked.overtaken(); }, mostKnots});
+TargetOutcome KeyFiguresModel::solved(const Solving::Query& query) {
+  return bentToTargets(query.request.button, query.request.state, query.request.targets, {}, {},
+                       {[&query] { return query.overtaken(); }, mostKnots});
 }
 
-void KeyFiguresModel::lookAhead() {
+void KeyFiguresModel::solveAhead() {
   preview_.reset();
   previewed_.reset();
   conflict_.clear();
@@ -197,7 +197,7 @@ void KeyFiguresModel::take() {
 void KeyFiguresModel::giveUp() {
   if (!anyWanted()) return;
   wanted_.fill({});
-  lookAhead();
+  solveAhead();
 }
 
 int KeyFiguresModel::rowCount(const QModelIndex& parent) const {
@@ -262,8 +262,8 @@ QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
 
 QVariant KeyFiguresModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Vertical) {
-    const bool told = role == Qt::DisplayRole || role == Qt::ToolTipRole;
-    return told ? data(index(section, figure), role) : QVariant();
+    const bool isShown = role == Qt::DisplayRole || role == Qt::ToolTipRole;
+    return isShown ? data(index(section, figure), role) : QVariant();
   }
   if (role == Qt::ToolTipRole) {
     if (section == now) return tr("Typed values are applied at once; kept figures stay");
@@ -355,7 +355,7 @@ bool KeyFiguresModel::setData(const QModelIndex& index, const QVariant& value, i
   if (role == Qt::CheckStateRole && (can & Qt::ItemIsUserCheckable)) {
     kept_[static_cast<std::size_t>(index.row())] = value.toInt() == Qt::Checked;
     emit dataChanged(index, index);
-    if (anyWanted()) lookAhead();
+    if (anyWanted()) solveAhead();
     return true;
   }
   if (role != Qt::EditRole || document_.history().dragging()) return false;  // another edit holds the button
@@ -409,7 +409,7 @@ bool KeyFiguresModel::setWanted(const QModelIndex& index, const QString& text) {
   if (value == next) return true;
   value = next;
   emit accepted();
-  lookAhead();
+  solveAhead();
   return true;
 }
 

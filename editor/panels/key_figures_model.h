@@ -75,18 +75,18 @@ class KeyFiguresModel : public QAbstractTableModel {
     double value;
     std::size_t state;
   };
-  struct Asked {
+  struct Question {
     Button button;
     std::size_t state = 0;
     std::vector<FigureTarget> targets;
   };
-  using Solving = LatestAnswer<Asked>;
-  static TargetOutcome solved(const Solving::Asked& asked);
+  using Solving = LatestAnswer<Question>;
+  static TargetOutcome solved(const Solving::Query& query);
   void solveNext();
   void takeTyped(const TargetOutcome& outcome);
   void takeAhead(const TargetOutcome& outcome);
   void follow();
-  void lookAhead();
+  void solveAhead();
   const ButtonState& state() const;
   QString shown(double value, KeyFigure which, bool exact) const;
   std::vector<FigureTarget> kept() const;

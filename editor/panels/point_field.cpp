@@ -133,13 +133,13 @@ void PointField::place(CurvePoint at) {
   };
   const double x = within(point.x() - w / 2, w, room.width()),
                y = within(point.y() - h / 2, h, room.height());
-  const QPointF places[] = {{point.x() + away_px, y},
-                            {point.x() - away_px - w, y},
-                            {x, point.y() + away_px},
-                            {x, point.y() - away_px - h}};
+  const QPointF candidates[] = {{point.x() + away_px, y},
+                                {point.x() - away_px - w, y},
+                                {x, point.y() + away_px},
+                                {x, point.y() - away_px - h}};
   QPointF chosen(point.x() < room.center().x() ? std::max(0.0, room.width() - w) : 0,
                  point.y() < room.center().y() ? std::max(0.0, room.height() - h) : 0);
-  for (const QPointF& place : places)
+  for (const QPointF& place : candidates)
     if (room.contains(QRectF(place, QSizeF(w, h)))) {
       chosen = place;
       break;
@@ -157,7 +157,7 @@ bool PointField::open(FirstValue first) {
     return false;
   }
   mark_ = Mark{*id, *at};
-  askedAbout_.clear();
+  questionText_.clear();
   trouble_->clear();
   trouble_->hide();
   fill(*mark_);
@@ -209,8 +209,8 @@ bool PointField::odd() {
     if (!row->changed) continue;
     const QString text = row->field->text();
     const QString question = doubtOf(text, row->field->value(), row->field->quantity(), settings_.units());
-    if (question.isEmpty() || text == askedAbout_) continue;
-    askedAbout_ = text;
+    if (question.isEmpty() || text == questionText_) continue;
+    questionText_ = text;
     trouble_->setText(question);
     trouble_->show();
     adjustSize();

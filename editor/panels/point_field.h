@@ -74,7 +74,7 @@ class PointField : public QFrame {
   QLabel* trouble_;
   std::optional<Mark> mark_;    ///< the edited mark and its position when this was opened
   std::optional<MarkId> knot_;  ///< its knot, if there is one
-  QString askedAbout_;          ///< unusual number that was questioned
+  QString questionText_;        ///< unusual number that was questioned
 };
 
 }  // namespace detent::editor

@@ -16,10 +16,10 @@ ValueDelegate::ValueDelegate(Refusal refusal, Doubt doubt, QObject* parent)
 
 QString ValueDelegate::objection(const QString& text, const QModelIndex& index) {
   if (QString why = refusal_(index, text); !why.isEmpty()) return why;
-  if (index == askedAt_ && text == askedAbout_) return {};
+  if (index == questionIndex_ && text == questionText_) return {};
   QString question = doubt_(index, text);
-  askedAt_ = index;
-  askedAbout_ = question.isEmpty() ? QString() : text;
+  questionIndex_ = index;
+  questionText_ = question.isEmpty() ? QString() : text;
   return question;
 }
 

@@ -38,8 +38,8 @@ class ValueDelegate : public QStyledItemDelegate {
 
   Refusal refusal_;
   Doubt doubt_;
-  QPersistentModelIndex askedAt_;  ///< place of the last question
-  QString askedAbout_;             ///< its text; empty: none
+  QPersistentModelIndex questionIndex_;  ///< place of the last question
+  QString questionText_;                 ///< its text; empty: none
 };
 
 /// Table in which typing changes the current cell or nothing: a cell that cannot be edited never passes the

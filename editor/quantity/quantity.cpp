@@ -64,12 +64,13 @@ QuantityReading readPercent(const QString& text, Quantity quantity, std::optiona
 
 // A number below 1 without its sign is more often a share than a part of a percent.
 QString doubtOfShare(const QString& text, double share, const DisplayUnits& units) {
-  const QString asked = quantityWithUnit(share, Quantity::share, units);
-  if (share > 1) return tr("%1 is more than the whole. Press Enter once more if that is meant.").arg(asked);
+  const QString typedText = quantityWithUnit(share, Quantity::share, units);
+  if (share > 1)
+    return tr("%1 is more than the whole. Press Enter once more if that is meant.").arg(typedText);
   const bool bare = !text.contains(QLatin1Char('%'));
   if (!bare || share <= 0 || share >= percent) return {};
   return tr("%1 is less than a hundredth. Meant: %2? Press Enter once more if not.")
-      .arg(asked, quantityWithUnit(share / percent, Quantity::share, units));
+      .arg(typedText, quantityWithUnit(share / percent, Quantity::share, units));
 }
 
 // Of a button: a finger's force, the travel of the longest lever switches.
@@ -175,11 +176,11 @@ QString doubtOf(const QString& text, double value, Quantity quantity, const Disp
   if (!isForce && quantity != Quantity::length) return {};
   if (std::abs(value) <= (isForce ? mostForce_N : mostTravel_mm)) return {};
   const QString meant = meantBy(text, quantity, units);
-  const QString asked = quantityWithUnit(value, quantity, units);
+  const QString typedText = quantityWithUnit(value, quantity, units);
   return meant.isEmpty()
-             ? tr("%1 is more than any button has. Press Enter once more if that is meant.").arg(asked)
+             ? tr("%1 is more than any button has. Press Enter once more if that is meant.").arg(typedText)
              : tr("%1 is more than any button has. Meant: %2? Press Enter once more if not.")
-                   .arg(asked, meant);
+                   .arg(typedText, meant);
 }
 
 double shownUnitOf(Quantity quantity, const DisplayUnits& units) {

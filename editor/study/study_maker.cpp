@@ -274,17 +274,17 @@ std::vector<std::size_t> StudyMaker::chosen() const {
 
 void StudyMaker::showLength() {
   trouble_->clear();
-  const playback::StudyDesign asked = design();
+  const playback::StudyDesign planned = design();
   const std::size_t buttons = chosen().size();
-  const Result<Done> possible = playback::checkDesign(asked, buttons);
+  const Result<Done> possible = playback::checkDesign(planned, buttons);
   const bool readable = trials_->acceptable() && practice_->acceptable() && run_s_->acceptable();
   make_->setEnabled(possible.ok() && readable && !folder_->text().trimmed().isEmpty());
   if (!possible) return length_->setText(studySentence(possible.failure()));
-  const std::size_t cells = playback::asksForPairs(asked) ? playback::pairsOf(buttons).size() : buttons;
-  const std::size_t questions = cells * asked.trials * asked.modes.size() + asked.practice;
+  const std::size_t cells = playback::asksForPairs(planned) ? playback::pairsOf(buttons).size() : buttons;
+  const std::size_t questions = cells * planned.trials * planned.modes.size() + planned.practice;
   double each_s = question_s;
-  if (asked.kind == playback::StudyKind::timing)
-    each_s = asked.task == playback::TimingTask::tapping ? asked.run_s + restOfRun_s : timed_s;
+  if (planned.kind == playback::StudyKind::timing)
+    each_s = planned.task == playback::TimingTask::tapping ? planned.run_s + restOfRun_s : timed_s;
   length_->setText(tr("Questions for each participant: %1, about %2 minutes.")
                        .arg(questions)
                        .arg(std::ceil(static_cast<double>(questions) * each_s / 60)));
@@ -309,12 +309,12 @@ Result<playback::Study> StudyMaker::makeFrom(const QString& filesFolder) const {
     if (Result<Done> written = writeButtonFile(files.back(), buttons_[row]); !written)
       return written.failure();
   }
-  playback::StudyDesign asked = design();
+  playback::StudyDesign planned = design();
   Result<std::vector<playback::ConsentText>> texts = consents();
   if (!texts) return texts.failure();
-  asked.consents = *std::move(texts);
+  planned.consents = *std::move(texts);
   return playback::createStudy(QDir::cleanPath(folder_->text().trimmed()).toStdString(), files,
-                               profileFile_.toStdString(), asked);
+                               profileFile_.toStdString(), planned);
 }
 
 void StudyMaker::make() {

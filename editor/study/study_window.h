@@ -2,7 +2,7 @@
 #pragma once
 // The participant's station: consent, instructions, one question at a time, rests, the end. Large plain
 // controls, each with its key, in the participant's language; no label of any button. The experimenter's view
-// is study_desk.h.
+// is experimenter_dialog.h.
 
 #include <memory>
 #include <optional>

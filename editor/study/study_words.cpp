@@ -19,13 +19,14 @@ struct Field {
 };
 
 constexpr Field fields[] = {
-    {"study", "detent::editor::StudyDesk", QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "Study")},
-    {"--participant", "detent::editor::StudyDesk",
-     QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "Next &participant:")},
-    {"--condition", "detent::editor::StudyDesk",
-     QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "&Listening:")},
-    {"--simulate", "detent::editor::StudyDesk",
-     QT_TRANSLATE_NOOP("detent::editor::StudyDesk", "&Answers by:")},
+    {"study", "detent::editor::ExperimenterDialog",
+     QT_TRANSLATE_NOOP("detent::editor::ExperimenterDialog", "Study")},
+    {"--participant", "detent::editor::ExperimenterDialog",
+     QT_TRANSLATE_NOOP("detent::editor::ExperimenterDialog", "Next &participant:")},
+    {"--condition", "detent::editor::ExperimenterDialog",
+     QT_TRANSLATE_NOOP("detent::editor::ExperimenterDialog", "&Listening:")},
+    {"--simulate", "detent::editor::ExperimenterDialog",
+     QT_TRANSLATE_NOOP("detent::editor::ExperimenterDialog", "&Answers by:")},
     {"--quantity", "detent::editor::StudyMaker",
      QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Mo&re of:")},
     {"--intervals", "detent::editor::StudyMaker",

@@ -50,7 +50,7 @@ TimedTrials::TimedTrials(const playback::Study& study, playback::StudyPlayer& pl
       looked_s_(began_s_) {
   frame_.setTimerType(Qt::PreciseTimer);
   frame_.setInterval(frame_ms);
-  connect(&frame_, &QTimer::timeout, this, &TimedTrials::look);
+  connect(&frame_, &QTimer::timeout, this, &TimedTrials::poll);
   connect(page_, &TimingPage::pressed, this, &TimedTrials::press);
   if (page_->pad() != nullptr) page_->pad()->installEventFilter(this);
 }
@@ -94,7 +94,7 @@ void TimedTrials::press() {
   QTimer::singleShot(padDown_ms, pad, [pad] { pad->setDown(false); });
 }
 
-void TimedTrials::look() {
+void TimedTrials::poll() {
   looked_s_ = player_.clock_s();
   if (away_) {
     if (player_.troubleSinceAsked() != playback::StudyTrouble::none) return;

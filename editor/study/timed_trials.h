@@ -53,7 +53,7 @@ class TimedTrials : public QObject {
 
  private:
   void press();
-  void look();
+  void poll();
   void draw();
   void ended(const playback::TimedOutcome& outcome);
   QString wordsOf(const playback::TimedOutcome& outcome) const;

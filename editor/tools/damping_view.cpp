@@ -177,7 +177,7 @@ void DampingView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (index < points().size() && points()[index].displacement_mm == at.x()) select(index);
 }
 
-bool DampingView::walk(int by) {
+bool DampingView::selectBy(int by) {
   const int count = static_cast<int>(points().size());
   const int next = selected_ ? static_cast<int>(*selected_) + by : by > 0 ? 0 : count - 1;
   if (next < 0 || next >= count) {
@@ -227,8 +227,8 @@ bool DampingView::event(QEvent* event) {
   }
   if (event->type() == QEvent::KeyPress && !dragging_) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() == Qt::Key_Tab && walk(1)) return true;
-    if (key->key() == Qt::Key_Backtab && walk(-1)) return true;
+    if (key->key() == Qt::Key_Tab && selectBy(1)) return true;
+    if (key->key() == Qt::Key_Backtab && selectBy(-1)) return true;
   }
   return UnitPlot::event(event);
 }

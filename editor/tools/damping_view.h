@@ -41,7 +41,7 @@ class DampingView : public UnitPlot {
   void select(std::optional<std::size_t> index);
   void refuse(const QString& why);
   void endDrag();
-  bool walk(int by);
+  bool selectBy(int by);
   bool nudge(int key, Qt::KeyboardModifiers modifiers);
 
   ButtonDocument& document_;

@@ -38,8 +38,8 @@ bool Keyboard::wants(int key, Qt::KeyboardModifiers modifiers) const {
 
 bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
   if (context_.busy()) return isArrow(key) || key == Qt::Key_Tab || key == Qt::Key_Backtab;
-  if (key == Qt::Key_Tab && modifiers == Qt::NoModifier) return walk(1);
-  if (key == Qt::Key_Backtab) return walk(-1);
+  if (key == Qt::Key_Tab && modifiers == Qt::NoModifier) return selectBy(1);
+  if (key == Qt::Key_Backtab) return selectBy(-1);
   if (!wants(key, modifiers)) return false;
   if (isArrow(key)) return nudge(key, modifiers);
   if (key == Qt::Key_Escape) context_.canvas.setSelected({});
@@ -52,7 +52,7 @@ bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
   return true;
 }
 
-bool Keyboard::walk(int by) {
+bool Keyboard::selectBy(int by) {
   std::vector<Mark> marks = pointMarks(context_.canvas.state(), context_.canvas.values());
   if (marks.size() > mostWalked)
     std::erase_if(marks, [](const Mark& m) { return m.id.kind == MarkKind::knot; });

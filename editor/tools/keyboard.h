@@ -31,7 +31,7 @@ class Keyboard {
   std::optional<MarkId> selectedKnot() const;
 
  private:
-  bool walk(int by);
+  bool selectBy(int by);
   bool nudge(int key, Qt::KeyboardModifiers modifiers);
   bool nudgeAll(double right, double up);
   bool nextSlopeHandle();

@@ -90,7 +90,7 @@ bool SelectTool::pressed(const PointerInput& input) {
   adding_ = input.modifiers & Qt::ShiftModifier;
   selectedBefore_ = adding_ ? context_.canvas.selection() : std::vector<MarkId>{};
   pressedOn_ = MarkedState{context_.canvas.state(), context_.canvas.values()};
-  holding_ = held_ ? Holding::mark : Holding::ground;
+  holding_ = held_ ? Holding::mark : Holding::emptySpace;
   if (!held_) return true;
   if (adding_) {
     toggleHeld();
@@ -187,7 +187,7 @@ bool SelectTool::moved(const PointerInput& input) {
   if (!travelled_ &&
       std::hypot(input.at_px.x() - pressed_px_.x(), input.at_px.y() - pressed_px_.y()) < dragThreshold_px)
     return true;
-  if (holding_ == Holding::ground) {
+  if (holding_ == Holding::emptySpace) {
     bandTo(input);
   } else {
     if (!travelled_ && context_.busy()) return true;
@@ -226,7 +226,7 @@ bool SelectTool::released(const PointerInput& input) {
   if (context_.drag.running()) {
     context_.drag.finish();
     sayWhereItStands();
-  } else if (!travelled_ && holding_ == Holding::ground && !adding_) {
+  } else if (!travelled_ && holding_ == Holding::emptySpace && !adding_) {
     context_.canvas.setSelected({});
   } else if (!travelled_ && wasSelected_ && !adding_ && context_.canvas.selection().size() > 1) {
     context_.canvas.setSelected(held_->id);

@@ -24,7 +24,7 @@ class SelectTool : public Tool {
   QString hint() const override;
 
  private:
-  enum class Holding { nothing, mark, ground };
+  enum class Holding { nothing, mark, emptySpace };
   void hover(const PointerInput& input);
   void beginDrag(const PointerInput& input);
   void beginGroupDrag();

@@ -125,12 +125,12 @@ Result<Button> moveSelection(const Button& button, std::size_t state, const std:
   if (!bare) return bare;
   auto moved =
       editKnots(*bare, state, marks, [&](const StrokeCurve& curve, const std::vector<std::size_t>& knots) {
-        std::vector<KnotPlace> places;
+        std::vector<KnotPlace> moves;
         for (const std::size_t knot : knots) {
           const CurvePoint at = placeOf(curve, knot);
-          places.push_back({knot, {at.displacement_mm + by_mm, at.force_N + by_N}});
+          moves.push_back({knot, {at.displacement_mm + by_mm, at.force_N + by_N}});
         }
-        return placeKnots(curve, places);
+        return placeKnots(curve, moves);
       });
   if (!moved) return moved;
   const ButtonState& before = button.states()[state];
@@ -167,10 +167,10 @@ Result<Button> alignSelection(const Button& button, std::size_t state, const std
   const double level = partOf(placeOf(of, last->index), direction);
   return editKnots(button, state, marks,
                    [&](const StrokeCurve& curve, const std::vector<std::size_t>& knots) {
-                     std::vector<KnotPlace> places;
+                     std::vector<KnotPlace> moves;
                      for (const std::size_t knot : knots)
-                       places.push_back({knot, with(placeOf(curve, knot), direction, level)});
-                     return placeKnots(curve, places);
+                       moves.push_back({knot, with(placeOf(curve, knot), direction, level)});
+                     return placeKnots(curve, moves);
                    });
 }
 
@@ -185,12 +185,12 @@ Result<Button> distributeSelection(const Button& button, std::size_t state, cons
         if (knots.size() < 3) return curve;
         const double from = partOf(placeOf(curve, knots.front()), direction);
         const double to = partOf(placeOf(curve, knots.back()), direction);
-        std::vector<KnotPlace> places;
+        std::vector<KnotPlace> moves;
         for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
           const double share = static_cast<double>(i) / static_cast<double>(knots.size() - 1);
-          places.push_back({knots[i], with(placeOf(curve, knots[i]), direction, from + share * (to - from))});
+          moves.push_back({knots[i], with(placeOf(curve, knots[i]), direction, from + share * (to - from))});
         }
-        return placeKnots(curve, places);
+        return placeKnots(curve, moves);
       });
 }
 

@@ -17,7 +17,7 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
                canvas,
                drag_,
                [this](const QString& text) { emit said(text); },
-               [this](FirstValue first) { emit valuesAsked(first); }},
+               [this](FirstValue first) { emit valuesRequested(first); }},
       keyboard_(context_),
       tools_{std::make_unique<SelectTool>(context_), std::make_unique<AddKnotTool>(context_),
              std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_),

@@ -42,7 +42,7 @@ class ToolBox : public QObject, public CanvasEvents {
   void toolChanged(detent::editor::ToolKind kind);
   void said(const QString& text);
   /// Requests editing of the selected point's values.
-  void valuesAsked(detent::editor::FirstValue first);
+  void valuesRequested(detent::editor::FirstValue first);
   void contextMenuRequested(QPoint global_px);
 
  private:

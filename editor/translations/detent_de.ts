@@ -519,7 +519,7 @@ Lizenz: %3</translation>
     </message>
 </context>
 <context>
-    <name>StudyDesk</name>
+    <name>ExperimenterDialog</name>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
@@ -7692,7 +7692,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::StudyDesk</name>
+    <name>detent::editor::ExperimenterDialog</name>
     <message>
         <source>Study: experimenter</source>
         <translation>Studie: Versuchsleitung</translation>

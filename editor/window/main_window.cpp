@@ -34,7 +34,7 @@
 #include "editor/measured/measured_window.h"
 #include "editor/panels/key_figures_model.h"
 #include "editor/quantity/quantity.h"
-#include "editor/study/study_desk.h"
+#include "editor/study/experimenter_dialog.h"
 #include "editor/window/appearance.h"
 #include "editor/window/graph_print.h"
 #include "editor/window/margin_overlay.h"
@@ -361,7 +361,7 @@ void MainWindow::connectTabs() {
 void MainWindow::adopt(DocumentTab& tab) {
   sessionHeld_ = false;
   connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
-  connect(&tab.workspace(), &GraphWorkspace::buttonCopyAsked, this, [this, &tab] { copyButton(tab); });
+  connect(&tab.workspace(), &GraphWorkspace::buttonCopyRequested, this, [this, &tab] { copyButton(tab); });
   connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
@@ -482,7 +482,7 @@ void MainWindow::compareFiles(const QStringList& paths) {
 void MainWindow::makeComparison() {
   if (comparison_) return;
   comparison_ = new ComparePanel(at_.view);
-  connect(comparison_, &ComparePanel::pictureAsked, this, &MainWindow::writeComparison);
+  connect(comparison_, &ComparePanel::pictureRequested, this, &MainWindow::writeComparison);
   auto* scrolled = new QScrollArea;  // a low screen has no room for all of it
   scrolled->setWidget(comparison_);
   scrolled->setWidgetResizable(true);
@@ -587,7 +587,7 @@ void MainWindow::showStudy() {
     places.profileFile = [feel] { return feel().profileFile; };
     places.sound = [feel] { return outputOf(feel()); };
     places.force = [feel] { return forceDeviceOf(feel().force); };
-    study_ = new StudyDesk(places, this);
+    study_ = new ExperimenterDialog(places, this);
   }
   bringUp(*study_);
 }

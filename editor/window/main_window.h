@@ -20,7 +20,7 @@ namespace detent::editor {
 
 class ComparePanel;
 class ForecastMatrix;
-class StudyDesk;
+class ExperimenterDialog;
 class FeelPanel;
 class FeelSession;
 class LibraryPanel;
@@ -156,7 +156,7 @@ class MainWindow : public QMainWindow {
   FeelPanel* feel_ = nullptr;
   ComparePanel* comparison_ = nullptr;
   ForecastMatrix* forecasts_ = nullptr;
-  StudyDesk* study_ = nullptr;
+  ExperimenterDialog* study_ = nullptr;
   QStackedWidget *values_ = nullptr, *figures_ = nullptr, *history_ = nullptr, *checks_ = nullptr,
                  *annotations_ = nullptr;
   MeasuredWindow* measured_ = nullptr;

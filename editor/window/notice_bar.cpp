@@ -17,7 +17,7 @@ namespace detent::editor {
 namespace {
 
 // The background alone is its own; text and buttons stay those of the program.
-void paintGround(QFrame& row) {
+void paintNoticeBackground(QFrame& row) {
   const bool trouble = row.property("trouble").toBool();
   QPalette palette;
   if (isDark(QApplication::palette()))
@@ -49,7 +49,7 @@ void NoticeBar::say(const QString& id, Kind kind, const QString& text, const std
   row->setProperty("noticeId", id);
   row->setAutoFillBackground(true);
   row->setProperty("trouble", kind == Kind::trouble);
-  paintGround(*row);
+  paintNoticeBackground(*row);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(10, 5, 6, 5);
   auto* label = described(new QLabel(text), "noticeText");
@@ -89,7 +89,8 @@ void NoticeBar::dismiss(const QString& id) {
 void NoticeBar::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::PaletteChange) return;
-  for (int i = 0; i < rows_->count(); ++i) paintGround(*qobject_cast<QFrame*>(rows_->itemAt(i)->widget()));
+  for (int i = 0; i < rows_->count(); ++i)
+    paintNoticeBackground(*qobject_cast<QFrame*>(rows_->itemAt(i)->widget()));
 }
 
 QStringList NoticeBar::texts() const {

@@ -52,13 +52,13 @@ std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis ax
 Box untilAxis(const GraphReading& r, const Box& word) {
   constexpr double apart = 0.45, digit = 0.5;  // of the word's height
   const int top = std::max(0, static_cast<int>(std::ceil(word.y0))),
-            bottom = std::min(r.ink.rows - 1, static_cast<int>(std::floor(word.y1)));
+            bottom = std::min(r.darkMask.rows - 1, static_cast<int>(std::floor(word.y1)));
   const int margin = bottom - top;
   const auto isMark = [&](int y, int x) {
-    return y >= 0 && y < r.ink.rows && r.ink.at<std::uint8_t>(y, x) != 0;
+    return y >= 0 && y < r.darkMask.rows && r.darkMask.at<std::uint8_t>(y, x) != 0;
   };
   Box whole = word;
-  const double end = std::min(r.box.x0, r.ink.cols - 1.0);
+  const double end = std::min(r.box.x0, r.darkMask.cols - 1.0);
   for (int x = static_cast<int>(std::ceil(word.x1)); x < std::min(end, whole.x1 + apart * word.height());
        ++x) {
     if (isMark(top - margin / 2, x) || isMark(bottom + margin / 2, x)) break;  // the axis
@@ -175,7 +175,7 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
   for (const SeenText& word : found.words) boxes.push_back(word.box);
   if (!isUnsmoothed(r.darkness, boxes)) return;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
-    letters.push_back(lettersOf(r.ink, found.words[i].box));
+    letters.push_back(lettersOf(r.darkMask, found.words[i].box));
     centers.push_back(positions[i].center_px);
   }
   const auto read = readEqualDigits(letters, centers, axis == Axis::x, texts);

@@ -22,7 +22,7 @@ std::vector<std::vector<std::size_t>> numbered(const std::vector<std::vector<Let
     numbers.emplace_back();
     for (const LetterShape& letter : word) {
       const auto same =
-          std::ranges::find_if(shapes, [&](const LetterShape* s) { return s->looksLike(letter); });
+          std::ranges::find_if(shapes, [&](const LetterShape* s) { return s->resembles(letter); });
       numbers.back().push_back(static_cast<std::size_t>(same - shapes.begin()));
       if (same == shapes.end()) shapes.push_back(&letter);
     }
@@ -70,12 +70,12 @@ bool anyTouch(const std::vector<std::vector<LetterShape>>& words) {
 
 }  // namespace
 
-bool LetterShape::looksLike(const LetterShape& other) const {
+bool LetterShape::resembles(const LetterShape& other) const {
   constexpr std::size_t pixelsPerOther = 50;
   if (width != other.width || height != other.height) return false;
   std::size_t others = 0;
-  for (std::size_t i = 0; i < ink.size(); ++i) others += ink[i] != other.ink[i];
-  return others * pixelsPerOther <= ink.size();
+  for (std::size_t i = 0; i < isDark.size(); ++i) others += isDark[i] != other.isDark[i];
+  return others * pixelsPerOther <= isDark.size();
 }
 
 std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& marks,
@@ -98,7 +98,7 @@ std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& marks,
         const auto same = std::ranges::find_if(digits, isSame);
         if (same == digits.end())
           digits.push_back(letters[k]);
-        else if (!same->looksLike(letters[k]))
+        else if (!same->resembles(letters[k]))
           return {};
       }
     }
@@ -142,7 +142,7 @@ std::vector<LetterShape> lettersOf(const cv::Mat& marks, const Box& word) {
     LetterShape letter{own.width, own.height, {}, 0};
     for (int v = own.y; v < own.y + own.height; ++v)
       for (int u = own.x; u < own.x + own.width; ++u)
-        letter.ink.push_back(marks.at<std::uint8_t>(v, u) != 0 ? 1 : 0);
+        letter.isDark.push_back(marks.at<std::uint8_t>(v, u) != 0 ? 1 : 0);
     letters.push_back(std::move(letter));
     x = end;
   }
@@ -186,7 +186,7 @@ std::string withKnownDigits(const std::string& utf8, const std::vector<LetterSha
   for (char& sign : text) {
     if (sign == ' ') continue;
     const LetterShape& letter = letters[at++];
-    const auto same = std::ranges::find_if(known, [&](const LetterShape& k) { return k.looksLike(letter); });
+    const auto same = std::ranges::find_if(known, [&](const LetterShape& k) { return k.resembles(letter); });
     if (same != known.end()) sign = same->sign;
   }
   return text;

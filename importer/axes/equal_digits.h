@@ -18,11 +18,11 @@ namespace detent::importer {
 /// A letter's pixels, cut to its bounding box, and its sign.
 struct LetterShape {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> ink;  ///< row by row, 1 or 0
-  char sign = 0;                  ///< 0: not known
+  std::vector<std::uint8_t> isDark;  ///< row by row, 1 or 0
+  char sign = 0;                     ///< 0: not known
 
   /// But for a pixel in fifty: compression turns one at times.
-  bool looksLike(const LetterShape& other) const;
+  bool resembles(const LetterShape& other) const;
 };
 
 /// Returns true if words are drawn without antialiasing, with hardly an intermediate pixel. `darkness`: of

@@ -133,7 +133,7 @@ std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, 
   if (!x || !y) return {};
   const double largest = 2 * std::max(x->height, y->height) + 4;
   const cv::Mat darkness = darknessOf(view.raster, frame.paper);
-  const auto words = numberBoxes(glyphBoxes(inkOf(darkness), 2, largest));
+  const auto words = numberBoxes(glyphBoxes(darkMaskOf(darkness), 2, largest));
   const Box box = frame.box();
   const auto edge = [&](const LabelSeries& s, bool alongX, int direction, double at) {
     const double wider = reach(words, s, alongX, direction, at);

@@ -93,8 +93,8 @@ std::optional<std::string> unreadUnit(const cv::Mat& darkness, const Box& place,
 
 GraphReading::GraphReading(const PageView& v, const PlotFrame& f)
     : view(v), frame(f), box(f.box()), darkness(darknessOf(v.raster, f.paper)), reader(v) {
-  ink = inkOf(darkness);
-  glyphs = glyphBoxes(withoutFrameInk(ink, box, positions(frame.xLines), positions(frame.yLines)), 1,
+  darkMask = darkMaskOf(darkness);
+  glyphs = glyphBoxes(withoutFrameMarks(darkMask, box, positions(frame.xLines), positions(frame.yLines)), 1,
                       largestGlyph_px());
 }
 
@@ -109,7 +109,7 @@ std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_de
 std::vector<SeenText> GraphReading::readLinesInside(const Box& region, double angle_deg, Point towards,
                                                     std::size_t atMost) {
   // Curves, gridlines and the axes are larger than letters.
-  const auto letters = turnedLetters(*this, glyphBoxes(ink, 2, largestGlyph_px()), region, angle_deg);
+  const auto letters = turnedLetters(*this, glyphBoxes(darkMask, 2, largestGlyph_px()), region, angle_deg);
   return read(textLines(letters, 1.3), letters, angle_deg, towards, atMost);
 }
 

@@ -84,7 +84,7 @@ std::string withoutGroupSigns(std::string_view utf8) {
   return out;
 }
 
-bool looksLike(std::string_view read, std::string_view number) {
+bool resembles(std::string_view read, std::string_view number) {
   constexpr std::array<std::string_view, 8> alike{"08", "06", "68", "38", "89", "56", "17", "09"};
   const std::string digits = digitsOf(read), other = digitsOf(number);
   if (digits.size() != other.size()) return false;

@@ -48,7 +48,7 @@ ThousandsSign expectThousands(const std::vector<std::string>& texts,
                               std::vector<std::vector<NumberReading>>& readings);
 
 /// Returns true if a number was read digit by digit as a similar one: "8" for 0, "66" for 60.
-bool looksLike(std::string_view read, std::string_view number);
+bool resembles(std::string_view read, std::string_view number);
 
 /// A text's digits alone, in their order.
 std::string digitsOf(std::string_view text);

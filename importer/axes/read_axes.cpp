@@ -163,7 +163,7 @@ LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
   const std::string shown = shownNumber(expected);
   constexpr double fully = 0.94;  // of the engine's certainty
   const SeenText& word = labels.words[i];
-  const bool isMisread = p.labels >= many && word.confidence < fully && looksLike(word.utf8, shown);
+  const bool isMisread = p.labels >= many && word.confidence < fully && resembles(word.utf8, shown);
   return isMisread || isRestOf(labels.words[i].utf8, shown) ? LabelVerdict::rest : LabelVerdict::contradicts;
 }
 

@@ -15,7 +15,7 @@
 #include "importer/frame/glyph_marks.h"
 #include "importer/lexicon/stroke_words.h"
 #include "importer/page/quantile.h"
-#include "importer/page/same_ink.h"
+#include "importer/page/same_colour.h"
 
 namespace detent::importer {
 namespace {
@@ -72,7 +72,7 @@ double filledShare(const cv::Mat& marks, const Box& mark) {
 struct Inked {
   const Raster& raster;
   const cv::Mat& darkness;
-  const cv::Mat& ink;
+  const cv::Mat& darkMask;
 };
 
 /// Returns true if a mark beside a letter is a legend key: a dash too long for writing, or, in another
@@ -90,7 +90,7 @@ bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& 
   if (colorDistance(colorOf(on.raster, on.darkness, mark), colorOf(on.raster, on.darkness, letter)) <=
       differentColour)
     return false;
-  return dash || mark.width() > longDash * usual_px || filledShare(on.ink, mark) >= filled;
+  return dash || mark.width() > longDash * usual_px || filledShare(on.darkMask, mark) >= filled;
 }
 
 /// Entries of a legend that stand in one row, parted at the samples between them and without them; the
@@ -266,7 +266,7 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   const cv::Mat d = darknessOf(view.raster, frame.paper);
   const int grid = gridDarkness(d, frame);
   // Writing darker than its grid stands out of it; where the grid is as dark, writing has a hole cut for it.
-  const cv::Mat darkMarks = grid > 0 && grid < 150 ? inkAbove(d, grid + 30) : inkOf(d);
+  const cv::Mat darkMarks = grid > 0 && grid < 150 ? marksAbove(d, grid + 30) : darkMaskOf(d);
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
                    box.y1 + 0.35 * box.height()};

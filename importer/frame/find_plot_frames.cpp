@@ -132,8 +132,8 @@ std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& marks) {
     return positions;
   };
   const Box inside{r.box.x0 - x0, r.box.y0 - y0, r.box.x1 - x0, r.box.y1 - y0};
-  const cv::Mat around = withoutFrameInk(marks(cv::Rect(x0, y0, x1 - x0, y1 - y0)), inside,
-                                         shifted(r.xLines, x0), shifted(r.yLines, y0));
+  const cv::Mat around = withoutFrameMarks(marks(cv::Rect(x0, y0, x1 - x0, y1 - y0)), inside,
+                                           shifted(r.xLines, x0), shifted(r.yLines, y0));
   auto glyphs = glyphBoxes(around, 2, 0.15 * std::min(r.box.width(), r.box.height()) + 8);
   for (auto& g : glyphs) g = {g.x0 + x0, g.y0 + y0, g.x1 + x0, g.y1 + y0};
   return glyphs;
@@ -278,7 +278,7 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const FrameS
   auto rectangles = findPlotRectangles(lines, minSide, 0.7 * minSide);
   if (rectangles.empty()) return {};
 
-  const cv::Mat marks = inkOf(o.darkness);
+  const cv::Mat marks = darkMaskOf(o.darkness);
   std::vector<Scored> all;
   for (const auto& r : rectangles)
     for (const auto& way : orientationsOf(r, marks)) {
@@ -307,7 +307,7 @@ std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const Fr
   const Overview o = seen(page, {PaperBy::region, search.levelToPage, search.magnification});
   if (progress.isCancelled()) return {};
   const double minSide = std::max(36.0, 0.1 * std::max(o.darkness.cols, o.darkness.rows));
-  const auto plots = findLabelledPlots(inkOf(o.darkness), minSide, 0.7 * minSide);
+  const auto plots = findLabelledPlots(darkMaskOf(o.darkness), minSide, 0.7 * minSide);
   std::vector<Found<FrameCandidate>> found;
   for (const LabelledPlot& plot : plots) {
     Found<FrameCandidate> candidate;

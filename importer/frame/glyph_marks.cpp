@@ -10,7 +10,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "importer/page/ink_pieces.h"
+#include "importer/page/pixel_components.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer {
@@ -132,8 +132,8 @@ bool isUnderscore(const Box& mark, const Box& word) {
          mark.y1 <= word.y1 + below * height;
 }
 
-cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vector<double>& xLines,
-                        const std::vector<double>& yLines) {
+cv::Mat withoutFrameMarks(const cv::Mat& marks, const Box& frame, const std::vector<double>& xLines,
+                          const std::vector<double>& yLines) {
   int x0 = std::clamp(static_cast<int>(std::floor(frame.x0)) - 1, 0, marks.cols);
   int x1 = std::clamp(static_cast<int>(std::ceil(frame.x1)) + 2, 0, marks.cols);
   int y0 = std::clamp(static_cast<int>(std::floor(frame.y0)) - 1, 0, marks.rows);
@@ -185,7 +185,7 @@ cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vecto
   return out;
 }
 
-cv::Mat inkOf(const cv::Mat& darkness) {
+cv::Mat darkMaskOf(const cv::Mat& darkness) {
   // Dense text darkens its surroundings, but not above its own darkness.
   cv::Mat around, marks;
   cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
@@ -195,7 +195,7 @@ cv::Mat inkOf(const cv::Mat& darkness) {
   return marks;
 }
 
-cv::Mat inkAbove(const cv::Mat& darkness, int threshold) {
+cv::Mat marksAbove(const cv::Mat& darkness, int threshold) {
   cv::Mat marks;
   cv::threshold(darkness, marks, threshold, 255, cv::THRESH_BINARY);
   return marks;
@@ -203,7 +203,7 @@ cv::Mat inkAbove(const cv::Mat& darkness, int threshold) {
 
 std::vector<Box> glyphBoxes(const cv::Mat& marks, double minSize_px, double maxSize_px) {
   std::vector<Box> boxes;
-  for (const InkPiece& piece : inkPiecesOf(marks.data, marks.cols, marks.rows, marks.step).all) {
+  for (const PixelComponent& piece : pixelComponentsOf(marks.data, marks.cols, marks.rows, marks.step).all) {
     const Box& b = piece.box;
     const double size = std::max(b.width(), b.height());
     if (size >= minSize_px && size <= maxSize_px)

@@ -12,10 +12,10 @@ namespace detent::importer {
 
 /// Returns 255 where a pixel differs from its surroundings by the contrast of text, else 0. Paper may be
 /// shaded.
-cv::Mat inkOf(const cv::Mat& darkness);
+cv::Mat darkMaskOf(const cv::Mat& darkness);
 
 /// Returns 255 where a pixel is darker than paper by more than `threshold` grey levels, else 0.
-cv::Mat inkAbove(const cv::Mat& darkness, int threshold);
+cv::Mat marksAbove(const cv::Mat& darkness, int threshold);
 
 /// Bounding boxes (pixel edges: a single pixel has width 1) of connected components with a larger extent
 /// between `minSize_px` and `maxSize_px`.
@@ -34,8 +34,8 @@ Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs);
 
 /// A copy without the inside of an upright frame and without its outer ticks, so that labels are separate.
 /// `xLines`, `yLines`: positions of gridlines and ticks.
-cv::Mat withoutFrameInk(const cv::Mat& marks, const Box& frame, const std::vector<double>& xLines,
-                        const std::vector<double>& yLines);
+cv::Mat withoutFrameMarks(const cv::Mat& marks, const Box& frame, const std::vector<double>& xLines,
+                          const std::vector<double>& yLines);
 
 /// Widest gap between the characters of one number, in heights; a decimal point leaves almost a digit's
 /// width.

@@ -101,7 +101,7 @@ void nameAxis(FeelAxis& axis, std::size_t which, const FeelMap& map,
     std::vector<std::pair<double, double>> pairs;
     for (std::size_t i = 0; i < switches.size(); ++i)
       if (const auto& value = switches[i].figures[name.figure])
-        pairs.emplace_back(map.places[i][which], *value);
+        pairs.emplace_back(map.positions[i][which], *value);
     // A figure that few have would go with anything.
     if (2 * pairs.size() < switches.size() || pairs.size() < 3) continue;
     const double correlation = correlationOf(pairs);
@@ -127,7 +127,7 @@ FeelMap feelMapOf(const std::vector<LibrarySwitch>& switches) {
   Matrix covariance = covarianceOf(centred);
   double variance = 0;
   for (std::size_t i = 0; i < dimensions; ++i) variance += covariance[i][i];
-  map.places.resize(switches.size());
+  map.positions.resize(switches.size());
   for (std::size_t which = 0; which < 2; ++which) {
     Vector start{};  // the first axis starts along the forces, the second along the travel
     start.fill(which == 0 ? 1.0 : 0.1);
@@ -140,7 +140,7 @@ FeelMap feelMapOf(const std::vector<LibrarySwitch>& switches) {
     if (sign < 0)
       for (double& each : axis.direction) each = -each;
     for (std::size_t i = 0; i < switches.size(); ++i)
-      map.places[i][which] = product(centred[i], axis.direction);
+      map.positions[i][which] = product(centred[i], axis.direction);
     map.axes[which].share = variance > 0 ? axis.variance / variance : 0;
     nameAxis(map.axes[which], which, map, switches);
   }

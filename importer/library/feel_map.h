@@ -19,8 +19,8 @@ struct FeelAxis {
 };
 
 struct FeelMap {
-  std::array<FeelAxis, 2> axes;               ///< the one with the larger share first
-  std::vector<std::array<double, 2>> places;  ///< of each switch, in lab noises from the mean of all
+  std::array<FeelAxis, 2> axes;                  ///< the one with the larger share first
+  std::vector<std::array<double, 2>> positions;  ///< of each switch, in lab noises from the mean of all
 };
 
 /// Principal axes of press, release and travel, weighted as in FeelDistance but with one contact and without

@@ -113,7 +113,7 @@ class Measured {
                               -1);
       gentleFrom_mm = valley.displacement_mm;
     }
-    if (bottom.wall)
+    if (bottom.isSteep)
       found[3] = cornerIn(
           down_.between(std::max(gentleFrom_mm, bottom.displacement_mm - bottomOutReach * press.travel_mm()),
                         end_mm),
@@ -130,7 +130,7 @@ class Measured {
     for (std::size_t i = 0; i < found.size(); ++i) addPlace(shape, i, found[i]);
     // Rounding of a displacement affects its neighbours too if the readings are evenly spaced; an end has its
     // own.
-    if (down_.isEven() || !bottom.wall) {
+    if (down_.isEven() || !bottom.isSteep) {
       ShapePlaces away = shape;
       for (std::size_t i = 1; i < found.size(); ++i)
         if (CurvePoint* place = placeOf(away, i)) place->displacement_mm += halfStep_mm_;

@@ -80,7 +80,8 @@ ColumnQuantity quantityOf(const KnownWords& words) {
     if (word.has(ColumnWord::raw) && head == ColumnQuantity::none) head = ColumnQuantity::other;
     for (const auto& [meaning, quantity] : kinds) {
       if (!word.has(meaning)) continue;
-      // The last noun says what it is, in Romance languages the first; numbers and letters say less than names.
+      // The last noun says what it is, in Romance languages the first; numbers and letters say less than
+      // names.
       if (isWeak(head) || (!words.headFirst && !isWeak(quantity))) head = quantity;
       break;
     }
@@ -102,8 +103,8 @@ bool isConditionWithUnit(std::string_view title) {
          (unit.kind == ColumnUnit::Kind::force || unit.kind == ColumnUnit::Kind::displacement);
 }
 
-/// Returns true if a column's title tells what was measured apart from others, and not which quantity: a condition, or a word for
-/// a specimen with its letter or number.
+/// Returns true if a column's title tells what was measured apart from others, and not which quantity: a
+/// condition, or a word for a specimen with its letter or number.
 bool namesRecordIn(const DataColumn& column) {
   const KnownWords& words = column.words;
   for (const ColumnWord word : {ColumnWord::force, ColumnWord::displacement, ColumnWord::copy,
@@ -116,8 +117,8 @@ bool namesRecordIn(const DataColumn& column) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
   };
   if (isCondition(title)) return std::ranges::any_of(title, isLetter);
-  const bool isTold = words.words.size() + words.unknown > 1 || std::ranges::any_of(title, isDigit);
-  if (words.has(ColumnWord::record) && isTold) return true;
+  const bool isStated = words.words.size() + words.unknown > 1 || std::ranges::any_of(title, isDigit);
+  if (words.has(ColumnWord::record) && isStated) return true;
   return words.has(ColumnWord::cycle) && column.unit.kind == ColumnUnit::Kind::force &&
          std::ranges::any_of(title, isDigit);
 }
@@ -327,7 +328,8 @@ class ColumnFinder {
     }
     while (from < to && isBesideColumns(from)) ++from;
     if (from == to) from = to = lowest;
-    // Texts right below data are a heading only if they name something measured: "over range,error" is a row that failed.
+    // Texts right below data are a heading only if they name something measured: "over range,error" is a row
+    // that failed.
     std::size_t before = from;
     while (before > 0 && facts_[before - 1].isVoid() && !isData(before - 1)) --before;
     if (from < to && before > 0 && isData(before - 1) && !namesColumns(from, to)) from = to;
@@ -349,7 +351,8 @@ class ColumnFinder {
     return true;
   }
 
-  /// One text at the left above the titles of columns, "Release" or "Release;;;": it names the table, not its first column.
+  /// One text at the left above the titles of columns, "Release" or "Release;;;": it names the table, not its
+  /// first column.
   bool isTableTitle(std::size_t row, std::size_t below) const {
     if (facts_[row].texts != 1 || facts_[row].numbers > 0) return false;
     std::size_t at = 0;
@@ -392,7 +395,8 @@ class ColumnFinder {
   /// A line of a preamble that happens to have as many cells as the data: "Serial,123456", "Date;2024-05-01".
   bool isPreambleLine(std::size_t row) const {
     if (facts_[row].numbers > 0) return !holdsConditions(row);
-    // Below it stand names of quantities; above these a line without any is a group's name only where cells are left empty.
+    // Below it stand names of quantities; above these a line without any is a group's name only where cells
+    // are left empty.
     if (facts_[row].texts >= numeric_.size() && numeric_.size() <= 3) {
       std::size_t known = 0;
       for (std::size_t c = 0; c < facts_[row].width; ++c) {
@@ -426,8 +430,8 @@ class ColumnFinder {
     return titles;
   }
 
-  /// Brings a further block, whose columns stand in another order or have other units of the same quantities, into the
-  /// columns and units of the longest. Returns false, and changes nothing, if its titles are others.
+  /// Brings a further block, whose columns stand in another order or have other units of the same quantities,
+  /// into the columns and units of the longest. Returns false, and changes nothing, if its titles are others.
   bool bringIntoColumns(std::size_t firstRow) {
     std::size_t end = firstRow;
     while (end < table_.rows() && isData(end)) ++end;
@@ -536,8 +540,8 @@ class ColumnFinder {
     std::ranges::sort(data_.columns, {}, &DataColumn::index);
   }
 
-  /// Rows that are named by their number, 1 to n, and no title above these names, as R writes them: every title stands one cell
-  /// to the left of its column.
+  /// Rows that are named by their number, 1 to n, and no title above these names, as R writes them: every
+  /// title stands one cell to the left of its column.
   bool namesRows() const {
     const auto [from, to] = heading_;
     const DataColumn& first = data_.columns.front();
@@ -682,7 +686,8 @@ class ColumnFinder {
     }
   }
 
-  /// "CH2 load cell 1 V = 0.5 N": what one of the column's own units measures. Returns true if the cell says so.
+  /// "CH2 load cell 1 V = 0.5 N": what one of the column's own units measures. Returns true if the cell says
+  /// so.
   bool readScale(std::string_view cell, DataColumn& column) const {
     const std::size_t sign = cell.find('=');
     if (sign == std::string_view::npos) return false;
@@ -702,8 +707,8 @@ class ColumnFinder {
     return true;
   }
 
-  /// "X unit: mm" is of the column titled X; where none is, of the only one that measures the unit's quantity, else X is the
-  /// first of two. Returns false if there is no such column.
+  /// "X unit: mm" is of the column titled X; where none is, of the only one that measures the unit's
+  /// quantity, else X is the first of two. Returns false if there is no such column.
   static bool giveAxisUnit(const std::vector<DataColumn*>& numeric, ColumnQuantity axis,
                            const ColumnUnit& unit) {
     const auto only = [&](ColumnQuantity quantity) {
@@ -795,7 +800,8 @@ class ColumnFinder {
       const ColumnUnit unit = splitTitle(column.group).unit;
       if (measured(unit.kind)) column.unit = unit;
     }
-    // A word that names a stroke and a quantity ("load", "compression") is the stroke's where the unit is another quantity's.
+    // A word that names a stroke and a quantity ("load", "compression") is the stroke's where the unit is
+    // another quantity's.
     if (column.unit.kind == ColumnUnit::Kind::displacement && column.quantity == ColumnQuantity::force &&
         column.words.has(ColumnWord::displacement))
       column.quantity = ColumnQuantity::displacement;
@@ -814,7 +820,8 @@ class ColumnFinder {
     weigh(column);
   }
 
-  /// Of a title that names a condition no word says which quantity was measured: "0 cycles (N)" counts no cycles.
+  /// Of a title that names a condition no word says which quantity was measured: "0 cycles (N)" counts no
+  /// cycles.
   static void settleRecordName(DataColumn& column) {
     using Kind = ColumnUnit::Kind;
     column.namesRecord =

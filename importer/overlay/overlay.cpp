@@ -152,8 +152,8 @@ Canvas canvasOf(const GraphEvidence& evidence) {
   const double scale = std::clamp(std::round(1800 / std::max(width, 1.0)), 1.0, 4.0);
   Canvas canvas(evidence.view, scale);
   drawAxes(canvas, evidence.frame, evidence.axes.calibration.value);
-  for (const Remainder& left : evidence.explanation.left) canvas.dots(left.ink_px, leftOverColor);
-  for (const Leap& jump : evidence.explanation.leaps)
+  for (const Remainder& left : evidence.explanation.left) canvas.dots(left.pixels_px, leftOverColor);
+  for (const TraceJump& jump : evidence.explanation.jumps)
     canvas.polyline({jump.from_px, jump.to_px}, leftOverColor, 4);
   return canvas;
 }

@@ -25,12 +25,12 @@ Box Affine::boxOf(const Box& box) const { return Homography(*this).boxOf(box); }
 Affine::operator Homography() const { return {{a, c, e, b, d, f, 0, 0, 1}}; }
 
 Homography Homography::after(const Homography& first) const {
-  Homography both;
+  Homography combined;
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t column = 0; column < 3; ++column)
-      both.m[3 * row + column] = m[3 * row] * first.m[column] + m[3 * row + 1] * first.m[3 + column] +
-                                 m[3 * row + 2] * first.m[6 + column];
-  return both;
+      combined.m[3 * row + column] = m[3 * row] * first.m[column] + m[3 * row + 1] * first.m[3 + column] +
+                                     m[3 * row + 2] * first.m[6 + column];
+  return combined;
 }
 
 Box Homography::boxOf(const Box& box) const {

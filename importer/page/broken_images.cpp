@@ -14,7 +14,7 @@ constexpr std::size_t mostObjects = 4096;
 
 /// The forms, patterns and images of a page, each visited once. MuPDF throws by longjmp, so everything here
 /// is plain data; what throws does so inside guardedCall.
-struct Walk {
+struct ObjectSearch {
   fz_context* context = nullptr;
   pdf_document* document = nullptr;
   std::array<int, mostObjects> seen{};
@@ -22,70 +22,70 @@ struct Walk {
   int leftOut = 0;
 };
 
-bool firstVisit(Walk& walk, pdf_obj* object) {
-  const int number = pdf_to_num(walk.context, object);
+bool firstVisit(ObjectSearch& search, pdf_obj* object) {
+  const int number = pdf_to_num(search.context, object);
   if (number == 0) return true;  // a direct object cannot be reached twice, nor lie in a circle
-  for (std::size_t i = 0; i < walk.count; ++i)
-    if (walk.seen[i] == number) return false;
-  if (walk.count == mostObjects) return false;
-  walk.seen[walk.count++] = number;
+  for (std::size_t i = 0; i < search.count; ++i)
+    if (search.seen[i] == number) return false;
+  if (search.count == mostObjects) return false;
+  search.seen[search.count++] = number;
   return true;
 }
 
-bool loads(Walk& walk, pdf_obj* object) {
+bool loads(ObjectSearch& search, pdf_obj* object) {
   std::string ignored;
-  return guarded(walk.context, ignored, [&] {
-    fz_image* image = pdf_load_image(walk.context, walk.document, object);
-    fz_drop_image(walk.context, image);
+  return guarded(search.context, ignored, [&] {
+    fz_image* image = pdf_load_image(search.context, search.document, object);
+    fz_drop_image(search.context, image);
   });
 }
 
 /// MuPDF passes over objects of the kind PS (PostScript for printers), as every viewer does.
-void leaveOut(Walk& walk, pdf_obj* object) {
+void leaveOut(ObjectSearch& search, pdf_obj* object) {
   std::string ignored;
-  if (guarded(walk.context, ignored, [&] {
-        pdf_dict_put_drop(walk.context, object, PDF_NAME(Subtype), pdf_new_name(walk.context, "PS"));
+  if (guarded(search.context, ignored, [&] {
+        pdf_dict_put_drop(search.context, object, PDF_NAME(Subtype), pdf_new_name(search.context, "PS"));
       }))
-    ++walk.leftOut;
+    ++search.leftOut;
 }
 
-void visitResources(Walk& walk, pdf_obj* resources, int depth);
+void visitResources(ObjectSearch& search, pdf_obj* resources, int depth);
 
-void visit(Walk& walk, pdf_obj* object, int depth) {
-  if (!firstVisit(walk, object)) return;
-  fz_context* context = walk.context;
+void visit(ObjectSearch& search, pdf_obj* object, int depth) {
+  if (!firstVisit(search, object)) return;
+  fz_context* context = search.context;
   if (pdf_name_eq(context, pdf_dict_get(context, object, PDF_NAME(Subtype)), PDF_NAME(Image))) {
-    if (!loads(walk, object)) leaveOut(walk, object);
+    if (!loads(search, object)) leaveOut(search, object);
     return;
   }
-  visitResources(walk, pdf_dict_get(context, object, PDF_NAME(Resources)), depth + 1);
+  visitResources(search, pdf_dict_get(context, object, PDF_NAME(Resources)), depth + 1);
 }
 
-void visitValues(Walk& walk, pdf_obj* dictionary, int depth) {
-  const int length = pdf_dict_len(walk.context, dictionary);
-  for (int i = 0; i < length; ++i) visit(walk, pdf_dict_get_val(walk.context, dictionary, i), depth);
+void visitValues(ObjectSearch& search, pdf_obj* dictionary, int depth) {
+  const int length = pdf_dict_len(search.context, dictionary);
+  for (int i = 0; i < length; ++i) visit(search, pdf_dict_get_val(search.context, dictionary, i), depth);
 }
 
-void visitResources(Walk& walk, pdf_obj* resources, int depth) {
+void visitResources(ObjectSearch& search, pdf_obj* resources, int depth) {
   constexpr int deepest = 32;
   if (!resources || depth > deepest) return;
-  visitValues(walk, pdf_dict_get(walk.context, resources, PDF_NAME(XObject)), depth);
-  visitValues(walk, pdf_dict_get(walk.context, resources, PDF_NAME(Pattern)), depth);
+  visitValues(search, pdf_dict_get(search.context, resources, PDF_NAME(XObject)), depth);
+  visitValues(search, pdf_dict_get(search.context, resources, PDF_NAME(Pattern)), depth);
 }
 
 }  // namespace
 
 int leaveOutBrokenImages(fz_context* context, fz_page* page) {
   std::string ignored;
-  Walk walk;
-  walk.context = context;
+  ObjectSearch search;
+  search.context = context;
   guarded(context, ignored, [&] {
     pdf_page* pdf = pdf_page_from_fz_page(context, page);
     if (!pdf) return;
-    walk.document = pdf->doc;
-    visitResources(walk, pdf_page_resources(context, pdf), 0);
+    search.document = pdf->doc;
+    visitResources(search, pdf_page_resources(context, pdf), 0);
   });
-  return walk.leftOut;
+  return search.leftOut;
 }
 
 }  // namespace detent::importer

@@ -9,7 +9,7 @@ namespace detent::importer {
 /// Takes the images that MuPDF cannot load out of what this page of a PDF draws, its forms and patterns
 /// included. Meant for a page that failed to be interpreted: loading an image may decode it. Changes the
 /// document in memory, for all its pages. Returns how many images were taken out; 0 too if this is no PDF.
-/// Looks at 4096 objects at most.
+/// Examines at most 4096 objects.
 int leaveOutBrokenImages(fz_context* context, fz_page* page);
 
 }  // namespace detent::importer

@@ -153,7 +153,7 @@ class Collector {
     blends_.pop_back();
   }
 
-  /// What is drawn between begin and end only shapes a mask.
+  /// Drawing between beginMask and endMask shapes a mask and is not collected.
   void beginMask() { ++maskDepth_; }
   void endMask() {
     maskDepth_ = std::max(0, maskDepth_ - 1);
@@ -166,7 +166,8 @@ class Collector {
     return step != 0 ? std::max(0.0, extent) / std::abs(step) + 1 : std::numeric_limits<double>::infinity();
   }
 
-  /// False: more cells than a page may draw objects. They are one object to MuPDF, which does not ask its cookie between them.
+  /// False: more cells than a page may draw objects. They are one object to MuPDF, which does not ask its
+  /// cookie between them.
   bool beginTile(const Box& area, const Box& cell, double stepX, double stepY, const fz_matrix& matrix) {
     const double cells = cellsAlong(area.width(), stepX) * cellsAlong(area.height(), stepY);
     if (!(cells <= static_cast<double>(control_->maxOperations))) return halt(CollectStop::tooManyOperations);
@@ -216,7 +217,7 @@ class Collector {
                             page_->paths);
   }
 
-  /// What is hidden is drawn all the same, where no clip keeps it out.
+  /// Hidden objects are collected too, unless a clip excludes them.
   bool begin(fz_context* context, const fz_path* path, const fz_matrix& matrix, const Paint& paint,
              VectorPath& out) {
     if (clips_.back().empty()) return false;
@@ -230,7 +231,7 @@ class Collector {
     return !hidden(paint.alpha) && !out.polylines.empty();
   }
 
-  /// Whether what goes up and down the page between these points is not too much for one object.
+  /// Returns true if the vertical extent of the lines, summed, is within the limit of one object.
   bool drawnInTime(const std::vector<std::vector<Point>>& polylines) const {
     const auto row = [&](const Point& p) { return std::clamp(p.y, bounds_.y0, bounds_.y1); };
     double rise = 0;
@@ -314,7 +315,7 @@ class Collector {
   std::size_t points_ = 0;
 };
 
-/// What MuPDF sees. `collector` is owned; deleted in drop_device.
+/// The device that MuPDF calls. It owns `collector`, which drop_device deletes.
 struct CollectDevice {
   fz_device base;
   fz_device* recorder;

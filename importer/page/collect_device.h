@@ -17,7 +17,7 @@ struct ImagePlacement {
   Affine pixelsToPage;
 };
 
-/// What the device fills. Coordinates in page units.
+/// Result of the device: everything drawn on a page. Coordinates in page units.
 struct CollectedPage {
   std::vector<VectorPath> paths;
   std::vector<ImagePlacement> images;
@@ -40,8 +40,8 @@ struct CollectControl {
   std::size_t maxPathPoints = 0;
   std::size_t maxOperations = 0;
   double maxImagePixels = 0;
-  /// How far one object may go up and down the page, page units: that is what it costs to draw, and MuPDF cannot be stopped
-  /// before it has drawn one.
+  /// Largest summed vertical extent of one object's lines, page units. It bounds the time of drawing one
+  /// object, which MuPDF cannot interrupt.
   double maxRise = 0;
   fz_cookie* cookie = nullptr;
   CollectStop stop = CollectStop::none;

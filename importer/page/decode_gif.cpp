@@ -12,7 +12,7 @@ namespace detent::importer {
 
 namespace {
 
-/// What of the file giflib has not read yet.
+/// Bytes of the file that giflib has not read yet.
 struct UnreadGif {
   std::span<const unsigned char> bytes;
 };
@@ -87,7 +87,7 @@ std::optional<StoredPicture> decodeGif(std::span<const unsigned char> bytes, int
   const Gif gif(DGifOpen(&unread, readSome, nullptr));
   if (!gif || gif->SWidth != width || gif->SHeight != height) return {};
   StoredPicture picture(width, height);
-  // What the picture does not cover shows the page.
+  // Pixels outside the picture stay transparent.
   for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 0;
   picture.hasAlpha = true;
   int transparent = kOpaque, images = 0;

@@ -21,7 +21,7 @@ struct ErrorExit {
 void ignoreJpegMessage(j_common_ptr) {}
 void ignoredLevel(j_common_ptr, int) {}
 
-/// Adobe's way, in which every CMYK JPEG at hand is written: inverted, so that ink and black just multiply.
+/// Converts a row of Adobe's CMYK, which is stored inverted: colour and black multiply.
 void fromCmyk(const JSAMPLE* from, std::uint8_t* to, int width) {
   for (int x = 0; x < width; ++x, from += 4, to += 4)
     for (int c = 0; c < 3; ++c) to[c] = static_cast<std::uint8_t>(from[c] * from[3] / 255);
@@ -31,8 +31,8 @@ void fromRgb(const JSAMPLE* from, std::uint8_t* to, int width) {
   for (int x = 0; x < width; ++x, from += 3, to += 4) to[0] = from[0], to[1] = from[1], to[2] = from[2];
 }
 
-/// The pixels that share one colour (4:2:0, 4:2:2), where they are more than one and not more than a view averages anyway
-/// (docs/develop/decisions/0300-page-views-and-large-pictures.md).
+/// The pixels that share one colour (4:2:0, 4:2:2), where they are more than one and not more than a view
+/// averages anyway (docs/develop/decisions/0300-page-views-and-large-pictures.md).
 std::optional<ColourBlock> sharedColour(const jpeg_decompress_struct& jpeg) {
   constexpr double averaged_px = 16e6;
   if (jpeg.jpeg_color_space != JCS_YCbCr || jpeg.num_components != 3) return {};
@@ -45,7 +45,7 @@ std::optional<ColourBlock> sharedColour(const jpeg_decompress_struct& jpeg) {
   return ColourBlock{bright->h_samp_factor, bright->v_samp_factor};
 }
 
-/// What a jump back must not skip the destructors of stands outside. libjpeg reports by longjmp.
+/// libjpeg reports errors by longjmp, so objects with destructors belong to the caller.
 bool readJpegRows(jpeg_decompress_struct& jpeg, ErrorExit& error, std::span<const unsigned char> bytes,
                   StoredPicture& picture, std::vector<JSAMPLE>& line, std::optional<ColourBlock>& shared) {
   if (setjmp(error.back) != 0) return false;

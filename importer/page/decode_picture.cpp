@@ -23,10 +23,10 @@ PicturePixel pixelAt(const StoredPicture& picture, int x, int y) {
 
 double pixelLuma(const PicturePixel& p) { return importer::luma(p.r, p.g, p.b); }
 
-/// How much of an ink as bright as this vanishes on a background as bright as that, 0..1.
-double vanishing(double ink, double background) {
+/// Fraction of contrast lost when a foreground of this brightness is put on this background, 0..1.
+double vanishing(double foreground, double background) {
   constexpr double justVisible = 16;  // grey levels
-  const double contrast = (ink - background) / justVisible;
+  const double contrast = (foreground - background) / justVisible;
   return std::exp(-contrast * contrast);
 }
 
@@ -36,10 +36,11 @@ struct Step {
   int dx = 0, dy = 0;
 };
 
-/// The step from a pixel onto transparency beside it. Only ink that borders on it tells on which background the picture was
-/// meant to stand: letters and axis lines, not the inside of an opaque white plot area.
+/// The step from a pixel onto a transparent neighbour; nullopt if there is none. Only letters and lines that
+/// border on transparency show for which background the picture was made; the inside of an opaque white plot
+/// area does not.
 std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
-  constexpr int reach = 1;  // two would take the ink behind a soft rim for a rim of it
+  constexpr int reach = 1;  // with 2, pixels behind a soft rim would count as rim
   for (const Step step : {Step{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
     const int nx = x + step.dx, ny = y + step.dy;
     if (nx >= 0 && ny >= 0 && nx < in.width_px && ny < in.height_px && pixelAt(in, nx, ny).alpha < 32)
@@ -48,8 +49,8 @@ std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
   return {};
 }
 
-/// Whether what lies behind a rim is the ground of a plot: of one shade farther inwards than ink is thick.
-bool isGround(const StoredPicture& in, int x, int y, Step outwards, double shade) {
+/// Returns true if a plot's background lies behind a rim: one shade, farther inwards than a line is thick.
+bool isBackground(const StoredPicture& in, int x, int y, Step outwards, double shade) {
   constexpr int thick = 12;  // px
   const int nx = x - thick * outwards.dx, ny = y - thick * outwards.dy;
   if (nx < 0 || ny < 0 || nx >= in.width_px || ny >= in.height_px) return false;
@@ -57,8 +58,8 @@ bool isGround(const StoredPicture& in, int x, int y, Step outwards, double shade
   return p.alpha >= 128 && std::abs(pixelLuma(p) - shade) <= kSoftRim;
 }
 
-/// The ink that a pixel at a rim belongs to: the shade near it that differs most from its own.
-double inkBehindRim(const StoredPicture& in, int x, int y) {
+/// Brightness of the line or letter that a rim pixel belongs to: the nearby one that differs most from it.
+double colourBehindRim(const StoredPicture& in, int x, int y) {
   constexpr int reach = 2;
   const double own = pixelLuma(pixelAt(in, x, y));
   double behind = own;
@@ -70,7 +71,7 @@ double inkBehindRim(const StoredPicture& in, int x, int y) {
   return behind;
 }
 
-/// 255 or 0: white, unless more of the picture's ink would vanish on white than on black.
+/// Brightness of the background for transparent pixels: 255 (white), or 0 if white hides more of the lines.
 std::uint8_t backgroundFor(const StoredPicture& in) {
   double lostOnWhite = 0, lostOnBlack = 0;
   const int step =
@@ -80,17 +81,18 @@ std::uint8_t backgroundFor(const StoredPicture& in) {
       const PicturePixel p = pixelAt(in, x, y);
       const auto outwards = p.alpha < 128 ? std::nullopt : towardsTransparency(in, x, y);
       if (!outwards) continue;
-      const double own = pixelLuma(p), behind = inkBehindRim(in, x, y);
-      const bool soft = std::abs(own - behind) > kSoftRim, ground = isGround(in, x, y, *outwards, behind);
-      if (ground && !soft) continue;  // a plot's edge without a line
-      if (soft && !ground) {
+      const double own = pixelLuma(p), behind = colourBehindRim(in, x, y);
+      const bool soft = std::abs(own - behind) > kSoftRim,
+                 isBehind = isBackground(in, x, y, *outwards, behind);
+      if (isBehind && !soft) continue;  // a plot's edge without a line
+      if (soft && !isBehind) {
         // Smoothed against a background that was cut away later: its shade is left at the rims of every line.
         (own > behind ? lostOnBlack : lostOnWhite) += 1;
         continue;
       }
-      const double ink = ground ? own : behind;
-      lostOnWhite += vanishing(ink, 255);
-      lostOnBlack += vanishing(ink, 0);
+      const double foreground = isBehind ? own : behind;
+      lostOnWhite += vanishing(foreground, 255);
+      lostOnBlack += vanishing(foreground, 0);
     }
   return lostOnWhite > lostOnBlack ? 0 : 255;
 }
@@ -111,8 +113,8 @@ constexpr StoredOrder storedOrders[] = {{},
                                         {true, true, true},
                                         {true, true, false}};
 
-std::uint8_t over(std::uint8_t ink, std::uint8_t alpha, std::uint8_t background) {
-  const int mixed = ink * alpha + background * (255 - alpha);
+std::uint8_t over(std::uint8_t foreground, std::uint8_t alpha, std::uint8_t background) {
+  const int mixed = foreground * alpha + background * (255 - alpha);
   return static_cast<std::uint8_t>((mixed + 127) / 255);
 }
 

@@ -98,7 +98,7 @@ bool readPixels(TIFF* tiff, StoredPicture& picture) {
     return bits == 32 && (channels == 1 || channels == 3) && planes == PLANARCONFIG_CONTIG &&
            readFloats(tiff, picture, channels);
   std::vector<std::uint32_t> raster(static_cast<std::size_t>(width) * height);
-  // Its own orientation asked for: rows come as they are stored, and are turned with all other formats' later.
+  // The file's own orientation gives the rows as stored. They are rotated later, as in all other formats.
   if (TIFFReadRGBAImageOriented(tiff, width, height, raster.data(), orientation, 1) == 0) return false;
   std::uint8_t* to = picture.rgba.data();
   for (const std::uint32_t pixel : raster) {

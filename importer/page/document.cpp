@@ -70,7 +70,7 @@ Result<Bytes> readFile(const std::string& path, const std::string& name, const P
   return bytes;
 }
 
-bool looksLikeText(const Bytes& bytes) {
+bool isProbablyText(const Bytes& bytes) {
   const std::size_t n = std::min<std::size_t>(bytes.size(), 4096);
   for (std::size_t i = 0; i < n; ++i)
     if (bytes[i] < 9 || (bytes[i] > 13 && bytes[i] < 32 && bytes[i] != 27) || bytes[i] == 127) return false;
@@ -87,8 +87,8 @@ bool contradicts(FileKind promised, FileKind actual) {
 std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
   const FileKind promised = kindOfName(file.name);
   if (actual == FileKind::unknown) {
-    const Message content = looksLikeText(*file.bytes) ? Message("the content is plain text")
-                                                       : Message("the content is of no known type");
+    const Message content = isProbablyText(*file.bytes) ? Message("the content is plain text")
+                                                        : Message("the content is of no known type");
     return unreadable(file.name, Message("first bytes"),
                       promised == FileKind::unknown
                           ? content

@@ -8,9 +8,9 @@
 namespace detent::importer {
 namespace {
 
-/// What is drawn with, let go of with the last of it.
+/// RAII owner of the MuPDF drawing objects.
 struct Drawing {
-  explicit Drawing(fz_context* its) : context(its) {}
+  explicit Drawing(fz_context* mupdf) : context(mupdf) {}
   ~Drawing() {
     fz_drop_pixmap(context, pixels);
     fz_drop_text(context, text);

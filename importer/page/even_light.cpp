@@ -74,7 +74,7 @@ Light lightOn(const Raster& raster) {
   return light;
 }
 
-/// Blocks full of ink, or half on the table, are no paper: they take the light of the lightest beside them.
+/// Blocks of dark print or beyond the paper's edge get the brightness of their lightest neighbour.
 Light lightest(const Light& light) {
   Light out = light;
   for (int row = 0; row < light.rows; ++row)

@@ -6,8 +6,9 @@
 
 namespace detent::importer {
 
-/// The picture as if its light fell evenly: each place is divided by the paper around it, channel by channel, so that paper
-/// is one light grey wherever the lamp stood and ink keeps its colour. Pictures on dark ground come back as they were.
+/// The picture under even light: each pixel is divided by the paper around it, channel by channel, so that
+/// paper becomes one light grey and lines keep their colour. Pictures with a dark background are returned
+/// unchanged.
 Raster evenlyLit(Raster raster);
 
 }  // namespace detent::importer

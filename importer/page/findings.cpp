@@ -19,7 +19,7 @@ constexpr bool isInOrder(const Wording<Code> (&table)[count]) {
   return true;
 }
 
-/// A pattern that is translated in the editor: the build target detent-edit-texts looks for this name.
+/// A pattern that is translated in the editor: the build target detent-edit-texts searches for this name.
 constexpr const char* words(const char* pattern) { return pattern; }
 
 constexpr Wording<EvidenceCode> evidenceWords[] = {
@@ -31,7 +31,7 @@ constexpr Wording<EvidenceCode> evidenceWords[] = {
     {EvidenceCode::axisGiven, "axis-given", words("%1: given")},
     {EvidenceCode::labelsInProgression, "labels-in-progression",
      words("%1: %2 of %3 labels on an even progression over %4 ticks")},
-    {EvidenceCode::toldApartByCourse, "told-apart-by-course",
+    {EvidenceCode::distinguishedByPath, "told-apart-by-course",
      words("drawn as one loop and told apart by its course")},
     {EvidenceCode::namedByLegend, "named-by-legend", words("named by the legend")},
     {EvidenceCode::pressAboveRelease, "press-above-release",
@@ -49,7 +49,7 @@ constexpr Wording<EvidenceCode> evidenceWords[] = {
     {EvidenceCode::widenedToNumbers, "widened-to-numbers", words("widened to where its numbers end")},
     {EvidenceCode::nameNearly, "name-nearly",
      words("no name is \"%1\", one that was read as \"%2\" is near to it")},
-    {EvidenceCode::footUnderAnother, "foot-under-another",
+    {EvidenceCode::startUnderAnother, "foot-under-another",
      words("a stroke's foot lies under another curve and is taken from that")},
     {EvidenceCode::unitsOfHeading, "units-of-heading", words("only the heading names the units: \"%1\"")}};
 
@@ -63,7 +63,7 @@ constexpr Wording<DoubtCode> doubtWords[] = {
      words("the %1 numbers along it make no even progression")},
     {DoubtCode::ratherADrawing, "rather-a-drawing",
      words("this is more likely a drawing than a force graph (%1)")},
-    {DoubtCode::doesNotLookLikeOne, "does-not-look-like-one",
+    {DoubtCode::resemblesNoLoop, "does-not-look-like-one",
      words("what can be followed in this ink does not look like a force curve (confidence %1)")},
     {DoubtCode::tooManyCurves, "too-many-curves",
      words("%1 curves, and which two belong together is not clear: %2")},
@@ -92,8 +92,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
     {DoubtCode::belowTheAxis, "below-the-axis",
      words("the force axis begins at %1 and a curve goes below it")},
     {DoubtCode::otherScale, "other-scale", words("a second scale on the right measures something else")},
-    {DoubtCode::inkLeftOver, "ink-left-over", words("ink like a curve's is left over around %1, %2")},
-    {DoubtCode::curveWithoutInk, "curve-without-ink", words("a curve runs over bare paper around %1, %2")},
+    {DoubtCode::curveLeftOver, "ink-left-over", words("ink like a curve's is left over around %1, %2")},
+    {DoubtCode::curveOverPaper, "curve-without-ink", words("a curve runs over bare paper around %1, %2")},
     {DoubtCode::readingsDiffer, "readings-differ",
      words("two readings of the page differ: a travel of %1, and a travel of %2 where it is looked at in "
            "another size")},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the steps of an import say of their work: from what something was concluded, what is in doubt, what a person
-// should know. Codes with values; the words are made at the edges, English patterns stand in findings.cpp.
+// Findings of an import's steps: evidence, doubts and remarks, each a code with values. Programs word them;
+// findings.cpp has the English patterns.
 
 #include <string>
 #include <string_view>
@@ -26,7 +26,7 @@ enum class EvidenceCode {
   labelsAroundBox,      ///< labels below, labels beside a rectangle of lines
   axisGiven,            ///< axis
   labelsInProgression,  ///< axis, labels in it, numbers read, ticks
-  toldApartByCourse,    ///< both strokes are drawn as one loop
+  distinguishedByPath,  ///< both strokes are drawn as one loop
   namedByLegend,
   pressAboveRelease,  ///< share of where they differ
   oneHigherForce,
@@ -35,11 +35,11 @@ enum class EvidenceCode {
   pressAloneThoughNamedRelease,
   releaseNamedNotSeen,
   exchangedByHand,
-  numbersAlone,      ///< numbers in a row, numbers in a column; no rectangle of lines
-  widenedToNumbers,  ///< the labels count on beyond the rectangle of lines
-  nameNearly,        ///< asked for, read
-  footUnderAnother,  ///< a stroke's foot lies under another curve and runs down with that
-  unitsOfHeading     ///< what stands above the plot and names units that an axis does not
+  numbersAlone,       ///< numbers in a row, numbers in a column; no rectangle of lines
+  widenedToNumbers,   ///< the labels count on beyond the rectangle of lines
+  nameNearly,         ///< requested name, name read
+  startUnderAnother,  ///< a stroke's start is hidden by another curve and is assumed to fall with it
+  unitsOfHeading      ///< what stands above the plot and names units that an axis does not
 };
 
 struct EvidenceItem {
@@ -52,19 +52,19 @@ std::string_view nameOf(EvidenceCode code);
 Message messageOf(const EvidenceItem& evidence);
 std::vector<Message> messagesOf(const std::vector<EvidenceItem>& evidence);
 
-/// What is not certain.
+/// A reason why the result may be wrong.
 enum class DoubtCode {
-  axesUncertain,       ///< messages of their evidence
-  curvesUncertain,     ///< messages of their evidence
-  pointsMakeNoCurve,   ///< distance of the fit from the points, px
-  valueContradicts,    ///< message of the printed value
-  rangeUnreadable,     ///< numbers along the axis that make no even progression
-  ratherADrawing,      ///< messages of the axes' evidence
-  doesNotLookLikeOne,  ///< confidence of the curves, 0..1
-  tooManyCurves,       ///< how many, their colours and names
-  severalSwitches,     ///< how many, their numbers, names and colours
-  strokesAlike,        ///< colours of the two
-  releaseAbovePress,   ///< share of their travel
+  axesUncertain,      ///< messages of their evidence
+  curvesUncertain,    ///< messages of their evidence
+  pointsMakeNoCurve,  ///< distance of the fit from the points, px
+  valueContradicts,   ///< message of the printed value
+  rangeUnreadable,    ///< numbers along the axis that make no even progression
+  ratherADrawing,     ///< messages of the axes' evidence
+  resemblesNoLoop,    ///< confidence of the curves, 0..1
+  tooManyCurves,      ///< how many, their colours and names
+  severalSwitches,    ///< how many, their numbers, names and colours
+  strokesAlike,       ///< colours of the two
+  releaseAbovePress,  ///< share of their travel
   // what no step sees alone, docs/develop/decisions/0805-doubts.md
   unitMissing,        ///< axis, unit that would be taken
   otherQuantity,      ///< axis, what it measures as printed
@@ -80,8 +80,8 @@ enum class DoubtCode {
   leavesThePlot,  ///< force at the edge that it goes on beyond, N
   belowTheAxis,   ///< force at which the axis begins, N
   otherScale,
-  inkLeftOver,       ///< travel and force at the middle of it, mm and N
-  curveWithoutInk,   ///< the same
+  curveLeftOver,     ///< travel and force at the middle of it, mm and N
+  curveOverPaper,    ///< the same
   readingsDiffer,    ///< messages: the button as read first, as read a second time
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover
@@ -106,7 +106,7 @@ Message messageOf(const Doubt& doubt);
 /// notCertain, with the doubt's code as its reason.
 Failure failureOf(const Doubt& doubt, Subject subject = {}, Message place = {});
 
-/// What a person should know of an import although it came through.
+/// A fact about a successful import that the user should know.
 enum class RemarkCode {
   imagesUndecoded,  ///< page, images of the document
   pageUnreadable,   ///< page, what is wrong with it
@@ -134,7 +134,7 @@ enum class RemarkCode {
   doubted,                ///< message of a doubt that is too small to refuse
   printedValueDiffers,    ///< message of the comparison
   // levels that read twice, limits on time
-  secondReadingTaken,  ///< message: what the first look read, or why it read nothing
+  secondReadingTaken,  ///< message: result of the first reading, or why it failed
   endedByTimeLimit,    ///< seconds
   // what the page shows beyond what was read
   operatingPointNotPlaced,  ///< the plot names one

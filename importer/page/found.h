@@ -9,7 +9,7 @@
 
 namespace detent::importer {
 
-/// Something the importer concluded or was told. `confidence` 0..1; given values have 1.
+/// A value that the importer found or the user gave. `confidence` 0..1; given values have 1.
 template <class T>
 struct Found {
   T value{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What programs save as .svgz: an SVG in a gzip file. Private to importer/page.
+// Unpacks .svgz: an SVG in a gzip file. Private to importer/page.
 
 #include <optional>
 #include <span>
@@ -11,7 +11,8 @@ namespace detent::importer {
 /// Any bytes.
 bool isGzip(std::span<const unsigned char> bytes);
 
-/// The content of a gzip file; nothing where it is damaged, cut off, or larger than `most_bytes` when unpacked.
+/// The content of a gzip file; nothing where it is damaged, cut off, or larger than `most_bytes` when
+/// unpacked.
 std::optional<std::vector<unsigned char>> gunzip(std::span<const unsigned char> bytes,
                                                  std::size_t most_bytes);
 

@@ -16,8 +16,9 @@ constexpr int kReach_blocks = kSmooth_blocks + kAround_blocks;
 constexpr int kBand_blocks = 128;          // rows of blocks at a time, for the memory's sake
 constexpr float kBrightNoise_levels2 = 4;  // variance that rounding and coding leave on even paper
 constexpr float kColourNoise_levels2 = 1;  // the same of colour: what varies less needs no explanation
-/// Of a block's colour that brightness does not tell, the share kept. Coding blurs colour, so most is dropped where brightness
-/// explains all around; where it leaves a third unexplained two inks meet, and all is kept.
+/// Share of a block's colour that is kept although brightness does not explain it. Coding blurs colour, so
+/// most is dropped where brightness explains the surroundings. If a third is unexplained, two colours meet
+/// and all is kept.
 constexpr float kKeptAlways = 0.3F, kKeptPerUnexplained = 2;
 constexpr float kGrey_levels = 2;  // Cb and Cr of a band without colour
 
@@ -93,7 +94,8 @@ class HalfColour {
   }
 
  private:
-  /// Values of the block rows from..to; those the last band had are taken from it, for its pixels are painted by now.
+  /// Values of the block rows from..to; those the last band had are taken from it, for its pixels are painted
+  /// by now.
   void read(int from, int to) {
     Stored fresh(across_, to - from);
     const int known = std::clamp(from_ + stored_.bright.rows - from, 0, to - from);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether a view shows the page as in a mirror (importer/rising_axes.h makes such ones, of pages that were not turned). Any thread.
+// Tells mirrored views of a page from others; importer/rising_axes.h makes mirrored ones. Any thread.
 
 #include "importer/page/raster.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-// What fz_register_document_handlers() would add besides (books, web pages, archives) is neither offered nor linked.
+// Only these handlers are registered: books, web pages and archives are not offered and not linked.
 extern "C" fz_document_handler pdf_document_handler;
 
 namespace detent::importer {

@@ -14,7 +14,7 @@ namespace detent::importer {
 /// One MuPDF context with a bound on its memory; silent. Not copyable: MuPDF keeps a pointer into it.
 class MupdfContext {
  public:
-  /// `maxBytes`: allocations beyond this total fail (and become an error of the call that asked).
+  /// `maxBytes`: allocations beyond this total fail (as an error of the call that allocates).
   explicit MupdfContext(std::size_t maxBytes);
   ~MupdfContext();
   MupdfContext(const MupdfContext&) = delete;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which fonts of MuPDF's library the programs carry. The functions at the end are MuPDF's own (mupdf/fitz/font.h); the linker takes these
-// definitions and leaves out the library's, with a table of 40 MB of fonts for every script ever written. Kept are the fourteen of
-// PDF, one for Chinese, Japanese and Korean, and those of the scripts and symbols datasheets are printed in. They are drawn where
-// a page does not bring its font; texts are read without them (docs/develop/decisions/0009-contents-of-the-package.md). Any thread.
+// Which fonts of MuPDF's library the programs carry. The functions at the end are MuPDF's own
+// (mupdf/fitz/font.h); the linker takes these definitions and leaves out the library's, with a table of 40 MB
+// of fonts for every script ever written. Kept are the fourteen of PDF, one for Chinese, Japanese and Korean,
+// and those of the scripts and symbols datasheets are printed in. They are drawn where a page does not bring
+// its font; texts are read without them (docs/develop/decisions/0009-contents-of-the-package.md). Any thread.
 
 #include <map>
 #include <string_view>
@@ -91,7 +92,7 @@ const unsigned char* fz_lookup_base14_font(fz_context*, const char* name, int* s
   return EmbeddedFont{}.bytes(size);
 }
 
-/// By family: asked for HTML alone, which is not read here.
+/// By family: MuPDF calls this for HTML only, which is not read here.
 const unsigned char* fz_lookup_builtin_font(fz_context*, const char*, int, int, int* size) {
   return EmbeddedFont{}.bytes(size);
 }

@@ -19,7 +19,8 @@ namespace detent::importer {
 namespace {
 
 constexpr double overviewDpi = 150;  // enough for labels of 5 pt
-/// Points up and down of one object that are drawn in a second at the least, from lines over the whole page: 1.5e7 took 13 s.
+/// Points up and down of one object that are drawn in a second at the least, from lines over the whole page:
+/// 1.5e7 took 13 s.
 constexpr double risePerSecond = 2.5e5;
 constexpr double overviewMaxSide_px = 2000;
 constexpr int letterContrast = 60;        // levels, in the box of a letter that is seen
@@ -327,7 +328,7 @@ int contrastIn(const Raster& picture, const Box& box) {
   return most;
 }
 
-/// Returns true if nobody sees a stroked line: it has the colour of its ground, or is blended into it.
+/// Returns true if a stroked line is invisible: it has its background's colour or is blended into it.
 bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPicture) {
   constexpr int leastContrast = 2, seenForSure = 32;  // levels: thin grey lines are seen; samples
   constexpr double leastSeen = 0.2;                   // of the samples: unseen lines cross seen ones

@@ -47,7 +47,7 @@ struct PlacedImage {
   int width_px = 0, height_px = 0;  ///< its native size
 };
 
-/// What one page carries. Coordinates in page units.
+/// Content of one page. Coordinates in page units.
 struct Page {
   std::string source;  ///< file name without folder, for messages
   int number = 1, count = 1;

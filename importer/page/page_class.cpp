@@ -17,8 +17,8 @@ namespace {
 
 constexpr int tile_px = 8;
 
-// Of 255 levels. Drawn pictures, JPEGs among them, have neither grain nor uneven paper (0 in 150 of 150 pictures of the
-// corpus); scans of it have 2 to 28 and 8 to 11, photos 6 to 12 and 64 to 104.
+// Of 255 levels. Drawn pictures, JPEGs among them, have neither grain nor uneven paper (0 in 150 of 150
+// pictures of the corpus); scans of it have 2 to 28 and 8 to 11, photos 6 to 12 and 64 to 104.
 constexpr int leastGrain = 2, leastUneven = 4, unevenOfPhoto = 25;
 constexpr int nearPaper = 60;
 
@@ -53,11 +53,11 @@ std::vector<Tile> tilesOf(const Raster& raster) {
   return tiles;
 }
 
-/// Ink and paper and hardly a level between them: what a fax or a scanner set to text leaves.
+/// Returns true if almost all pixels are black or white, as from a fax or a scanner in text mode.
 bool isBilevel(const Raster& raster) {
-  constexpr double mostBetween_share = 0.001, leastInk_share = 0.002;
+  constexpr double mostBetween_share = 0.001, leastDark_share = 0.002;
   const double all = static_cast<double>(raster.width_px) * raster.height_px;
-  std::size_t between = 0, ink = 0;
+  std::size_t between = 0, dark = 0;
   for (int y = 0; y < raster.height_px; ++y) {
     if (static_cast<double>(between) >= mostBetween_share * all) return false;
     for (int x = 0; x < raster.width_px; ++x) {
@@ -65,15 +65,15 @@ bool isBilevel(const Raster& raster) {
       const auto [low, high] = std::minmax({p[0], p[1], p[2]});
       between += low > 16 && high < 239;
       between += high - low > 64;  // a colour is neither
-      ink += high <= 16;
+      dark += high <= 16;
     }
   }
-  return static_cast<double>(between)<mostBetween_share * all&& static_cast<double>(ink)> leastInk_share *
+  return static_cast<double>(between)<mostBetween_share * all&& static_cast<double>(dark)> leastDark_share *
          all;
 }
 
-/// Whether the paper is exactly one of a few levels where nothing is drawn, as programs fill windows and plots; light and paper
-/// never are.
+/// Returns true if undrawn paper has exactly one of a few levels, as programs fill windows and plots. Scanned
+/// or photographed paper varies.
 bool isFilledEvenly(const std::vector<Tile>& paper) {
   constexpr std::size_t mostLevels = 3, fewestTiles = 50;
   constexpr double leastBare = 0.6, leastShare = 0.95;  // of the tiles, of those that nothing is drawn in

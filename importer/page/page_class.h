@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a page came to be, as far as it shows: what a confidence is worth was counted for each kind apart
-// (docs/measurements/import-confidence.md).
+// Origin of a page (drawn, scanned, photographed), as its pixels show it. Confidences were calibrated for
+// each class (docs/measurements/import-confidence.md).
 
 #include <string_view>
 
@@ -19,7 +19,7 @@ enum class PageClass {
 /// "vector", "picture", "scan", "photo".
 std::string_view nameOf(PageClass pageClass);
 
-/// What the pixels say, so never `vector`; a picture too small to tell is a `picture`.
+/// The class by the pixels alone, so never `vector`; `picture` if the picture is too small to decide.
 PageClass classOfPixels(const Raster& raster);
 
 }  // namespace detent::importer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a Document stands on: pictures on one side, PDF and SVG on the other. Private to importer/page.
+// Interface to the two kinds of files behind a Document: pictures, and PDF or SVG. Private to importer/page.
 
 #include <memory>
 #include <string>
@@ -26,7 +26,7 @@ class PageSource {
                                 const Progress& progress) = 0;
 };
 
-/// What openers are given.
+/// The file that an opener receives.
 struct SourceFile {
   std::shared_ptr<const Bytes> bytes;
   std::string name;

@@ -198,8 +198,8 @@ PictureHeader pngHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
-/// Where the compressed scan that begins at `at` ends: at the next marker that is not a restart and no stuffed
-/// 0xFF.
+/// Where the compressed scan that begins at `at` ends: at the next marker that is not a restart and no
+/// stuffed 0xFF.
 std::size_t endOfScan(const ByteReader& in, std::size_t at) {
   for (; at + 1 < in.size(); ++at) {
     if (in.u8(at) != 0xff) continue;
@@ -305,8 +305,9 @@ PictureHeader webpHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
-/// The root element may have a prefix and follow an XML declaration, a comment and a document type with entities.
-bool looksLikeSvg(std::span<const unsigned char> bytes) {
+/// The root element may have a prefix and follow an XML declaration, a comment and a document type with
+/// entities.
+bool isProbablySvg(std::span<const unsigned char> bytes) {
   constexpr std::size_t most = 65536;
   std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), most)));
   const bool utf16 = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
@@ -351,7 +352,7 @@ FileKind sniffFileKind(std::span<const unsigned char> bytes) {
   const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
                               std::min<std::size_t>(bytes.size(), 1024));
   if (head.find("%PDF-") != std::string_view::npos) return FileKind::pdf;
-  if (looksLikeSvg(bytes)) return FileKind::svg;
+  if (isProbablySvg(bytes)) return FileKind::svg;
   return foreignKind(in);
 }
 

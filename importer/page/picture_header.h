@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a picture file says about itself before a single pixel is decoded;
+// Size and format of a picture file, read before any pixel is decoded;
 // docs/develop/decisions/0301-input-limits.md. Private to importer/page.
 
 #include <optional>

@@ -13,10 +13,11 @@
 namespace detent::importer {
 namespace {
 
-/// No plot is drawn finer: 16 million pixels are four times what a page of A4 has at 300 dpi across its width.
+/// No plot is drawn finer: 16 million pixels are four times what a page of A4 has at 300 dpi across its
+/// width.
 constexpr double mostPixels = 16e6;
 
-/// How many pixels are averaged into one, to a side.
+/// Side of the square of pixels that is averaged into one pixel, in px.
 int reductionOf(int width_px, int height_px) {
   const double pixels = static_cast<double>(width_px) * height_px;
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / mostPixels))));
@@ -117,7 +118,8 @@ class PictureSource : public PageSource {
     Raster raster;
   };
 
-  /// The picture as stored: the page's own, or of a large one what was kept, decoded again if another took its place.
+  /// The picture as stored: the page's own, or of a large one what was kept, decoded again if another took
+  /// its place.
   Result<const Raster*> pixelsOf(const Page& page) {
     if (page.overviewToPage == Affine{}) return &page.overview;
     if (large_.page != page.number)

@@ -20,7 +20,7 @@ std::vector<double> arcOf(const Polyline& line) {
   return arc;
 }
 
-double footOn(Point a, Point b, Point p) {
+double projectionOn(Point a, Point b, Point p) {
   const double squared = dot(b - a, b - a);
   return squared > 0 ? std::clamp(dot(p - a, b - a) / squared, 0.0, 1.0) : 0;
 }
@@ -28,8 +28,8 @@ double footOn(Point a, Point b, Point p) {
 Point nearestOn(const Polyline& line, Point p) {
   Point best = line[0];
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const Point a = line[i - 1], b = line[i], foot = a + footOn(a, b, p) * (b - a);
-    if (distance(p, foot) < distance(p, best)) best = foot;
+    const Point a = line[i - 1], b = line[i], nearest = a + projectionOn(a, b, p) * (b - a);
+    if (distance(p, nearest) < distance(p, best)) best = nearest;
   }
   return best;
 }

@@ -19,7 +19,7 @@ double lengthOf(const Polyline& line);
 std::vector<double> arcOf(const Polyline& line);
 
 /// Where segment a-b comes nearest to p, 0 (at a) .. 1 (at b).
-double footOn(Point a, Point b, Point p);
+double projectionOn(Point a, Point b, Point p);
 
 /// The point of the line nearest to p; the line has at least one.
 Point nearestOn(const Polyline& line, Point p);

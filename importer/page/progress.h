@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How long work says where it is and learns that it should stop.
+// Progress reports of long work, and requests to stop it.
 
 #include <functional>
 #include <string_view>

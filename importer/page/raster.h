@@ -97,7 +97,7 @@ struct Homography {
   /// The upright box around a box under this map.
   Box boxOf(const Box& box) const;
   bool isAffine() const { return m[6] == 0 && m[7] == 0; }
-  /// How many times longer a step from `p` becomes, mean of all directions.
+  /// Local scale factor at `p`, mean of all directions.
   double scaleAt(Point p) const;
   friend bool operator==(const Homography&, const Homography&) = default;
 };

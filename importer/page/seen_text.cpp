@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "importer/page/polyline.h"
-#include "importer/page/same_ink.h"
+#include "importer/page/same_colour.h"
 
 namespace detent::importer {
 

@@ -10,7 +10,7 @@ namespace detent::importer {
 
 RunStop runStoppable(fz_cookie& cookie, double endAt_s, const Progress& progress,
                      const std::function<void()>& work) {
-  constexpr std::chrono::milliseconds askedEvery{20};
+  constexpr std::chrono::milliseconds pollEvery{20};
   if (progress.isCancelled()) return RunStop::cancelled;
   std::promise<void> promise;
   const std::future<void> ended = promise.get_future();
@@ -19,7 +19,7 @@ RunStop runStoppable(fz_cookie& cookie, double endAt_s, const Progress& progress
     promise.set_value();
   });
   RunStop stop = RunStop::none;
-  while (ended.wait_for(askedEvery) != std::future_status::ready) {
+  while (ended.wait_for(pollEvery) != std::future_status::ready) {
     if (stop != RunStop::none) continue;
     if (progress.isCancelled())
       stop = RunStop::cancelled;

@@ -16,10 +16,10 @@ inline double processorSeconds() { return static_cast<double>(std::clock()) / CL
 
 enum class RunStop { none, cancelled, tooSlow };
 
-/// Does `work` on a thread of its own, while the calling one asks `progress` (first of all) and the clock, and returns when it has ended.
-/// `work` passes `cookie` to MuPDF, which ends at the next object of the page once it is told to abort; it must not throw.
-/// `endAt_s`: of processorSeconds(). The fault `std::system_error`:
-/// the machine gives no thread.
+/// Runs `work` on its own thread and returns when it has ended. Meanwhile the calling thread polls `progress`
+/// (first of all) and the clock. `work` passes `cookie` to MuPDF, which stops at the next object of the page
+/// after an abort; it must not throw. `endAt_s`: of processorSeconds(). Throws std::system_error if no thread
+/// can be started.
 RunStop runStoppable(fz_cookie& cookie, double endAt_s, const Progress& progress,
                      const std::function<void()>& work);
 

@@ -53,9 +53,9 @@ Json curvesJson(const std::vector<PlotSwitch>& switches) {
   return curves;
 }
 
-Json readingsJson(const std::vector<PageLook>& readings) {
+Json readingsJson(const std::vector<ReadingSummary>& readings) {
   Json all = Json::array();
-  for (const PageLook& pageReading : readings) {
+  for (const ReadingSummary& pageReading : readings) {
     Json each = {{"magnification", pageReading.magnification},
                  {"confidence", pageReading.confidence},
                  {"taken", pageReading.taken}};
@@ -123,7 +123,7 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   if (report.pageClass) json["page_class"] = nameOf(*report.pageClass);
   json["seconds"] = Json::object();
   for (const auto& [step, seconds] : report.seconds) json["seconds"][std::string(nameOf(step))] = seconds;
-  if (!report.looks.empty()) json["looks"] = readingsJson(report.looks);
+  if (!report.readings.empty()) json["looks"] = readingsJson(report.readings);
   if (report.endedByTimeLimit) json["ended_by_time_limit"] = true;
   addRemarks(json, report.remarks);
   if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);

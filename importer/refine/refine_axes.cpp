@@ -127,8 +127,8 @@ class SheetProblem {
     return cost_;
   }
 
-  int places() const { return static_cast<int>(lineOf_.size()); }
-  double rms_px(double cost) const { return std::sqrt(2 * cost / std::max(1, places())); }
+  int places_() const { return static_cast<int>(lineOf_.size()); }
+  double rms_px(double cost) const { return std::sqrt(2 * cost / std::max(1, places_())); }
   const SheetUnknowns& unknowns() const { return unknowns_; }
   void setUnknowns(const SheetUnknowns& unknowns) { unknowns_.at = unknowns.at; }
 
@@ -208,13 +208,14 @@ SheetCovariance SheetProblem::covariance(int lines) {
     for (int k = jacobian.rows[static_cast<std::size_t>(row)];
          k < jacobian.rows[static_cast<std::size_t>(row) + 1]; ++k)
       j(row, jacobian.cols[static_cast<std::size_t>(k)]) = jacobian.values[static_cast<std::size_t>(k)];
-  const double perError = std::max(placesPerError({residuals.begin(), residuals.begin() + places()}, lineOf_),
-                                   double(places()) / (placesPerLine * std::max(1, lines)));
+  const double perError =
+      std::max(placesPerError({residuals.begin(), residuals.begin() + places_()}, lineOf_),
+               double(places_()) / (placesPerLine * std::max(1, lines)));
   double sum = 0;
   for (const double r : residuals) sum += r * r;
-  const double independent = std::max(places() / perError, 1.0);
+  const double independent = std::max(places_() / perError, 1.0);
   const double variance =
-      sum / places() * perError * independent / std::max(1.0, independent - static_cast<double>(j.cols()));
+      sum / places_() * perError * independent / std::max(1.0, independent - static_cast<double>(j.cols()));
   const Eigen::MatrixXd all =
       variance * (j.transpose() * j).completeOrthogonalDecomposition().pseudoInverse();
   for (std::size_t r = 0; r < at.size(); ++r)
@@ -285,7 +286,7 @@ std::optional<RefinedAxes> refineAxes(const PageView& view, const PlotFrame& fra
   RefinedAxes refined;
   refined.calibration = calibration;
   refined.lines = static_cast<int>(lines.size());
-  refined.places = problem.places();
+  refined.places_ = problem.places_();
   const double asRead = problem.solve(SheetShape::asRead);
   const SheetUnknowns unknownsAsRead = problem.unknowns();
   const double tilted = problem.solve(SheetShape::tilted);

@@ -39,7 +39,7 @@ using SheetCovariance = std::array<std::array<double, SheetUnknowns::count>, She
 struct RefinedAxes {
   AxisCalibration calibration;
   SheetShape shape = SheetShape::asRead;
-  int lines = 0, places = 0;  ///< seen
+  int lines = 0, places_ = 0;  ///< seen
   /// Rms distance of the places from their lines, large ones held down (Huber, 1 px), with the axes as read
   /// and as they are now.
   double before_px = 0, after_px = 0;

@@ -144,7 +144,7 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
     const bool firstIsPress = ofFirst ? *ofFirst == Stroke::press : *ofSecond == Stroke::release;
     verdict.add(firstIsPress ? odds : -odds, {source});
   };
-  vote(first.stroke, second.stroke, 5, EvidenceCode::toldApartByCourse);
+  vote(first.stroke, second.stroke, 5, EvidenceCode::distinguishedByPath);
   vote(strokeNamedBy(first.label), strokeNamedBy(second.label), 5, EvidenceCode::namedByLegend);
   const double apart = c.above + c.below;
   if (apart > 0.02) {
@@ -599,7 +599,7 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     for (const std::size_t t : other.traces)
       for (CurveTrace& stroke : strokes)
         if (&other != &switches[*chosen]) led = leadDownUnder(stroke, traces[t]) || led;
-  if (led) assumed.push_back({EvidenceCode::footUnderAnother});
+  if (led) assumed.push_back({EvidenceCode::startUnderAnother});
   if (strokes.size() == 2 && strokes[0].color != strokes[1].color && !leadUpUnder(strokes[0], strokes[1]))
     leadUpUnder(strokes[1], strokes[0]);
   for (const PlotSwitch& other : switches)

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "importer/page/drawn_words.h"
-#include "importer/page/same_ink.h"
+#include "importer/page/same_colour.h"
 
 namespace detent::importer {
 namespace {
@@ -35,7 +35,7 @@ Rgb paperOf(const Raster& picture) {
 }
 
 /// Distance of each pixel from the paper, colour levels.
-cv::Mat inkOf(const Raster& picture) {
+cv::Mat darkMaskOf(const Raster& picture) {
   const Rgb paper = paperOf(picture);
   cv::Mat marks(picture.height_px, picture.width_px, CV_32F);
   for (int y = 0; y < marks.rows; ++y)
@@ -99,7 +99,7 @@ std::optional<int> columnsTo(const PlotSwitch& plotSwitch, const std::vector<Cur
     for (int y = static_cast<int>(word.middle().y - band * word.height());
          y <= static_cast<int>(word.middle().y + band * word.height()); ++y)
       for (const std::size_t t : plotSwitch.traces)
-        if (isInkOf(picture, traces[t].color, x, y)) return true;
+        if (hasColour(picture, traces[t].color, x, y)) return true;
     return false;
   };
   for (int by = 2; by <= most; ++by)
@@ -146,9 +146,9 @@ std::optional<std::size_t> switchSpotted(const std::vector<PlotSwitch>& switches
   if (isAscii(requested) || switches.size() < 2 || picture.empty()) return {};
   const auto drawn = wordsDrawn(requested, drawn_px);
   if (!drawn) return {};
-  const cv::Mat name = cutToMarks(inkOf(*drawn));
+  const cv::Mat name = cutToMarks(darkMaskOf(*drawn));
   if (name.empty()) return {};
-  const std::vector<Place> positions = placesOf(name, inkOf(picture));
+  const std::vector<Place> positions = placesOf(name, darkMaskOf(picture));
   // A legend says a switch's name once for each of its strokes.
   std::optional<std::size_t> found;
   for (const Place& place : positions) {

@@ -170,7 +170,7 @@ class LineDrawing {
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
         const Point p{static_cast<double>(x), static_cast<double>(y)};
-        const float value = static_cast<float>(profile.at(distance(p, a + footOn(a, b, p) * (b - a))));
+        const float value = static_cast<float>(profile.at(distance(p, a + projectionOn(a, b, p) * (b - a))));
         const std::size_t k = plane_.index(x, y);
         if (value <= plane_.values[k]) continue;
         if (plane_.values[k] == 0) touched_.push_back(k);

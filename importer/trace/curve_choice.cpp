@@ -6,9 +6,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "importer/page/ink_pieces.h"
+#include "importer/page/pixel_components.h"
+#include "importer/trace/colour_shades.h"
 #include "importer/trace/dashes.h"
-#include "importer/trace/ink_shades.h"
 
 namespace detent::importer::trace {
 
@@ -64,16 +64,16 @@ double inkedColumns(const Plane& plane) {
 }
 
 /// Share of a curve's path that runs within some widths of another one's and some pooled pixels more.
-double shareAlong(const PlotInks& plot, const CurveInk& curve, const CurveInk& other, double widths,
+double shareAlong(const PlotColours& plot, const CurveColour& curve, const CurveColour& other, double widths,
                   double more_px) {
   const Plane& area = plot.coverage.unknown;
   Plane near((area.width - 1) / curve.pooling + 1, (area.height - 1) / curve.pooling + 1);
-  forPixelsNear(near, other.course.points, widths * other.thickness_px / other.pooling + more_px,
+  forPixelsNear(near, other.path.points, widths * other.thickness_px / other.pooling + more_px,
                 [&](int x, int y) { near.at(x, y) = 1; });
   double inside = 0;
-  for (Point p : curve.course.points)
+  for (Point p : curve.path.points)
     inside += static_cast<double>(near.at(static_cast<int>(p.x), static_cast<int>(p.y)));
-  return inside / static_cast<double>(std::max<std::size_t>(1, curve.course.points.size()));
+  return inside / static_cast<double>(std::max<std::size_t>(1, curve.path.points.size()));
 }
 
 /// Returns true for a horizontal or vertical line: a marker line, an axis or a leader, never a force curve.
@@ -90,24 +90,24 @@ bool isStraight(const CoarseCurve& path, double thickness) {
 }
 
 /// Rightmost point of the path, in the area's pixels.
-Point tipOf(const CurveInk& curve) {
-  return static_cast<double>(curve.pooling) * *std::ranges::max_element(curve.course.points, {}, &Point::x);
+Point tipOf(const CurveColour& curve) {
+  return static_cast<double>(curve.pooling) * *std::ranges::max_element(curve.path.points, {}, &Point::x);
 }
 
 /// Returns true if a short curve ends where a long one does, like the release of a latching key. On a
 /// bottom-out, ends lie where a covering line leaves them visible. Leaders are straight.
-bool leadsBackFrom(const CurveInk& press, const CurveInk& other, const Box& frame) {
+bool leadsBackFrom(const CurveColour& press, const CurveColour& other, const Box& frame) {
   constexpr double near_px = 4, alongBottomOut = 0.08;  // of the frame's height
   const Point apart = tipOf(press) - tipOf(other);
   const double within_px = near_px + press.thickness_px + other.thickness_px;
   return std::abs(apart.x) <= within_px && std::abs(apart.y) <= within_px + alongBottomOut * frame.height() &&
-         !isStraight(other.course, other.thickness_px / other.pooling + 1);
+         !isStraight(other.path, other.thickness_px / other.pooling + 1);
 }
 
 Box scaled(const Box& box, double by) { return {box.x0 * by, box.y0 * by, box.x1 * by, box.y1 * by}; }
 
 /// Line thickness on the planes of the path search; pooling by maxima widens lines.
-double pooledThickness(const CurveInk& curve) {
+double pooledThickness(const CurveColour& curve) {
   return curve.thickness_px / curve.pooling + (curve.pooling > 1 ? 1 : 0);
 }
 
@@ -127,51 +127,52 @@ bool isCurve(const CoarseCurve& path, const Box& frame, double thickness, bool n
   if (!path.found() || path.span_px < options.minSpan * frame.width() ||
       path.gain_px < options.minSpan * frame.width())
     return false;
-  const bool drawsOthers = neutral && explained < options.ownInk;
-  if (path.inkShare < (drawsOthers ? options.minInkShareNeutral : options.minInkShare)) return false;
-  if (path.inkColumns_px < options.minOwnColumns * path.span_px) return false;
+  const bool drawsOthers = neutral && explained < options.minOwnShare;
+  if (path.coveredShare < (drawsOthers ? options.minCoveredShareNeutral : options.minCoveredShare))
+    return false;
+  if (path.coveredColumns_px < options.minOwnColumns * path.span_px) return false;
   return !isAxisParallel(path, thickness) && !(neutral && isStraight(path, thickness));
 }
 
 /// The best line on `search`, with its second strand measured on `full`; `explained`: share of the colour's
 /// pixels of both.
-void followColour(CurveInk& curve, const CurveField& search, const CurveField& full, const PlotInks& plot,
-                  double& explained) {
+void followColour(CurveColour& curve, const CurveField& search, const CurveField& full,
+                  const PlotColours& plot, double& explained) {
   const Box frame = scaled(plot.area().frame, 1.0 / curve.pooling);
   FollowOptions options;
   options.thickness_px = curve.thickness_px;  // pooling by maxima keeps full coverage on a ridge
-  curve.course = followCurve(pooledField(search, curve.pooling), frame, options);
+  curve.path = followCurve(pooledField(search, curve.pooling), frame, options);
   Plane own = pooled(full.own, curve.pooling);
   const double thickness = pooledThickness(curve), mass = massOf(own);
-  double accounted = eraseAlong(own, curve.course.points, thickness + 2);
+  double accounted = eraseAlong(own, curve.path.points, thickness + 2);
   // Coverage close to the line is markers, spikes and its own edges; coverage far from it is another line.
   Plane rest = own;
   clearLetters(rest, plot.scene.lettering().mask, full.own.width, curve.pooling);
-  eraseAlong(rest, curve.course.points, std::max(thickness + 2, plot.options.strandsApart * frame.height()));
-  curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.course.inkColumns_px);
+  eraseAlong(rest, curve.path.points, std::max(thickness + 2, plot.options.strandsApart * frame.height()));
+  curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.path.coveredColumns_px);
   if (curve.secondStrand > plot.options.secondStrand) accounted += massOf(own);
   explained = mass > 0 ? accounted / mass : 0;
 }
 
 /// The best line in a colour. Pieces are joined as dashes if the joined line then holds most of the colour.
-CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explained) {
+CurveColour bestLine(const PlotColours& plot, int index, bool neutral, double& explained) {
   std::vector<int> others;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k)
     if (k != index) others.push_back(k);
-  CurveInk curve;
-  curve.ink = index;
+  CurveColour curve;
+  curve.entryIndex = index;
   curve.neutral = neutral;
   curve.pooling = std::max(1, static_cast<int>(plot.area().frame.width() / 260));
   const CurveField full = fieldOf(plot, index, others);
   curve.thickness_px = lineThickness(full.own);
   followColour(curve, full, full, plot, explained);
-  if (curve.course.inkShare >= plot.options.solidInk) return curve;
+  if (curve.path.coveredShare >= plot.options.solidColour) return curve;
   const std::optional<CurveField> joined = dashesJoined(full);
   if (!joined) return curve;
-  CurveInk dashed = curve;
+  CurveColour dashed = curve;
   double ofDashes = 0;
   followColour(dashed, *joined, full, plot, ofDashes);
-  if (ofDashes < plot.options.ownInk || dashed.secondStrand > plot.options.secondStrand) return curve;
+  if (ofDashes < plot.options.minOwnShare || dashed.secondStrand > plot.options.secondStrand) return curve;
   dashed.dashed = true;
   explained = ofDashes;
   return dashed;
@@ -179,11 +180,11 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
 
 /// Returns true if the coverage is wider than any line: a tolerance band, or the area under a curve. A marker
 /// is as wide, but shorter.
-bool isFilledArea(const PlotInks& plot, int index) {
+bool isFilledArea(const PlotColours& plot, int index) {
   constexpr float kInked = 0.4F;  // coverage
   constexpr int kLeastWidth_px = 7;
   constexpr double kMarker = 0.08;  // of the frame's smaller side, at most
-  const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
+  const Plane& own = plot.coverage.planes[static_cast<std::size_t>(index)];
   const double side_px = std::min(plot.area().frame.width(), plot.area().frame.height());
   const int width_px = std::max(kLeastWidth_px, static_cast<int>(plot.options.fillWidth * side_px));
   const cv::Mat inked = matOf(own) > kInked;
@@ -199,27 +200,27 @@ bool isFilledArea(const PlotInks& plot, int index) {
   return filled > plot.options.fillShare * cv::countNonZero(inked);
 }
 
-std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
-  if (plot.ink(index).mass_px < 0.5 * plot.options.minSpan * plot.area().frame.width()) return {};
+std::optional<CurveColour> curveOf(const PlotColours& plot, int index, bool neutral) {
+  if (plot.entry(index).mass_px < 0.5 * plot.options.minSpan * plot.area().frame.width()) return {};
   if (isFilledArea(plot, index)) return {};
   double explained = 0;
-  CurveInk curve = bestLine(plot, index, neutral, explained);
+  CurveColour curve = bestLine(plot, index, neutral, explained);
   const Box frame = scaled(plot.area().frame, 1.0 / curve.pooling);
-  if (!isCurve(curve.course, frame, pooledThickness(curve), neutral, explained, plot.options) ||
+  if (!isCurve(curve.path, frame, pooledThickness(curve), neutral, explained, plot.options) ||
       explained < plot.options.minExplained)
     return {};
   return curve;
 }
 
-float hueCosine(const PlotInks& plot, const CurveInk& a, const CurveInk& b) {
-  return dot(plot.ink(a.ink).direction, plot.ink(b.ink).direction);
+float hueCosine(const PlotColours& plot, const CurveColour& a, const CurveColour& b) {
+  return dot(plot.entry(a.entryIndex).direction, plot.entry(b.entryIndex).direction);
 }
 
 constexpr float kSameHue = 0.95F;  // cosine between differences to the paper
 
 /// Share of the path over which two colours of one hue draw one line: shades of compressed colour, markers, a
 /// shadow; 0 otherwise.
-double sharedAsShades(const PlotInks& plot, const CurveInk& one, const CurveInk& other) {
+double sharedAsShades(const PlotColours& plot, const CurveColour& one, const CurveColour& other) {
   if (hueCosine(plot, one, other) <= kSameHue) return 0;
   const double along = shareAlong(plot, one, other, 0.5, 1);
   return along > plot.options.haloAlong ? along : 0;
@@ -227,30 +228,32 @@ double sharedAsShades(const PlotInks& plot, const CurveInk& one, const CurveInk&
 
 /// Merges shades of one line among more than two curves. Two curves are kept: strokes close together may
 /// share a hue.
-void joinShades(const PlotInks& plot, std::vector<CurveInk>& curves) {
+void joinShades(const PlotColours& plot, std::vector<CurveColour>& curves) {
   while (curves.size() > 2) {
     std::size_t from = 0, to = 0;
     double most = 0;
     for (std::size_t i = 0; i < curves.size(); ++i)
       for (std::size_t k = 0; k < curves.size(); ++k)
-        if (plot.ink(curves[i].ink).strength < plot.ink(curves[k].ink).strength)
+        if (plot.entry(curves[i].entryIndex).strength < plot.entry(curves[k].entryIndex).strength)
           if (const double shared = sharedAsShades(plot, curves[i], curves[k]); shared > most)
             most = shared, from = i, to = k;
     if (most <= 0) return;
-    CurveInk &shade = curves[from], &line = curves[to];
+    CurveColour &shade = curves[from], &line = curves[to];
     line.shades.insert(line.shades.end(), shade.shades.begin(), shade.shades.end());
-    line.shades.push_back(shade.ink);
+    line.shades.push_back(shade.entryIndex);
     curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(from));
   }
 }
 
 /// Returns true for a seam: edge pixels between two touching lines, whose path never leaves these lines, or
 /// the pale halo of half-resolution colour, which is as long as its line.
-bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<CurveInk>& stronger) {
-  const auto strengthOf = [&](const CurveInk& c) { return static_cast<double>(plot.ink(c.ink).strength); };
-  return std::any_of(stronger.begin(), stronger.end(), [&](const CurveInk& other) {
+bool isSeam(const PlotColours& plot, const CurveColour& curve, const std::vector<CurveColour>& stronger) {
+  const auto strengthOf = [&](const CurveColour& c) {
+    return static_cast<double>(plot.entry(c.entryIndex).strength);
+  };
+  return std::any_of(stronger.begin(), stronger.end(), [&](const CurveColour& other) {
     const double along = shareAlong(plot, curve, other, 1, 2);
-    const bool shorter = curve.course.gain_px < 0.6 * other.course.gain_px;
+    const bool shorter = curve.path.gain_px < 0.6 * other.path.gain_px;
     const bool tint = hueCosine(plot, curve, other) > kSameHue;
     const double most = tint ? plot.options.tintStrength : plot.options.haloStrength;
     const bool paler = strengthOf(curve) < most * strengthOf(other);
@@ -269,10 +272,10 @@ bool isMixtureOf(Color3 direction, Color3 u, Color3 v) {
 }
 
 /// Returns true if each curve ends elsewhere than all others, unlike the strokes of one switch.
-bool endApart(const std::vector<CurveInk>& curves) {
+bool endApart(const std::vector<CurveColour>& curves) {
   constexpr double clear = 0.1;  // of the longest one's travel
   double travel_px = 0;
-  for (const CurveInk& curve : curves) travel_px = std::max(travel_px, curve.pooling * curve.course.span_px);
+  for (const CurveColour& curve : curves) travel_px = std::max(travel_px, curve.pooling * curve.path.span_px);
   for (std::size_t i = 0; i < curves.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (std::abs(tipOf(curves[i]).x - tipOf(curves[j]).x) <= clear * travel_px) return false;
@@ -280,52 +283,53 @@ bool endApart(const std::vector<CurveInk>& curves) {
 }
 
 /// Returns true if the legend has a key of this colour.
-bool hasSample(const PlotInks& plot, int index) {
-  return std::ranges::any_of(plot.samples, [&](const LegendSample& sample) { return sample.ink == index; });
+bool hasSample(const PlotColours& plot, int index) {
+  return std::ranges::any_of(plot.samples,
+                             [&](const LegendSample& sample) { return sample.entryIndex == index; });
 }
 
 /// Returns true if a path ends higher than it begins, like a press.
-bool rises(const CurveInk& curve) {
-  const auto [left, right] = std::ranges::minmax(curve.course.points, {}, &Point::x);
+bool rises(const CurveColour& curve) {
+  const auto [left, right] = std::ranges::minmax(curve.path.points, {}, &Point::x);
   return right.y < left.y;
 }
 
 /// Returns true if a curve is long compared to the best one; leaders and callouts are much shorter.
-bool isLongBeside(const CurveInk& best, const CurveInk& curve) {
-  return curve.course.span_px >= 0.5 * best.course.span_px &&
-         curve.course.gain_px >= 0.4 * best.course.gain_px;
+bool isLongBeside(const CurveColour& best, const CurveColour& curve) {
+  return curve.path.span_px >= 0.5 * best.path.span_px && curve.path.gain_px >= 0.4 * best.path.gain_px;
 }
 
 /// Returns true if a rising line in the colour of frame and text is one more curve beside others.
-bool isOneMore(const PlotInks& plot, const std::vector<CurveInk>& curves, const CurveInk& curve) {
+bool isOneMore(const PlotColours& plot, const std::vector<CurveColour>& curves, const CurveColour& curve) {
   return isLongBeside(curves.front(), curve) && rises(curve) && !isSeam(plot, curve, curves);
 }
 
 /// Returns true if a solid line in its colour runs from the rest position of the other curves as far as they
 /// do: another switch. Gridlines, bands and marks of that colour begin elsewhere or leave more beside the
 /// line.
-bool isLineFromRest(const PlotInks& plot, const std::vector<CurveInk>& curves, const CurveInk& line) {
+bool isLineFromRest(const PlotColours& plot, const std::vector<CurveColour>& curves,
+                    const CurveColour& line) {
   constexpr double near = 0.03, leastTravel = 0.9;  // of the frame, each way; of the travel of the longest
   const Box& frame = plot.area().frame;
-  const auto startOf = [](const CurveInk& curve) {
-    return static_cast<double>(curve.pooling) * *std::ranges::min_element(curve.course.points, {}, &Point::x);
+  const auto startOf = [](const CurveColour& curve) {
+    return static_cast<double>(curve.pooling) * *std::ranges::min_element(curve.path.points, {}, &Point::x);
   };
   const Point start = startOf(line);
   double longest_px = 0;
   bool startsThere = false;
-  for (const CurveInk& curve : curves) {
+  for (const CurveColour& curve : curves) {
     const Point off = startOf(curve) - start;
     startsThere =
         startsThere || (std::abs(off.x) <= near * frame.width() && std::abs(off.y) <= near * frame.height());
-    longest_px = std::max(longest_px, curve.pooling * curve.course.span_px);
+    longest_px = std::max(longest_px, curve.pooling * curve.path.span_px);
   }
-  return startsThere && line.course.inkShare >= plot.options.solidInk &&
+  return startsThere && line.path.coveredShare >= plot.options.solidColour &&
          line.secondStrand <= plot.options.secondStrand &&
-         line.pooling * line.course.span_px >= leastTravel * longest_px;
+         line.pooling * line.path.span_px >= leastTravel * longest_px;
 }
 
 /// Discards faint colour on edges of letters (sub-pixel rendering) beside the colour of text.
-void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& curveColours,
+void disbelieveFringes(const PlotColours& plot, int index, const std::vector<int>& curveColours,
                        CurveField& field) {
   constexpr int kReach = 2;
   constexpr float kSolid = 0.6F, kBelieved = 0.85F;  // coverages
@@ -333,7 +337,7 @@ void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& 
     const bool isCurve =
         k == index || std::find(curveColours.begin(), curveColours.end(), k) != curveColours.end();
     if (isCurve || !isNeutral(plot, k)) continue;
-    const Plane& text = plot.coverage.ink[static_cast<std::size_t>(k)];
+    const Plane& text = plot.coverage.planes[static_cast<std::size_t>(k)];
     for (int y = 0; y < text.height; ++y)
       for (int x = 0; x < text.width; ++x) {
         if (text.at(x, y) < kSolid) continue;
@@ -349,12 +353,12 @@ std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const Plot
   if (text.rows.empty()) return samples;
   const Raster& r = scene.area().raster;
   Mask inked(text.mask.size());
-  for (std::size_t k = 0; k < coverage.ink.size(); ++k) {
+  for (std::size_t k = 0; k < coverage.planes.size(); ++k) {
     std::transform(
-        coverage.ink[k].values.begin(), coverage.ink[k].values.end(), text.mask.begin(), inked.begin(),
+        coverage.planes[k].values.begin(), coverage.planes[k].values.end(), text.mask.begin(), inked.begin(),
         [](float ownCoverage, std::uint8_t letter) { return ownCoverage > 0.25F && letter == 0 ? 1 : 0; });
     const auto width = static_cast<std::size_t>(r.width_px);
-    for (const InkPiece& piece : inkPiecesOf(inked.data(), r.width_px, r.height_px, width).all) {
+    for (const PixelComponent& piece : pixelComponentsOf(inked.data(), r.width_px, r.height_px, width).all) {
       const Box& box = piece.box;
       if (box.width() > 0.25 * scene.area().frame.width() || piece.area_px < 4) continue;
       for (const Box& row : text.rows) {
@@ -393,22 +397,22 @@ std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
 
 }  // namespace
 
-PlotInks::PlotInks(const PlotScene& itsScene, std::vector<Ink> itsPalette)
+PlotColours::PlotColours(const PlotScene& itsScene, std::vector<PaletteColour> itsPalette)
     : scene(itsScene),
       palette(std::move(itsPalette)),
       coverage(unmix(scene, palette)),
       samples(findLegendSamples(coverage, scene)) {
-  clearPlotLines(coverage.ink, palette, scene, legendBoxes(samples));
+  clearPlotLines(coverage.planes, palette, scene, legendBoxes(samples));
 }
 
-CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveColours) {
-  const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
+CurveField fieldOf(const PlotColours& plot, int index, const std::vector<int>& curveColours) {
+  const Plane& own = plot.coverage.planes[static_cast<std::size_t>(index)];
   CurveField field{own, Plane(own.width, own.height), plot.coverage.unknown, legendBoxes(plot.samples)};
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
     if (k == index) continue;
     const bool isCurve = std::find(curveColours.begin(), curveColours.end(), k) != curveColours.end();
     Plane& target = isCurve ? field.otherCurves : field.clutter;
-    const Plane& source = plot.coverage.ink[static_cast<std::size_t>(k)];
+    const Plane& source = plot.coverage.planes[static_cast<std::size_t>(k)];
     for (std::size_t i = 0; i < source.values.size(); ++i)
       target.values[i] = std::min(1.0F, target.values[i] + source.values[i]);
   }
@@ -452,28 +456,28 @@ CurveField besideDashesOnly(const CurveField& field) {
   return alone;
 }
 
-bool isNeutral(const PlotInks& plot, int index) {
-  const Ink& colour = plot.ink(index);
+bool isNeutral(const PlotColours& plot, int index) {
+  const PaletteColour& colour = plot.entry(index);
   const Color3 full = plot.scene.paper() + colour.difference();
   const float chroma = std::max({full.r, full.g, full.b}) - std::min({full.r, full.g, full.b});
   return chroma <= kGreyChroma || dot(colour.direction, plot.scene.lineDirection()) > 0.985F;
 }
 
-std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves) {
-  std::vector<Ink> palette;
+std::vector<PaletteColour> reducedPalette(const PlotColours& plot, std::vector<CurveColour>& curves) {
+  std::vector<PaletteColour> palette;
   std::vector<int> shades;
-  for (CurveInk& curve : curves) {
-    palette.push_back(plot.ink(curve.ink));
+  for (CurveColour& curve : curves) {
+    palette.push_back(plot.entry(curve.entryIndex));
     palette.back().isCurve = true;
     shades.insert(shades.end(), curve.shades.begin(), curve.shades.end());
-    curve.ink = static_cast<int>(palette.size()) - 1;
+    curve.entryIndex = static_cast<int>(palette.size()) - 1;
   }
   const std::size_t n = palette.size();
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const Ink& colour = plot.ink(k);
+    const PaletteColour& colour = plot.entry(k);
     const bool chosen =
         std::any_of(palette.begin(), palette.begin() + static_cast<std::ptrdiff_t>(n),
-                    [&](const Ink& c) { return dot(c.direction, colour.direction) > 0.999F; });
+                    [&](const PaletteColour& c) { return dot(c.direction, colour.direction) > 0.999F; });
     bool mixture = false;
     for (std::size_t i = 0; i < n && !mixture && !isNeutral(plot, k); ++i)
       for (std::size_t j = 0; j < i && !mixture; ++j)
@@ -484,8 +488,8 @@ std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& cur
   return palette;
 }
 
-std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
-  std::vector<CurveInk> found;
+std::vector<CurveColour> chooseCurveColours(const PlotColours& plot) {
+  std::vector<CurveColour> found;
   std::vector<int> neutral;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
     if (isNeutral(plot, k)) {
@@ -495,23 +499,25 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
     }
   }
   std::sort(found.begin(), found.end(),
-            [](const CurveInk& a, const CurveInk& b) { return a.course.gain_px > b.course.gain_px; });
-  const auto strength = [&](const CurveInk& curve) {
-    return static_cast<double>(plot.ink(curve.ink).strength);
+            [](const CurveColour& a, const CurveColour& b) { return a.path.gain_px > b.path.gain_px; });
+  const auto strength = [&](const CurveColour& curve) {
+    return static_cast<double>(plot.entry(curve.entryIndex).strength);
   };
-  std::vector<CurveInk> curves;
-  for (CurveInk& curve : found) {
+  std::vector<CurveColour> curves;
+  for (CurveColour& curve : found) {
     const bool faint =
         !curves.empty() && strength(curve) < plot.options.minStrength * strength(curves.front());
     if (faint) continue;  // shading of uneven paper
     const bool restOfSomething =
-        !curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px;
+        !curves.empty() && curve.path.gain_px < plot.options.minOfBest * curves.front().path.gain_px;
     if (restOfSomething && (curves.size() > 1 || !leadsBackFrom(curves.front(), curve, plot.area().frame)))
       continue;
     if (!isSeam(plot, curve, curves)) curves.push_back(std::move(curve));
   }
   joinShades(plot, curves);
-  const auto isLoop = [&](const CurveInk& curve) { return curve.secondStrand > plot.options.secondStrand; };
+  const auto isLoop = [&](const CurveColour& curve) {
+    return curve.secondStrand > plot.options.secondStrand;
+  };
   const bool lone = curves.size() == 1 && !isLoop(curves.front());
   // Loops are separate switches; one more may have the colour of the frame.
   const bool several = curves.size() > 1 && std::ranges::all_of(curves, isLoop);
@@ -534,33 +540,35 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   return curves;
 }
 
-std::vector<CurveInk> curvesInShades(const PlotInks& plot, int stronger, int paler) {
+std::vector<CurveColour> curvesInShades(const PlotColours& plot, int stronger, int paler) {
   const bool neutral = isNeutral(plot, stronger);
   auto strong = curveOf(plot, stronger, neutral), pale = curveOf(plot, paler, neutral);
-  const auto isLoop = [&](const CurveInk& curve) { return curve.secondStrand > plot.options.secondStrand; };
+  const auto isLoop = [&](const CurveColour& curve) {
+    return curve.secondStrand > plot.options.secondStrand;
+  };
   if (!strong || !pale || isLoop(*strong) || isLoop(*pale)) return {};
   if (!isLongBeside(*strong, *pale) || isSeam(plot, *pale, {*strong})) return {};
   return {std::move(*strong), std::move(*pale)};
 }
 
-std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop) {
+std::optional<CurveColour> neutralCurveBeside(const PlotColours& plot, const CurveColour& loop) {
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    if (k == loop.ink || !isNeutral(plot, k)) continue;
+    if (k == loop.entryIndex || !isNeutral(plot, k)) continue;
     auto curve = curveOf(plot, k, true);
     if (curve && isOneMore(plot, {loop}, *curve)) return curve;
   }
   return {};
 }
 
-std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& colours) {
-  std::vector<CurveInk> curves;
+std::vector<CurveColour> curvesOfColours(const PlotColours& plot, const std::vector<int>& colours) {
+  std::vector<CurveColour> curves;
   for (int colour : colours) {
-    const bool known =
-        std::any_of(curves.begin(), curves.end(), [&](const CurveInk& c) { return c.ink == colour; });
+    const bool known = std::any_of(curves.begin(), curves.end(),
+                                   [&](const CurveColour& c) { return c.entryIndex == colour; });
     if (colour < 0 || known) continue;
     double explained = 0;
-    CurveInk curve = bestLine(plot, colour, isNeutral(plot, colour), explained);
-    if (curve.course.found()) curves.push_back(std::move(curve));
+    CurveColour curve = bestLine(plot, colour, isNeutral(plot, colour), explained);
+    if (curve.path.found()) curves.push_back(std::move(curve));
   }
   return curves;
 }

@@ -6,16 +6,16 @@
 #include <optional>
 #include <vector>
 
+#include "importer/trace/colour_coverage.h"
 #include "importer/trace/follow_curve.h"
-#include "importer/trace/ink_coverage.h"
 
 namespace detent::importer::trace {
 
 /// A colour that draws a curve.
-struct CurveInk {
-  int ink = 0;           ///< index into the palette
+struct CurveColour {
+  int entryIndex = 0;    ///< index into the palette
   bool neutral = false;  ///< colour of text and frame
-  CoarseCurve course;    ///< on planes pooled by `pooling`
+  CoarseCurve path;      ///< on planes pooled by `pooling`
   int pooling = 1;
   double thickness_px = 1;
   bool dashed = false;      ///< found after joining its dashes, see dashesJoined
@@ -24,13 +24,13 @@ struct CurveInk {
 };
 
 struct CurveChoiceOptions {
-  double minSpan = 0.12;             ///< of the frame's width; shorter lines are no curves
-  double minInkShare = 0.5;          ///< of its visible path; dashes have about this share
-  double minInkShareNeutral = 0.85;  ///< the same in the colour of text and frame
-  double ownInk = 0.6;               ///< of that colour's pixels; a line with more owns the colour
+  double minSpan = 0.12;                 ///< of the frame's width; shorter lines are no curves
+  double minCoveredShare = 0.5;          ///< of its visible path; dashes have about this share
+  double minCoveredShareNeutral = 0.85;  ///< the same in the colour of text and frame
+  double minOwnShare = 0.6;              ///< of that colour's pixels; a line with more owns the colour
   /// Share of its visible path above which a line is solid, even after compression; dotted ones have 0.83 at
   /// most.
-  double solidInk = 0.9;
+  double solidColour = 0.9;
   double minOwnColumns = 0.4;  ///< of the spanned columns; the rest may be bridged
   double minExplained = 0.3;   ///< of the colour's pixels outside text and legend
   double minOfBest = 0.3;      ///< of the best curve's gain; less is a remainder of something else
@@ -49,28 +49,28 @@ struct CurveChoiceOptions {
 /// A legend key: a short horizontal line of one colour, isolated, beside a row of text.
 struct LegendSample {
   Box box;
-  int ink = 0;  ///< index into the coverage
-  Box text;     ///< of the text beside it
+  int entryIndex = 0;  ///< index into the coverage
+  Box text;            ///< of the text beside it
 };
 
 /// The scene's pixels separated by the colours of a palette. Refers to the scene.
-struct PlotInks {
-  PlotInks(const PlotScene& itsScene, std::vector<Ink> itsPalette);
+struct PlotColours {
+  PlotColours(const PlotScene& itsScene, std::vector<PaletteColour> itsPalette);
 
   const PlotScene& scene;
-  std::vector<Ink> palette;
+  std::vector<PaletteColour> palette;
   Coverage coverage;
   std::vector<LegendSample> samples;
   CurveChoiceOptions options = {};
 
   const PlotArea& area() const { return scene.area(); }
-  const Ink& ink(int index) const { return palette[static_cast<std::size_t>(index)]; }
-  Rgb colorOf(const Ink& colour) const { return rgbOf(scene.paper() + colour.difference()); }
+  const PaletteColour& entry(int index) const { return palette[static_cast<std::size_t>(index)]; }
+  Rgb colorOf(const PaletteColour& colour) const { return rgbOf(scene.paper() + colour.difference()); }
 };
 
 /// Field in which colour `index` is followed. `curveColours`: colours that may cover it as curves; other
 /// colours are clutter.
-CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveColours);
+CurveField fieldOf(const PlotColours& plot, int index, const std::vector<int>& curveColours);
 
 /// Field for a dashed line's path; nullopt if the colour is not drawn in dashes.
 std::optional<CurveField> dashesJoined(const CurveField& field);
@@ -79,24 +79,24 @@ std::optional<CurveField> dashesJoined(const CurveField& field);
 CurveField besideDashesOnly(const CurveField& field);
 
 /// Returns true for a colour of text, frame and grid: grey, or with their direction.
-bool isNeutral(const PlotInks& plot, int index);
+bool isNeutral(const PlotColours& plot, int index);
 
 /// Palette for the final separation: the curves' colours, and other colours that are not mere mixtures of two
 /// curves' colours and the paper. `curves` are renumbered.
-std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves);
+std::vector<PaletteColour> reducedPalette(const PlotColours& plot, std::vector<CurveColour>& curves);
 
 /// Curves in different colours, best first. A neutral colour is included only beside exactly one coloured
 /// curve, or as one more switch.
-std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
+std::vector<CurveColour> chooseCurveColours(const PlotColours& plot);
 
 /// A line of a colour's full strength and one of its paler shade, both along the travel; empty unless both
 /// are curves.
-std::vector<CurveInk> curvesInShades(const PlotInks& plot, int stronger, int paler);
+std::vector<CurveColour> curvesInShades(const PlotColours& plot, int stronger, int paler);
 
 /// A curve in the colour of frame and text beside one colour that draws both strokes: another switch.
-std::optional<CurveInk> neutralCurveBeside(const PlotInks& plot, const CurveInk& loop);
+std::optional<CurveColour> neutralCurveBeside(const PlotColours& plot, const CurveColour& loop);
 
 /// The best line of each of these colours, however weak; -1 and duplicates are skipped.
-std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& colours);
+std::vector<CurveColour> curvesOfColours(const PlotColours& plot, const std::vector<int>& colours);
 
 }  // namespace detent::importer::trace

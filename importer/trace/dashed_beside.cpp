@@ -45,25 +45,25 @@ double shareAt(const CoarseCurve& path, const Plane& own, double within_px) {
 
 }  // namespace
 
-std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
-                                         const std::vector<int>& curveColours, const PlotInks& plot) {
+std::optional<DashedPath> dashedBeside(const CurveTrace& solid, const CurveColour& curve,
+                                       const std::vector<int>& curveColours, const PlotColours& plot) {
   constexpr double leastTravel = 0.5;  // of the solid line's travel
   // of the remaining coverage; rims of markers lie on both sides of their line
   constexpr double ownColourShare = 0.6;
   if (curve.dashed || solid.points_px.size() < 2) return {};
-  DashedCourse found{fieldOf(plot, curve.ink, curveColours), {}};
+  DashedPath found{fieldOf(plot, curve.entryIndex, curveColours), {}};
   clearLine(found.field.own, solid, plot.area(), curve.thickness_px);
   for (const Box& box : found.field.opaque) clearBox(found.field.own, box);
   const std::optional<CurveField> joined = dashesJoined(found.field);
   if (!joined) return {};
   FollowOptions follow;
   follow.thickness_px = curve.thickness_px;
-  found.course = followCurve(*joined, plot.area().frame, follow);
+  found.path = followCurve(*joined, plot.area().frame, follow);
   const auto [left, right] = std::ranges::minmax(solid.points_px, {}, &Point::x);
   const double travel_px = plot.area().fromView(right).x - plot.area().fromView(left).x;
-  if (!found.course.found() || found.course.span_px < leastTravel * travel_px) return {};
-  if (found.course.rise_px <= 2 * curve.thickness_px) return {};  // a marker line along the travel
-  if (shareAt(found.course, found.field.own, curve.thickness_px + 1) < ownColourShare) return {};
+  if (!found.path.found() || found.path.span_px < leastTravel * travel_px) return {};
+  if (found.path.rise_px <= 2 * curve.thickness_px) return {};  // a marker line along the travel
+  if (shareAt(found.path, found.field.own, curve.thickness_px + 1) < ownColourShare) return {};
   found.field = besideDashesOnly(found.field);
   return found;
 }

@@ -12,14 +12,14 @@
 namespace detent::importer::trace {
 
 /// The path of a dashed line, and the coverage for measuring it.
-struct DashedCourse {
+struct DashedPath {
   CurveField field;
-  CoarseCurve course;
+  CoarseCurve path;
 };
 
 /// Finds the dashed line in the colour of a solid curve, if what the curve leaves of its colour is one over
 /// at least half of its travel. `curveColours`: those of all curves.
-std::optional<DashedCourse> dashedBeside(const CurveTrace& solid, const CurveInk& curve,
-                                         const std::vector<int>& curveColours, const PlotInks& plot);
+std::optional<DashedPath> dashedBeside(const CurveTrace& solid, const CurveColour& curve,
+                                       const std::vector<int>& curveColours, const PlotColours& plot);
 
 }  // namespace detent::importer::trace

@@ -9,7 +9,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "importer/page/ink_pieces.h"
+#include "importer/page/pixel_components.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer::trace {
@@ -40,11 +40,11 @@ struct Gap {
 
 std::vector<Piece> dashPieces(const Plane& own) {
   const cv::Mat covered = matOf(own) > kDashCoverage;
-  const InkPieces found = inkPiecesOf(covered.data, covered.cols, covered.rows, covered.step);
+  const PixelComponents found = pixelComponentsOf(covered.data, covered.cols, covered.rows, covered.step);
   std::vector<Piece> pieces(found.all.size());
   constexpr std::array<Point, 8> outward{
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-  for (const InkRun& run : found.runs) {
+  for (const PixelRun& run : found.runs) {
     Piece& piece = pieces[run.piece];
     for (const int x : {run.from, run.to - 1}) {
       const Point p{static_cast<double>(x), static_cast<double>(run.y)};

@@ -12,10 +12,10 @@
 
 #include "importer/page/polyline.h"
 #include "importer/page/quantile.h"
+#include "importer/trace/colour_coverage.h"
+#include "importer/trace/colour_shades.h"
 #include "importer/trace/dash_chains.h"
 #include "importer/trace/follow_curve.h"
-#include "importer/trace/ink_coverage.h"
-#include "importer/trace/ink_shades.h"
 #include "importer/trace/mark_chains.h"
 #include "importer/trace/plot_lines.h"
 #include "importer/trace/plot_scene.h"
@@ -68,7 +68,7 @@ class ExplainedPlot {
       Drawn drawn{{}, 1, 1, curve.color, curve.fromVector};
       for (const Point& p : curve.points_px) drawn.points.push_back(area_.fromView(p));
       // A straight stretch of a document has only two points.
-      const double seen = scene.inkOf(curve.color).thicknessAlong(densified(drawn.points, 1));
+      const double seen = scene.coverageOf(curve.color).thicknessAlong(densified(drawn.points, 1));
       drawn.thickness_px = std::max(1.0, seen);
       drawn.colourAcross_px = std::min(1.0, seen);
       drawn_.push_back(std::move(drawn));
@@ -134,7 +134,7 @@ class ExplainedPlot {
 
   /// 255 where a colour is not explained, without the plot's own lines.
   cv::Mat inked(Rgb color, const cv::Mat& explained) const {
-    const InkOnArea& coverage = scene_.inkOf(color);
+    const ColourOnArea& coverage = scene_.coverageOf(color);
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
     if (!coverage.distinct()) return mask;
     for (int y = 0; y < mask.rows; ++y)
@@ -160,9 +160,9 @@ class ExplainedPlot {
       for (int x = 0; x < out.width; ++x) {
         if (explained.at<std::uint8_t>(y, x) || scene_.onLine(x, y)) continue;
         const float apart = norm(scene_.pixel(x, y) - scene_.behind(x, y));
-        if (apart >= scene_.inkThreshold()) out.at(x, y) = std::min(1.0F, apart / full);
+        if (apart >= scene_.coverageThreshold()) out.at(x, y) = std::min(1.0F, apart / full);
       }
-    for (const PixelAt p : dottedLines(InkOnArea(out, full), scene_)) out.at(p.x, p.y) = 0;
+    for (const PixelAt p : dottedLines(ColourOnArea(out, full), scene_)) out.at(p.x, p.y) = 0;
     return out;
   }
 
@@ -184,7 +184,7 @@ class ExplainedPlot {
   }
 
   /// Clears a line of the plot where it is not thicker than usual.
-  void takeLine(cv::Mat& mask, const InkOnArea& coverage, double at, bool plumb) const {
+  void takeLine(cv::Mat& mask, const ColourOnArea& coverage, double at, bool plumb) const {
     const std::vector<double> runs = runsAlong(coverage, area_, at, plumb);
     const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
     for (std::size_t i = 0; i < runs.size(); ++i)
@@ -255,7 +255,7 @@ Remainder remainderOf(const std::vector<Point>& pixels, const ExplainedPlot& plo
   const double onwards = r.atAnEnd ? ramp(r.length, 0.03, 0.08) : 0;
   r.likeness = thin * std::max(bent, onwards);
   const std::size_t step = std::max<std::size_t>(1, pixels.size() / kMostPoints);
-  for (std::size_t i = 0; i < pixels.size(); i += step) r.ink_px.push_back(plot.area().toView(pixels[i]));
+  for (std::size_t i = 0; i < pixels.size(); i += step) r.pixels_px.push_back(plot.area().toView(pixels[i]));
   return r;
 }
 
@@ -413,11 +413,11 @@ bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std:
 }
 
 /// Where a solid curve runs along a dashed line.
-std::vector<Leap> overDashes(const ExplainedPlot& plot) {
+std::vector<TraceJump> overDashes(const ExplainedPlot& plot) {
   constexpr double leastShare = 0.08;  // of the diagonal
   const Box& frame = plot.area().frame;
   const double diagonal_px = std::hypot(frame.width(), frame.height());
-  std::vector<Leap> jumps;
+  std::vector<TraceJump> jumps;
   for (const Drawn& each : plot.drawn()) {
     if (each.fromVector) continue;  // its own pieces show what belongs together
     const std::vector<Point> points = densified(each.points, 1);
@@ -433,10 +433,10 @@ std::vector<Leap> overDashes(const ExplainedPlot& plot) {
   return jumps;
 }
 
-std::vector<Leap> jumpsOf(const ExplainedPlot& plot) {
+std::vector<TraceJump> jumpsOf(const ExplainedPlot& plot) {
   constexpr double kLeastThicknesses = 2, kLeastHeight = 0.03;  // of the frame's
   const Box& frame = plot.area().frame;
-  std::vector<Leap> jumps = overDashes(plot);
+  std::vector<TraceJump> jumps = overDashes(plot);
   for (const Drawn& each : plot.drawn()) {
     const std::vector<Point> points = densified(each.points, 1);
     const double least_px = std::max(kLeastThicknesses * each.thickness_px, kLeastHeight * frame.height());
@@ -451,7 +451,7 @@ std::vector<Leap> jumpsOf(const ExplainedPlot& plot) {
       i = to;
     }
   }
-  std::ranges::sort(jumps, std::greater<>{}, &Leap::length);
+  std::ranges::sort(jumps, std::greater<>{}, &TraceJump::length);
   return jumps;
 }
 
@@ -498,7 +498,7 @@ LineBeside lineBeside(const ExplainedPlot& plot) {
       field, {frame.x0 / pooling, frame.y0 / pooling, frame.x1 / pooling, frame.y1 / pooling}, {});
   if (!path.found()) return {};
   const Box travel = boundsOf(curve.points);
-  return {path.inkColumns_px * pooling / std::max(1.0, travel.width()),
+  return {path.coveredColumns_px * pooling / std::max(1.0, travel.width()),
           plot.area().toView(static_cast<double>(pooling) * path.points[path.points.size() / 2])};
 }
 

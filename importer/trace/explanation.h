@@ -11,20 +11,20 @@ namespace detent::importer {
 
 /// Connected pixels in a curve's colour that no curve, line or word explains.
 struct Remainder {
-  Box box_px;                 ///< view pixels
-  std::vector<Point> ink_px;  ///< its pixels, thinned to a few hundred; view pixels
-  double length = 0;          ///< of its extent, share of the plot's diagonal
-  double width = 0;           ///< of its extent along the displacement axis, share of the plot's width
-  double thickness = 0;       ///< in thicknesses of the curves
-  bool straight = false;      ///< like leaders, marker lines and boxes
-  bool atAnEnd = false;       ///< begins where a curve ends
-  bool dashed = false;        ///< an isolated dashed line
+  Box box_px;                    ///< view pixels
+  std::vector<Point> pixels_px;  ///< its pixels, thinned to a few hundred; view pixels
+  double length = 0;             ///< of its extent, share of the plot's diagonal
+  double width = 0;              ///< of its extent along the displacement axis, share of the plot's width
+  double thickness = 0;          ///< in thicknesses of the curves
+  bool straight = false;         ///< like leaders, marker lines and boxes
+  bool atAnEnd = false;          ///< begins where a curve ends
+  bool dashed = false;           ///< an isolated dashed line
   /// Likeness to a curve, 0..1: long, thin, bent, or the straight continuation of a curve's end.
   double likeness = 0;
 };
 
 /// A jump of the trace: it crosses bare paper in a direction that it does not have on both sides.
-struct Leap {
+struct TraceJump {
   Point from_px, to_px;  ///< view pixels
   double length = 0;     ///< share of the plot's diagonal
 };
@@ -43,10 +43,10 @@ struct LineBeside {
 
 /// Marks of a plot that a result does not explain, and places where the result has no support.
 struct Explanation {
-  std::vector<Remainder> left;  ///< most curve-like first
-  std::vector<Leap> leaps;      ///< longest first
-  Patches patches;              ///< in the curves' colours; the traced line may be the edge of a filled area
-  LineBeside beside;            ///< for a curve that was traced alone
+  std::vector<Remainder> left;   ///< most curve-like first
+  std::vector<TraceJump> jumps;  ///< longest first
+  Patches patches;               ///< in the curves' colours; the traced line may be the edge of a filled area
+  LineBeside beside;             ///< for a curve that was traced alone
 };
 
 /// `curves`: all traced ones, including those of other switches.

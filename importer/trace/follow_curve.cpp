@@ -59,7 +59,7 @@ class CurveSearch {
   CoarseCurve best() {
     if (x1_ <= x0_ || y1_ <= y0_) return {};
     sweep();
-    return walkBack();
+    return pathBackwards();
   }
 
  private:
@@ -77,10 +77,10 @@ class CurveSearch {
       const float cover = std::min(1.0F, field_.otherCurves.values[i]);
       const float clutter = std::min(1.0F - cover, field_.clutter.values[i]);
       const int y = y0_ + static_cast<int>(r);
-      ink_[r] = coverageAt(x, y);
+      covered_[r] = coverageAt(x, y);
       if (cover >= 0.5F)
-        ink_[r] =
-            std::max(ink_[r], kLeakWorth * cover * std::min(1.0F, largestNear(field_.own, x, y) / kLeakFull));
+        covered_[r] = std::max(
+            covered_[r], kLeakWorth * cover * std::min(1.0F, largestNear(field_.own, x, y) / kLeakFull));
       cost_[r] = paper * (1 - cover - clutter) + hidden * cover + text * clutter;
     }
     for (const Box& box : field_.opaque) {
@@ -91,8 +91,8 @@ class CurveSearch {
         cost_[static_cast<std::size_t>(y - y0_)] = static_cast<float>(options_.opaqueCost);
     }
     for (std::size_t r = 0; r < rows(); ++r) {
-      cost_[r] *= 1 - ink_[r];
-      gain_[r] = ink_[r] - cost_[r];
+      cost_[r] *= 1 - covered_[r];
+      gain_[r] = covered_[r] - cost_[r];
     }
     gaining_.clear();
     for (std::size_t r = 0; r < rows(); ++r)
@@ -112,7 +112,7 @@ class CurveSearch {
     const std::size_t n = rows();
     steps_.assign(static_cast<std::size_t>(x1_ - x0_ + 1) * kStages * n, ColumnStep::start);
     for (auto& values : value_) values.assign(n, -1e9F);
-    for (auto* column : {&ink_, &cost_, &gain_, &rise_}) column->resize(n);
+    for (auto* column : {&covered_, &cost_, &gain_, &rise_}) column->resize(n);
     for (int x = x0_; x <= x1_; ++x) {
       priceColumn(x);
       for (std::size_t r = 0; r < n; ++r) rise_[r] = -cost_[r] - static_cast<float>(options_.riseCost);
@@ -184,7 +184,7 @@ class CurveSearch {
     }
   }
 
-  CoarseCurve walkBack() {
+  CoarseCurve pathBackwards() {
     CoarseCurve curve;
     if (bestGain_ <= 0) return curve;
     curve.gain_px = static_cast<double>(bestGain_);
@@ -200,7 +200,7 @@ class CurveSearch {
       visible += std::max(share, static_cast<double>(visibleAt(x, y)));
       const ColumnStep step = stepsAt(x, stage)[row];
       if (step != ColumnStep::up && step != ColumnStep::down) {
-        curve.inkColumns_px += inColumn;
+        curve.coveredColumns_px += inColumn;
         inColumn = 0;
       }
       if (step == ColumnStep::start) break;
@@ -215,7 +215,7 @@ class CurveSearch {
       }
     }
     std::reverse(curve.points.begin(), curve.points.end());
-    curve.inkShare = visible > 0 ? covered / visible : 0;
+    curve.coveredShare = visible > 0 ? covered / visible : 0;
     curve.span_px = curve.points.back().x - curve.points.front().x;
     const auto [low, high] = std::minmax_element(curve.points.begin(), curve.points.end(),
                                                  [](Point a, Point b) { return a.y < b.y; });
@@ -228,9 +228,9 @@ class CurveSearch {
   float coverageFrom_ = kThinFrom, coverageFull_ = kThinFull;
   int x0_ = 0, y0_ = 0, x1_ = -1, y1_ = -1;
   std::array<std::vector<float>, kStages> value_;
-  std::vector<float> ink_, cost_, gain_, rise_;  ///< of the column's rows
-  std::vector<std::size_t> gaining_;             ///< rows of the column
-  std::vector<ColumnStep> steps_;                ///< column by column, in it stage by stage
+  std::vector<float> covered_, cost_, gain_, rise_;  ///< of the column's rows
+  std::vector<std::size_t> gaining_;                 ///< rows of the column
+  std::vector<ColumnStep> steps_;                    ///< column by column, in it stage by stage
   float bestGain_ = 0;
   int endX_ = 0, endStage_ = body;
   std::size_t endRow_ = 0;

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "importer/trace/ink_palette.h"
+#include "importer/trace/colour_palette.h"
 #include "importer/trace/plot_area.h"
 
 namespace detent::importer::trace {
@@ -29,12 +29,12 @@ struct FollowOptions {
 };
 
 struct CoarseCurve {
-  std::vector<Point> points;  ///< area pixels, in steps of one pixel right, up or down
-  double gain_px = 0;         ///< columns (and steep ends) explained, minus bridging costs
-  double inkShare = 0;        ///< covered share of the pixels that are not hidden
-  double inkColumns_px = 0;   ///< columns with its own colour
-  double span_px = 0;         ///< from the first to the last column
-  double rise_px = 0;         ///< from the lowest to the highest row
+  std::vector<Point> points;     ///< area pixels, in steps of one pixel right, up or down
+  double gain_px = 0;            ///< columns (and steep ends) explained, minus bridging costs
+  double coveredShare = 0;       ///< covered share of the pixels that are not hidden
+  double coveredColumns_px = 0;  ///< columns with its own colour
+  double span_px = 0;            ///< from the first to the last column
+  double rise_px = 0;            ///< from the lowest to the highest row
   bool found() const { return points.size() > 1; }
 };
 

@@ -79,8 +79,9 @@ double lengthOfFirstBeside(const Box& word, int direction, const Raster& raster,
 }
 
 /// Examines a strip beside a word as long as a legend key may be; `direction` -1: left of it, +1: right.
-std::vector<ColourSeen> examineBeside(const Box& word, int direction, const std::vector<Ink>& colours,
-                                      const Raster& raster, Color3 paper, double heights) {
+std::vector<ColourSeen> examineBeside(const Box& word, int direction,
+                                      const std::vector<PaletteColour>& colours, const Raster& raster,
+                                      Color3 paper, double heights) {
   const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
   const double far = near + direction * heights * height;
@@ -95,7 +96,7 @@ std::vector<ColourSeen> examineBeside(const Box& word, int direction, const std:
       const float length = norm(difference);
       if (length < 24) continue;
       for (std::size_t k = 0; k < colours.size(); ++k) {
-        if (dot(difference, colours[k].direction) <= static_cast<float>(kSameInkAngle) * length) continue;
+        if (dot(difference, colours[k].direction) <= static_cast<float>(kSameColourAngle) * length) continue;
         const double full = static_cast<double>(length / colours[k].strength);
         const double off = std::abs(y - middle);
         if (off <= kBand * height)
@@ -114,7 +115,7 @@ std::vector<ColourSeen> examineBeside(const Box& word, int direction, const std:
 using StripLength = std::function<double(const Box& word, int direction)>;
 
 /// The trace whose key stands beside a word: horizontal, ended, of one colour only.
-std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& colours,
+std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<PaletteColour>& colours,
                                         const PageView& view, Color3 paper, const StripLength& lengthOf) {
   const int before = mirroredBy(view.viewToPage).across ? 1 : -1;  // keys normally stand before their names
   for (int direction : {before, -before}) {
@@ -161,7 +162,7 @@ bool isTickLabel(const SeenText& text, const AxesFound& axes) {
 }
 
 /// The texts beside each trace's legend key.
-LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<Ink>& colours,
+LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<PaletteColour>& colours,
                         const PageView& view, Color3 paper, const StripLength& lengthOf) {
   LegendTexts beside(colours.size());
   for (const SeenText& text : texts) {
@@ -173,8 +174,9 @@ LegendTexts textsBeside(const std::vector<SeenText>& texts, const std::vector<In
 }
 
 /// Adds texts in line with one that has a key, if something behind their key (a box) hid it.
-void addInLine(LegendTexts& beside, const std::vector<SeenText>& texts, const std::vector<Ink>& colours,
-               const PageView& view, Color3 paper, const StripLength& lengthOf) {
+void addInLine(LegendTexts& beside, const std::vector<SeenText>& texts,
+               const std::vector<PaletteColour>& colours, const PageView& view, Color3 paper,
+               const StripLength& lengthOf) {
   const LegendTexts seen = beside;
   const auto isAny = [&](const auto& holds) {
     return std::ranges::any_of(seen,
@@ -219,7 +221,7 @@ void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& besid
 }
 
 /// The trace in whose colour alone a text is written.
-std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink>& colours,
+std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<PaletteColour>& colours,
                                           const Raster& raster, Color3 paper) {
   // of a text's pixels; of the colour's strength, at its darkest
   constexpr double nearlyAll = 0.8, full = 0.5;
@@ -235,7 +237,7 @@ std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<Ink
       if (length < 24) continue;
       all += static_cast<double>(length);
       for (std::size_t k = 0; k < colours.size(); ++k)
-        if (dot(difference, colours[k].direction) > static_cast<float>(kSameInkAngle) * length)
+        if (dot(difference, colours[k].direction) > static_cast<float>(kSameColourAngle) * length)
           ownSizes[k] += static_cast<double>(length), darkest[k] = std::max(darkest[k], length);
     }
   std::optional<std::size_t> found;
@@ -330,7 +332,7 @@ std::optional<std::vector<SeenText>> namesAtEnds(const std::vector<SeenText>& na
 /// Names traces without keys by letters in the curves' colours, or by names at the curves' ends; all of them
 /// or none.
 void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
-                         const std::vector<Ink>& colours, const PageView& view, Color3 paper) {
+                         const std::vector<PaletteColour>& colours, const PageView& view, Color3 paper) {
   const auto hasNone = [](const CurveTrace& trace) {
     return trace.label.empty() && trace.labelBox_px.empty();
   };
@@ -347,7 +349,7 @@ void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
 }
 
 /// Share of a key's columns with its colour, from the first to the last; 0 without a key beside the word.
-double drawnShareBeside(const Box& word, const Ink& colour, const Raster& raster, Color3 paper) {
+double drawnShareBeside(const Box& word, const PaletteColour& colour, const Raster& raster, Color3 paper) {
   constexpr double least = 0.8;    // of the word's height, in dark pixels
   constexpr float strong = 0.35F;  // of the colour
   double share = 0;
@@ -364,7 +366,7 @@ double drawnShareBeside(const Box& word, const Ink& colour, const Raster& raster
         const Color3 difference = colorAt(raster, x, y) - paper;
         const float length = norm(difference);
         inked = inked || (length > strong * colour.strength &&
-                          dot(difference, colour.direction) > static_cast<float>(kSameInkAngle) * length);
+                          dot(difference, colour.direction) > static_cast<float>(kSameColourAngle) * length);
       }
       if (!inked) continue;
       if (first < 0) first = by;
@@ -376,8 +378,8 @@ double drawnShareBeside(const Box& word, const Ink& colour, const Raster& raster
 }
 
 /// Share of a stroke's points away from the other one where its colour is present.
-double drawnShareOf(const CurveTrace& trace, const CurveTrace& other, const Ink& colour, const Raster& raster,
-                    Color3 paper) {
+double drawnShareOf(const CurveTrace& trace, const CurveTrace& other, const PaletteColour& colour,
+                    const Raster& raster, Color3 paper) {
   constexpr double apart_px = 3;
   constexpr float strong = 0.35F;  // of the colour
   int inked = 0, all = 0;
@@ -397,7 +399,7 @@ void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, 
                   const PlotScene& scene) {
   constexpr double through = 0.95, dashed = 0.88;  // shares that are drawn
   const Color3 paper = scene.paper();
-  const Ink colour = inkOfColor(first.color, paper);
+  const PaletteColour colour = paletteColourOf(first.color, paper);
   std::vector<SeenText> names;
   for (const SeenText& text : axes.texts)
     if (!text.utf8.empty() && !text.box.empty() && first.label.find(text.utf8) != std::string::npos &&
@@ -422,8 +424,8 @@ void nameByDashes(CurveTrace& first, CurveTrace& second, const AxesFound& axes, 
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const PageView& view,
                  const PlotScene& scene) {
   const Color3 paper = scene.paper();
-  std::vector<Ink> colours;
-  for (const CurveTrace& trace : traces) colours.push_back(inkOfColor(trace.color, paper));
+  std::vector<PaletteColour> colours;
+  for (const CurveTrace& trace : traces) colours.push_back(paletteColourOf(trace.color, paper));
   std::vector<SeenText> texts = axes.texts;
   std::erase_if(texts, [&](const SeenText& text) { return isTickLabel(text, axes); });
   LegendTexts beside = textsBeside(texts, colours, view, paper, [](const Box&, int) { return kLength; });

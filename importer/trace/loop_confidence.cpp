@@ -30,9 +30,9 @@ double shareOnCurve(const std::vector<Point>& path, const Structure& s, float ga
     float best = 0;
     for (int v = y - 1; v <= y + 1; ++v) {
       for (int u = x - 1; u <= x + 1; ++u) {
-        if (!s.curveInk.inside(u, v)) continue;
+        if (!s.remainingCoverage.inside(u, v)) continue;
         const bool line = s.explained.at(u, v) > 0.3F * s.curveLevel;
-        best = std::max({best, s.curveInk.at(u, v), line ? 0.5F : 0.0F});
+        best = std::max({best, s.remainingCoverage.at(u, v), line ? 0.5F : 0.0F});
       }
     }
     const bool inGap = s.gapDistance.inside(x, y) && s.gapDistance.at(x, y) <= gap_px;
@@ -46,8 +46,8 @@ double shareAlongLines(const std::vector<Point>& path, const Structure& s) {
   int along = 0;
   for (const Point& p : path) {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
-    if (!s.curveInk.inside(x, y)) continue;
-    if (s.explained.at(x, y) > 0.3F * s.curveLevel && s.curveInk.at(x, y) < 0.35F) ++along;
+    if (!s.remainingCoverage.inside(x, y)) continue;
+    if (s.explained.at(x, y) > 0.3F * s.curveLevel && s.remainingCoverage.at(x, y) < 0.35F) ++along;
   }
   return path.empty() ? 0 : double(along) / double(path.size());
 }
@@ -63,14 +63,14 @@ struct Share {
 };
 
 double shareExplained(const PlanePair& pair, const Structure& s, const WorkPlane& plane) {
-  cv::Mat free(s.curveInk.height, s.curveInk.width, CV_8U, cv::Scalar(1));
+  cv::Mat free(s.remainingCoverage.height, s.remainingCoverage.width, CV_8U, cv::Scalar(1));
   for (const std::vector<Point>* path : {&pair.press, &pair.release}) {
     for (const Point& p : *path) {
       cv::circle(free, cv::Point(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))),
                  static_cast<int>(std::ceil(s.strokeWidth_px / 2)) + 1, cv::Scalar(0), -1);
     }
   }
-  const cv::Mat strong = matOf(s.curveInk) > 0.5F;
+  const cv::Mat strong = matOf(s.remainingCoverage) > 0.5F;
   cv::Mat labels, stats, centroids;
   const int count = cv::connectedComponentsWithStats(strong, labels, stats, centroids, 8, CV_32S);
   const double longEnough = 0.08 * plane.frame.width();
@@ -111,7 +111,7 @@ double meanTrust(const RefinedStroke& stroke) {
 }  // namespace
 
 double LoopEvidence::confidence() const {
-  return confidenceRamp(onInk, 0.75, 0.95) * confidenceRamp(explained, 0.25, 0.6) *
+  return confidenceRamp(onCurve, 0.75, 0.95) * confidenceRamp(explained, 0.25, 0.6) *
          (0.3 + 0.7 * confidenceRamp(fit, 0.15, 0.5)) * steadiness * reach * thinness * together;
 }
 
@@ -123,10 +123,10 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
   const auto worse = [&](auto&& of) {
     return hasRelease ? std::min(of(pair.press), of(pair.release)) : of(pair.press);
   };
-  e.onInk = worse([&](const std::vector<Point>& p) { return shareOnCurve(p, structure, gap_px); }) -
-            0.5 * (1 - worse([&](const std::vector<Point>& p) {
-                     return 1 - std::max(0.0, shareAlongLines(p, structure) - 0.15);
-                   }));
+  e.onCurve = worse([&](const std::vector<Point>& p) { return shareOnCurve(p, structure, gap_px); }) -
+              0.5 * (1 - worse([&](const std::vector<Point>& p) {
+                       return 1 - std::max(0.0, shareAlongLines(p, structure) - 0.15);
+                     }));
   e.explained = shareExplained(pair, structure, plane);
   e.fit =
       hasRelease ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);

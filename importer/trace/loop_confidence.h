@@ -11,7 +11,7 @@ namespace detent::importer::trace {
 
 /// All 0..1, 1 is best.
 struct LoopEvidence {
-  double onInk = 0;       ///< share of the path on the curve's pixels or on a straight line it crosses
+  double onCurve = 0;     ///< share of the path on the curve's pixels or on a straight line it crosses
   double explained = 0;   ///< share of long pieces that lie on one of the strokes
   double fit = 0;         ///< mean trust of the refined points
   double steadiness = 0;  ///< decreases with turning beyond that of force curves

@@ -15,7 +15,7 @@ namespace {
 Plane openPixels(const Structure& s, const WorkPlane& plane) {
   constexpr float kNear = 15, kAlongLine = 40;  // px, to the nearest curve pixel
   constexpr double kOutside = 2;                // px
-  Plane open(s.curveInk.width, s.curveInk.height);
+  Plane open(s.remainingCoverage.width, s.remainingCoverage.height);
   for (int y = 0; y < open.height; ++y) {
     if (y < plane.frame.y0 - kOutside || y > plane.frame.y1 + kOutside) continue;
     for (int x = 0; x < open.width; ++x) {
@@ -153,7 +153,7 @@ std::vector<Point> directPath(LiftedSearch& search, Plane& reward, const std::ve
     const Point start = path[detour->from], end = path[detour->to];
     for (std::size_t k = detour->from; k < detour->to; ++k) {
       const Point p = path[k];
-      if (distance(p, start + footOn(start, end, p) * (end - start)) < 1.5 * strokeWidth + 2) continue;
+      if (distance(p, start + projectionOn(start, end, p) * (end - start)) < 1.5 * strokeWidth + 2) continue;
       forDisc(reward, p, strokeWidth / 2 + 1,
               [&](int x, int y) { reward.at(x, y) = std::min(reward.at(x, y), kNoCurve); });
     }
@@ -232,15 +232,16 @@ std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, dou
   double gap = 0, longest = 20 * strokeWidth;
   for (double t = 1; gap <= 2 * longest; t += 1) {
     const Point p = end + t * ahead, across{-ahead.y, ahead.x};
-    if (!s.curveInk.inside(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)))) break;
+    if (!s.remainingCoverage.inside(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))))
+      break;
     const double reach = 1 + (dashes.empty() ? kFirstSpread : kSpread) * t;
     std::optional<Point> inked;
     bool hidden = false;
     for (double off = -reach; off <= reach; off += 1) {
       const Point q = p + off * across;
       const int x = static_cast<int>(std::lround(q.x)), y = static_cast<int>(std::lround(q.y));
-      if (!s.curveInk.inside(x, y)) continue;
-      if (s.curveInk.at(x, y) > 0.5F) inked = q;
+      if (!s.remainingCoverage.inside(x, y)) continue;
+      if (s.remainingCoverage.at(x, y) > 0.5F) inked = q;
       hidden = hidden || s.explained.at(x, y) > 0.3F * s.curveLevel;
     }
     if (hidden && !inked) continue;
@@ -455,8 +456,8 @@ class PairSearch {
 
   PlanePair parted() {
     PlanePair pair;
-    pair.wallsCut = cutHangingDash(a_, structure_, stroke_);
-    pair.wallsCut = cutHangingDash(b_, structure_, stroke_) || pair.wallsCut;
+    pair.bottomOutsCut = cutHangingDash(a_, structure_, stroke_);
+    pair.bottomOutsCut = cutHangingDash(b_, structure_, stroke_) || pair.bottomOutsCut;
     pair.ownRelease_px = ownOfSecond();
     pair.locked = locked_;
     if (pair.ownRelease_px < 0.05 * plane_.frame.width()) {
@@ -470,7 +471,7 @@ class PairSearch {
     if (!locked_) startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
     for (const std::vector<Point>& piece : furtherPieces()) {
       pair.further_px += piece.back().x - piece.front().x;
-      pair.wallLeftOver = pair.wallLeftOver || isBottomOut(piece);
+      pair.bottomOutLeftOver = pair.bottomOutLeftOver || isBottomOut(piece);
     }
     pair.leftItsLine = changesLine();
     return pair;

@@ -17,10 +17,10 @@ struct PlanePair {
   std::vector<Point> release;  ///< in the same order as press (not the order travelled); empty: press only
   bool dashed = false;         ///< gaps were accepted as part of a stroke
   bool locked = false;         ///< the release ends on the press near zero force, farther in
-  bool wallsCut = false;       ///< a stroke ends where its bottom-out continues in dashes
+  bool bottomOutsCut = false;  ///< a stroke ends where its bottom-out continues in dashes
   double ownRelease_px = 0;    ///< length of pixels that only the second stroke explains
   double further_px = 0;       ///< travel of the best curve in the remaining pixels
-  bool wallLeftOver =
+  bool bottomOutLeftOver =
       false;  ///< that curve climbs to the tops of both like a bottom-out: another switch's, or their own
   bool leftItsLine = false;  ///< a stroke crosses paper where its line continues
 };

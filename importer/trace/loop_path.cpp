@@ -174,7 +174,7 @@ void LiftedSearch::runAlongColumn(const Plane& reward, int from, int to, int dir
   }
 }
 
-LiftedPath LiftedSearch::walkBack(int node, int direction) const {
+LiftedPath LiftedSearch::pathBackwards(int node, int direction) const {
   LiftedPath path;
   auto d = static_cast<std::size_t>(direction);
   bool arrived = false;
@@ -236,7 +236,7 @@ LiftedPath LiftedSearch::best(const Plane& reward, const PathLimits& limits) {
     }
   }
   if (bestNode < 0 || best <= kNever) return {};
-  LiftedPath path = walkBack(bestNode, static_cast<int>(bestDirection));
+  LiftedPath path = pathBackwards(bestNode, static_cast<int>(bestDirection));
   path.gain = best;
   return path;
 }

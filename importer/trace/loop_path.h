@@ -51,7 +51,7 @@ class LiftedSearch {
   void layOutSteps();
   void arrive(const Plane& reward, const PathLimits& limits, int node);
   void runAlongColumn(const Plane& reward, int from, int to, int direction);
-  LiftedPath walkBack(int node, int direction) const;
+  LiftedPath pathBackwards(int node, int direction) const;
 
   int width_ = 0, height_ = 0;
   PathOptions options_;

@@ -38,9 +38,9 @@ std::vector<ThinLine> thinLines(const std::vector<StraightLine>& lines, double s
 
 /// Coverage across one point of a stroke.
 struct Profile {
-  std::vector<double> ink;     ///< 0..1 in units of the curve's darkness
-  std::vector<char> known;     ///< false where a gridline hides the curve
-  double first = 0, step = 1;  ///< offset of the first sample along the normal, px
+  std::vector<double> covered;  ///< 0..1 in units of the curve's darkness
+  std::vector<char> known;      ///< false where a gridline hides the curve
+  double first = 0, step = 1;   ///< offset of the first sample along the normal, px
 
   double offset(std::size_t k) const { return first + step * static_cast<double>(k); }
 };
@@ -49,19 +49,19 @@ class Profiler {
  public:
   Profiler(const Plane& coverage, const WorkPlane& plane, const std::vector<StraightLine>& lines,
            double level)
-      : ink_(coverage), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
+      : coverage_(coverage), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
 
   Profile across(Point p, Point normal, double from, double to, double step) const {
     Profile out;
     out.first = from;
     out.step = step;
     const auto n = static_cast<std::size_t>(std::floor((to - from) / step)) + 1;
-    out.ink.resize(n);
+    out.covered.resize(n);
     out.known.assign(n, 1);
     const Point base = plane_.fromArea(p), ahead = plane_.fromArea(p + normal);
     for (std::size_t k = 0; k < n; ++k) {
       const double t = out.offset(k);
-      const double c = static_cast<double>(ink_.sample(p + t * normal));
+      const double c = static_cast<double>(coverage_.sample(p + t * normal));
       double hidden = 0;
       for (const ThinLine& l : lines_) {
         const double at = l.vertical ? base.x + t * (ahead.x - base.x) : base.y + t * (ahead.y - base.y);
@@ -71,13 +71,13 @@ class Profiler {
       }
       if (c < 0.5 * hidden) hidden = 0;  // the line is broken here
       if (hidden > 0.4 * level_) out.known[k] = 0;
-      out.ink[k] = std::clamp((c - hidden) / std::max(0.2, 1 - hidden) / level_, 0.0, 1.0);
+      out.covered[k] = std::clamp((c - hidden) / std::max(0.2, 1 - hidden) / level_, 0.0, 1.0);
     }
     return out;
   }
 
  private:
-  const Plane& ink_;
+  const Plane& coverage_;
   const WorkPlane& plane_;
   std::vector<ThinLine> lines_;
   double level_;
@@ -100,7 +100,7 @@ double misfitOf(const Profile& p, double halfWidth, double u, std::optional<doub
   const double low = std::min(u, v.value_or(u)) - halfWidth - 1.5,
                high = std::max(u, v.value_or(u)) + halfWidth + 1.5;
   double sum = 0, count = 0, seen = 0, own = 0;
-  for (std::size_t k = 0; k < p.ink.size(); ++k) {
+  for (std::size_t k = 0; k < p.covered.size(); ++k) {
     const double t = p.offset(k);
     if (t < low || t > high) continue;
     const double mine = lineModel(t - u, halfWidth);
@@ -108,7 +108,7 @@ double misfitOf(const Profile& p, double halfWidth, double u, std::optional<doub
     if (!p.known[k]) continue;
     seen += mine;
     const double model = v ? std::max(mine, lineModel(t - *v, halfWidth)) : mine;
-    sum += (p.ink[k] - model) * (p.ink[k] - model);
+    sum += (p.covered[k] - model) * (p.covered[k] - model);
     count += 1;
   }
   if (evidence) *evidence = own > 0 ? seen / own : 0;
@@ -253,12 +253,12 @@ StrokeProfile measureStrokeProfile(const Working& stroke, const Profiler& plain,
     const Profile p = plain.across(stroke.points[i], stroke.normals[i], -reach, reach, 0.25);
     bool clear = true;
     double sum = 0, peak = 0;
-    for (std::size_t k = 0; k < p.ink.size(); ++k) {
+    for (std::size_t k = 0; k < p.covered.size(); ++k) {
       clear = clear && p.known[k];
-      sum += p.ink[k] * p.step;
-      peak = std::max(peak, p.ink[k]);
+      sum += p.covered[k] * p.step;
+      peak = std::max(peak, p.covered[k]);
     }
-    if (!clear || peak < 0.05 || std::max(p.ink.front(), p.ink.back()) > 0.15 * peak) continue;
+    if (!clear || peak < 0.05 || std::max(p.covered.front(), p.covered.back()) > 0.15 * peak) continue;
     coverages.push_back(sum);
     peaks.push_back(peak);
   }

@@ -16,7 +16,7 @@ namespace {
 /// View of the plane along one direction, so that rows and columns share code: `along` runs on the line.
 class Lanes {
  public:
-  Lanes(const WorkPlane& plane, bool vertical) : grid_(&plane.ink), vertical_(vertical) {
+  Lanes(const WorkPlane& plane, bool vertical) : grid_(&plane.coverage), vertical_(vertical) {
     const Box& f = plane.frame;
     const auto whole = [](double v, int limit) {
       return std::clamp(static_cast<int>(std::lround(v)), 0, limit - 1);
@@ -218,7 +218,7 @@ std::array<bool, kBins> explainableBins(const WorkPlane& plane, const StraightLi
 void explainLine(const WorkPlane& plane, const StraightLine& line, Plane& explained) {
   const Lanes lanes(plane, line.vertical);
   const std::array<bool, kBins> may = explainableBins(plane, line);
-  const int length = line.vertical ? plane.ink.height : plane.ink.width;
+  const int length = line.vertical ? plane.coverage.height : plane.coverage.width;
   const int span = lanes.last() - lanes.first() + 1;
   for (int i = 0; i < length; ++i) {
     const int bin = std::clamp((i - lanes.first()) * kBins / span, 0, kBins - 1);
@@ -547,35 +547,36 @@ std::vector<StraightLine> findStraightLines(const WorkPlane& plane,
 Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLine>& lines,
                            const std::vector<Box>& lettering) {
   Structure s;
-  s.explained = Plane(plane.ink.width, plane.ink.height);
-  s.upright = Plane(plane.ink.width, plane.ink.height);
+  s.explained = Plane(plane.coverage.width, plane.coverage.height);
+  s.upright = Plane(plane.coverage.width, plane.coverage.height);
   for (const StraightLine& line : lines) {
     explainLine(plane, line, s.explained);
     const double edge = line.reach + 2.0;
     const bool inside = line.position > plane.frame.x0 + edge && line.position < plane.frame.x1 - edge;
     if (line.vertical && inside) explainLine(plane, line, s.upright);
   }
-  s.curveInk = Plane(plane.ink.width, plane.ink.height);
+  s.remainingCoverage = Plane(plane.coverage.width, plane.coverage.height);
   const Plane doubt = doubtOf(s.explained);
-  for (std::size_t i = 0; i < s.curveInk.values.size(); ++i) {
-    s.curveInk.values[i] = std::max(0.0F, plane.ink.values[i] - s.explained.values[i] - doubt.values[i]);
+  for (std::size_t i = 0; i < s.remainingCoverage.values.size(); ++i) {
+    s.remainingCoverage.values[i] =
+        std::max(0.0F, plane.coverage.values[i] - s.explained.values[i] - doubt.values[i]);
   }
-  s.curveLevel = curveLevelOf(s.curveInk, plane);
-  for (std::size_t i = 0; i < s.curveInk.values.size(); ++i) {
+  s.curveLevel = curveLevelOf(s.remainingCoverage, plane);
+  for (std::size_t i = 0; i < s.remainingCoverage.values.size(); ++i) {
     const float room = std::min(s.curveLevel, std::max(0.35F * s.curveLevel, 1.0F - s.explained.values[i]));
-    s.curveInk.values[i] = std::min(1.0F, s.curveInk.values[i] / room);
+    s.remainingCoverage.values[i] = std::min(1.0F, s.remainingCoverage.values[i] / room);
   }
-  s.strokeWidth_px = strokeWidthOf(s.curveInk);
-  fadeLettering(s.curveInk, s.explained, s.curveLevel, lettering, s.strokeWidth_px, plane.frame);
-  fadeArrows(s.curveInk, s.explained, s.curveLevel, s.strokeWidth_px, plane.frame);
-  weakenGuides(s.curveInk, plane.frame, s.strokeWidth_px);
-  cv::Mat paper = matOf(s.curveInk) < 0.35F;
+  s.strokeWidth_px = strokeWidthOf(s.remainingCoverage);
+  fadeLettering(s.remainingCoverage, s.explained, s.curveLevel, lettering, s.strokeWidth_px, plane.frame);
+  fadeArrows(s.remainingCoverage, s.explained, s.curveLevel, s.strokeWidth_px, plane.frame);
+  weakenGuides(s.remainingCoverage, plane.frame, s.strokeWidth_px);
+  cv::Mat paper = matOf(s.remainingCoverage) < 0.35F;
   cv::Mat distance;
   cv::distanceTransform(paper, distance, cv::DIST_L2, 3);
-  s.gapDistance = Plane(plane.ink.width, plane.ink.height);
-  for (int y = 0; y < plane.ink.height; ++y) {
+  s.gapDistance = Plane(plane.coverage.width, plane.coverage.height);
+  for (int y = 0; y < plane.coverage.height; ++y) {
     const float* row = distance.ptr<float>(y);
-    std::copy(row, row + plane.ink.width, &s.gapDistance.at(0, y));
+    std::copy(row, row + plane.coverage.width, &s.gapDistance.at(0, y));
   }
   return s;
 }
@@ -583,15 +584,15 @@ Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLin
 Plane rewardOf(const Structure& s, const WorkPlane& plane, const GapPrice& price) {
   // Curves run along horizontal gridlines (plateaus), but hardly ever up a vertical one, where leaders run.
   constexpr float kOnLevelLine = -0.5F, kOnUprightLine = -1.2F;
-  Plane reward(s.curveInk.width, s.curveInk.height);
+  Plane reward(s.remainingCoverage.width, s.remainingCoverage.height);
   for (int y = 0; y < reward.height; ++y) {
     for (int x = 0; x < reward.width; ++x) {
       const float d = std::min(s.gapDistance.at(x, y), 20.0F);
       const float gap = -(price.perPixel + price.perPixelOfDistance * d);
-      const float n = std::clamp((s.curveInk.at(x, y) - 0.15F) / 0.5F, 0.0F, 1.0F);
+      const float n = std::clamp((s.remainingCoverage.at(x, y) - 0.15F) / 0.5F, 0.0F, 1.0F);
       const float open = gap + (1.0F - gap) * n;
       const float e = std::clamp((s.explained.at(x, y) / s.curveLevel - 0.3F) / 0.4F, 0.0F, 1.0F);
-      const bool drawn = plane.ink.at(x, y) > 0.4F * s.explained.at(x, y);
+      const bool drawn = plane.coverage.at(x, y) > 0.4F * s.explained.at(x, y);
       const float onLine = s.upright.at(x, y) > 0.3F * s.curveLevel ? kOnUprightLine : kOnLevelLine;
       reward.at(x, y) =
           e > 0 && drawn ? (1 - e) * open + e * std::max(onLine, n > 0.6F ? open : onLine) : open;

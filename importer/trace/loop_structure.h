@@ -30,11 +30,11 @@ std::vector<StraightLine> findStraightLines(const WorkPlane& plane,
 
 /// The coverage with its straight lines subtracted.
 struct Structure {
-  Plane explained;       ///< coverage explained by the straight lines where they are drawn
-  Plane upright;         ///< the part of it by vertical lines inside the frame
-  Plane curveInk;        ///< 0..1: the rest, in units of the curves' own darkness
-  Plane gapDistance;     ///< px to the nearest remaining pixel that is no text
-  float curveLevel = 1;  ///< coverage of the curves' ridge
+  Plane explained;          ///< coverage explained by the straight lines where they are drawn
+  Plane upright;            ///< the part of it by vertical lines inside the frame
+  Plane remainingCoverage;  ///< 0..1: the rest, in units of the curves' own darkness
+  Plane gapDistance;        ///< px to the nearest remaining pixel that is no text
+  float curveLevel = 1;     ///< coverage of the curves' ridge
   double strokeWidth_px = 1;
 };
 

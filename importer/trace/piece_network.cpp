@@ -99,7 +99,7 @@ std::optional<Touch> touchInside(const std::vector<Point>& line, Point p, double
   double bestDistance = reach;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point a = line[i - 1], b = line[i];
-    const double t = footOn(a, b, p);
+    const double t = projectionOn(a, b, p);
     const Point lowest = a + t * (b - a);
     const double d = distance(lowest, p);
     if (d <= bestDistance) {
@@ -258,7 +258,7 @@ double PieceNetwork::joinCost(std::size_t from, bool fromEnd, const Link& link) 
          widthDoubling * widths;
 }
 
-double PieceNetwork::walkCost(std::size_t piece, bool forward) const {
+double PieceNetwork::pathCost(std::size_t piece, bool forward) const {
   const LinePiece& line = pieces_[piece];
   const double gain = forward ? spans_[piece] : -spans_[piece];
   double cost = line.onGridLine ? gridPiece : line.axisParallel ? axisParallelPiece : 0;
@@ -277,10 +277,10 @@ bool PieceNetwork::visiblyGoesOn(std::size_t from, bool fromEnd, const Link& lin
   if (!next.axisParallel) return joinCost(from, fromEnd, link) <= surelyGoesOn;
   const bool level = std::abs(spans_[link.piece]) > levelSpan;  // more likely a gridline
   if (level || std::abs(std::log2(here.width_px / next.width_px)) > sameWidth) return false;
-  return joinCost(from, fromEnd, link) <= (isWallUp(link) ? rightAngle * 1.1 : surelyGoesOn);
+  return joinCost(from, fromEnd, link) <= (isBottomOutUp(link) ? rightAngle * 1.1 : surelyGoesOn);
 }
 
-bool PieceNetwork::isWallUp(const Link& link) const {
+bool PieceNetwork::isBottomOutUp(const Link& link) const {
   constexpr double leastHeight = 0.1;  // of the plot's
   constexpr int mostParts = 8;         // strokes that end on the vertical line have cut it
   double rise = 0;
@@ -345,7 +345,7 @@ std::optional<FoundStroke> PieceNetwork::nextStroke(double leastCover) {
   for (std::size_t state = 0; state < states; ++state) {
     const Step step = stepOf(state);
     if (pieces_[step.piece].axisParallel || used_[step.piece] > 0) continue;
-    cost[state] = endCost(step, false) + walkCost(step.piece, step.forward);
+    cost[state] = endCost(step, false) + pathCost(step.piece, step.forward);
     queue.push({cost[state], state});
   }
   std::size_t best = none;
@@ -362,7 +362,7 @@ std::optional<FoundStroke> PieceNetwork::nextStroke(double leastCover) {
     for (const Link& link : linksOf(step.piece, step.forward)) {
       const std::size_t next = 2 * link.piece + (link.atEnd ? 1 : 0);
       const double through =
-          reached + joinCost(step.piece, step.forward, link) + walkCost(link.piece, !link.atEnd);
+          reached + joinCost(step.piece, step.forward, link) + pathCost(link.piece, !link.atEnd);
       if (through < cost[next]) {
         cost[next] = through;
         before[next] = state;

@@ -76,11 +76,11 @@ class PieceNetwork {
   Point outwardDirection(std::size_t piece, bool atEnd) const;
   double touchDistance(const LinePiece& a, const LinePiece& b) const;
   double joinCost(std::size_t from, bool fromEnd, const Link& link) const;
-  double walkCost(std::size_t piece, bool forward) const;
+  double pathCost(std::size_t piece, bool forward) const;
   /// Returns true if the line visibly continues: touching, without a sharp turn, with the same thickness.
   bool visiblyGoesOn(std::size_t from, bool fromEnd, const Link& link) const;
   /// Returns true for a vertical line upwards, long enough for the bottom-out.
-  bool isWallUp(const Link& link) const;
+  bool isBottomOutUp(const Link& link) const;
   /// Cost of beginning or ending a stroke there: uncovered travel, and more if the line visibly continues.
   double endCost(const Step& step, bool atEnd) const;
   void extend(std::vector<Step>& steps, bool atEnd) const;

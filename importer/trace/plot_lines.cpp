@@ -11,7 +11,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-void addDots(std::vector<PixelAt>& dots, const InkOnArea& coverage, const PlotArea& area, double at,
+void addDots(std::vector<PixelAt>& dots, const ColourOnArea& coverage, const PlotArea& area, double at,
              bool plumb) {
   constexpr double inked_px = 0.3, least = 0.15, most = 0.8;  // px; covered shares of a stretch
   constexpr std::size_t stretches = 10, mostOther = 2, window = 12;
@@ -40,7 +40,7 @@ void addDots(std::vector<PixelAt>& dots, const InkOnArea& coverage, const PlotAr
 
 }  // namespace
 
-std::vector<double> runsAlong(const InkOnArea& coverage, const PlotArea& area, double at, bool plumb) {
+std::vector<double> runsAlong(const ColourOnArea& coverage, const PlotArea& area, double at, bool plumb) {
   std::vector<double> runs;
   const int length = plumb ? area.raster.height_px : area.raster.width_px;
   for (int i = 0; i < length; ++i)
@@ -57,7 +57,7 @@ void forPixelsAcross(const PlotArea& area, int along, double at, double most_px,
     if (lane >= 0 && lane < lanes) plumb ? visit(lane, along) : visit(along, lane);
 }
 
-std::vector<PixelAt> dottedLines(const InkOnArea& coverage, const PlotScene& scene) {
+std::vector<PixelAt> dottedLines(const ColourOnArea& coverage, const PlotScene& scene) {
   const PlotArea& area = scene.area();
   const Box box = scene.plotFrame().box();
   std::vector<PixelAt> dots;

@@ -17,7 +17,7 @@ struct PixelAt {
 };
 
 /// Thickness along a column or row of the area, per pixel.
-std::vector<double> runsAlong(const InkOnArea& coverage, const PlotArea& area, double at, bool plumb);
+std::vector<double> runsAlong(const ColourOnArea& coverage, const PlotArea& area, double at, bool plumb);
 
 /// Visits the pixels across a line at `at`, position `along`, up to its largest thickness.
 void forPixelsAcross(const PlotArea& area, int along, double at, double most_px, bool plumb,
@@ -25,6 +25,6 @@ void forPixelsAcross(const PlotArea& area, int along, double at, double most_px,
 
 /// Pixels of dotted or dashed gridlines at the tick labels: marks and gaps alternate along nearly all of
 /// them. A solid one has something else on it.
-std::vector<PixelAt> dottedLines(const InkOnArea& coverage, const PlotScene& scene);
+std::vector<PixelAt> dottedLines(const ColourOnArea& coverage, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

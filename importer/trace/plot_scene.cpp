@@ -193,14 +193,14 @@ const Lettering& PlotScene::lettering() const {
     for (int x = 0; x < area_.raster.width_px; ++x)
       contrast.push_back(
           static_cast<std::uint8_t>(std::min(255.0F, 0.577F * norm(pixel(x, y) - behind(x, y)))));
-  return lettering_.emplace(findLettering(area_, contrast, inkThreshold()));
+  return lettering_.emplace(findLettering(area_, contrast, coverageThreshold()));
 }
 
-const InkOnArea& PlotScene::inkOf(Rgb color) const {
-  const auto known = std::ranges::find(inks_, color, &std::pair<Rgb, InkOnArea>::first);
-  if (known != inks_.end()) return known->second;
+const ColourOnArea& PlotScene::coverageOf(Rgb color) const {
+  const auto known = std::ranges::find(coloursOnArea_, color, &std::pair<Rgb, ColourOnArea>::first);
+  if (known != coloursOnArea_.end()) return known->second;
   constexpr float sameHue = 0.93F;  // cosine; other colours have a share of this one
-  const Ink colour = inkOfColor(color, paper_);
+  const PaletteColour colour = paletteColourOf(color, paper_);
   Plane coverage(area_.raster.width_px, area_.raster.height_px);
   for (int y = 0; y < coverage.height; ++y)
     for (int x = 0; x < coverage.width; ++x) {
@@ -208,7 +208,7 @@ const InkOnArea& PlotScene::inkOf(Rgb color) const {
       const float own = dot(difference, colour.direction);
       if (own >= sameHue * norm(difference)) coverage.at(x, y) = std::min(own / colour.strength, 1.0F);
     }
-  return inks_.emplace_back(color, InkOnArea(std::move(coverage), colour.strength)).second;
+  return coloursOnArea_.emplace_back(color, ColourOnArea(std::move(coverage), colour.strength)).second;
 }
 
 void PlotScene::measureShading() {

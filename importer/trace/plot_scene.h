@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "importer/trace/curve_ink.h"
+#include "importer/trace/curve_colour.h"
 #include "importer/trace/plot_text.h"
 
 namespace detent::importer::trace {
@@ -44,11 +44,11 @@ class PlotScene {
   /// Colour differences below this are noise (camera, JPEG); 0 for a clean rendering.
   float noise() const { return noise_; }
   /// Smallest colour difference above noise.
-  float inkThreshold() const { return std::max(10.0F, 4.5F * noise_); }
+  float coverageThreshold() const { return std::max(10.0F, 4.5F * noise_); }
 
   const Lettering& lettering() const;
   /// Coverage by a curve's colour.
-  const InkOnArea& inkOf(Rgb color) const;
+  const ColourOnArea& coverageOf(Rgb color) const;
 
  private:
   Color3 shadedPaper(int x, int y) const;
@@ -71,7 +71,7 @@ class PlotScene {
   double tileWidth_ = 1, tileHeight_ = 1;
   std::vector<Color3> shading_;  ///< paper per tile; empty for an even paper
   mutable std::optional<Lettering> lettering_;
-  mutable std::list<std::pair<Rgb, InkOnArea>> inks_;
+  mutable std::list<std::pair<Rgb, ColourOnArea>> coloursOnArea_;
 };
 
 }  // namespace detent::importer::trace

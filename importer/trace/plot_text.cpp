@@ -7,14 +7,14 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "importer/page/ink_pieces.h"
+#include "importer/page/pixel_components.h"
 
 namespace detent::importer::trace {
 
 namespace {
 
 /// Mean length of a piece's shorter runs.
-double strokeOf(const InkPiece& piece) {
+double strokeOf(const PixelComponent& piece) {
   return static_cast<double>(piece.area_px) / std::max(piece.runsDown, piece.runsAcross);
 }
 
@@ -35,7 +35,7 @@ int strongContrast(const cv::Mat& contrast, int from) {
   return from;
 }
 
-bool hasLetterShape(const InkPiece& piece, const Box& frame) {
+bool hasLetterShape(const PixelComponent& piece, const Box& frame) {
   const double height = piece.box.height(), width = piece.box.width();
   return height >= 5 && height <= 0.14 * frame.height() && width <= 4 * height &&
          width <= 0.2 * frame.width() && height >= 2.2 * strokeOf(piece);
@@ -43,7 +43,7 @@ bool hasLetterShape(const InkPiece& piece, const Box& frame) {
 
 /// Returns true for touching letters: a wide low piece, busy in both directions. A stretch of a curve is
 /// crossed about once per column.
-bool hasWordShape(const InkPiece& piece, const Box& frame) {
+bool hasWordShape(const PixelComponent& piece, const Box& frame) {
   const double height = piece.box.height(), width = piece.box.width();
   return height >= 6 && height <= 0.14 * frame.height() && width >= 1.8 * height &&
          width <= 0.7 * frame.width() && piece.runsDown >= 1.3 * width && piece.runsAcross >= 0.8 * width;
@@ -60,7 +60,7 @@ bool standInOneRow(const Box& left, const Box& right) {
 }
 
 /// Chains letters from left to right. Three in a row are text.
-std::vector<std::vector<std::size_t>> letterRows(const std::vector<InkPiece>& pieces,
+std::vector<std::vector<std::size_t>> letterRows(const std::vector<PixelComponent>& pieces,
                                                  const std::vector<std::size_t>& order) {
   std::vector<std::vector<std::size_t>> rows;
   for (std::size_t i : order) {
@@ -87,7 +87,7 @@ bool mostlyInside(const Box& piece, const Box& word) {
 void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const std::vector<Box>& words,
                  std::vector<Box>& rows, cv::Mat& mask) {
   const cv::Mat marks = contrast >= threshold;
-  const InkPieces pieces = inkPiecesOf(marks.data, marks.cols, marks.rows, marks.step);
+  const PixelComponents pieces = pixelComponentsOf(marks.data, marks.cols, marks.rows, marks.step);
   const std::size_t n = pieces.all.size();
   std::vector<char> isWord(n, 0), isLetter(n, 0);
   std::vector<std::size_t> order;
@@ -116,7 +116,7 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
       isLetter[i] = mostlyInside(box, rows[k]);
     for (std::size_t k = 0; k < words.size() && !isLetter[i]; ++k) isLetter[i] = mostlyInside(box, words[k]);
   }
-  for (const InkRun& run : pieces.runs)
+  for (const PixelRun& run : pieces.runs)
     if (isLetter[run.piece])
       std::fill(mask.ptr<std::uint8_t>(run.y) + run.from, mask.ptr<std::uint8_t>(run.y) + run.to,
                 std::uint8_t{1});
@@ -124,11 +124,11 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
 
 }  // namespace
 
-Lettering findLettering(const PlotArea& area, const Mask& contrasts, float inkThreshold) {
+Lettering findLettering(const PlotArea& area, const Mask& contrasts, float coverageThreshold) {
   Lettering text;
   const cv::Mat contrast(area.raster.height_px, area.raster.width_px, CV_8U,
                          const_cast<std::uint8_t*>(contrasts.data()));
-  const int faint = std::max(14, static_cast<int>(0.6F * inkThreshold));
+  const int faint = std::max(14, static_cast<int>(0.6F * coverageThreshold));
   const int strong = strongContrast(contrast, faint) / 2;
   std::vector<Box> grown;
   for (const Box& word : area.words) {

@@ -15,6 +15,6 @@ struct Lettering {
 
 /// Recognises letters by shape: small pieces, tall relative to their stroke, in rows. Pieces inside a known
 /// word are always letters. `contrasts`: colour difference to the background, 0..255, per pixel.
-Lettering findLettering(const PlotArea& area, const Mask& contrasts, float inkThreshold);
+Lettering findLettering(const PlotArea& area, const Mask& contrasts, float coverageThreshold);
 
 }  // namespace detent::importer::trace

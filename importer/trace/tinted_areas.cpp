@@ -220,14 +220,14 @@ class TintedAreas {
   /// the line on whose pale rim the pixel lies. Returns the pixel's own colour if there is none.
   static Color3 coreOfLine(const Raster& picture, int x, int y, Color3 tint) {
     constexpr int reach_px = 2;
-    constexpr float sameInk = 0.9F;  // cosine between differences to the tint
+    constexpr float sameColour = 0.9F;  // cosine between differences to the tint
     const Color3 offset = colorAt(picture, x, y);
     Color3 core = offset;
     for (int v = std::max(0, y - reach_px); v <= std::min(picture.height_px - 1, y + reach_px); ++v)
       for (int u = std::max(0, x - reach_px); u <= std::min(picture.width_px - 1, x + reach_px); ++u) {
         const Color3 near = colorAt(picture, u, v);
         if (norm(near - tint) > norm(core - tint) &&
-            dot(near - tint, offset - tint) >= sameInk * norm(near - tint) * norm(offset - tint))
+            dot(near - tint, offset - tint) >= sameColour * norm(near - tint) * norm(offset - tint))
           core = near;
       }
     return core;

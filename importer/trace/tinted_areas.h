@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "importer/trace/curve_ink.h"
+#include "importer/trace/curve_colour.h"
 
 namespace detent::importer::trace {
 

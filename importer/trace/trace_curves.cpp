@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step 4, reading order: plot_scene.h (what is visible) -> trace_vector.h (paths, exact) -> here (which
-// colours draw curves) -> plot_text, ink_palette, ink_coverage, curve_choice, follow_curve, centre_line,
-// line_ends (curves in colours of their own) or trace_loop.h (both strokes in one colour).
+// colours draw curves) -> plot_text, colour_palette, colour_coverage, curve_choice, follow_curve,
+// centre_line, line_ends (curves in colours of their own) or trace_loop.h (both strokes in one colour).
 
 #include <algorithm>
 #include <charconv>
@@ -12,18 +12,18 @@
 #include <optional>
 #include <set>
 
+#include "importer/trace/axis_line_cut.h"
+#include "importer/trace/bottom_outs.h"
 #include "importer/trace/centre_line.h"
+#include "importer/trace/colour_shades.h"
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/dashed_beside.h"
-#include "importer/trace/foot_line.h"
-#include "importer/trace/ink_shades.h"
 #include "importer/trace/legend_words.h"
 #include "importer/trace/line_ends.h"
 #include "importer/trace/plot_scene.h"
 #include "importer/trace/trace_loop.h"
 #include "importer/trace/trace_vector.h"
-#include "importer/trace/walls.h"
 
 namespace detent::importer {
 
@@ -50,12 +50,13 @@ struct GivenColours {
 };
 
 /// Adds given colours to the palette; a found colour of the same direction keeps its measured shade.
-GivenColours addGivenColours(std::vector<Ink>& palette, const TraceHints& hints, const PlotScene& scene) {
+GivenColours addGivenColours(std::vector<PaletteColour>& palette, const TraceHints& hints,
+                             const PlotScene& scene) {
   const auto indexOf = [&](const std::optional<Rgb>& color) {
     if (!color) return -1;
-    const Ink colour = inkOfColor(*color, scene.paper());
-    const auto same = std::find_if(palette.begin(), palette.end(), [&](const Ink& other) {
-      return static_cast<double>(dot(other.direction, colour.direction)) > kSameInkAngle;
+    const PaletteColour colour = paletteColourOf(*color, scene.paper());
+    const auto same = std::find_if(palette.begin(), palette.end(), [&](const PaletteColour& other) {
+      return static_cast<double>(dot(other.direction, colour.direction)) > kSameColourAngle;
     });
     const int index = static_cast<int>(same - palette.begin());
     if (same == palette.end()) palette.push_back(colour);
@@ -87,14 +88,14 @@ void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
 }
 
 /// The centre line of a curve with a known path, in the view.
-CurveTrace lineAlong(const CoarseCurve& path, const CurveField& field, double thickness_px, const Ink& colour,
-                     const PlotInks& plot, const TraceOptions& options) {
+CurveTrace lineAlong(const CoarseCurve& path, const CurveField& field, double thickness_px,
+                     const PaletteColour& colour, const PlotColours& plot, const TraceOptions& options) {
   const PlotArea& area = plot.area();
   CentreLine line = centreLine(field, path, thickness_px);
   finishEnds(line, field, area.frame);
   CurveTrace trace;
   trace.color = plot.colorOf(colour);
-  trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, path.inkShare), 0.0, 1.0);
+  trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, path.coveredShare), 0.0, 1.0);
   Point last{};
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     const Point p = area.toView(line.points[i]);
@@ -109,20 +110,20 @@ CurveTrace lineAlong(const CoarseCurve& path, const CurveField& field, double th
 }
 
 /// A curve in its own colour; `curveInks`: those of all curves.
-CurveTrace traceOf(const CurveInk& curve, const std::vector<int>& curveColours, const PlotInks& plot,
+CurveTrace traceOf(const CurveColour& curve, const std::vector<int>& curveColours, const PlotColours& plot,
                    const TraceOptions& options) {
-  const CurveField field = fieldOf(plot, curve.ink, curveColours);
+  const CurveField field = fieldOf(plot, curve.entryIndex, curveColours);
   FollowOptions follow;
   follow.thickness_px = curve.thickness_px;
   const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
   const CoarseCurve path = followCurve(joined ? *joined : field, plot.area().frame, follow);
   return lineAlong(path, curve.dashed ? besideDashesOnly(field) : field, curve.thickness_px,
-                   plot.ink(curve.ink), plot, options);
+                   plot.entry(curve.entryIndex), plot, options);
 }
 
 /// Coverage of the area by one colour, for curves that share it with each other and perhaps with grid and
 /// text.
-Plane coverageBy(const Ink& colour, bool neutral, const PlotInks& plot) {
+Plane coverageBy(const PaletteColour& colour, bool neutral, const PlotColours& plot) {
   const PlotArea& area = plot.area();
   Plane coverage(area.raster.width_px, area.raster.height_px);
   const float floor = std::max(4.0F, 3 * plot.scene.noise());
@@ -136,8 +137,8 @@ Plane coverageBy(const Ink& colour, bool neutral, const PlotInks& plot) {
       if (!neutral) {
         // A pixel belongs to the colour that fits it best; only blends keep a share of this one.
         float bestOther = 0;
-        for (const Ink& other : plot.palette) {
-          if (static_cast<double>(dot(other.direction, colour.direction)) > kSameInkAngle) continue;
+        for (const PaletteColour& other : plot.palette) {
+          if (static_cast<double>(dot(other.direction, colour.direction)) > kSameColourAngle) continue;
           bestOther = std::max(bestOther, dot(difference, other.direction) / length);
         }
         const float fit = dot(difference, colour.direction) / length;
@@ -150,10 +151,10 @@ Plane coverageBy(const Ink& colour, bool neutral, const PlotInks& plot) {
 
 /// The palette entry of everything that is not coloured: from the paper to the darkest (on dark paper:
 /// lightest) colour.
-Ink darkness(const PlotInks& plot) {
-  Ink dark;
+PaletteColour darkness(const PlotColours& plot) {
+  PaletteColour dark;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const Ink& colour = plot.ink(k);
+    const PaletteColour& colour = plot.entry(k);
     if (isNeutral(plot, k) && colour.strength > dark.strength) dark = colour;
   }
   if (dark.strength > 0) return dark;
@@ -172,44 +173,45 @@ Mask either(const Mask& a, const Mask& b) {
 }
 
 /// Sets the strokes of curves whose colour the user gave.
-void nameGivenStrokes(std::vector<CurveTrace>& traces, const std::vector<CurveInk>& curves,
+void nameGivenStrokes(std::vector<CurveTrace>& traces, const std::vector<CurveColour>& curves,
                       const GivenColours& given) {
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    if (curves[i].ink == given.press) traces[i].stroke = Stroke::press;
-    if (curves[i].ink == given.release) traces[i].stroke = Stroke::release;
+    if (curves[i].entryIndex == given.press) traces[i].stroke = Stroke::press;
+    if (curves[i].entryIndex == given.release) traces[i].stroke = Stroke::release;
   }
 }
 
 /// Given colours as they are; if only one is given the other stroke is searched.
-std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenColours& given) {
-  if (!given.any()) return chooseCurveInks(plot);
-  std::vector<CurveInk> curves = curvesOfInks(plot, {given.press, given.release});
+std::vector<CurveColour> findCurves(const PlotColours& plot, const GivenColours& given) {
+  if (!given.any()) return chooseCurveColours(plot);
+  std::vector<CurveColour> curves = curvesOfColours(plot, {given.press, given.release});
   if (given.press >= 0 && given.release >= 0) return curves;
-  for (CurveInk& found : chooseCurveInks(plot))
-    if (found.ink != given.press && found.ink != given.release) curves.push_back(std::move(found));
+  for (CurveColour& found : chooseCurveColours(plot))
+    if (found.entryIndex != given.press && found.entryIndex != given.release)
+      curves.push_back(std::move(found));
   return curves;
 }
 
 /// Curves of which two are shades of one colour, and the colours they were chosen from.
 struct ShadedCurves {
-  PlotInks plot;
-  std::vector<CurveInk> curves;
+  PlotColours plot;
+  std::vector<CurveColour> curves;
 };
 
 /// Beside two shades of one colour a second switch in the colour of frame and text, if both its strokes have
 /// a shade of it too.
 ShadedCurves withNeutralShades(ShadedCurves shaded, double least_px) {
-  const std::optional<CurveInk> other = neutralCurveBeside(shaded.plot, shaded.curves.front());
+  const std::optional<CurveColour> other = neutralCurveBeside(shaded.plot, shaded.curves.front());
   if (!other) return shaded;
-  const auto k = static_cast<std::size_t>(other->ink);
+  const auto k = static_cast<std::size_t>(other->entryIndex);
   const auto paler =
-      palerShade(shaded.plot.scene, shaded.plot.palette[k], shaded.plot.coverage.ink[k], least_px);
+      palerShade(shaded.plot.scene, shaded.plot.palette[k], shaded.plot.coverage.planes[k], least_px);
   if (paler) {
-    std::vector<Ink> palette = shaded.plot.palette;
+    std::vector<PaletteColour> palette = shaded.plot.palette;
     palette.push_back(*paler);
-    ShadedCurves bothCurves{PlotInks(shaded.plot.scene, std::move(palette)), shaded.curves};
-    std::vector<CurveInk> two =
-        curvesInShades(bothCurves.plot, other->ink, static_cast<int>(shaded.plot.palette.size()));
+    ShadedCurves bothCurves{PlotColours(shaded.plot.scene, std::move(palette)), shaded.curves};
+    std::vector<CurveColour> two =
+        curvesInShades(bothCurves.plot, other->entryIndex, static_cast<int>(shaded.plot.palette.size()));
     if (two.size() == 2) {
       std::ranges::move(two, std::back_inserter(bothCurves.curves));
       return bothCurves;
@@ -221,20 +223,20 @@ ShadedCurves withNeutralShades(ShadedCurves shaded, double least_px) {
 
 /// If directions of colour gave one curve or none: one drawn in a paler shade of another, of frame and text,
 /// or of the curve itself.
-std::optional<ShadedCurves> curvesByShade(const PlotInks& plot, const std::vector<CurveInk>& found) {
+std::optional<ShadedCurves> curvesByShade(const PlotColours& plot, const std::vector<CurveColour>& found) {
   const double least_px = 0.5 * plot.options.minSpan * plot.area().frame.width();
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
-    const bool ofCurve = !found.empty() && found.front().ink == k;
+    const bool ofCurve = !found.empty() && found.front().entryIndex == k;
     if (!ofCurve && !isNeutral(plot, k)) continue;
     const auto paler =
-        palerShade(plot.scene, plot.ink(k), plot.coverage.ink[static_cast<std::size_t>(k)], least_px);
+        palerShade(plot.scene, plot.entry(k), plot.coverage.planes[static_cast<std::size_t>(k)], least_px);
     if (!paler) continue;
-    std::vector<Ink> palette = plot.palette;
+    std::vector<PaletteColour> palette = plot.palette;
     palette.push_back(*paler);
-    ShadedCurves shaded{PlotInks(plot.scene, std::move(palette)), {}};
+    ShadedCurves shaded{PlotColours(plot.scene, std::move(palette)), {}};
     const int newIndex = static_cast<int>(plot.palette.size());
     shaded.curves =
-        ofCurve || found.empty() ? curvesInShades(shaded.plot, k, newIndex) : chooseCurveInks(shaded.plot);
+        ofCurve || found.empty() ? curvesInShades(shaded.plot, k, newIndex) : chooseCurveColours(shaded.plot);
     if (shaded.curves.size() != 2) continue;
     return ofCurve ? withNeutralShades(std::move(shaded), least_px) : std::move(shaded);
   }
@@ -271,13 +273,13 @@ bool joinAtEnds(CurveTrace& dashed, const CurveTrace& solid, double most_px) {
 }
 
 /// Press and release in one colour, one solid and one dashed; empty otherwise.
-std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveInk& curve,
-                                       const std::vector<int>& curveColours, const PlotInks& plot,
+std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveColour& curve,
+                                       const std::vector<int>& curveColours, const PlotColours& plot,
                                        const TraceOptions& options) {
   const auto beside = dashedBeside(solid, curve, curveColours, plot);
   if (!beside) return {};
   CurveTrace dashed =
-      lineAlong(beside->course, beside->field, curve.thickness_px, plot.ink(curve.ink), plot, options);
+      lineAlong(beside->path, beside->field, curve.thickness_px, plot.entry(curve.entryIndex), plot, options);
   if (dashed.points_px.size() < 2) return {};
   const Box& frame = plot.area().frame;
   if (!joinAtEnds(dashed, solid, kDashesEndBefore * std::hypot(frame.width(), frame.height()))) return {};
@@ -296,19 +298,19 @@ std::vector<CurveTrace> partedByDashes(const CurveTrace& solid, const CurveInk& 
 /// Splits every trace whose colour draws both strokes into press and release; both keep its label. A curve
 /// with only marks beside it stays whole. Of one or two traces either all are split or none is.
 std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
-                                        const std::vector<CurveInk>& curves, const PlotInks& plot,
+                                        const std::vector<CurveColour>& curves, const PlotColours& plot,
                                         const TraceOptions& options, const Progress& progress) {
   const auto loopIn = [&](std::size_t i) {
     std::vector<CurveTrace> strokes;
     if (curves[i].secondStrand <= plot.options.secondStrand) return strokes;
-    const Plane& ownPlane = plot.coverage.ink[static_cast<std::size_t>(curves[i].ink)];
+    const Plane& ownPlane = plot.coverage.planes[static_cast<std::size_t>(curves[i].entryIndex)];
     auto loop = traceLoop(plot.area(), ownPlane, traces[i].color, options, progress);
     if (loop && loop->size() > 1 && loop->front().confidence >= kCredibleLoop)
       strokes = std::move(loop).value();
     return strokes;
   };
   std::vector<int> curveColours;
-  for (const CurveInk& curve : curves) curveColours.push_back(curve.ink);
+  for (const CurveColour& curve : curves) curveColours.push_back(curve.entryIndex);
   const bool allOrNone = traces.size() <= 2;
   std::vector<CurveTrace> all;
   for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {
@@ -326,14 +328,15 @@ std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
 }
 
 /// A coloured loop and, if drawn, a second one in the colour of frame and text, each with its label.
-std::vector<CurveTrace> withNeutralLoop(std::vector<CurveTrace> loop, const CurveInk& ownColour,
-                                        const PlotInks& plot, const AxesFound& axes, const PageView& view,
+std::vector<CurveTrace> withNeutralLoop(std::vector<CurveTrace> loop, const CurveColour& ownColour,
+                                        const PlotColours& plot, const AxesFound& axes, const PageView& view,
                                         const TraceOptions& options, const Progress& progress) {
   if (loop.size() != 2) return loop;
-  const std::optional<CurveInk> other = neutralCurveBeside(plot, ownColour);
+  const std::optional<CurveColour> other = neutralCurveBeside(plot, ownColour);
   if (!other) return loop;
-  const Plane& coverage = plot.coverage.ink[static_cast<std::size_t>(other->ink)];
-  auto second = traceLoop(plot.area(), coverage, plot.colorOf(plot.ink(other->ink)), options, progress);
+  const Plane& coverage = plot.coverage.planes[static_cast<std::size_t>(other->entryIndex)];
+  auto second =
+      traceLoop(plot.area(), coverage, plot.colorOf(plot.entry(other->entryIndex)), options, progress);
   if (!second || second->size() != 2 || second->front().confidence < kCredibleLoop) return loop;
   std::vector<CurveTrace> named{loop.front(), second->front()};
   labelTraces(named, axes, view, plot.scene);
@@ -438,7 +441,7 @@ bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& tra
 /// colour. Accepted if the coloured traces lie on the result and each legend name stays with one stroke
 /// (docs/develop/decisions/0408-small-print.md).
 std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTrace>& traces,
-                                                      const PlotInks& plot, const TraceOptions& options,
+                                                      const PlotColours& plot, const TraceOptions& options,
                                                       const Progress& progress) {
   constexpr double smallFrame_px = 360, mediumFrame_px = 720,
                    agreeing = 0.9;  // widths; of a path that lies on a stroke
@@ -473,14 +476,15 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
 Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageView& view,
                                             const AxesFound& axes, const TraceHints& hints,
                                             const TraceOptions& options, const Progress& progress) {
-  std::vector<Ink> palette = findInks(scene, either(scene.lettering().mask, scene.area().masked));
-  addLetterInk(palette, scene);
+  std::vector<PaletteColour> palette =
+      findColours(scene, either(scene.lettering().mask, scene.area().masked));
+  addLetterColour(palette, scene);
   const GivenColours given = addGivenColours(palette, hints, scene);
   if (palette.empty()) return noCurve(Message("is empty: nothing but paper and grid lines in it"));
   if (progress.isCancelled()) return Failure::cancelled();
 
-  const PlotInks plot(scene, std::move(palette));
-  std::vector<CurveInk> curves = findCurves(plot, given);
+  const PlotColours plot(scene, std::move(palette));
+  std::vector<CurveColour> curves = findCurves(plot, given);
   if (given.any() && curves.empty()) return noCurve(Message("shows no line in the colours given"));
   const std::optional<ShadedCurves> shaded =
       !given.any() && curves.size() < 2 ? curvesByShade(plot, curves) : std::nullopt;
@@ -491,14 +495,14 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   if (curves.empty() || oneColourBothStrokes) {
     // A press alone keeps its words: a legend with both keys in its colour names a release that was not
     // found.
-    const auto loopIn = [&](const Ink& colour, bool neutral) {
+    const auto loopIn = [&](const PaletteColour& colour, bool neutral) {
       auto loop =
           traceLoop(scene.area(), coverageBy(colour, neutral, plot), plot.colorOf(colour), options, progress);
       if (loop && loop->size() == 1) labelTraces(*loop, axes, view, scene);
       return loop;
     };
     if (curves.empty()) return loopIn(darkness(plot), true);
-    Result<std::vector<CurveTrace>> loop = loopIn(plot.ink(curves.front().ink), false);
+    Result<std::vector<CurveTrace>> loop = loopIn(plot.entry(curves.front().entryIndex), false);
     const double believed = loop.ok() ? loop->front().confidence : 0;
     if (given.any() || progress.isCancelled()) return loop;
     if (believed >= kCredibleLoop)
@@ -508,14 +512,14 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
     return neutral.ok() && neutral->front().confidence > believed ? neutral : loop;
   }
 
-  const std::vector<CurveInk> chosen = curves;
-  const PlotInks finalPlot(scene, reducedPalette(shaded ? shaded->plot : plot, curves));
+  const std::vector<CurveColour> chosen = curves;
+  const PlotColours finalPlot(scene, reducedPalette(shaded ? shaded->plot : plot, curves));
   std::vector<int> curveColours;
-  for (const CurveInk& curve : curves) curveColours.push_back(curve.ink);
+  for (const CurveColour& curve : curves) curveColours.push_back(curve.entryIndex);
   std::vector<CurveTrace> traces;
-  for (const CurveInk& curve : curves) traces.push_back(traceOf(curve, curveColours, finalPlot, options));
+  for (const CurveColour& curve : curves) traces.push_back(traceOf(curve, curveColours, finalPlot, options));
   for (std::size_t i = 1; shaded && i < chosen.size(); ++i)
-    if (areShades(shaded->plot.ink(chosen[i - 1].ink), shaded->plot.ink(chosen[i].ink)))
+    if (areShades(shaded->plot.entry(chosen[i - 1].entryIndex), shaded->plot.entry(chosen[i].entryIndex)))
       leadBeside(traces[i], traces[i - 1]), leadBeside(traces[i - 1], traces[i]);
   nameGivenStrokes(traces, chosen, given);
   labelTraces(traces, axes, view, scene);
@@ -573,7 +577,7 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
                    Message("Leave it at 1")};
   std::vector<CurveTrace> exact = traceVector(view, scene.plotFrame(), axes, hints);
   if (!exact.empty()) {
-    addLostWalls(exact, scene);
+    addLostBottomOuts(exact, scene);
     labelDrawn(exact, axes, view, scene);
     return exact;
   }
@@ -581,9 +585,9 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
   auto traces = traceRaster(scene, view, axes, hints, options, progress);
   if (!traces) return traces;
   for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, scene.plotFrame());
-  cutAlongFootLine(*traces, scene);
+  cutAlongAxisLine(*traces, scene);
   cutAcrossToEdges(*traces, scene);
-  addLostWalls(*traces, scene);
+  addLostBottomOuts(*traces, scene);
   return traces;
 }
 

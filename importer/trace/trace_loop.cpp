@@ -29,7 +29,7 @@ Failure noCurveFailure() {
 constexpr double kNotACurve = 0.15;
 
 Failure doubtfulFailure(double confidence) {
-  return failureOf({DoubtCode::doesNotLookLikeOne,
+  return failureOf({DoubtCode::resemblesNoLoop,
                     {{confidence, Measure::share}},
                     {{RemedyKind::pickPress, {}},
                      {RemedyKind::pickRelease, {}},
@@ -102,13 +102,13 @@ void showPlane(const Progress& progress, const Plane& grid, std::string_view lab
 
 /// Returns true if the remaining pixels are a curve of another switch.
 bool showsAnother(const PlanePair& pair, const WorkPlane& plane) {
-  return pair.further_px > kAnotherCurve * plane.frame.width() || pair.wallLeftOver || pair.leftItsLine;
+  return pair.further_px > kAnotherCurve * plane.frame.width() || pair.bottomOutLeftOver || pair.leftItsLine;
 }
 
 /// A release cannot start beyond the end of the press; two presses have separate ends.
-bool comesFromFarther(const RefinedPair& strokes, bool wallsCut) {
+bool comesFromFarther(const RefinedPair& strokes, bool bottomOutsCut) {
   // Of the press travel; 0.05 occurs where slanting bottom-outs are cut back to their dashes.
-  const double within = wallsCut ? 0.06 : 0.035;
+  const double within = bottomOutsCut ? 0.06 : 0.035;
   const auto &press = strokes.press.points, &release = strokes.release.points;
   if (press.empty() || release.empty()) return false;
   return release.back().x - press.back().x > within * (press.back().x - press.front().x);
@@ -131,7 +131,7 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& cov
       findStraightLines(plane, onPlane(area.columns_px, plane.origin.x, plane.scale),
                         onPlane(area.rows_px, plane.origin.y, plane.scale));
   const Structure structure = explainStructure(plane, lines, letteringOn(plane, area.words));
-  showPlane(progress, structure.curveInk, "loop: ink left to the curves");
+  showPlane(progress, structure.remainingCoverage, "loop: ink left to the curves");
   if (progress.isCancelled()) return Failure::cancelled();
 
   const PlanePair pair = findPair(structure, plane);
@@ -140,7 +140,8 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& cov
   const RefinedPair refined = refinePair(pair, plane, coverage, lines, structure);
   const double confidence = judge(pair, refined, structure, plane).confidence();
   if (confidence < kNotACurve) return doubtfulFailure(confidence);
-  if (showsAnother(pair, plane) || comesFromFarther(refined, pair.wallsCut) || strokesCross(refined, plane))
+  if (showsAnother(pair, plane) || comesFromFarther(refined, pair.bottomOutsCut) ||
+      strokesCross(refined, plane))
     return severalLoopsFailure(color);
 
   std::vector<CurveTrace> traces{loopTrace(refined.press, Stroke::press, area, options.pointSpacing_px)};

@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "importer/page/same_ink.h"
+#include "importer/page/same_colour.h"
 #include "importer/trace/loop_crossing.h"
 #include "importer/trace/loop_pair.h"
 #include "importer/trace/piece_network.h"

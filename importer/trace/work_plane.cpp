@@ -39,7 +39,7 @@ WorkPlane makeWorkPlane(const Plane& coverage, const PlotArea& area, const WorkP
   const int width = static_cast<int>(std::ceil((f.x1 + margin - x0 + 1) / factor));
   const int height = static_cast<int>(std::ceil((f.y1 + margin - y0 + 1) / factor));
   WorkPlane plane;
-  plane.ink = shrunkBlocks(coverage, x0, y0, width, height, factor);
+  plane.coverage = shrunkBlocks(coverage, x0, y0, width, height, factor);
   plane.scale = factor;
   plane.origin = {x0 + 0.5 * (factor - 1), y0 + 0.5 * (factor - 1)};
   const Point a = plane.fromArea({f.x0, f.y0}), b = plane.fromArea({f.x1, f.y1});

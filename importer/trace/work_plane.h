@@ -8,7 +8,7 @@
 namespace detent::importer::trace {
 
 struct WorkPlane {
-  Plane ink;         ///< coverage 0..1; paper outside the area
+  Plane coverage;    ///< coverage 0..1; paper outside the area
   Box frame;         ///< the frame's edges in plane px
   double scale = 1;  ///< area pixels per plane pixel, whole
   Point origin;      ///< of the plane, in area pixels

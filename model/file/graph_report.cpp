@@ -168,7 +168,7 @@ ordered_json jsonOf(const StrokeMetrics& m, std::size_t knots) {
   out["max_force_N"] = m.maxForce_N;
   out["work_mJ"] = m.work_mJ;
   out["bottom_out"] = jsonOf(CurvePoint{m.bottomOut.displacement_mm, m.bottomOut.force_N});
-  out["bottom_out"]["wall"] = m.bottomOut.wall;
+  out["bottom_out"]["wall"] = m.bottomOut.isSteep;
   out["tactile_points"] = ordered_json::array();
   for (const TactileEvent& e : m.tactile) out["tactile_points"].push_back(jsonOf(e));
   out["sections"] = ordered_json::array();

@@ -16,7 +16,7 @@ namespace detent {
 namespace {
 
 /// Indices of the palette.
-enum Ink : std::uint8_t { paper, grid, black, press, release };
+enum Shade : std::uint8_t { paper, grid, black, press, release };
 constexpr std::array<std::uint8_t, 15> palette{255, 255, 255, 205, 205, 205, 0, 0, 0, 200, 0, 0, 0, 80, 200};
 
 struct Raster {
@@ -27,18 +27,18 @@ struct Raster {
       : width_px(width),
         height_px(height),
         colourIndices(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), paper) {}
-  void dot(int x, int y, Ink colour) {
+  void dot(int x, int y, Shade colour) {
     if (x < 0 || y < 0 || x >= width_px || y >= height_px) return;
     colourIndices[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
                   static_cast<std::size_t>(x)] = colour;
   }
-  void block(double x, double y, int size_px, Ink colour) {
+  void block(double x, double y, int size_px, Shade colour) {
     const int left = static_cast<int>(std::lround(x - size_px / 2.0)),
               top = static_cast<int>(std::lround(y - size_px / 2.0));
     for (int row = 0; row < size_px; ++row)
       for (int column = 0; column < size_px; ++column) dot(left + column, top + row, colour);
   }
-  void line(double x0, double y0, double x1, double y1, int size_px, Ink colour) {
+  void line(double x0, double y0, double x1, double y1, int size_px, Shade colour) {
     const int steps = 1 + static_cast<int>(std::fmin(1e5, std::ceil(2 * std::hypot(x1 - x0, y1 - y0))));
     for (int i = 0; i <= steps; ++i) {
       const double share = static_cast<double>(i) / steps;

@@ -293,7 +293,7 @@ class Plot {
     const double closes_mm = metrics_.operatingPoint->displacement_mm;
     const double height = sized(2 * dimensionRow_px + 8), end = spot(closes_mm, 0).x;
     const auto drawnBetween = [&](double top, double bottom) {
-      return std::ranges::count_if(ink_,
+      return std::ranges::count_if(drawn_,
                                    [&](const Spot& p) { return p.x < end && p.y > top && p.y < bottom; });
     };
     const bool above =
@@ -330,7 +330,7 @@ class Plot {
       const Spot b = spot(points[i + 1].displacement_mm, points[i + 1].force_N);
       const int parts = static_cast<int>(std::clamp(std::hypot(b.x - a.x, b.y - a.y) / 4, 1.0, 500.0));
       for (int k = 0; k <= parts; ++k)
-        ink_.push_back({a.x + (b.x - a.x) * k / parts, a.y + (b.y - a.y) * k / parts});
+        drawn_.push_back({a.x + (b.x - a.x) * k / parts, a.y + (b.y - a.y) * k / parts});
     }
   }
 
@@ -387,7 +387,7 @@ class Plot {
       for (const TactileEvent& e : namedOf(metrics_.release->tactile))
         callout(out, {e.point.displacement_mm, e.point.force_N}, style_.words.tactilePointOfRelease, 1);
     if (metrics_.resetPoint) callout(out, *metrics_.resetPoint, style_.words.resetPoint, 1);
-    if (metrics_.press.bottomOut.wall)
+    if (metrics_.press.bottomOut.isSteep)
       callout(out, {metrics_.press.bottomOut.displacement_mm, metrics_.press.bottomOut.force_N},
               style_.words.bottomOut, 1);
     out += plates_;
@@ -457,7 +457,7 @@ class Plot {
     for (const Box& other : taken_)
       if (box.overlaps(other)) cost += 1e4;
     const Box widened{box.x0 - 3, box.y0 - 3, box.x1 + 3, box.y1 + 3};
-    for (const Spot& p : ink_)
+    for (const Spot& p : drawn_)
       if (widened.contains(p)) cost += 20;
     return cost;
   }
@@ -469,7 +469,7 @@ class Plot {
   Box frame_{};         // area between the first and the last tick
   double edge_px_ = 0;  // right edge of the drawn frame
   Ticks xTicks_, yTicks_;
-  std::vector<Spot> ink_;
+  std::vector<Spot> drawn_;
   std::vector<Box> taken_;
   std::string plates_;  // texts of callouts, over all leaders
   std::string dots_;    // dots of callouts, over the curves

@@ -107,7 +107,7 @@ std::vector<double> landmarksOf(const StrokeCurve& curve, Stroke stroke, const S
     positions.push_back(event.point.displacement_mm);
     if (event.following) positions.push_back(event.following->displacement_mm);
   }
-  if (metrics.bottomOut.wall) positions.push_back(metrics.bottomOut.displacement_mm);
+  if (metrics.bottomOut.isSteep) positions.push_back(metrics.bottomOut.displacement_mm);
   return positions;
 }
 
@@ -424,7 +424,7 @@ void BendableState::findGaps() {
   double vertical_mm =
       std::numeric_limits<double>::infinity();  // from there on a tiny displacement is any force
   for (const StrokeCurve* curve : {&press, &release})
-    if (const BottomOut bottomOut = bottomOutOf(*curve, settings_); bottomOut.wall)
+    if (const BottomOut bottomOut = bottomOutOf(*curve, settings_); bottomOut.isSteep)
       vertical_mm = std::min(vertical_mm, bottomOut.displacement_mm);
   const double from_mm = std::max(press.start_mm(), release.start_mm());
   const double to_mm = std::min({press.end_mm(), release.end_mm(), vertical_mm});

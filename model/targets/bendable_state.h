@@ -24,7 +24,7 @@ enum class ShapeRule {
   mainEvent,     ///< the tactile point with the largest drop stays the largest, later ones stay beyond it
   width,         ///< knots keep their order, and a stretch keeps some width
   direction,     ///< rising stays rising, falling stays falling
-  wall,          ///< a bottom-out at the end stays one, and nothing else becomes one
+  bottomOut,     ///< a bottom-out at the end stays one, and nothing else becomes one
 };
 
 /// Landmarks are the ends of the strokes, every tactile point with the valley or hump after it, and the start

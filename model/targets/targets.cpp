@@ -234,10 +234,10 @@ class Search {
       if (!there) return ShapeRule::width;
       const StrokeMetrics then = metricsOf(there->graph.press(), Stroke::press, settings_),
                           first = metricsOf(before->graph.press(), Stroke::press, settings_);
-      if (then.bottomOut.wall != first.bottomOut.wall) return ShapeRule::wall;
+      if (then.bottomOut.isSteep != first.bottomOut.isSteep) return ShapeRule::bottomOut;
       const double moved_mm = std::abs(then.bottomOut.displacement_mm - first.bottomOut.displacement_mm);
       if (moved_mm > largestStep * part * way.cwiseAbs().maxCoeff() * bendable_.travel_mm())
-        return ShapeRule::wall;
+        return ShapeRule::bottomOut;
       if (then.tactile.size() != first.tactile.size()) return ShapeRule::tactile;
     }
     return {};
@@ -284,7 +284,7 @@ Message lossOf(ShapeRule rule) {
       return Message("the release would lie above the press");
     case ShapeRule::tactile:
       return Message("a tactile point would be too weak to be one");
-    case ShapeRule::wall:
+    case ShapeRule::bottomOut:
       return Message("the bottom-out would begin elsewhere");
   }
   return {};

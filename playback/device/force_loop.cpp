@@ -12,8 +12,8 @@ namespace detent::playback {
 namespace {
 
 constexpr double punctual_s = 100e-6;
-// A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits out what is left awake: at
-// most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
+// A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits
+// out what is left awake: at most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
 constexpr double longestAwake_s = 30e-6, awakeOfPeriod = 0.03;
 constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
 // An answer that is missed in a step that itself began so late is no fault of the device.
@@ -114,7 +114,7 @@ void ForceLoop::publish(bool finished) {
 void ForceLoop::keep(ForceStep step, bool wait) {
   if (settings_.paced) {
     step.time_s = exchanged_s_;
-    step.asked_s = asked_s_;
+    step.requested_s = requested_s_;
   }
   while (!rows_.try_enqueue(step)) {
     if (!wait || abandoned_) {
@@ -156,7 +156,7 @@ void ForceLoop::run() {
     if (settings_.paced && exchanged_s_ > 0 && now_s() - exchanged_s_ > program_->limits.stall_s &&
         now_s() - exchanged_s_ > longestGap * program_->period_s)
       command_.force_N = 0;
-    asked_s_ = now_s();
+    requested_s_ = now_s();
     step(device_->exchange(command_));
     keep(engine_.last(), !settings_.paced);
     publish(false);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The thread between a force device and a force engine: one exchange and one step per period, on time, counted.
+// The thread between a force device and a force engine: one exchange and one step per period, on time,
+// counted.
 
 #include <atomic>
 #include <cstdint>
@@ -69,7 +70,8 @@ class ForceLoop {
   void emergencyStop() { emergency_ = true; }
   /// A person wants force again: it rises from nothing. Any thread.
   void rearm() { rearming_ = true; }
-  /// Hold-to-run: there is force only while the last word was `true`, and that not longer ago than `holdLasts_s`. Any thread.
+  /// Hold-to-run: there is force only while the last word was `true`, and that not longer ago than
+  /// `holdLasts_s`. Any thread.
   void hold(bool held);
   /// Asks for the end; `status().finished` tells it has come.
   void stop() { stopping_ = true; }
@@ -93,7 +95,7 @@ class ForceLoop {
   std::uint64_t dropped_ = 0;
   std::atomic<bool> stopping_{false}, abandoned_{false}, emergency_{false}, rearming_{false};
   std::atomic<double> heldUntil_s_{0};
-  double asked_s_ = 0, exchanged_s_ = 0, late_s_ = 0;
+  double requested_s_ = 0, exchanged_s_ = 0, late_s_ = 0;
   moodycamel::ReaderWriterQueue<ForceStep> rows_;
   moodycamel::ReaderWriterQueue<std::unique_ptr<ForceProgram>> programs_, retired_;
   mutable std::mutex statusMutex_;  ///< the loop only tries it: a display never makes a step late

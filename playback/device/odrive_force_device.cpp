@@ -218,8 +218,8 @@ void OdriveForceDevice::write(const char* property, double value) {
 // Commands feed the watchdog; this one asks for nothing.
 void OdriveForceDevice::feed() { say("c %u %.6f ", settings_.axis, 0.0); }
 
-/// Value of a property as text; none if nothing came in time; empty if there is no such property. Answers carry no name, but come in the
-/// order of the questions: this one's is the last that is due.
+/// Value of a property as text; none if nothing came in time; empty if there is no such property. Answers
+/// carry no name, but come in the order of the questions: this one's is the last that is due.
 std::optional<std::string> OdriveForceDevice::askText(const char* property) {
   feed();
   say("r axis%u.%s ", settings_.axis, property);
@@ -273,7 +273,8 @@ std::uint64_t OdriveForceDevice::error() {
   return bits && *bits >= 0 && *bits < 1e15 ? static_cast<std::uint64_t>(*bits) : 0;
 }
 
-// Read, kept, written, read back. A setting that the firmware does not have is none, unless the force depends on it.
+// Read, kept, written, read back. A setting that the firmware does not have is none, unless the force depends
+// on it.
 bool OdriveForceDevice::hold(const char* property, double value, bool required) {
   const std::optional<std::string> before = askAgain(property);
   if (!before || (before->empty() && required)) {
@@ -322,9 +323,10 @@ bool OdriveForceDevice::allows(double torque_Nm) {
   return true;
 }
 
-// The torque depends on all of these. In torque control the firmware brakes above its velocity limit with torque of its own: that is
-// switched off, and the limit, beyond which it gives up altogether, is moved out of a hand's reach; the engine's own speed limit takes the
-// force away below it. Anticogging would add torque that nobody requested.
+// The torque depends on all of these. In torque control the firmware brakes above its velocity limit with
+// torque of its own: that is switched off, and the limit, beyond which it gives up altogether, is moved out
+// of a hand's reach; the engine's own speed limit takes the force away below it. Anticogging would add torque
+// that nobody requested.
 bool OdriveForceDevice::configure() {
   const double most_Nm = settings_.force_N * std::abs(settings_.mmPerTurn) / (2 * std::numbers::pi * mmPerM);
   const double fastest = velocityRoom * settings_.speed_mm_per_s / std::abs(settings_.mmPerTurn);
@@ -364,8 +366,8 @@ void OdriveForceDevice::settle() {
   markersDue_ = numbersDue_ = 0;
 }
 
-// The watchdog counts from the moment it is switched on, and an axis that is not armed yet is not fed: so it comes last. Old errors, one of
-// them the watchdog's own from a run before, would keep the axis idle.
+// The watchdog counts from the moment it is switched on, and an axis that is not armed yet is not fed: so it
+// comes last. Old errors, one of them the watchdog's own from a run before, would keep the axis idle.
 bool OdriveForceDevice::arm(double wait_s) {
   armed_ = false;
   const double deadline_s = now_s() + wait_s;
@@ -410,8 +412,8 @@ void OdriveForceDevice::askPosition() {
   requested_s_ = now_s();
 }
 
-// Answers come in order: once the marker is answered, no position requested before it is on its way any more. Its value cannot be
-// mistaken for a state.
+// Answers come in order: once the marker is answered, no position requested before it is on its way any more.
+// Its value cannot be mistaken for a state.
 void OdriveForceDevice::askMarker() {
   if (!std::exchange(unsure_, true)) unsureSince_s_ = now_s();
   ++markersDue_;
@@ -480,9 +482,9 @@ std::optional<double> OdriveForceDevice::fedFeedback_turns() {
 std::optional<double> OdriveForceDevice::measureRoundTrip_s() {
   RoundTrips trips;
   while (trips.goOn()) {
-    const double asked_s = now_s();
+    const double requested_s = now_s();
     fedFeedback_turns();
-    trips.add(now_s() - asked_s);
+    trips.add(now_s() - requested_s);
   }
   return trips.usual_s();
 }

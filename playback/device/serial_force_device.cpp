@@ -183,7 +183,7 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
   const auto text = [](long long value) { return "," + std::to_string(value); };
   std::vector<std::string> lines{
       "T" + text(rows) + text(whole(t.first_mm * nmPerMm)) + text(whole(spacing_mm * nmPerMm)) +
-      text(whole(program.law.playRadius_mm * nmPerMm)) + text(whole(t.wallSlope_N_per_mm / micro)) +
+      text(whole(program.law.playRadius_mm * nmPerMm)) + text(whole(t.bottomOutSlope_N_per_mm / micro)) +
       text(whole(program.limits.force_N / micro))};
   for (std::uint32_t i = 0; i < rows; ++i) {
     const auto at =
@@ -222,11 +222,11 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
     return Failure{FailureCode::wrongUsage, info_.name, "", Message("holds no force table"),
                    Message("Leave the upload out: the host runs the law")};
   }
-  const double asked_N = program.limits.force_N;
-  if (!(asked_N > 0) || asked_N > limits_.force_N * (1 + 1e-9)) {
+  const double requested_N = program.limits.force_N;
+  if (!(requested_N > 0) || requested_N > limits_.force_N * (1 + 1e-9)) {
     return Failure{FailureCode::wrongUsage, info_.name, "",
                    Message("was opened for %1; the table has a limit of %2, or none",
-                           newtons(limits_.force_N), newtons(asked_N)),
+                           newtons(limits_.force_N), newtons(requested_N)),
                    Message("Prepare the button for the device's limit")};
   }
   table_ = forceTableLines(program, info_.tableRows);
@@ -267,22 +267,25 @@ void SerialForceDevice::beginTable() {
   lineSent_ = sequence_;
 }
 
-// A line is sent once, and again where the question it came with was answered without taking it: sent with each question it would come to more
-// than a serial port of 230,400 baud carries, whose queue then grows until nothing gets through.
+// A line is sent once, and again where the question it came with was answered without taking it: sent with
+// each question it would come to more than a serial port of 230,400 baud carries, whose queue then grows
+// until nothing gets through.
 bool SerialForceDevice::lineIsDue() const {
   const auto sent = static_cast<std::int32_t>(lineSent_ - lineSince_);
   return sent < 0 || static_cast<std::int32_t>(heard_ - lineSent_) >= 0 ||
          static_cast<std::int32_t>(sequence_ - lineSent_) >= questionsForALine;
 }
 
-// No force before the first line of another table: a firmware might go on with what it gave. All lines may be heard twice.
+// No force before the first line of another table: a firmware might go on with what it gave. All lines may be
+// heard twice.
 void SerialForceDevice::sendTableLine() {
   if (toldLines_ == 0) send("X");
   send(table_[toldLines_]);
   lineSent_ = sequence_;
 }
 
-// Answers come in the order of what they answer: an acknowledgement belongs to the question whose answer follows it.
+// Answers come in the order of what they answer: an acknowledgement belongs to the question whose answer
+// follows it.
 void SerialForceDevice::noteAnswer(std::uint32_t sequence, long long time_us) {
   const bool ofThisLine = static_cast<std::int32_t>(sequence - lineSince_) >= 0;
   if (std::exchange(lineTaken_, false) && ofThisLine && toldLines_ < table_.size()) {
@@ -306,7 +309,8 @@ double SerialForceDevice::longestUnheard_s() const {
   return std::min(std::max(unheard_s, unheardTrips * roundTrip_s_), longestUnheardEver_s);
 }
 
-// The device cannot be watched: an F of no force ends its table at once, while an H would keep it alive for ever.
+// The device cannot be watched: an F of no force ends its table at once, while an H would keep it alive for
+// ever.
 void SerialForceDevice::withdrawLaw() {
   const bool unheard = sequence_ - heard_ > unansweredQuestions && now_s() - heardAt_s_ > longestUnheard_s();
   if (!unheard || !ownLaw_ || withdrawn_ || toldLines_ < table_.size()) return;
@@ -326,11 +330,12 @@ bool SerialForceDevice::isBack() {
   ++counts_.reconnects;
   limitHeld_ = false;
   loseLaw();
-  lastTime_us_ = heardTime_us_ = -1;
+  heardTime_us_ = -1;
   return true;
 }
 
-// What the device does by itself follows what the engine allows: an order that got lost is said again with the next state.
+// What the device does by itself follows what the engine allows: an order that got lost is said again with
+// the next state.
 void SerialForceDevice::sendOrders(const ForceCommand& command) {
   if (!limitHeld_) send(limitLine_);
   if (command.halted) {
@@ -366,11 +371,11 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
   if (refused || *text == "A" || text->starts_with("I,")) return Answer::other;
   if (text->starts_with("L,")) {
     const std::size_t silence = limitLine_.rfind(',');
-    long long asked_ms = 0, holds_ms = 0;
+    long long requested_ms = 0, holds_ms = 0;
     limitHeld_ = text->size() > silence &&
                  text->substr(0, silence + 1) == limitLine_.substr(0, silence + 1) &&
-                 read(std::string_view(limitLine_).substr(silence + 1), asked_ms) &&
-                 read(text->substr(silence + 1), holds_ms) && holds_ms > 0 && holds_ms <= asked_ms;
+                 read(std::string_view(limitLine_).substr(silence + 1), requested_ms) &&
+                 read(text->substr(silence + 1), holds_ms) && holds_ms > 0 && holds_ms <= requested_ms;
     silence_s_ = tableSilence * 1e-3 * static_cast<double>(holds_ms);
     return Answer::other;
   }
@@ -382,10 +387,17 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
       !read(f[3], position_nm) || !read(f[4], state)) {
     return Answer::none;
   }
+  // Wrong numbers or a clock that stands still tell nothing of the handle: the device counts as silent, so that
+  // the force of its table is withdrawn.
+  const bool isNew = static_cast<std::int32_t>(sequence_ - sequence) >= 0 &&
+                     static_cast<std::int32_t>(sequence - heard_) > 0 && time_us != heardTime_us_;
+  if (!isNew) {
+    lineTaken_ = false;
+    return Answer::old;
+  }
   noteAnswer(sequence, time_us);
-  // Of an earlier period, which counts only where nothing waits for it; or twice; or a device whose clock stands still measures nothing anew.
-  if ((sequence != sequence_ && table_.empty()) || time_us == lastTime_us_) return Answer::old;
-  lastTime_us_ = time_us;
+  // An answer of an earlier period counts only where nothing waits for it.
+  if (sequence != sequence_ && table_.empty()) return Answer::old;
   if (state == unlimitedState && limitHeld_) {  // it was reset meanwhile
     limitHeld_ = false;
     loseLaw();
@@ -402,16 +414,16 @@ std::optional<double> SerialForceDevice::measureRoundTrip_s() {
   RoundTrips trips;
   while (trips.goOn()) {
     ++sequence_;
-    const double asked_s = now_s();
+    const double requested_s = now_s();
     sendOrders(ForceCommand{});
     ForceReading reading;
     reading.fresh = false;
     while (!reading.fresh) {
-      const std::optional<std::string_view> line = link_.line(asked_s + slowestRoundTrip_s);
+      const std::optional<std::string_view> line = link_.line(requested_s + slowestRoundTrip_s);
       if (!line) break;
       take(*line, reading);
     }
-    trips.add(now_s() - asked_s);
+    trips.add(now_s() - requested_s);
   }
   roundTrip_s_ = trips.usual_s();
   return roundTrip_s_;

@@ -92,8 +92,7 @@ class SerialForceDevice : public ForceDevice {
   bool tableDue_ = false;         ///< a person has armed: the table goes out once the limits are held
   std::uint32_t armedSince_ = 0;  ///< the first question after the last word that a person wants force
   std::uint32_t sequence_ = 0;
-  long long lastTime_us_ = -1;   ///< of the device, at its last answer
-  long long heardTime_us_ = -1;  ///< likewise, old answers too
+  long long heardTime_us_ = -1;  ///< the device's clock at the last answer that was heard
   double last_mm_ = 0;
 };
 

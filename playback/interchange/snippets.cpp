@@ -20,7 +20,7 @@ constexpr int halvings = 14;                      // of the range between, on a 
 /// The cheapest points of an envelope up to each cell: squared error, and `perByte` for every byte.
 class CheapestPoints {
  public:
-  CheapestPoints(const LevelCourse& levelPath, double perByte)
+  CheapestPoints(const LevelPath& levelPath, double perByte)
       : cells_(levelPath.levels.size()),
         perByte_(perByte),
         nextOnset_(cells_ + 1, cells_),
@@ -181,7 +181,7 @@ Rows cutToShares(const std::array<CheapestPoints, 2>& halves) {
 
 }  // namespace
 
-std::array<SnippetRow, 2> snippetsOf(const std::array<LevelCourse, 2>& halves) {
+std::array<SnippetRow, 2> snippetsOf(const std::array<LevelPath, 2>& halves) {
   const auto at = [&halves](double perByte) {
     return std::array{CheapestPoints(halves[0], perByte), CheapestPoints(halves[1], perByte)};
   };

@@ -28,7 +28,7 @@ struct Snippet {
 };
 
 /// Envelope to be stored: a level per cell, 0..15, and the cells that begin a point of their own, rising.
-struct LevelCourse {
+struct LevelPath {
   std::vector<double> levels;
   std::vector<std::size_t> onsets;
 };
@@ -43,7 +43,7 @@ struct SnippetRow {
 /// One row per envelope, by one price per byte for both: the lowest price at which they fit the memory
 /// together, which comes near the least squared error. Every stored onset begins a point. If not even the
 /// highest price fits, each envelope gets the share that the others leave, at least half, and is cut.
-std::array<SnippetRow, 2> snippetsOf(const std::array<LevelCourse, 2>& halves);
+std::array<SnippetRow, 2> snippetsOf(const std::array<LevelPath, 2>& halves);
 
 /// The memory: row 0 is sequence 0. Of rows that snippetsOf gave.
 std::array<int, snippetMemoryBytes> memoryOf(const std::array<SnippetRow, 2>& rows);

@@ -171,7 +171,7 @@ std::string bos1921Text(const ExportSource& source, const std::vector<Slice>& sl
 
 struct DaPart {
   std::int64_t zero = 0;
-  LevelCourse course;
+  LevelPath path;
   SnippetRow row;
   std::vector<std::int64_t> onsets;
   std::int64_t end = 0;  ///< sample up to which the envelope is stored
@@ -184,7 +184,7 @@ DaPart daPart(const PressPlan& plan, const Stretch& all) {
   part.zero = firstOnsetOnGrid(plan, all, snippetCell_s);
   if (part.zero >= all.to) return part;
   const PlayedWave wave = smoothed(stepsOf(plan, {part.zero, all.to}, 0.005, 0.001), plan.sampleRate_Hz, 0);
-  std::vector<double>& levels = part.course.levels;
+  std::vector<double>& levels = part.path.levels;
   std::size_t at = 0;
   for (double frame = static_cast<double>(part.zero); frame < static_cast<double>(all.to); frame += cell) {
     const double time_s = (frame + cell / 2) / plan.sampleRate_Hz;
@@ -197,9 +197,9 @@ DaPart daPart(const PressPlan& plan, const Stretch& all) {
   }
   for (const PlannedBurst& planned : plan.bursts)
     if (planned.kind != EventKind::grain && planned.frame >= part.zero && planned.frame < all.to)
-      part.course.onsets.push_back(
+      part.path.onsets.push_back(
           static_cast<std::size_t>(std::lround(static_cast<double>(planned.frame - part.zero) / cell)));
-  const std::size_t kept = part.course.onsets.empty() ? 0 : part.course.onsets.back() + 1;
+  const std::size_t kept = part.path.onsets.empty() ? 0 : part.path.onsets.back() + 1;
   while (levels.size() > kept && levels.back() < 0.5) levels.pop_back();
   levels.resize(std::max(levels.size(), kept), 0);
   return part;
@@ -211,13 +211,13 @@ void hold(DaPart& part, SnippetRow row, double sampleRate_Hz) {
   };
   part.row = std::move(row);
   part.end = frameOf(part.row.held);
-  for (const std::size_t onset : part.course.onsets)
+  for (const std::size_t onset : part.path.onsets)
     if (onset < part.row.held) part.onsets.push_back(frameOf(onset));
 }
 
 std::array<DaPart, 2> daParts(const PressPlan& plan) {
   std::array<DaPart, 2> parts{daPart(plan, pressOf(plan)), daPart(plan, releaseOf(plan))};
-  std::array<SnippetRow, 2> rows = snippetsOf({parts[0].course, parts[1].course});
+  std::array<SnippetRow, 2> rows = snippetsOf({parts[0].path, parts[1].path});
   for (std::size_t i = 0; i < parts.size(); ++i) hold(parts[i], std::move(rows[i]), plan.sampleRate_Hz);
   return parts;
 }

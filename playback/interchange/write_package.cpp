@@ -13,7 +13,7 @@
 #include "model/units.h"
 #include "model/version.h"
 #include "playback/interchange/export_loss_json.h"
-#include "playback/interchange/limiter_course.h"
+#include "playback/interchange/limiter_gains.h"
 #include "playback/interchange/reduction.h"
 #include "playback/measurement/exact_number.h"
 #include "playback/realtime/biquad.h"
@@ -294,7 +294,7 @@ Json examplePress(const PressPlan& plan) {
                       {"wave", jsonOf(planned.burst)}});
   Json gains = Json::array();
   if (!plan.unlimited.empty())
-    for (const GainPoint& point : limiterCourse(plan.unlimited, plan.samples, gainTolerance))
+    for (const GainPoint& point : limiterGains(plan.unlimited, plan.samples, gainTolerance))
       gains.push_back({point.frame, point.gain});
   return {{"press", plan.press},
           {"samples", plan.samples.size()},

@@ -16,8 +16,8 @@ using TwoTrue = decltype(Two{} < Two{});
 
 inline double select(bool which, double yes, double no) { return which ? yes : no; }
 inline Two select(TwoTrue which, Two yes, Two no) { return which ? yes : no; }
-inline bool both(bool a, bool b) { return a && b; }
-inline TwoTrue both(TwoTrue a, TwoTrue b) { return a & b; }
+inline bool allOf(bool a, bool b) { return a && b; }
+inline TwoTrue allOf(TwoTrue a, TwoTrue b) { return a & b; }
 inline bool either(bool a, bool b) { return a || b; }
 inline TwoTrue either(TwoTrue a, TwoTrue b) { return a | b; }
 inline bool all(bool which) { return which; }

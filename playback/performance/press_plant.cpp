@@ -160,7 +160,7 @@ class StepOf {
   Real pulpSpring_N(const Moving& to) const {
     const Real a_m = now_.pulp_m(), b_m = to.pulp_m();
     const Real both_N = 0.5 * finger_.pulp_N_per_m * (a_m + b_m);
-    const auto touching = both(a_m >= 0, b_m >= 0), apart = both(a_m <= 0, b_m <= 0);
+    const auto touching = allOf(a_m >= 0, b_m >= 0), apart = allOf(a_m <= 0, b_m <= 0);
     if (all(touching)) return both_N;
     const Real way_m = select(either(touching, apart), Real{} + 1, b_m - a_m);
     return select(touching, both_N,
@@ -188,7 +188,7 @@ class StepOf {
 
   /// Derivative of the pulp's force over the step by the closing speed at its end, around the guess.
   Real pulpAnswer_Ns_per_m(const Moving& guess, const Forces& f) const {
-    const Real answer = select(both(now_.pulp_m() > 0, guess.pulp_m() > 0),
+    const Real answer = select(allOf(now_.pulp_m() > 0, guess.pulp_m() > 0),
                                Real{} + 0.25 * plantStep_s * finger_.pulp_N_per_m, Real{});
     return answer + select(f.pulpDamper_N > 0, Real{} + 0.5 * finger_.pulpDamping_Ns_per_m, Real{});
   }

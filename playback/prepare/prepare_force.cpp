@@ -211,8 +211,8 @@ class ForcePreparation {
       for (const StrokeCurve* curve : {&graph->press(), &graph->curve(Stroke::release)}) {
         const BottomOut bottomOut = bottomOutOf(*curve);
         from_mm = std::max(from_mm, curve->start_mm());
-        to_mm =
-            std::min({to_mm, curve->end_mm(), bottomOut.wall ? bottomOut.displacement_mm : curve->end_mm()});
+        to_mm = std::min(
+            {to_mm, curve->end_mm(), bottomOut.isSteep ? bottomOut.displacement_mm : curve->end_mm()});
       }
     return {from_mm, to_mm};
   }
@@ -345,7 +345,7 @@ class ForcePreparation {
     }
     to.rowCount = maxForceRows;
     to.spacing_mm = (end_mm - to.first_mm) / (maxForceRows - 1);
-    to.wallSlope_N_per_mm = slope_;
+    to.bottomOutSlope_N_per_mm = slope_;
   }
 
   using Force = std::function<double(double at_mm)>;
@@ -409,7 +409,7 @@ class ForcePreparation {
       if (-slope > fall) fall = -slope, fall_mm = to_mm;
     }
     constexpr double rounding = 1.001;
-    if (rise > slope_ * rounding) remark(ForceRemarkKind::wallSoftened, s, rise_mm, rise, slope_);
+    if (rise > slope_ * rounding) remark(ForceRemarkKind::bottomOutSoftened, s, rise_mm, rise, slope_);
     if (fall > slope_ * rounding) remark(ForceRemarkKind::fallSoftened, s, fall_mm, fall, slope_);
     const auto [low_N, high_N] = curve.forceRange_N();
     const double strongest_N = std::max(std::abs(low_N), std::abs(high_N)),
@@ -436,11 +436,11 @@ class ForcePreparation {
   /// Distance behind the last row at which the end stop pushes back as strongly as the curve's end pulls; 0
   /// if it does not pull.
   static double pulledIntoStop_mm(const ForceStateTable& t, float end_N) {
-    return std::max(0.0, -static_cast<double>(end_N)) / t.wallSlope_N_per_mm;
+    return std::max(0.0, -static_cast<double>(end_N)) / t.bottomOutSlope_N_per_mm;
   }
   static double givenByStop_mJ(const ForceStateTable& t, float end_N) {
     const double pulled_mm = pulledIntoStop_mm(t, end_N);
-    return 0.5 * t.wallSlope_N_per_mm * pulled_mm * pulled_mm;
+    return 0.5 * t.bottomOutSlope_N_per_mm * pulled_mm * pulled_mm;
   }
 
   template <class ForceOfRow>

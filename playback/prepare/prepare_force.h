@@ -26,11 +26,11 @@ struct ForceSettings {
 
 /// Properties of the button that a device cannot render.
 enum class ForceRemarkKind : std::uint8_t {
-  wallSoftened,    ///< value: steepest rise, limit: rendered (N/mm)
-  fallSoftened,    ///< value: steepest fall, limit: rendered (N/mm)
-  forceClipped,    ///< value: strongest force, limit: of the device (N)
-  strokesCross,    ///< value: how far the release lies above the press (N); rendered as equal there
-  dampingLimited,  ///< value: strongest damping, limit: rendered (N·s/mm)
+  bottomOutSoftened,  ///< value: steepest rise, limit: rendered (N/mm)
+  fallSoftened,       ///< value: steepest fall, limit: rendered (N/mm)
+  forceClipped,       ///< value: strongest force, limit: of the device (N)
+  strokesCross,       ///< value: how far the release lies above the press (N); rendered as equal there
+  dampingLimited,     ///< value: strongest damping, limit: rendered (N·s/mm)
   /// value: how far a release lies above the press of another speed (N); rendered as equal there
   speedsCross,
   /// value: strongest change of force with speed, above 0 where it damps; limit: rendered (N·s/mm)

@@ -403,7 +403,7 @@ int runForce(const ForceArguments& a, const Cancelled& cancelled) {
                  "link: answers after %.1f ms: %.0f Hz instead of %.0f, the force acts %.1f ms late; slopes "
                  "up to %.2g "
                  "N/mm, %.2g N·s/mm of damping added\n",
-                 1e3 * pace.roundTrip_s, rate_Hz, pace.asked_Hz, 1e3 * device.delay_s,
+                 1e3 * pace.roundTrip_s, rate_Hz, pace.requested_Hz, 1e3 * device.delay_s,
                  device.largestSlope_N_per_mm, pace.addedDamping_Ns_per_mm);
   }
   if (!device.measured) {

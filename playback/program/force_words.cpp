@@ -21,7 +21,7 @@ std::string sentenceOf(const ForceRemark& r, const Button& button) {
   std::string where =
       button.selfLocking() ? "state " + stateName(button, static_cast<std::uint32_t>(r.state)) + ": " : "";
   switch (r.kind) {
-    case ForceRemarkKind::wallSoftened:
+    case ForceRemarkKind::bottomOutSoftened:
       return where +
              worded("a rise at %.2f mm: %.3g N/mm is steeper than the device renders; %.3g N/mm is felt",
                     r.at_mm, r.value, r.limit);
@@ -62,7 +62,7 @@ std::string sentenceOf(const ForceRemark& r, const Button& button) {
 
 std::string codeOf(ForceRemarkKind kind) {
   switch (kind) {
-    case ForceRemarkKind::wallSoftened:
+    case ForceRemarkKind::bottomOutSoftened:
       return "wall_softened";
     case ForceRemarkKind::fallSoftened:
       return "fall_softened";

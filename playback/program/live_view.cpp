@@ -186,7 +186,7 @@ class LiveView {
     }
     if (traceEnd_s_ > 0 && now_s() > traceEnd_s_) ended_ = true;
     const PlayerStatus status = player_->status();
-    for (const LiveWarning& w : warnings_.look(status, now_s())) {
+    for (const LiveWarning& w : warnings_.update(status, now_s())) {
       warn(english(messageOf(w)));
       warned_.insert(nameOf(w.code));
     }

@@ -113,16 +113,16 @@ std::optional<LiveWarning> LiveWarnings::newsOf(LiveWarningCode code, std::uint6
   w.seen = value;
   const bool active = counted ? now_s < w.until_s : value != 0;
   if (active && !mostUrgent_) mostUrgent_ = code;
-  const bool begins = counted ? value > w.told : active && !w.active;
+  const bool begins = counted ? value > w.reported : active && !w.active;
   w.active = active;
-  if (!begins || now_s - w.told_s < (counted ? reportedEvery_s : 1)) return {};
-  w.told_s = now_s;
-  const std::uint64_t before = w.told;
-  w.told = value;
+  if (!begins || now_s - w.reported_s < (counted ? reportedEvery_s : 1)) return {};
+  w.reported_s = now_s;
+  const std::uint64_t before = w.reported;
+  w.reported = value;
   return LiveWarning{code, counted ? value - before : 0};
 }
 
-std::vector<LiveWarning> LiveWarnings::look(const PlayerStatus& status, double now_s) {
+std::vector<LiveWarning> LiveWarnings::update(const PlayerStatus& status, double now_s) {
   const Values values = valuesIn(status, now_s);
   std::vector<LiveWarning> news;
   mostUrgent_.reset();

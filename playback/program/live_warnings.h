@@ -56,15 +56,15 @@ class LiveWarnings {
   explicit LiveWarnings(bool calibrated) : calibrated_(calibrated) {}
 
   /// Reads the status; returns new warnings, most urgent first.
-  std::vector<LiveWarning> look(const PlayerStatus& status, double now_s);
+  std::vector<LiveWarning> update(const PlayerStatus& status, double now_s);
   /// The most urgent thing that is wrong right now.
   std::optional<LiveWarningCode> mostUrgent() const { return mostUrgent_; }
 
  private:
   struct Watch {
     bool active = false;
-    double until_s = -1, told_s = -1e9;
-    std::uint64_t seen = 0, told = 0;
+    double until_s = -1, reported_s = -1e9;
+    std::uint64_t seen = 0, reported = 0;
   };
   using Values = std::array<std::uint64_t, liveWarningCodes>;  // counts, or 1 where something is wrong
 

@@ -134,7 +134,7 @@ std::optional<double> ForceEngine::knownVelocity() const {
   return last_.velocity_mm_per_s;
 }
 
-double ForceEngine::asked_N(double position_mm) {
+double ForceEngine::requested_N(double position_mm) {
   if (!test_.present()) return law_.step(position_mm, last_.velocity_mm_per_s);
   const double force_N = test_.step_N(position_mm, last_.velocity_mm_per_s);
   if (test_.reversed()) guard_.latch(ForceHalt::reversed);
@@ -185,7 +185,7 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
   last_.velocity_mm_per_s = velocity_.update(position_mm);
   if (sinceRestart_ < std::numeric_limits<std::uint32_t>::max()) ++sinceRestart_;
   heldForce_N_ = proving_ ? proving_N(reading.position_mm)
-                          : controlled_N(exchanging_N(asked_N(position_mm)), last_.velocity_mm_per_s);
+                          : controlled_N(exchanging_N(requested_N(position_mm)), last_.velocity_mm_per_s);
   last_.state = law_.state();
   last_.actuated = law_.actuated();
   return send(guard_.limit(heldForce_N_, knownVelocity()), guide(reading.sideways_mm));

@@ -46,8 +46,8 @@ struct ForceStep {
   double periods = 1;      ///< since the step before, by the clock of a loop that keeps time
   double time_s =
       0;  ///< of the reading, on that clock (playback/device/steady_clock.h); 0: the loop keeps none
-  double asked_s = 0;  ///< when the reading was requested, with the last force, on that clock
-  bool good = true;    ///< the reading was believed; else the position is the last that was
+  double requested_s = 0;  ///< when the reading was requested, with the last force, on that clock
+  bool good = true;        ///< the reading was believed; else the position is the last that was
   bool proving =
       false;  ///< motor and encoder are being checked (direction_proof.h): the button's force has not begun
   double position_mm = 0, velocity_mm_per_s = 0, force_N = 0;
@@ -59,10 +59,11 @@ struct ForceStep {
   bool actuated = false;
 };
 
-/// Time from one step to the next, by the loop's clock. `periods` counts no interval as less than one, so that
-/// a sum of them runs ahead where a busy computer wakes the loop early and late in turns.
+/// Time from one step to the next, by the loop's clock. `periods` counts no interval as less than one, so
+/// that a sum of them runs ahead where a busy computer wakes the loop early and late in turns.
 inline double between_s(const ForceStep& before, const ForceStep& step, double period_s) {
-  return before.asked_s > 0 && step.asked_s > 0 ? step.asked_s - before.asked_s : step.periods * period_s;
+  return before.requested_s > 0 && step.requested_s > 0 ? step.requested_s - before.requested_s
+                                                        : step.periods * period_s;
 }
 
 class ForceEngine {
@@ -101,7 +102,7 @@ class ForceEngine {
   std::optional<double> knownVelocity() const;
   ForceCommand send(double force_N, std::array<double, 2> sideways_N);
   double exchanging_N(double force_N);
-  double asked_N(double position_mm);
+  double requested_N(double position_mm);
   double proving_N(double position_mm);
   double controlled_N(double force_N, double velocity_mm_per_s) const;
   std::array<double, 2> guide(const std::array<double, 2>& sideways_mm);

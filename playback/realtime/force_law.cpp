@@ -54,7 +54,7 @@ double ForceLaw::Place::force_N(float ForceCurveRow::*stroke, double speed_mm_pe
   while (i + 1 < t.speedCount && speed_mm_per_s > t.speeds_mm_per_s[i]) ++i;
   const double from = t.speeds_mm_per_s[i - 1], to = t.speeds_mm_per_s[i];
   const double part = speed_mm_per_s < to ? (speed_mm_per_s - from) / (to - from) : 1;
-  return playback::between(curve_N(stroke, i - 1), curve_N(stroke, i), part) + wall_N;
+  return playback::between(curve_N(stroke, i - 1), curve_N(stroke, i), part) + bottomOut_N;
 }
 
 ForceLaw::Place ForceLaw::placeAt(double position_mm) const {
@@ -63,7 +63,7 @@ ForceLaw::Place ForceLaw::placeAt(double position_mm) const {
   const double last = static_cast<double>(t.rowCount - 1);
   if (!(place > 0)) return {&t, 0, 0, 0, 0};
   if (place >= last)
-    return {&t, t.rowCount - 1, t.rowCount - 1, 0, t.wallSlope_N_per_mm * (place - last) * t.spacing_mm};
+    return {&t, t.rowCount - 1, t.rowCount - 1, 0, t.bottomOutSlope_N_per_mm * (place - last) * t.spacing_mm};
   const auto i = static_cast<std::uint32_t>(place);
   return {&t, i, i + 1, place - i, 0};
 }
@@ -78,7 +78,7 @@ double ForceLaw::stored_mJ(double position_mm) const {
     const ForceRow& end = t.rows[t.rowCount - 1];
     // Where the end pulls, the start of the end stop holds the least energy; the table's rounding is no
     // energy.
-    return std::max(0.0, end.*held + above_mm * (end.*force + 0.5 * t.wallSlope_N_per_mm * above_mm)) +
+    return std::max(0.0, end.*held + above_mm * (end.*force + 0.5 * t.bottomOutSlope_N_per_mm * above_mm)) +
            playStored_mJ(position_mm);
   }
   const auto i = static_cast<std::uint32_t>(std::max(place, 0.0));

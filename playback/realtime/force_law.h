@@ -41,10 +41,10 @@ class ForceLaw {
   struct Place {
     const ForceStateTable* table;
     std::uint32_t below, above;
-    double share, wall_N;
+    double share, bottomOut_N;
 
     /// Force at the lowest speed.
-    double force_N(float ForceCurveRow::*stroke) const { return between(stroke) + wall_N; }
+    double force_N(float ForceCurveRow::*stroke) const { return between(stroke) + bottomOut_N; }
     double force_N(float ForceCurveRow::*stroke, double speed_mm_per_s) const;
     double damping_Ns_per_mm() const { return between(&ForceRow::damping_Ns_per_mm); }
 

@@ -40,11 +40,11 @@ struct ForceStateTable {
   double first_mm = 0;    ///< displacement of row 0; before it the force is row 0's
   double spacing_mm = 1;  ///< > 0
   std::uint32_t rowCount = 0;
-  double wallSlope_N_per_mm = 0;  ///< beyond the last row: an end stop that only pushes
-  bool hysteresis = false;        ///< press and release differ; else one curve is computed
-  bool damped = false;            ///< else no damping is computed
-  double rest_mm = 0;             ///< where a release ends after an actuation (self-locking)
-  double operating_mm = 0;        ///< a press that arrives here has actuated (self-locking)
+  double bottomOutSlope_N_per_mm = 0;  ///< beyond the last row: an end stop that only pushes
+  bool hysteresis = false;             ///< press and release differ; else one curve is computed
+  bool damped = false;                 ///< else no damping is computed
+  double rest_mm = 0;                  ///< where a release ends after an actuation (self-locking)
+  double operating_mm = 0;             ///< a press that arrives here has actuated (self-locking)
   std::array<ForceRow, maxForceRows> rows{};
   /// 0: one graph for every speed. Else the speeds of the graphs, rising, and the rows of all but the lowest;
   /// linear in speed between them, held outside. No release of any of them lies above a press of any.

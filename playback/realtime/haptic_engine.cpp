@@ -65,7 +65,7 @@ void HapticEngine::setSampleRate(double sampleRate_Hz) {
   for (SoundChain& c : chains_) c.stop();
   gain_ = gainTarget_;
   limiter_.reset();
-  lookFrame_ = never;
+  scanFrame_ = never;
   if (program_ == nullptr) return;
   chain().use(*program_, sampleRate_Hz_);
   limiter_.configure(program_->limiterCeiling, program_->limiterRelease_s * sampleRate_Hz_);
@@ -94,13 +94,13 @@ void HapticEngine::use(const HapticProgram* program, const std::vector<SpeedProg
   if (!chain().silent()) current_ = (current_ + 1) % chainCount;
   chain().use(*program, sampleRate_Hz_);
   limiter_.configure(program->limiterCeiling, program->limiterRelease_s * sampleRate_Hz_);
-  lookFrame_ = now_;
+  scanFrame_ = now_;
 }
 
 void HapticEngine::setGain(double gain) {
   gainTarget_ = gain > 0 ? gain : 0;
   gainStep_ = (gainTarget_ - gain_) / (gainRamp_s * sampleRate_Hz_);
-  lookFrame_ = now_;
+  scanFrame_ = now_;
 }
 
 std::int64_t HapticEngine::inputFrame(const EngineInput& input) const {
@@ -292,7 +292,7 @@ void HapticEngine::play(const Pending& pending) {
   switch (event.kind) {
     case EventKind::grain:
       counts_.grains += event.count;
-      if (!chain().grainSounds() || pending.burst.amplitude > chain().grainLoudness()) lookFrame_ = now_;
+      if (!chain().grainSounds() || pending.burst.amplitude > chain().grainLoudness()) scanFrame_ = now_;
       chain().startGrain(pending.burst);
       break;
     case EventKind::pressJump:
@@ -319,7 +319,7 @@ void HapticEngine::play(const Pending& pending) {
 }
 
 void HapticEngine::startBurst(const Burst& burst) {
-  lookFrame_ = now_;
+  scanFrame_ = now_;
   if (chain().startBurst(burst)) ++counts_.stolenVoices;
 }
 
@@ -361,8 +361,8 @@ void HapticEngine::render(float* out, std::size_t count) {
   while (now_ < end) {
     applyDueInputs();
     playDue();
-    if (now_ >= lookFrame_) lookAhead();
-    std::int64_t until = lookFrame_ < end ? lookFrame_ : end;
+    if (now_ >= scanFrame_) scanAhead();
+    std::int64_t until = scanFrame_ < end ? scanFrame_ : end;
     if (inputCount_ > 0 && inputFrame(inputs_[inputHead_]) < until) until = inputFrame(inputs_[inputHead_]);
     if (pendingCount_ > 0 && pending_[pendingHead_].frame < until) until = pending_[pendingHead_].frame;
     const auto n = static_cast<std::size_t>(until - now_);
@@ -387,10 +387,10 @@ double HapticEngine::loudestWithin(double samples) const {
 
 // Computes the sounding voices ahead, up to the next event, so that the limiter knows a peak before it comes
 // and the sound needs no delay.
-void HapticEngine::lookAhead() {
+void HapticEngine::scanAhead() {
   const double horizon = std::floor(scanAhead_s * sampleRate_Hz_);
   const bool everLoud = loudestWithin(highestSampleRate_Hz) > limiter_.ceiling();
-  lookFrame_ = everLoud ? now_ + static_cast<std::int64_t>(horizon / 2) : never;
+  scanFrame_ = everLoud ? now_ + static_cast<std::int64_t>(horizon / 2) : never;
   if (!everLoud || !(loudestWithin(horizon) > limiter_.ceiling())) {
     limiter_.expect(1, 0);
     return;

@@ -161,7 +161,7 @@ class HapticEngine {
   void play(const Pending& pending);
   void startBurst(const Burst& burst);
   double loudestWithin(double samples) const;
-  void lookAhead();
+  void scanAhead();
   double peakWithin(std::size_t samples, double& first);
   void report(const EngineEvent& event);
   void renderSpan(float* out, std::size_t count);
@@ -197,7 +197,7 @@ class HapticEngine {
   std::size_t current_ = 0;
   double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
   Limiter limiter_;
-  std::int64_t lookFrame_ = never;  // time of the next report to the limiter
+  std::int64_t scanFrame_ = never;  // time of the next report to the limiter
   std::array<SoundChain, chainCount> ahead_;
   float peak_ = 0;
   EngineCounts counts_;

@@ -102,18 +102,18 @@ void SpeedTracker::goOver(double value) {
 const Crossings& SpeedTracker::updateForce(double force_N, double time_s) {
   goOver(force_N);
   const Crossings& crossings = tracker_.updateForce(force_N);
-  if (family()) look(crossings, force_N, true, time_s);
+  if (family()) addCrossings(crossings, force_N, true, time_s);
   return crossings;
 }
 
 const Crossings& SpeedTracker::updateDisplacement(double displacement_mm, double time_s) {
   goOver(displacement_mm);
   const Crossings& crossings = tracker_.updateDisplacement(displacement_mm);
-  if (family()) look(crossings, displacement_mm, false, time_s);
+  if (family()) addCrossings(crossings, displacement_mm, false, time_s);
   return crossings;
 }
 
-void SpeedTracker::look(const Crossings& crossings, double value, bool isForce, double time_s) {
+void SpeedTracker::addCrossings(const Crossings& crossings, double value, bool isForce, double time_s) {
   const StrokePosition& at = tracker_.position();
   const StateProgram& state = playing_->states[at.state];
   const bool known = pace_.take(value, isForce, at.state, time_s);

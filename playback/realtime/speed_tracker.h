@@ -77,7 +77,7 @@ class SpeedTracker {
  private:
   bool family() const { return speeds_ != nullptr && !speeds_->empty(); }
   void goOver(double value);
-  void look(const Crossings& crossings, double value, bool isForce, double time_s);
+  void addCrossings(const Crossings& crossings, double value, bool isForce, double time_s);
 
   StrokeTracker tracker_;
   PressPace pace_;

@@ -82,11 +82,11 @@ struct Figures {
 
 // Elapsed time is the waiting time of a person; processor time is meaningful on a busy machine too.
 struct Times {
-  std::vector<double> wall_ms, processor_ms;
+  std::vector<double> elapsed_ms, processor_ms;
 };
 
 struct Run {
-  Figures wall, processor;
+  Figures elapsed, processor;
 };
 
 Figures figuresOf(std::vector<double> times_ms) {
@@ -118,7 +118,7 @@ Times dragTimes(GraphCanvas& canvas, QPointF grab, PaintCounter& counter) {
     for (int spins = 0; counter.paints == before && spins < 100; ++spins) QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents();
     const auto end = std::chrono::steady_clock::now();
-    times.wall_ms.push_back(std::chrono::duration<double, std::milli>(end - start).count());
+    times.elapsed_ms.push_back(std::chrono::duration<double, std::milli>(end - start).count());
     times.processor_ms.push_back(1e3 * static_cast<double>(std::clock() - startProcessor) / CLOCKS_PER_SEC);
   }
   send(canvas, QEvent::MouseButtonRelease, grab);
@@ -154,16 +154,16 @@ void measure(const char* name, const Button& button, bool page, bool everything,
     const TactilePoint peak = canvas.values().press.tactile.at(0);
     const QPointF grab = canvas.mapping().toPixel(peak.displacement_mm, peak.force_N);
     const Times times = dragTimes(canvas, grab, counter);
-    runs.push_back({figuresOf(times.wall_ms), figuresOf(times.processor_ms)});
+    runs.push_back({figuresOf(times.elapsed_ms), figuresOf(times.processor_ms)});
     document.history().stack().undo();
     QCoreApplication::processEvents();
   }
   std::sort(runs.begin(), runs.end(),
-            [](const Run& a, const Run& b) { return a.wall.p99_ms < b.wall.p99_ms; });
+            [](const Run& a, const Run& b) { return a.elapsed.p99_ms < b.elapsed.p99_ms; });
   const Run &best = runs.front(), &median = runs[runs.size() / 2];
   std::printf("| %s | %d × %d | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", name, size.width(),
-              size.height(), median.wall.p50_ms, median.wall.p99_ms, best.wall.p50_ms, best.wall.p99_ms,
-              median.processor.p50_ms, median.processor.p99_ms);
+              size.height(), median.elapsed.p50_ms, median.elapsed.p99_ms, best.elapsed.p50_ms,
+              best.elapsed.p99_ms, median.processor.p50_ms, median.processor.p99_ms);
   std::fflush(stdout);
 }
 

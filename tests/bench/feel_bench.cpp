@@ -146,9 +146,9 @@ FingerFigures finger(const Button& button) {
   panel.resize(420, 900);
   panel.show();
   FingerFigures figures;
-  std::vector<Clock::time_point> told;
+  std::vector<Clock::time_point> reported_;
   QObject::connect(&session, &FeelSession::fingerMoved, &panel, [&](auto p) {
-    if (p) told.push_back(Clock::now());
+    if (p) reported_.push_back(Clock::now());
   });
   session.setDocument(FeelSide::a, &document);
   auto* pad = panel.findChild<QWidget*>("pressPad");
@@ -157,11 +157,12 @@ FingerFigures finger(const Button& button) {
   QTest::keyPress(pad, Qt::Key_Space);
   QTest::qWait(3000);
   QTest::keyRelease(pad, Qt::Key_Space);
-  for (std::size_t i = 1; i < told.size(); ++i)
-    figures.gaps_ms.push_back(std::chrono::duration<double, std::milli>(told[i] - told[i - 1]).count());
-  if (told.size() > 1)
-    figures.perSecond = static_cast<double>(told.size() - 1) /
-                        std::chrono::duration<double>(told.back() - told.front()).count();
+  for (std::size_t i = 1; i < reported_.size(); ++i)
+    figures.gaps_ms.push_back(
+        std::chrono::duration<double, std::milli>(reported_[i] - reported_[i - 1]).count());
+  if (reported_.size() > 1)
+    figures.perSecond = static_cast<double>(reported_.size() - 1) /
+                        std::chrono::duration<double>(reported_.back() - reported_.front()).count();
   return figures;
 }
 

@@ -341,14 +341,14 @@ void day() {
 
 int main(int argc, char** argv) {
   wanted.assign(argv + 1, argv + argc);
-  const auto asked = [&](const char* name) {
+  const auto isWanted = [&](const char* name) {
     return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
   };
-  if (asked("step")) stepTimes();
-  if (asked("rest")) resting();
-  if (asked("velocity")) velocities();
-  if (asked("energy")) energies();
-  if (asked("identify")) identifications();
-  if (asked("day")) day();
+  if (isWanted("step")) stepTimes();
+  if (isWanted("rest")) resting();
+  if (isWanted("velocity")) velocities();
+  if (isWanted("energy")) energies();
+  if (isWanted("identify")) identifications();
+  if (isWanted("day")) day();
   return 0;
 }

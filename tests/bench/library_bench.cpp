@@ -85,11 +85,11 @@ struct Pair {
   std::vector<Query> queries;
 };
 
-std::vector<Pair> pairsOf(const std::vector<LibrarySwitch>& asked, const std::vector<LibrarySwitch>& among) {
+std::vector<Pair> pairsOf(const std::vector<LibrarySwitch>& wanted, const std::vector<LibrarySwitch>& among) {
   std::vector<Named> names;
   for (const LibrarySwitch& each : among) names.push_back(namedBy(each.name));
   std::map<Words, Pair> pairs;
-  for (const LibrarySwitch& each : asked) {
+  for (const LibrarySwitch& each : wanted) {
     const Named name = namedBy(each.name);
     Query query;
     for (std::size_t i = 0; i < among.size(); ++i)
@@ -258,11 +258,11 @@ bool isOpenSwitch(const LibrarySwitch& each) { return each.source.ends_with(".od
 
 /// Time of 5,000 comparisons.
 double search_ms(const std::vector<LibrarySwitch>& all) {
-  constexpr int asked = 5000;
+  constexpr int rounds = 5000;
   const auto begin = std::chrono::steady_clock::now();
   const FeelDistance distance(all.front().shape);
   double sum = 0;
-  for (int i = 0; i < asked; ++i) sum += distance.to(all[static_cast<std::size_t>(i) % all.size()].shape);
+  for (int i = 0; i < rounds; ++i) sum += distance.to(all[static_cast<std::size_t>(i) % all.size()].shape);
   const double ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return std::isfinite(sum) ? ms : -1;
@@ -282,9 +282,9 @@ std::string tableOf(const std::vector<LibrarySwitch>& openSwitch, const std::vec
   out << rowOf("Open-Switch's record, weights fitted without the pair", thereLeft);
   out << rowOf("the same with the weights above (fitted on all)", shipped);
   out << rowOf("force-curves-tidy's record, weights fitted without the pair", backLeft);
-  Outcomes both = thereLeft;
-  both.insert(both.end(), backLeft.begin(), backLeft.end());
-  out << rowOf("both ways together, weights fitted without the pair", both);
+  Outcomes total = thereLeft;
+  total.insert(total.end(), backLeft.begin(), backLeft.end());
+  out << rowOf("both ways together, weights fitted without the pair", total);
   const double level_gf = levelBetween_gf(there);
   const std::vector<Method> methods{
       {"contact fixed",

@@ -50,7 +50,7 @@ void sleepThenSpin(double due_s) {
 
 struct Lateness {
   std::vector<double> late_s;
-  double cpu_s = 0, wall_s = 0;
+  double cpu_s = 0, elapsed_s = 0;
   bool realtime = false;
 };
 
@@ -72,7 +72,7 @@ void bareTurn(Wait wait, bool punctual, bool realtime, Lateness& out) {
       due_s = std::max(due_s, now_s() - period_s) + period_s;
     }
     out.cpu_s += threadCpu_s() - cpu_s;
-    out.wall_s += now_s() - begin_s;
+    out.elapsed_s += now_s() - begin_s;
   }).join();
 }
 
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
                 ways[i].realtime && !found[i].realtime ? " (refused)" : "",
                 100 * static_cast<double>(within) / n, 1e6 * sum_s / n,
                 1e6 * late_s[static_cast<std::size_t>(0.999 * (n - 1))], 1e6 * late_s.back(),
-                100 * found[i].cpu_s / found[i].wall_s);
+                100 * found[i].cpu_s / found[i].elapsed_s);
   }
   std::printf("| Detent's loop, simulated device%s | %.3f | %.1f | | %.0f | |\n",
               own.realtime ? "" : " (no real-time)",

@@ -185,7 +185,7 @@ Rest restAt(const playback::ForceDeviceProfile& device, const playback::ForcePro
 }
 
 void printRest(double friction_N) {
-  constexpr int places = 11;
+  constexpr int positions = 11;
   playback::ForceDeviceProfile device = playback::falconDevice();
   device.friction_N = friction_N;
   std::printf("| %.0f mN |", 1000 * friction_N);
@@ -193,12 +193,12 @@ void printRest(double friction_N) {
     const playback::ForceProgram program = preparedFor(sampleButton(button), device);
     Rest worst;
     int quiet = 0;
-    for (int place = 1; place <= places; ++place) {
+    for (int place = 1; place <= positions; ++place) {
       const Rest rest = restAt(device, program, 0.3 * place);
       quiet += rest.quiet() ? 1 : 0;
       worst = {std::max(worst.steps, rest.steps), std::max(worst.force_N, rest.force_N)};
     }
-    std::printf(" %d, %.0f; %d of %d |", worst.steps, 1000 * worst.force_N, quiet, places);
+    std::printf(" %d, %.0f; %d of %d |", worst.steps, 1000 * worst.force_N, quiet, positions);
   }
   std::printf("\n");
 }

@@ -71,20 +71,20 @@ bool higher(const Band& b) { return b.low >= 1 + claimedFrom; }
 bool lower(const Band& b) { return b.high <= 1 - claimedFrom; }
 bool alike(const Band& b) { return b.low >= 1 - claimedFrom && b.high <= 1 + claimedFrom; }
 
-void row(int number, const char* asked, const Band& band, const char* people, bool hit) {
-  std::printf("| %d | %s | %.2f (%.2f to %.2f) | %s | %s |\n", number, asked, band.median, band.low,
+void row(int number, const char* question, const Band& band, const char* people, bool hit) {
+  std::printf("| %d | %s | %.2f (%.2f to %.2f) | %s | %s |\n", number, question, band.median, band.low,
               band.high, people, hit ? "yes" : "**missed**");
 }
 
 int hits = 0;  // effects forecast as people did
-void effect(int number, const char* asked, const Band& band, const char* people, bool hit) {
+void effect(int number, const char* question, const Band& band, const char* people, bool hit) {
   hits += hit ? 1 : 0;
-  row(number, asked, band, people, hit);
+  row(number, question, band, people, hit);
 }
 
 /// A second condition of the effect above: both must hold, counted there.
-void also(int number, const char* asked, const Band& band, const char* people, bool hit) {
-  row(number, asked, band, people, hit);
+void also(int number, const char* question, const Band& band, const char* people, bool hit) {
+  row(number, question, band, people, hit);
 }
 
 Band impactAgainstMake(const PressForecast& forecast) {

@@ -99,7 +99,7 @@ std::vector<double> studyLevels() {
   return levels;
 }
 
-ThresholdEstimate asked(const Observer& o, std::size_t trials, StudyRandom& random) {
+ThresholdEstimate estimated(const Observer& o, std::size_t trials, StudyRandom& random) {
   const std::vector<double> levels = studyLevels();
   QuestPlus quest(levels);
   for (std::size_t i = 0; i < trials; ++i) {
@@ -116,7 +116,7 @@ void thresholdRow(const char* observers, std::size_t trials, std::size_t count, 
   std::vector<double> off, width;
   for (std::size_t i = 0; i < count; ++i) {
     const Observer o = drawn(random);
-    const ThresholdEstimate e = asked(o, trials, random);
+    const ThresholdEstimate e = estimated(o, trials, random);
     within.errors += e.credible.low <= o.threshold && o.threshold <= e.credible.high ? 1 : 0;
     off.push_back(std::exp(std::fabs(std::log(e.threshold / o.threshold))) - 1);
     width.push_back(std::sqrt(e.credible.high / e.credible.low) - 1);

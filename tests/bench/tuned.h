@@ -23,7 +23,7 @@ inline double detentTuned(const char* threshold, double standard) {
   return found == changed.end() ? standard : found->second;
 }
 
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): stands where a literal stood, so it is an expression, and looks its value up once.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): stands where a literal stood, so it is an expression, and reads its value once.
 #define DETENT_TUNED(type, threshold, standard)                                    \
   ([]() -> type {                                                                  \
     static const type value = static_cast<type>(detentTuned(threshold, standard)); \

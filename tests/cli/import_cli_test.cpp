@@ -344,8 +344,8 @@ TEST_CASE("Of several switches in one plot --curve takes one, by name or number"
   CHECK(question["choices"][1] == json{{"text", "Red (#2e8b37)"}, {"option", "--curve 2"}});
   CHECK(folder.files() == Names{"two.svg"});
 
-  const auto imported = [&](const std::string& asked) {
-    const ProgramResult run = import(folder, {"two.svg", "--curve", asked, "-o", "b.button.json", "--json"});
+  const auto imported = [&](const std::string& curve) {
+    const ProgramResult run = import(folder, {"two.svg", "--curve", curve, "-o", "b.button.json", "--json"});
     INFO(run.err);
     REQUIRE(run.exitCode == 0);
     return json::parse(run.out);

@@ -227,11 +227,11 @@ TEST_CASE("confusion: a button beside itself differs in nothing, and no cue is n
   CHECK(pair["reason"] == "nothing differs");
   const ProgramResult other = play({"confusion", "A.button.json", "B.button.json", "--json"});
   REQUIRE(other.exitCode == 0);
-  const json told = json::parse(other.out)["pairs"][0];
-  CHECK(contains(told["reason"], "most differs on the "));
-  CHECK(told["errors_low"] < told["errors_per_90"]);
-  CHECK(told["errors_per_90"] < told["errors_high"]);
-  CHECK(told["errors_high"] <= 45);
+  const json forecast = json::parse(other.out)["pairs"][0];
+  CHECK(contains(forecast["reason"], "most differs on the "));
+  CHECK(forecast["errors_low"] < forecast["errors_per_90"]);
+  CHECK(forecast["errors_per_90"] < forecast["errors_high"]);
+  CHECK(forecast["errors_high"] <= 45);
 }
 
 TEST_CASE("calibrate: known weights become a profile that keeps what it had") {

@@ -285,7 +285,7 @@ class ImportMonkey {
   int upTo(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
   double share() { return double(random_()) / double(random_.max()); }
   importer::Point anyPoint() { return {800 * share(), 470 * share()}; }
-  importer::Rgb anyInk() {
+  importer::Rgb anyColor() {
     const auto part = [this] { return static_cast<std::uint8_t>(upTo(256)); };
     return {part(), part(), part()};
   }
@@ -307,7 +307,7 @@ class ImportMonkey {
         c.xUnit = LengthUnit::inch, c.yUnit = ForceUnit::gramForce;
         break;
       case 4:
-        (upTo(2) == 0 ? c.pressColor : c.releaseColor) = anyInk();
+        (upTo(2) == 0 ? c.pressColor : c.releaseColor) = anyColor();
         break;
       case 5:
         c.masks.push_back({100, 40, 100 + 480 * share(), 40 + 360 * share()});

@@ -88,11 +88,11 @@ TEST_CASE("edits of knots by any number") {
   });
   holdsAlways("placeKnots", [] {
     const StrokeCurve curve = extremeCurve();
-    std::vector<KnotPlace> places;
-    for (int i = count(0, 4); i > 0; --i) places.push_back({anyKnot(curve), anyTarget(curve)});
-    const auto moved = placeKnots(curve, places);
+    std::vector<KnotPlace> targets;
+    for (int i = count(0, 4); i > 0; --i) targets.push_back({anyKnot(curve), anyTarget(curve)});
+    const auto moved = placeKnots(curve, targets);
     assertSound(moved);
-    if (places.empty()) RC_ASSERT(moved.ok() && *moved == curve);
+    if (targets.empty()) RC_ASSERT(moved.ok() && *moved == curve);
   });
   holdsAlways("removeKnots", [] {
     const StrokeCurve curve = extremeCurve();

@@ -94,12 +94,12 @@ inline void logKnots(const StrokeCurve& curve) {
 /// knot in eight makes a vertical rise, one in eight a flat, one in ten is 1 to 4 ulp behind the one before.
 inline StrokeCurve extremeCurve(Size size) {
   const int knotCount = count(2, 12);
-  std::vector<double> places{0};
-  for (int i = 2; i < knotCount; ++i) places.push_back(size.travel_mm * share());
-  places.push_back(size.travel_mm);
-  std::sort(places.begin(), places.end());
+  std::vector<double> positions_mm{0};
+  for (int i = 2; i < knotCount; ++i) positions_mm.push_back(size.travel_mm * share());
+  positions_mm.push_back(size.travel_mm);
+  std::sort(positions_mm.begin(), positions_mm.end());
   std::vector<Knot> knots;
-  for (double x : places) {
+  for (double x : positions_mm) {
     const bool first = knots.empty(), last = x == size.travel_mm;
     if (!first && !last && knots.back().displacement_mm > 0 && oneIn(10))
       for (int k = count(1, 4), i = 0; i < k; ++i)

@@ -74,14 +74,14 @@ long double squaredDistance(const ChainPiece& piece, long double t, const SigmaP
 
 /// The same from the piece's nearest place, by looking everywhere, then closer.
 long double leastSquaredDistance(const ChainPiece& piece, const SigmaPoint& point) {
-  constexpr int places = 48;
+  constexpr int placeCount = 48;
   int nearest = 0;
   const auto at = [&](long double t) { return squaredDistance(piece, t, point); };
-  for (int i = 1; i <= places; ++i)
-    if (at(i / static_cast<long double>(places)) < at(nearest / static_cast<long double>(places)))
+  for (int i = 1; i <= placeCount; ++i)
+    if (at(i / static_cast<long double>(placeCount)) < at(nearest / static_cast<long double>(placeCount)))
       nearest = i;
-  long double low = std::max(nearest - 1, 0) / static_cast<long double>(places),
-              high = std::min(nearest + 1, places) / static_cast<long double>(places);
+  long double low = std::max(nearest - 1, 0) / static_cast<long double>(placeCount),
+              high = std::min(nearest + 1, placeCount) / static_cast<long double>(placeCount);
   for (int i = 0; i < 80; ++i) {  // golden section
     const long double part = 0.381966011250105L * (high - low);
     if (at(low + part) > at(high - part))
@@ -217,19 +217,19 @@ TEST_CASE("any points and any options are fitted or refused by name") {
     std::vector<CurvePoint> points;
     for (int i = 0; i <= 200; ++i)
       points.push_back({0.02 * i, truth.force_N(0.02 * i) + within(-0.002, 0.002)});
-    const double wild = within(-1, 1) * magnitude(0.1, 1e3);
-    RC_LOG(std::to_string(wild));
+    const double outlier = within(-1, 1) * magnitude(0.1, 1e3);
+    RC_LOG(std::to_string(outlier));
     for (int i = 0, at = 20; i < 3; ++i)
-      points[static_cast<std::size_t>(at += count(10, 50))].force_N += wild;
+      points[static_cast<std::size_t>(at += count(10, 50))].force_N += outlier;
     const auto fitted = fitStroke(points, Stroke::press, fitOptionsFor(FitEffort::standard, {0.002, 0.002}));
     if (!fitted) return assertNamed(fitted.failure());
     // Beyond 20 sigmas (and the noise of their neighbours) they stand alone: nowhere, not even where they
     // are, does the curve follow them. Smaller ones pull it a little, and only beside themselves.
-    const int places = std::abs(wild) > 0.05 ? 0 : 12;
+    const int placeCount = std::abs(outlier) > 0.05 ? 0 : 12;
     int far = 0;
     for (int i = 0; i <= 200; ++i)
       far += std::abs(fitted->curve.force_N(0.02 * i) - truth.force_N(0.02 * i)) > 0.02;
-    RC_ASSERT(far <= places);
+    RC_ASSERT(far <= placeCount);
   });
 }
 
@@ -334,11 +334,11 @@ TEST_CASE("parts of the fit", "[finite]") {
     const auto pieces = piecesOf(chain);
     const ChainPiece& piece = pieces[anyOf<std::size_t>(0, pieces.size() - 1)];
     const SigmaPoint point{piece.u(share()) + within(-3, 3), piece.v(share()) + within(-3, 3), 1};
-    const Footpoint foot = nearestOn(piece, point);
-    RC_ASSERT(foot.t >= 0 && foot.t <= 1);
+    const Footpoint projection = nearestOn(piece, point);
+    RC_ASSERT(projection.t >= 0 && projection.t <= 1);
     for (const double t : {0.0, 1.0}) {
       const double du = piece.u(t) - point.u, dv = piece.v(t) - point.v;
-      RC_ASSERT(foot.squaredDistance <= (du * du + dv * dv) * (1 + 1e-9) + 1e-9);
+      RC_ASSERT(projection.squaredDistance <= (du * du + dv * dv) * (1 + 1e-9) + 1e-9);
     }
   });
   holdsAlways("levelDisplacements: never backwards", [] {

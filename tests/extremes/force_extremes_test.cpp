@@ -77,10 +77,10 @@ TEST_CASE("no reading gets more force out of the loop than the limits allow") {
     double before_N = 0;
     for (int i = count(1, 400); i > 0; --i) {
       guard.judge(oneIn(10) ? anyDouble() : within(0, 1), !oneIn(10));
-      const double asked = oneIn(4) ? anyDouble() : within(-20, 20);
-      const double sent = guard.limit(asked, oneIn(10) ? anyDouble() : within(-100, 100));
+      const double requested = oneIn(4) ? anyDouble() : within(-20, 20);
+      const double sent = guard.limit(requested, oneIn(10) ? anyDouble() : within(-100, 100));
       RC_ASSERT(std::isfinite(sent) && std::abs(sent) <= limits.force_N);
-      if (guard.gain() == 1 && std::isfinite(asked))
+      if (guard.gain() == 1 && std::isfinite(requested))
         RC_ASSERT(std::abs(sent - before_N) <= limits.slew_N_per_s * 0.001 * (1 + 1e-9));
       before_N = sent;
     }
@@ -269,7 +269,7 @@ TEST_CASE("a button that pulls in at the bottom holds its energy against the wal
   const double end_N = static_cast<double>(table.rows[table.rowCount - 1].release_N),
                rest_mm = prepared->summary.rest_mm;
   CHECK(end_N < -5);
-  CHECK(rest_mm == Approx(4 - end_N / table.wallSlope_N_per_mm));
+  CHECK(rest_mm == Approx(4 - end_N / table.bottomOutSlope_N_per_mm));
   ForceLaw law(prepared->program);
   CHECK(law.stored_mJ(rest_mm) == Approx(0).margin(1e-5));
   // The stored energy differs by the force times the way, before the end stop and in it, on both sides of the

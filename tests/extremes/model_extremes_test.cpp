@@ -252,10 +252,10 @@ TEST_CASE("sections cover the stroke whatever the curve", "[finite]") {
   });
   holdsAlways("bottomOutOf lies on the curve", [] {
     const StrokeCurve curve = extremeCurve();
-    const BottomOut foot = bottomOutOf(curve);
-    RC_ASSERT(foot.displacement_mm >= curve.start_mm() && foot.displacement_mm <= curve.end_mm());
-    RC_ASSERT(std::isfinite(foot.force_N));
-    if (!foot.wall) RC_ASSERT(foot.displacement_mm == curve.end_mm());
+    const BottomOut rise = bottomOutOf(curve);
+    RC_ASSERT(rise.displacement_mm >= curve.start_mm() && rise.displacement_mm <= curve.end_mm());
+    RC_ASSERT(std::isfinite(rise.force_N));
+    if (!rise.isSteep) RC_ASSERT(rise.displacement_mm == curve.end_mm());
   });
   holdsAlways("jumpArea_mJ is never below 0", [] {
     const StrokeCurve curve = extremeCurve();
@@ -392,7 +392,7 @@ TEST_CASE("any values of a button are taken or refused by name") {
     LinearTemplate t;
     t.travel_mm = oneIn(3) ? anyDouble() : magnitude(1e-3, 1e5);
     t.startForce_N = anyDouble(), t.endForce_N = anyDouble(), t.hysteresis_N = anyDouble();
-    if (oneIn(2)) t.wallForce_N = anyDouble();
+    if (oneIn(2)) t.bottomOutForce_N = anyDouble();
     const auto button = linearButton(t);
     if (!button) assertNamed(button.failure());
   });

@@ -24,7 +24,7 @@ PageLimits fuzzLimits() {
   return limits;
 }
 
-void lookAround(const Document& document, const Page& page) {
+void readPartsOf(const Document& document, const Page& page) {
   const Box whole{0, 0, page.width, page.height};
   const Box part{page.width * 0.2, page.height * 0.3, page.width * 0.9, page.height * 0.8};
   ViewOptions options;
@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!document) return 0;
   for (const int number : {1, document->pageCount()}) {
     const auto page = document->page(number);
-    if (page) lookAround(*document, *page);
+    if (page) readPartsOf(*document, *page);
   }
   return 0;
 }

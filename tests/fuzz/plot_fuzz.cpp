@@ -22,8 +22,8 @@ const cv::Rect kFrame{50, 20, 350, 260};
 class Drawing {
  public:
   Drawing(const std::uint8_t* data, std::size_t size) : choose_(data, size) {
-    picture_ = cv::Mat(kHeight_px, kWidth_px, CV_8UC3, ink());
-    if (choose_.ConsumeBool()) cv::rectangle(picture_, kFrame, ink(), thickness());
+    picture_ = cv::Mat(kHeight_px, kWidth_px, CV_8UC3, anyColour());
+    if (choose_.ConsumeBool()) cv::rectangle(picture_, kFrame, anyColour(), thickness());
     grid();
     while (choose_.remaining_bytes() > 2) thing();
     if (soft_) cv::GaussianBlur(picture_, picture_, {3, 3}, 0);
@@ -44,17 +44,17 @@ class Drawing {
 
  private:
   /// Few, so that strokes share one: what people draw with, and each a little off.
-  cv::Scalar ink() {
-    static const std::array<cv::Scalar, 8> kInks{{{255, 255, 255},
-                                                  {0, 0, 0},
-                                                  {30, 30, 220},
-                                                  {200, 90, 20},
-                                                  {180, 180, 180},
-                                                  {60, 160, 60},
-                                                  {40, 36, 32},
-                                                  {250, 220, 180}}};
+  cv::Scalar anyColour() {
+    static const std::array<cv::Scalar, 8> kColours{{{255, 255, 255},
+                                                     {0, 0, 0},
+                                                     {30, 30, 220},
+                                                     {200, 90, 20},
+                                                     {180, 180, 180},
+                                                     {60, 160, 60},
+                                                     {40, 36, 32},
+                                                     {250, 220, 180}}};
     const auto which = choose_.ConsumeIntegral<std::uint8_t>();
-    return kInks[which % kInks.size()] + cv::Scalar::all(which / 32.0 - 4);
+    return kColours[which % kColours.size()] + cv::Scalar::all(which / 32.0 - 4);
   }
 
   int thickness() { return choose_.ConsumeIntegralInRange<int>(1, 4); }
@@ -68,7 +68,7 @@ class Drawing {
 
   void grid() {
     const int lines = choose_.ConsumeIntegralInRange<int>(0, 7);
-    const cv::Scalar color = ink();
+    const cv::Scalar color = anyColour();
     for (int k = 1; k <= lines; ++k) {
       const int x = kFrame.x + kFrame.width * k / (lines + 1), y = kFrame.y + kFrame.height * k / (lines + 1);
       cv::line(picture_, {x, kFrame.y}, {x, kFrame.br().y}, color);
@@ -79,20 +79,20 @@ class Drawing {
   void thing() {
     switch (choose_.ConsumeIntegralInRange<int>(0, 9)) {
       case 0:
-        cv::rectangle(picture_, place(), place(), ink(), choose_.ConsumeBool() ? cv::FILLED : 1);
+        cv::rectangle(picture_, place(), place(), anyColour(), choose_.ConsumeBool() ? cv::FILLED : 1);
         break;
       case 1:
-        cv::circle(picture_, place(), choose_.ConsumeIntegralInRange<int>(0, 40), ink(), thickness());
+        cv::circle(picture_, place(), choose_.ConsumeIntegralInRange<int>(0, 40), anyColour(), thickness());
         break;
       case 2:
         cv::putText(picture_, choose_.ConsumeBool() ? "120" : "Press", place(), cv::FONT_HERSHEY_SIMPLEX, 0.5,
-                    ink());
+                    anyColour());
         break;
       case 3:
         soft_ = true;
         break;
       case 4:
-        cv::line(picture_, place(), place(), ink(), thickness(), cv::LINE_AA);
+        cv::line(picture_, place(), place(), anyColour(), thickness(), cv::LINE_AA);
         break;
       default:
         curve();
@@ -102,14 +102,14 @@ class Drawing {
 
   /// From left to right in steps of its own; dashed ones miss every second piece.
   void curve() {
-    const cv::Scalar color = ink();
-    const int wide = thickness(), points = choose_.ConsumeIntegralInRange<int>(2, 24);
+    const cv::Scalar color = anyColour();
+    const int thick = thickness(), points = choose_.ConsumeIntegralInRange<int>(2, 24);
     const bool dashed = choose_.ConsumeIntegral<std::uint8_t>() > 200, smooth = choose_.ConsumeBool();
     cv::Point at = place();
     for (int k = 0; k < points; ++k) {
       const cv::Point to{at.x + choose_.ConsumeIntegral<std::uint8_t>() % 48,
                          at.y + choose_.ConsumeIntegral<std::int8_t>() / 2};
-      if (!dashed || k % 2 == 0) cv::line(picture_, at, to, color, wide, smooth ? cv::LINE_AA : cv::LINE_8);
+      if (!dashed || k % 2 == 0) cv::line(picture_, at, to, color, thick, smooth ? cv::LINE_AA : cv::LINE_8);
       at = to;
     }
   }

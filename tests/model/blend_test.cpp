@@ -25,7 +25,7 @@ Button late() {
   values.release = {{{2.0, 0.20}, {1.3, 0.45}}};
   values.endForce_N = 0.9;
   values.releaseEndForce_N = 0.85;
-  values.wallForce_N = 1.5;
+  values.bottomOutForce_N = 1.5;
   values.operatingPoint_mm = 2.2;
   values.resetPoint_mm = 1.5;
   return require(tactileButton(values));

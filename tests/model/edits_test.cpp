@@ -185,10 +185,11 @@ TEST_CASE("a tactile point between knots is moved as well, and of a release too"
 }
 
 TEST_CASE("a tactile point on top of a wall is drawn away from it, whatever the wall's inner slopes") {
-  const auto wall = StrokeCurve::fromKnots({{0, 0, 7, 9}, {0, 0.6, -5, 0}, {2, 0.4, 0, 0.3}, {3, 1, 0.3, 0}});
-  REQUIRE(wall.ok());
-  REQUIRE(tactilePoints(*wall, Stroke::press).size() == 1);
-  const StrokeCurve moved = require(moveTactilePoint(*wall, Stroke::press, 0, {0.5, 0.8}));
+  const auto withBottomOut =
+      StrokeCurve::fromKnots({{0, 0, 7, 9}, {0, 0.6, -5, 0}, {2, 0.4, 0, 0.3}, {3, 1, 0.3, 0}});
+  REQUIRE(withBottomOut.ok());
+  REQUIRE(tactilePoints(*withBottomOut, Stroke::press).size() == 1);
+  const StrokeCurve moved = require(moveTactilePoint(*withBottomOut, Stroke::press, 0, {0.5, 0.8}));
   CHECK(moved.force_N(0) == 0);
   const auto points = tactilePoints(moved, Stroke::press);
   REQUIRE(points.size() == 1);
@@ -305,7 +306,7 @@ TEST_CASE("a linear button keeps its wall") {
   CHECK(tactilePoints(line, Stroke::press).empty());
   CHECK(line.knots().size() == 3);
   CHECK(line.force_N(1.95) == Approx(0.5));
-  CHECK(bottomOutOf(line).wall);
+  CHECK(bottomOutOf(line).isSteep);
 }
 
 TEST_CASE("mirroring: release lies below press by the hysteresis and never below 0") {
@@ -333,14 +334,14 @@ TEST_CASE("scaling scales everything that has the unit") {
   const Button strong = require(scaleForce(button, 2));
   CHECK(strong.states()[0].graph.press().force_N(1.3) == 1.1);
   CHECK(strong.states()[0].damping[1].damping_Ns_per_mm == 0.4);
-  const Button wide = require(scaleTravel(button, 0.5));
-  const ButtonState& state = wide.states()[0];
+  const Button scaled = require(scaleTravel(button, 0.5));
+  const ButtonState& state = scaled.states()[0];
   CHECK(state.graph.travel_mm() == 2);
   CHECK(*state.operatingPoint_mm == 1);
   CHECK(state.damping[1].displacement_mm == 2);
   CHECK(state.graph.press().area_mJ(0, 2) == Approx(button.states()[0].graph.press().area_mJ(0, 4) / 2));
   CHECK(require(scaleForce(strong, 0.5)) == button);
-  CHECK(require(scaleTravel(wide, 2)) == button);
+  CHECK(require(scaleTravel(scaled, 2)) == button);
   for (double bad : {0.0, -1.0, notANumber, HUGE_VAL}) {
     requireEditRefusal(scaleForce(button, bad), "finite number above 0");
     requireEditRefusal(scaleTravel(button, bad), "finite number above 0");
@@ -367,15 +368,15 @@ TEST_CASE("edits of a button reach its state, and keep its rules") {
 
 TEST_CASE("a state is added as a copy and taken away again") {
   const Button momentary = require(tactileButton());
-  const Button both = require(addState(momentary, 0));
-  REQUIRE(both.states().size() == 2);
-  CHECK(both.states()[0].name == "unlocked");
-  CHECK(both.states()[1].name == "locked");
-  CHECK(both.states()[1].graph == momentary.states()[0].graph);
-  requireEditRefusal(addState(both, 0), "two states already");
-  const Button left = require(removeState(both, 0));
+  const Button twoStates = require(addState(momentary, 0));
+  REQUIRE(twoStates.states().size() == 2);
+  CHECK(twoStates.states()[0].name == "unlocked");
+  CHECK(twoStates.states()[1].name == "locked");
+  CHECK(twoStates.states()[1].graph == momentary.states()[0].graph);
+  requireEditRefusal(addState(twoStates, 0), "two states already");
+  const Button left = require(removeState(twoStates, 0));
   REQUIRE(left.states().size() == 1);
   CHECK(left.states()[0].name == "locked");
   requireEditRefusal(removeState(momentary, 0), "this state alone");
-  requireEditRefusal(removeState(both, 2), "no state 3");
+  requireEditRefusal(removeState(twoStates, 2), "no state 3");
 }

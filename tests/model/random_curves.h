@@ -20,14 +20,14 @@ inline StrokeCurve anyCurve() {
   std::vector<Knot> knots;
   const int count = *rc::gen::inRange(2, 14);
   double x = 0;
-  bool wallBefore = true;
+  bool bottomOutBefore = true;
   for (int i = 0; i < count; ++i) {
     const int kind = *rc::gen::inRange(0, 10);
-    const bool wall = kind == 0 && !wallBefore && i + 1 < count;
-    if (i > 0 && !wall) x += between(0.01, 0.5);
-    wallBefore = wall || i == 0;
+    const bool isBottomOut = kind == 0 && !bottomOutBefore && i + 1 < count;
+    if (i > 0 && !isBottomOut) x += between(0.01, 0.5);
+    bottomOutBefore = isBottomOut || i == 0;
     Knot k{x, between(0, 2), between(-4, 4), between(-4, 4)};
-    if (kind == 1 && i > 0 && !wall) {
+    if (kind == 1 && i > 0 && !isBottomOut) {
       k.force_N = knots.back().force_N;
       knots.back().slopeAfter_N_per_mm = 0;
       k.slopeBefore_N_per_mm = 0;

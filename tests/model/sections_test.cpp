@@ -110,28 +110,28 @@ TEST_CASE("the bar is a share of the range below the wall, not of the wall") {
 
 TEST_CASE("bottom-out: vertical walls, steep walls, rounded feet, none") {
   const BottomOut vertical = bottomOutOf(through(tactilePress));
-  CHECK(vertical.wall);
+  CHECK(vertical.isSteep);
   CHECK(vertical.displacement_mm == 3.9);
   const BottomOut steep = bottomOutOf(through({{0, 0.4}, {3.6, 0.6}, {3.65, 1.2}}));
-  CHECK(steep.wall);
+  CHECK(steep.isSteep);
   CHECK(steep.displacement_mm == Approx(3.6).margin(0.02));
   const BottomOut rounded =
       bottomOutOf(through({{0, 0.4}, {3.5, 0.6}, {3.6, 0.63}, {3.65, 0.75}, {3.7, 1.3}}));
-  CHECK(rounded.wall);
+  CHECK(rounded.isSteep);
   CHECK(rounded.displacement_mm == Approx(3.6).margin(0.05));
   // CHERRY's graphs end at the full travel without a bottom-out.
   const BottomOut open = bottomOutOf(through({{0, 0.3}, {1.2, 0.55}, {1.7, 0.41}, {2.1, 0.5}, {4, 0.6}}));
-  CHECK_FALSE(open.wall);
+  CHECK_FALSE(open.isSteep);
   CHECK(open.displacement_mm == 4);
   CHECK(open.force_N == 0.6);
 }
 
 TEST_CASE("no false walls: stiffening springs, a steep start, a late peak") {
-  CHECK_FALSE(bottomOutOf(through({{0, 0}, {1, 0.1}, {2, 0.3}, {3, 0.8}, {4, 1.6}})).wall);
-  CHECK_FALSE(bottomOutOf(through({{0, 0}, {0.02, 0.5}, {4, 0.8}})).wall);
-  CHECK_FALSE(bottomOutOf(through({{0, 0.2}, {3, 0.4}, {3.5, 0.9}, {4, 0.5}})).wall);
+  CHECK_FALSE(bottomOutOf(through({{0, 0}, {1, 0.1}, {2, 0.3}, {3, 0.8}, {4, 1.6}})).isSteep);
+  CHECK_FALSE(bottomOutOf(through({{0, 0}, {0.02, 0.5}, {4, 0.8}})).isSteep);
+  CHECK_FALSE(bottomOutOf(through({{0, 0.2}, {3, 0.4}, {3.5, 0.9}, {4, 0.5}})).isSteep);
   // Free travel before the spring: the spring is no bottom-out, however steep against zero.
-  CHECK_FALSE(bottomOutOf(through({{0, 0.1}, {1, 0.1001}, {4, 1}})).wall);
+  CHECK_FALSE(bottomOutOf(through({{0, 0.1}, {1, 0.1001}, {4, 1}})).isSteep);
   // A rise at the *start* of a press is slope.
   const StrokeCurve start = through({{0, 0}, {0, 0.4}, {4, 0.8}});
   CHECK(kinds(sectionsOf(start, Stroke::press)) == std::vector{slope, bottomOut});
@@ -140,7 +140,7 @@ TEST_CASE("no false walls: stiffening springs, a steep start, a late peak") {
 TEST_CASE("a wall is found whatever its height against the rest") {
   for (double top : {0.75, 1.2, 5.0, 100.0, 1e5}) {
     const BottomOut found = bottomOutOf(through({{0, 0.3}, {3.8, 0.6}, {3.83, top}}));
-    CHECK(found.wall);
+    CHECK(found.isSteep);
     CHECK(found.displacement_mm == Approx(3.8).margin(0.03));
   }
 }

@@ -180,18 +180,18 @@ TEST_CASE("scaling a button scales its graphs at all speeds") {
 
 TEST_CASE("a release above the press of another speed is told, with both speeds") {
   ButtonState state = stateWith({20, 100});
-  const auto told = [&] {
+  const auto described = [&] {
     std::vector<std::string> sentences;
     for (const Warning& w : validate(*buttonWith(state)))
       if (w.rule == Rule::speedsGiveEnergy) sentences.push_back(w.sentence());
     return sentences;
   };
-  CHECK(told().empty());
+  CHECK(described().empty());
   state.otherSpeeds[0].graph = graphWith(0.25, 0.1);
-  REQUIRE(told().size() == 1);
-  CHECK_THAT(told()[0], Catch::StartsWith("release curve at 20 mm/s") &&
-                            Catch::Contains("above the press curve at 100 mm/s"));
+  REQUIRE(described().size() == 1);
+  CHECK_THAT(described()[0], Catch::StartsWith("release curve at 20 mm/s") &&
+                                 Catch::Contains("above the press curve at 100 mm/s"));
   state.otherSpeeds[0].graph = graphWith(0.6, 0.55);  // its own release, above its own press
-  REQUIRE(told().size() == 1);
-  CHECK_THAT(told()[0], Catch::Contains("release curve at 100 mm/s"));
+  REQUIRE(described().size() == 1);
+  CHECK_THAT(described()[0], Catch::Contains("release curve at 100 mm/s"));
 }

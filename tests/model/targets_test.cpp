@@ -96,13 +96,13 @@ std::string textOf(const std::vector<FigureTarget>& targets, const KeyFigures& n
 
 // The limit of a figure that cannot be had even alone: between the present value and the request, met itself,
 // and nothing farther on.
-void checkLimit(const Sample& sample, const FigureTarget& asked, double limit) {
-  const double now = *keyFiguresOf(sample.button.states()[sample.state])[asked.figure];
-  CHECK(std::abs(limit - now) + std::abs(asked.value - limit) <= 1.000001 * std::abs(asked.value - now));
-  const TargetOutcome there = bentToTargets(sample.button, sample.state, {{asked.figure, limit}});
+void checkLimit(const Sample& sample, const FigureTarget& wanted, double limit) {
+  const double now = *keyFiguresOf(sample.button.states()[sample.state])[wanted.figure];
+  CHECK(std::abs(limit - now) + std::abs(wanted.value - limit) <= 1.000001 * std::abs(wanted.value - now));
+  const TargetOutcome there = bentToTargets(sample.button, sample.state, {{wanted.figure, limit}});
   REQUIRE(there.button);
-  CHECK(missed(keyFiguresOf(there.button->states()[sample.state]), {asked.figure, limit}) <= 1);
-  CHECK(bentToTargets(sample.button, sample.state, {asked}).conflict);
+  CHECK(missed(keyFiguresOf(there.button->states()[sample.state]), {wanted.figure, limit}) <= 1);
+  CHECK(bentToTargets(sample.button, sample.state, {wanted}).conflict);
 }
 
 int setsToTry() {
@@ -151,9 +151,9 @@ TEST_CASE("random sets of targets are met, or those that contradict are named") 
     CHECK(!outcome.conflict->undecided);
     CHECK_THAT(outcome.conflict->failure.sentence(), !Catch::Contains("more than one property"));
     if (named.size() == 1) {
-      const auto asked = std::find_if(targets.begin(), targets.end(),
-                                      [&](const FigureTarget& target) { return target.figure == named[0]; });
-      checkLimit(sample, *asked, *outcome.conflict->reachable);
+      const auto wanted = std::find_if(targets.begin(), targets.end(),
+                                       [&](const FigureTarget& target) { return target.figure == named[0]; });
+      checkLimit(sample, *wanted, *outcome.conflict->reachable);
     }
     // The named figures do contradict: all of them are requested, and without any one of them the rest can be
     // met.
@@ -175,31 +175,31 @@ TEST_CASE("random sets of targets are met, or those that contradict are named") 
 
 TEST_CASE("a search that is given up gives nothing, and soon") {
   const std::vector<Sample> all = samples();
-  int asked = 0;
+  int wanted = 0;
   const TargetOutcome outcome =
       bentToTargets(all[3].button, 0, {{KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}}, {}, {},
-                    {[&] { return ++asked > 3; }});
+                    {[&] { return ++wanted > 3; }});
   CHECK(!outcome.button);
   CHECK(!outcome.conflict);
-  CHECK(asked < 20);
+  CHECK(wanted < 20);
 }
 
 TEST_CASE("a search that may do no more says so, and of what") {
   const std::vector<Sample> all = samples();
-  const std::vector<FigureTarget> asked = {{KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}};
-  const TargetOutcome outcome = bentToTargets(all[3].button, 0, asked, {}, {}, {{}, 1});
+  const std::vector<FigureTarget> wanted = {{KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}};
+  const TargetOutcome outcome = bentToTargets(all[3].button, 0, wanted, {}, {}, {{}, 1});
   CHECK(!outcome.button);
   REQUIRE(outcome.conflict);
   CHECK(outcome.conflict->undecided);
   CHECK(outcome.conflict->figures == std::vector{KeyFigure::peakForce, KeyFigure::drop});
   CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("Peak force; Tactile drop"));
-  CHECK(!bentToTargets(all[3].button, 0, asked).conflict->undecided);
+  CHECK(!bentToTargets(all[3].button, 0, wanted).conflict->undecided);
 }
 
 // The bound is counted: a slower machine, here by a pause at every call, gives the same answer.
 TEST_CASE("how far a search goes is the same on every machine") {
   const std::vector<Sample> all = samples();
-  const std::vector<FigureTarget> asked = {
+  const std::vector<FigureTarget> wanted = {
       {KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}, {KeyFigure::totalTravel, 3.5}};
   std::set<std::string> sentences;
   std::set<bool> decided;
@@ -208,8 +208,8 @@ TEST_CASE("how far a search goes is the same on every machine") {
       std::this_thread::sleep_for(std::chrono::microseconds(300));
       return false;
     };
-    const TargetOutcome quick = bentToTargets(all[3].button, 0, asked, {}, {}, {{}, mostKnots}),
-                        slow = bentToTargets(all[3].button, 0, asked, {}, {}, {slowly, mostKnots});
+    const TargetOutcome quick = bentToTargets(all[3].button, 0, wanted, {}, {}, {{}, mostKnots}),
+                        slow = bentToTargets(all[3].button, 0, wanted, {}, {}, {slowly, mostKnots});
     INFO(mostKnots);
     REQUIRE(quick.conflict);
     REQUIRE(slow.conflict);

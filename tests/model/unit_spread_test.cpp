@@ -79,7 +79,7 @@ TEST_CASE(
   const ForceGraph& mean = spread.mean.states().front().graph;
   double highest_N = 0;
   for (const BandPoint& point : spread.states.front().press) {
-    // Before the wall at the end, as the units are.
+    // The force before the vertical bottom-out, as for the single units.
     CHECK(point.mean_N == Approx(mean.press().forceBefore_N(point.displacement_mm)).margin(1e-12));
     if (point.displacement_mm < 1.6) highest_N = std::max(highest_N, point.mean_N);
   }

@@ -10,11 +10,11 @@ namespace detent::tests {
 
 /// A plot of two switches, 0..4 mm and 0..1.2 N: "Brown" with press and release, "Red" with a press alone.
 inline std::string twoSwitchesSvg() {
-  const auto line = [](const char* ink, std::initializer_list<std::pair<double, double>> mm_N) {
+  const auto line = [](const char* colour, std::initializer_list<std::pair<double, double>> mm_N) {
     std::string points;
     for (const auto& [mm, newton] : mm_N)
       points += std::to_string(100 + 120 * mm) + "," + std::to_string(400 - 300 * newton) + " ";
-    return std::string("<polyline fill='none' stroke-width='2' stroke='") + ink + "' points='" + points +
+    return std::string("<polyline fill='none' stroke-width='2' stroke='") + colour + "' points='" + points +
            "'/>";
   };
   const auto text = [](double x, double y, const std::string& words, const char* anchor = "middle") {
@@ -32,11 +32,11 @@ inline std::string twoSwitchesSvg() {
   svg += line("#0b5cad", {{0, 0}, {1.4, 0.65}, {2.4, 0.35}, {3.6, 0.75}, {3.8, 1.1}});
   svg += line("#2e8b37", {{0, 0}, {1.2, 0.6}, {2.0, 0.4}, {3.3, 0.55}, {3.5, 1.0}});
   int row = 0;
-  for (const auto& [ink, words] :
+  for (const auto& [colour, words] :
        {std::pair{"#c8102e", "Brown press"}, {"#0b5cad", "Brown release"}, {"#2e8b37", "Red"}}) {
     const double y = 60 + 20 * row++;
     svg += "<line x1='620' x2='650' y1='" + std::to_string(y) + "' y2='" + std::to_string(y) +
-           "' stroke-width='2' stroke='" + ink + "'/>" + text(658, y + 5, words, "start");
+           "' stroke-width='2' stroke='" + colour + "'/>" + text(658, y + 5, words, "start");
   }
   return svg + "</svg>";
 }

@@ -12,7 +12,7 @@ namespace detent::python {
 namespace {
 
 /// The fault of the arguments, without the following line that refers to --help.
-std::string whatIsWrong(const std::string& told) { return told.substr(0, told.find("\nRun with ")); }
+std::string whatIsWrong(const std::string& message) { return message.substr(0, message.find("\nRun with ")); }
 
 }  // namespace
 

@@ -273,12 +273,12 @@ void CanvasTest::theLegendKeepsOffTheStrokes() {
   canvas.resize(420, 220);
   const QImage image = canvas.grab().toImage();
   const PlotMapping map = canvas.mapping();
-  const QColor ink = canvas.colors().press;
+  const QColor pressColor = canvas.colors().press;
   int seen = 0, all = 0;
   for (double at_mm = 0.05; at_mm < 1.4; at_mm += 0.05) {
     const QColor there = image.pixelColor(map.toPixel(at_mm, press->force_N(at_mm)).toPoint());
     ++all;
-    seen += std::abs(there.red() - ink.red()) + std::abs(there.blue() - ink.blue()) < 120;
+    seen += std::abs(there.red() - pressColor.red()) + std::abs(there.blue() - pressColor.blue()) < 120;
   }
   QVERIFY2(seen > 0.8 * all, qPrintable(QString("%1 of %2 places of the press are seen").arg(seen).arg(all)));
 }

@@ -146,7 +146,7 @@ class FeelLiveTest : public QObject {
     QCOMPARE(loudest(listener, silent + 4800), 0.0);
   }
 
-  void aReferenceSoundsAsItIsAndEndsWhenAskedTo() {
+  void aReferenceSoundsUnchangedAndEndsOnRequest() {
     JackServer server(128);
     if (skipped(server, "the feel panel's reference")) return;
     Rig rig;

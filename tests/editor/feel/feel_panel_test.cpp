@@ -181,7 +181,7 @@ class FeelPanelTest : public QObject {
     QTRY_COMPARE(rig.none.opened->load(), 2);
   }
 
-  void theFingerIsToldSixtyTimesASecond() {
+  void theFingerIsReportedSixtyTimesASecond() {
     Rig rig;
     rig.open();
     QTest::keyPress(rig.pad(), Qt::Key_Space);

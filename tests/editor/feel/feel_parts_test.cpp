@@ -276,7 +276,7 @@ class FeelPartsTest : public QObject {
     QVERIFY(measuredDelay(playback::EventPlacement::atOnce, 1024).contains("128"));
   }
 
-  void devicesAreAskedForOnAThreadOfTheirOwn() {
+  void devicesAreListedOnAThreadOfTheirOwn() {
     FeelDevices devices;
     std::atomic<bool> onGuiThread{true};
     devices.list = [&, gui = std::this_thread::get_id()]() -> Result<std::vector<playback::SoundDevice>> {

@@ -95,7 +95,7 @@ class FeelSessionTest : public QObject {
     QCOMPARE(rig.session.feltSide(), FeelSide::b);
   }
 
-  void nothingIsComputedWhileNobodyLooks() {
+  void nothingIsComputedWhileHidden() {
     Rig rig;
     QTRY_VERIFY(rig.ready());
     rig.session.setWatched(false);

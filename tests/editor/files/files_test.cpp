@@ -46,7 +46,7 @@ class FilesTest : public QObject {
  private slots:
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
-  void tellsButtonsFromPages() {
+  void distinguishesButtonsFromPages() {
     QCOMPARE(*inputKindOf(sample("buttons/B.button.json")), InputKind::button);
     QCOMPARE(*inputKindOf(sample("plots/two-level-legend.png")), InputKind::page);
     QCOMPARE(*inputKindOf(sample("plots/white-vector.pdf")), InputKind::page);
@@ -271,20 +271,20 @@ class FilesTest : public QObject {
   void aFileHasOneMarkWhoeverOpensIt() {
     QVERIFY(QFile::copy(sample("buttons/B.button.json"), at("b.button.json")));
     QVERIFY(QFile::link(at("b.button.json"), at("link.button.json")));
-    auto mine = openDocument(at("b.button.json")), theirs = openDocument(at("link.button.json"));
+    auto mine = openDocument(at("b.button.json")), otherCopy = openDocument(at("link.button.json"));
     OpenMarks here(at("marks")), elsewhere(at("marks"));  // two programs, as far as lock files can tell
     here.watch(**mine);
     QVERIFY(!here.otherEditor(**mine));
     QSignalSpy changed(&elsewhere, &OpenMarks::otherEditorChanged);
-    elsewhere.watch(**theirs);
-    QCOMPARE(elsewhere.otherEditor(**theirs), std::optional(QCoreApplication::applicationPid()));
+    elsewhere.watch(**otherCopy);
+    QCOMPARE(elsewhere.otherEditor(**otherCopy), std::optional(QCoreApplication::applicationPid()));
     QCOMPARE(changed.size(), 1);
     here.forget(**mine);
-    QTRY_VERIFY_WITH_TIMEOUT(!elsewhere.otherEditor(**theirs), 3 * OpenMarks::tryAgain_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!elsewhere.otherEditor(**otherCopy), 3 * OpenMarks::tryAgain_ms);
     QCOMPARE(changed.size(), 2);
     here.watch(**mine);
     QVERIFY(here.otherEditor(**mine).has_value());
-    elsewhere.forget(**theirs);
+    elsewhere.forget(**otherCopy);
   }
 
   void exportsAreWhole() {
@@ -350,26 +350,27 @@ class FilesTest : public QObject {
     for (const char* name : {"B", "C", "latch"}) {
       const QString file = sample("buttons/") + name + ".button.json";
       const Button button = (*openDocument(file))->button();
-      const QString mine = QString("mine-") + name, theirs = QString("theirs/") + name;
+      const QString mine = QString("mine-") + name, otherCopy = QString("theirs/") + name;
       QVERIFY(exportDataPackage(button, at(mine)).ok());
-      QVERIFY(QDir(folder_->path()).mkpath(theirs));
-      QCOMPARE(convert({file, at(theirs + "/datapackage.json")}), 0);
+      QVERIFY(QDir(folder_->path()).mkpath(otherCopy));
+      QCOMPARE(convert({file, at(otherCopy + "/datapackage.json")}), 0);
       const QStringList written = QDir(at(mine)).entryList(QDir::Files);
-      QCOMPARE(written, QDir(at(theirs)).entryList(QDir::Files));
+      QCOMPARE(written, QDir(at(otherCopy)).entryList(QDir::Files));
       QCOMPARE(written.size(), 2 + qsizetype(button.states().size()));
       for (const QString& each : written)
-        QVERIFY2(contentsOf(at(mine + "/" + each)) == contentsOf(at(theirs + "/" + each)), qPrintable(each));
+        QVERIFY2(contentsOf(at(mine + "/" + each)) == contentsOf(at(otherCopy + "/" + each)),
+                 qPrintable(each));
       for (std::size_t state = 0; state < button.states().size(); ++state)
         for (const auto& [units, words] :
              {std::pair(DisplayUnits{LengthUnit::millimetre, ForceUnit::newton}, QStringList{"N", "mm"}),
               {DisplayUnits{LengthUnit::inch, ForceUnit::gramForce}, QStringList{"gf", "in"}}})
           for (const char* ending : {".tar", ".wpd.json"}) {
             QVERIFY(exportTracedProject(button, state, units, at(QString("mine") + ending)).ok());
-            QStringList asked{
+            QStringList arguments{
                 file, at(QString("theirs") + ending), "--force-unit", words[0], "--length-unit", words[1]};
             if (button.selfLocking())
-              asked += {"--state", QString::fromStdString(button.states()[state].name)};
-            QCOMPARE(convert(asked), 0);
+              arguments += {"--state", QString::fromStdString(button.states()[state].name)};
+            QCOMPARE(convert(arguments), 0);
             QVERIFY(!contentsOf(at(QString("mine") + ending)).isEmpty());
             QVERIFY2(contentsOf(at(QString("mine") + ending)) == contentsOf(at(QString("theirs") + ending)),
                      ending);

@@ -187,7 +187,7 @@ class ImportDialogTest : public QObject {
   void whatIsShownGivenAgainChangesNothing();
   void findingsEndWithTheirLastBox();
   void aFrameBesideTheShownOneAddsAGraph();
-  void aMissingUnitIsAskedForInTheBanner();
+  void theBannerRequestsAMissingUnit();
   void axisEndsAreTypedAlikeInEveryLanguage();
   void graphsAreListedWithoutTheirPages();
   void theOriginSetsBothAxes();
@@ -503,7 +503,8 @@ void ImportDialogTest::whileAGraphIsReadNothingSaysThereIsNone() {
   QVERIFY(!saidWhileRead);
 }
 
-// Every sheet that comes with Detent is shown, whatever the case of its ending; buttons, which the text does not name, are not.
+// Every sheet that comes with Detent is shown, whatever the case of its ending; buttons, which the text does
+// not name, are not.
 void ImportDialogTest::theImportsFilterShowsWhatItPromises() {
   const QString filter = importFilters().front();
   const QString patterns = filter.section('(', -1).section(')', 0, 0);
@@ -585,7 +586,7 @@ void ImportDialogTest::aFrameIsTakenToWhereItsCurveEnds() {
   QVERIFY2(end_mm >= 4 && end_mm < 4.1, qPrintable(QString::number(end_mm)));
 }
 
-// A box that ends at 0.8 N, above its curve, while the numbers of the axis go on to 1.
+// A box that ends at 0.8 N, above its curve, while the tick labels go on to 1.
 void ImportDialogTest::anAxisThatGoesOnOffersToExtendTheFrame() {
   QTemporaryDir folder;
   const QString file = drawingOfC(
@@ -595,7 +596,7 @@ void ImportDialogTest::anAxisThatGoesOnOffersToExtendTheFrame() {
         if (line.contains("#c9c9c9")) line.replace("y1=\"44.00\"", "y1=\"115.20\"");
         line.replace("y=\"44.00\" width=\"542.00\" height=\"356.00\"",
                      "y=\"115.20\" width=\"542.00\" height=\"284.80\"");
-        line.replace("616.00 51.12", "616.00 125.00");  // the wall ends in the box
+        line.replace("616.00 51.12", "616.00 125.00");  // the bottom-out ends in the box
       });
   ShownDialog dialog;
   dialog.openFile(file);
@@ -617,17 +618,17 @@ void ImportDialogTest::anAxisThatGoesOnOffersToExtendTheFrame() {
 void ImportDialogTest::severalGraphsAtOnce() {
   // Two sample plots on one picture.
   const QImage one(sample("brown-one-ink.png")), two(sample("white-chinese-gf.png"));
-  QImage both(one.width() + two.width() + 60, std::max(one.height(), two.height()) + 40,
-              QImage::Format_RGB32);
-  both.fill(Qt::white);
+  QImage joined(one.width() + two.width() + 60, std::max(one.height(), two.height()) + 40,
+                QImage::Format_RGB32);
+  joined.fill(Qt::white);
   {
-    QPainter painter(&both);
+    QPainter painter(&joined);
     painter.drawImage(20, 20, one);
     painter.drawImage(one.width() + 40, 20, two);
   }
   ImportState state;
   PageList list(state);
-  state.openPicture(both);
+  state.openPicture(joined);
   QVERIFY(QTest::qWaitFor([&] { return settled(state) && state.searchedPages() == 1; }, patience_ms));
   QCOMPARE(state.graphs().size(), std::size_t{2});
   QCOMPARE(list.model()->rowCount(), 3);
@@ -799,8 +800,8 @@ void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
   QCOMPARE(state.tickedCount(), 0);
 }
 
-// Clicks along the curve, a few pixels beside it: the ink pulls, and what comes out is what is printed. Over a
-// part of a stroke it replaces that part.
+// Clicks a few pixels beside the curve snap to it, so the result is the printed curve. A drawing over a part
+// of a stroke replaces that part.
 void ImportDialogTest::aCurveIsDrawnByHand() {
   ShownView view;
   ImportState& state = view.state();
@@ -845,7 +846,8 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
                    press.end_mm()) < 0.02 * length);
 }
 
-// A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is ended.
+// A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is
+// ended.
 void ImportDialogTest::thePageLiesStillUnderAGesture() {
   ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));
@@ -924,7 +926,8 @@ void typeInto(QLineEdit* edit, const char* text) {
 
 }  // namespace
 
-// The fields show what stands at each end; typing that again changes nothing, and an axis of no length is refused.
+// The fields show what stands at each end; typing that again changes nothing, and an axis of no length is
+// refused.
 void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
   const QString svg = plotOfFallingForce(true);
   const QTemporaryDir folder;
@@ -959,7 +962,8 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
            qPrintable(QString::number(peaks[0].displacement_mm)));
 }
 
-// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old value.
+// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old
+// value.
 void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   ViewSettings settings;
   ImportState state;
@@ -1002,7 +1006,7 @@ void ImportDialogTest::findingsEndWithTheirLastBox() {
 }
 
 // The sheet names no unit of force: nothing is guessed quietly, and one click in the banner settles it.
-void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
+void ImportDialogTest::theBannerRequestsAMissingUnit() {
   QImage page(sample("brown-one-ink.png"));
   {
     QPainter painter(&page);
@@ -1036,7 +1040,7 @@ void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
   QCOMPARE(result->y->unitBy, DecidedBy::given);
 }
 
-// What the dialogue shows of each axis, typed or chosen again, gives the same button.
+// Typing or choosing again the shown value of each axis gives the same button.
 void ImportDialogTest::whatIsShownGivenAgainChangesNothing() {
   for (const char* plot : {"white-vector.pdf", "brown-german-comma.png"}) {
     ShownDialog dialog;
@@ -1052,7 +1056,7 @@ void ImportDialogTest::whatIsShownGivenAgainChangesNothing() {
       const StrokeCurve& is = report(state).button.states()[0].graph.press();
       QVERIFY2(std::abs(is.end_mm() - was.end_mm()) < 0.005 * was.end_mm(), qPrintable(what));
       for (int i = 0; i <= 20; ++i) {
-        const double at_mm = was.start_mm() + 0.9 * i / 20 * was.travel_mm();  // the wall is steep
+        const double at_mm = was.start_mm() + 0.9 * i / 20 * was.travel_mm();  // the bottom-out is steep
         QVERIFY2(std::abs(is.force_N(at_mm) - was.force_N(at_mm)) < 0.02 * span_N,
                  qPrintable(QString("%1 at %2 mm").arg(what).arg(at_mm)));
       }
@@ -1212,16 +1216,16 @@ void ImportDialogTest::theDialogueFitsSmallScreens() {
 
 void ImportDialogTest::anotherSheetAsksBeforeCorrectionsGo() {
   ShownDialog dialog;
-  int asked = 0;
+  int requests = 0;
   bool mayLeave = false;
-  dialog.setLeaveQuestion([&] { return ++asked, mayLeave; });
+  dialog.setLeaveQuestion([&] { return ++requests, mayLeave; });
   dialog.openFile(sample("two-level-legend.png"));
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
-  QCOMPARE(asked, 0);
+  QCOMPARE(requests, 0);
   ImportState& state = dialog.findChild<PageView*>()->state();
   state.correct("Exchange strokes", [](Corrections& c) { c.swapStrokes = true; });
   dialog.openFile(sample("white-vector.pdf"));
-  QCOMPARE(asked, 1);
+  QCOMPARE(requests, 1);
   QCOMPARE(state.documentName(), QString("two-level-legend.png"));
   mayLeave = true;
   dialog.openFile(sample("white-vector.pdf"));
@@ -1273,7 +1277,7 @@ void ImportDialogTest::theKeyboardReachesEverything() {
   QVERIFY(dialog.isVisible());
   QCOMPARE(history.now().x.max, 5.0);
   QVERIFY(again(dialog.view->state()));
-  // What cannot be read keeps the dialogue open: the value from before is not what stands there.
+  // Text that cannot be read keeps the dialogue open, because the field does not show the previous value.
   field->selectAll();
   QTest::keyClicks(field, "six");
   QVERIFY(dialog.accept->isEnabled());

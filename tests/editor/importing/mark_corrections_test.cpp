@@ -67,9 +67,9 @@ TEST_CASE("Tactile points are moved, taken away and added") {
 TEST_CASE("A point that is moved twice is one correction") {
   const MarkCorrection first{Kind::tactile, Stroke::press, importer::Point{1, 1}, importer::Point{2, 2}};
   const MarkCorrection again{Kind::tactile, Stroke::press, importer::Point{2, 2}, importer::Point{3, 3}};
-  const auto both = withMark(withMark({}, first), again);
-  REQUIRE(both.size() == 1);
-  CHECK(both[0] ==
+  const auto twoMarks = withMark(withMark({}, first), again);
+  REQUIRE(twoMarks.size() == 1);
+  CHECK(twoMarks[0] ==
         MarkCorrection{Kind::tactile, Stroke::press, importer::Point{1, 1}, importer::Point{3, 3}});
   const MarkCorrection added{Kind::tactile, Stroke::press, {}, importer::Point{5, 5}};
   const MarkCorrection removed{Kind::tactile, Stroke::press, importer::Point{5, 5}, {}};

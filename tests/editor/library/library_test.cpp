@@ -62,10 +62,10 @@ class LibraryTest : public QObject {
  private slots:
   void picturesShowBothStrokes() {
     const GraphColors colors = graphColors(false);
-    const QImage both = graphPicture(*tactileButton(), {84, 60}, 2, colors);
-    QCOMPARE(both.size(), QSize(168, 120));
-    QVERIFY(pixelsLike(both, colors.press) > 80);
-    QVERIFY(pixelsLike(both, colors.release) > 40);
+    const QImage bothStrokes = graphPicture(*tactileButton(), {84, 60}, 2, colors);
+    QCOMPARE(bothStrokes.size(), QSize(168, 120));
+    QVERIFY(pixelsLike(bothStrokes, colors.press) > 80);
+    QVERIFY(pixelsLike(bothStrokes, colors.release) > 40);
     const Button pressOnly =
         *editGraph(*tactileButton(), 0, [](const ForceGraph& g) { return removeRelease(g); });
     QCOMPARE(pixelsLike(graphPicture(pressOnly, {84, 60}, 2, colors), colors.release), 0);
@@ -125,7 +125,7 @@ class LibraryTest : public QObject {
     QCOMPARE(model.rowCount(), 1);
   }
 
-  void thePanelTellsWhatWasChosen() {
+  void thePanelReportsTheChoice() {
     QTemporaryDir folder;
     ButtonDocument document(*tactileButton());
     QVERIFY(saveDocument(document, folder.filePath("one.button.json")).ok());

@@ -161,10 +161,10 @@ class MeasuredTest : public QObject {
       switches.push_back(switchOf("x" + std::to_string(i), 0.3 + 0.02 * i, 0, i % 2 == 0 ? 3.4 : 3.6));
     const importer::FeelMap map = importer::feelMapOf(switches);
     QVERIFY(map.axes[0].share > 0.8 && map.axes[0].share + map.axes[1].share > 0.999);
-    QVERIFY(map.places[29][0] > map.places[0][0]);  // forces grow to the right
-    QVERIFY(map.places[1][1] > map.places[0][1]);   // travel grows upwards
+    QVERIFY(map.positions[29][0] > map.positions[0][0]);  // forces grow to the right
+    QVERIFY(map.positions[1][1] > map.positions[0][1]);   // travel grows upwards
     QCOMPARE(map.axes[1].likest, std::optional(KeyFigure::totalTravel));
-    QVERIFY(importer::feelMapOf({}).places.empty());
+    QVERIFY(importer::feelMapOf({}).positions.empty());
   }
 
   void theBandIsTheScatterOfAllChosen() {
@@ -233,7 +233,7 @@ class MeasuredTest : public QObject {
     QVERIFY(map.placeOf(4));
   }
 
-  void aFolderBecomesALibraryThatIsAskedAndOpened() {
+  void aFolderBecomesALibraryAfterAQuestion() {
     QTemporaryDir folder;
     QDir().mkpath(folder.filePath("m"));
     const auto write = [&](const char* name, const std::string& text) {
@@ -250,12 +250,12 @@ class MeasuredTest : public QObject {
     settings.setValue("measured/library", folder.filePath("l.db"));
     std::vector<Button> opened, compared;
     ButtonDocument document(*tactileButton());
-    MeasuredPlaces places{view, settings, {}, {}, {}, {}, {}, {}};
-    places.documents = [&] { return std::vector<ButtonDocument*>{&document}; };
-    places.open = [&](const std::vector<Button>& buttons) { opened = buttons; };
-    places.compare = [&](const std::vector<Button>& buttons) { compared = buttons; };
-    places.page = [&](QWidget*, const QString&) { return folder.filePath("page.html"); };
-    MeasuredWindow window(std::move(places));
+    MeasuredPlaces context{view, settings, {}, {}, {}, {}, {}, {}};
+    context.documents = [&] { return std::vector<ButtonDocument*>{&document}; };
+    context.open = [&](const std::vector<Button>& buttons) { opened = buttons; };
+    context.compare = [&](const std::vector<Button>& buttons) { compared = buttons; };
+    context.page = [&](QWidget*, const QString&) { return folder.filePath("page.html"); };
+    MeasuredWindow window(std::move(context));
     QSignalSpy shown(&window, &MeasuredWindow::shown);
     window.show();
     window.addFolder(folder.filePath("m"));

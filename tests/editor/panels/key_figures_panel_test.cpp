@@ -290,7 +290,8 @@ void KeyFiguresPanelTest::figuresTheButtonLacksCannotBeTyped() {
   QCOMPARE(rig.steps(), 0);
 }
 
-// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says why.
+// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says
+// why.
 void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   using enum KeyFigure;
   WorkspaceRig rig(
@@ -336,11 +337,11 @@ void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   // Both columns have one set of rules: what one refuses, the other refuses, too.
   for (const char* text : {"-1 cN", "2 cN", "70 cN"}) {
     WorkspaceRig same(require(tactileButton()));
-    KeyFiguresPanel both(same.document, same.settings);
-    QVERIFY(typed(both.model(), peakForce, KeyFiguresModel::wanted, text));
-    const std::optional<ButtonState> wanted = both.model().preview();
-    both.model().giveUp();
-    QVERIFY(typed(both.model(), peakForce, KeyFiguresModel::now, text));
+    KeyFiguresPanel bothStates(same.document, same.settings);
+    QVERIFY(typed(bothStates.model(), peakForce, KeyFiguresModel::wanted, text));
+    const std::optional<ButtonState> wanted = bothStates.model().preview();
+    bothStates.model().giveUp();
+    QVERIFY(typed(bothStates.model(), peakForce, KeyFiguresModel::now, text));
     QCOMPARE(same.steps() == 1, wanted.has_value());
     if (wanted) QVERIFY(same.button().states()[0] == *wanted);
   }

@@ -79,7 +79,7 @@ class PanelsTest : public QObject {
   void readValuesHaveTheDigitsTheirErrorLeaves();
   void everyFieldReadsTheSameInEveryLocaleAndUnit();
   void aRefusedTextStaysInItsCell();
-  void whatIsOddIsAskedAboutOnce();
+  void anOddValueIsQuestionedOnce();
   void historyListJumps();
   void contextMenuOffersWhatIsThere();
   void picturesAreDrawn();
@@ -369,7 +369,8 @@ void PanelsTest::typingIntoACellThatCannotBeEditedChangesNothing() {
   QVERIFY(tried > 20);
 }
 
-// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden table seemed to have.
+// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden
+// table seemed to have.
 void PanelsTest::namesTakeWhatTheNumbersLeave() {
   WorkspaceRig rig(require(twoLevelButton()));
   QWidget dock;
@@ -498,7 +499,7 @@ void PanelsTest::aRefusedTextStaysInItsCell() {
   QVERIFY(near(rig.canvas().values().press.tactile[0].displacement_mm, before + 0.05));
 }
 
-void PanelsTest::whatIsOddIsAskedAboutOnce() {
+void PanelsTest::anOddValueIsQuestionedOnce() {
   WorkspaceRig rig(require(tactileButton()));
   rig.settings.setUnits({LengthUnit::millimetre, ForceUnit::newton});
   ValuesPanel panel(rig.document, rig.settings);
@@ -561,10 +562,10 @@ void PanelsTest::picturesAreDrawn() {
   QCOMPARE(plain.size(), QSize(800, 600));
   QCOMPARE(fine.devicePixelRatio(), 2.0);
   // The press curve is on it, where the axes say.
-  const QColor ink = rig.canvas().colors().press;
+  const QColor pressColor = rig.canvas().colors().press;
   int found = 0;
   for (int y = 0; y < 600; ++y)
-    for (int x = 0; x < 800; ++x) found += plain.pixelColor(x, y) == ink;
+    for (int x = 0; x < 800; ++x) found += plain.pixelColor(x, y) == pressColor;
   QVERIFY(found > 200);
 }
 

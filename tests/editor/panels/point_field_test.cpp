@@ -179,7 +179,7 @@ void PointFieldTest::linksActOnLaterEditsOnly() {
   panel.findChild<QCheckBox*>("linkRelease")->click();
   QCOMPARE(rig.steps(), 1);
   QVERIFY(offset->isEnabled());
-  // What is shown, typed again, changes nothing.
+  // Typing the shown value again changes nothing.
   type(offset, qPrintable(offset->text()));
   QTest::keyClick(offset, Qt::Key_Return);
   QVERIFY(rig.button() == measured);
@@ -235,10 +235,10 @@ void PointFieldTest::undoInAnEmptyFieldIsTheButtons() {
   rig.canvas().setSelected(tactile);  // where the note stands
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
   const auto takes = [](QLineEdit& field, Qt::Key key) {
-    QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::ControlModifier);
-    asked.ignore();
-    QCoreApplication::sendEvent(&field, &asked);
-    return asked.isAccepted();
+    QKeyEvent shortcut(QEvent::ShortcutOverride, key, Qt::ControlModifier);
+    shortcut.ignore();
+    QCoreApplication::sendEvent(&field, &shortcut);
+    return shortcut.isAccepted();
   };
   for (const char* name : {"noteText", "versionName"}) {
     auto& field = *panel.findChild<QLineEdit*>(name);

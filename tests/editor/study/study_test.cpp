@@ -24,7 +24,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "editor/study/study_desk.h"
+#include "editor/study/experimenter_dialog.h"
 #include "editor/study/study_maker.h"
 #include "tests/editor/window_tests.h"
 #include "tests/playback/sample_buttons.h"
@@ -39,7 +39,7 @@ namespace {
 struct Finger {
   bool sounding = true, lost = false;
   bool lets_go_early = false;
-  std::vector<std::size_t> pressed, places;
+  std::vector<std::size_t> pressed, context;
   // timing
   bool sensed = false;
   bool stopped = false;  ///< of a force device
@@ -76,7 +76,7 @@ class FakePlayer : public playback::StudyPlayer {
   void soundBeats(const std::vector<double>& delays_s) override { finger_->beats_s = delays_s; }
   void press(std::size_t slot, std::size_t button, playback::FeedbackMode) override {
     finger_->pressed.push_back(button);
-    finger_->places.push_back(slot);
+    finger_->context.push_back(slot);
     done_ = {1, finger_->lets_go_early ? 0U : 1U, 1.5, 3};
   }
   playback::Felt takeFelt() override { return std::exchange(done_, {}); }
@@ -100,24 +100,24 @@ void choose(StudyMaker& maker, playback::StudyKind kind) {
 struct Rig {
   QTemporaryDir folder;
   std::shared_ptr<Finger> finger = std::make_shared<Finger>();
-  playback::StudyPlayerSettings asked;
+  playback::StudyPlayerSettings requested;
   std::optional<playback::ForceDeviceChoice> force;  ///< of Feel it
   ButtonDocument a{tactileButton()}, b{linearButton()};
-  std::unique_ptr<StudyDesk> desk;
+  std::unique_ptr<ExperimenterDialog> dialog;
   QString study;
 
   Rig() {
     study = folder.filePath("clicks");
-    StudyPlaces places;
-    places.force = [this] { return Result<std::optional<playback::ForceDeviceChoice>>(force); };
-    places.documents = [this] { return std::vector<ButtonDocument*>{&a, &b}; };
-    places.open = [this](const playback::Study&, const playback::StudyPlayerSettings& settings) {
-      asked = settings;
+    StudyPlaces context;
+    context.force = [this] { return Result<std::optional<playback::ForceDeviceChoice>>(force); };
+    context.documents = [this] { return std::vector<ButtonDocument*>{&a, &b}; };
+    context.open = [this](const playback::Study&, const playback::StudyPlayerSettings& settings) {
+      requested = settings;
       finger->sounding = !settings.rehearse;
       return Result<std::unique_ptr<playback::StudyPlayer>>(std::make_unique<FakePlayer>(finger));
     };
-    desk = std::make_unique<StudyDesk>(places);
-    desk->show();
+    dialog = std::make_unique<ExperimenterDialog>(context);
+    dialog->show();
   }
   void makeStudy(int trials = 4) {
     StudyMaker maker({&a, &b}, {});
@@ -127,7 +127,7 @@ struct Rig {
     QSignalSpy made(&maker, &StudyMaker::made);
     maker.findChild<QPushButton*>("makerMake")->click();
     QVERIFY2(made.count() == 1, qPrintable(maker.findChild<QLabel*>("makerTrouble")->text()));
-    desk->showStudy(study);
+    dialog->showStudy(study);
   }
   /// One interval of 0.4 s, a window of 0.12 s, runs of 3 s.
   void makeTimed(playback::TimingTask task, int trials) {
@@ -143,18 +143,18 @@ struct Rig {
     maker.findChild<QPushButton*>("makerMake")->click();
     QVERIFY2(QDir(study).exists(), qPrintable(maker.findChild<QLabel*>("makerTrouble")->text() +
                                               maker.findChild<QLabel*>("makerLength")->text()));
-    desk->showStudy(study);
+    dialog->showStudy(study);
     QVERIFY2(trouble().isEmpty(), qPrintable(trouble()));
   }
-  void answersBy(int choice) { desk->findChild<QComboBox*>("studyAnswers")->setCurrentIndex(choice); }
-  QString trouble() { return desk->findChild<QLabel*>("studyTrouble")->text(); }
+  void answersBy(int choice) { dialog->findChild<QComboBox*>("studyAnswers")->setCurrentIndex(choice); }
+  QString trouble() { return dialog->findChild<QLabel*>("studyTrouble")->text(); }
   QString cell(int row, int column) {
-    const auto* item = desk->findChild<QTableWidget*>("studyPeople")->item(row, column);
+    const auto* item = dialog->findChild<QTableWidget*>("studyPeople")->item(row, column);
     return item != nullptr ? item->text() : QString();
   }
   StudyWindow* begin(const QString& participant = "P01") {
-    desk->findChild<QLineEdit*>("studyParticipant")->setText(participant);
-    desk->findChild<QPushButton*>("studyStart")->click();
+    dialog->findChild<QLineEdit*>("studyParticipant")->setText(participant);
+    dialog->findChild<QPushButton*>("studyStart")->click();
     for (QWidget* widget : QApplication::topLevelWidgets())
       if (auto* window = qobject_cast<StudyWindow*>(widget); window && window->isVisible()) return window;
     return nullptr;
@@ -235,15 +235,15 @@ class StudyTest : public QObject {
 
   void aFolderWithoutAStudyIsSaid() {
     Rig rig;
-    rig.desk->showStudy(rig.folder.path());
+    rig.dialog->showStudy(rig.folder.path());
     QVERIFY(!rig.trouble().isEmpty());
-    QVERIFY(!rig.desk->findChild<QPushButton*>("studyStart")->isEnabled());
+    QVERIFY(!rig.dialog->findChild<QPushButton*>("studyStart")->isEnabled());
   }
 
   void aParticipantAnswersByKeys() {
     Rig rig;
     rig.makeStudy();
-    QCOMPARE(rig.desk->findChild<QLineEdit*>("studyParticipant")->text(), QString("P01"));
+    QCOMPARE(rig.dialog->findChild<QLineEdit*>("studyParticipant")->text(), QString("P01"));
     QPointer<StudyWindow> window = rig.begin();
     QVERIFY(window);
     QVERIFY(window->findChild<QLabel*>("studyBanner") == nullptr);
@@ -273,7 +273,7 @@ class StudyTest : public QObject {
     buttonIn(window, "studyClose")->click();
     QTRY_VERIFY(!window);
     QTRY_VERIFY(rig.cell(0, 1).contains("complete"));
-    QCOMPARE(rig.desk->findChild<QLineEdit*>("studyParticipant")->text(), QString("P02"));
+    QCOMPARE(rig.dialog->findChild<QLineEdit*>("studyParticipant")->text(), QString("P02"));
   }
 
   /// The sensor, not the key, says what was felt; each stimulus keeps its own lock.
@@ -291,7 +291,7 @@ class StudyTest : public QObject {
     for (const char* name : {"1", "2", "X"}) QVERIFY2(words.contains(name), qPrintable(words));
     rig.finger->lets_go_early = false;
     feelAll(window);
-    QCOMPARE(rig.finger->places.back(), std::size_t{2});
+    QCOMPARE(rig.finger->context.back(), std::size_t{2});
     QVERIFY(!window->findChild<QLabel*>("studyTrouble")->isVisible());
     QTest::keyClick(window, Qt::Key_A);
     const playback::Answer answer = rig.record().answers.front().answer;
@@ -361,7 +361,7 @@ class StudyTest : public QObject {
     window->close();
   }
 
-  void stoppingForGoodIsAskedFor() {
+  void stoppingForGoodNeedsAConfirmation() {
     Rig rig;
     rig.makeStudy();
     QPointer<StudyWindow> window = rig.begin();
@@ -382,7 +382,7 @@ class StudyTest : public QObject {
     QTRY_VERIFY(rig.cell(0, 1).contains("ended early"));
   }
 
-  void whoIsDoneIsNotAskedAgain() {
+  void aFinishedParticipantGetsNoFurtherQuestions() {
     Rig rig;
     rig.makeStudy();
     rig.answersBy(3);
@@ -417,7 +417,7 @@ class StudyTest : public QObject {
     rig.makeStudy();
     rig.answersBy(1);
     StudyWindow* window = rig.begin();
-    QVERIFY(rig.asked.rehearse);
+    QVERIFY(rig.requested.rehearse);
     QVERIFY(window->findChild<QLabel*>("studyBanner")->text().contains("REHEARSAL"));
     agree(window);
     feelAll(window);
@@ -451,8 +451,8 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeStudy();
     StudyWindow* window = rig.begin("P01");
-    rig.desk->findChild<QLineEdit*>("studyParticipant")->setText("P02");
-    rig.desk->findChild<QPushButton*>("studyStart")->click();
+    rig.dialog->findChild<QLineEdit*>("studyParticipant")->setText("P02");
+    rig.dialog->findChild<QPushButton*>("studyStart")->click();
     QVERIFY(rig.trouble().contains("at work"));
     window->close();
   }
@@ -460,17 +460,17 @@ class StudyTest : public QObject {
   void rainIsPlayedWhereItMasks() {
     Rig rig;
     rig.makeStudy();
-    auto* headphones = rig.desk->findChild<QLineEdit*>("studyHeadphones");
+    auto* headphones = rig.dialog->findChild<QLineEdit*>("studyHeadphones");
     QVERIFY(!headphones->isVisible());
-    rig.desk->findChild<QComboBox*>("studyListening")->setCurrentIndex(1);
+    rig.dialog->findChild<QComboBox*>("studyListening")->setCurrentIndex(1);
     QVERIFY(headphones->isVisible());
     headphones->setText("USB headphones");
     StudyWindow* window = rig.begin();
     agree(window);
-    QVERIFY(rig.asked.player.masking.level > 0);
-    QCOMPARE(rig.asked.player.masking.device, std::string("USB headphones"));
+    QVERIFY(rig.requested.player.masking.level > 0);
+    QCOMPARE(rig.requested.player.masking.device, std::string("USB headphones"));
     QVERIFY(rig.record().sessions.front().listening == playback::Listening::masked);
-    QCOMPARE(rig.record().sessions.front().noiseLevel, rig.asked.player.masking.level);
+    QCOMPARE(rig.record().sessions.front().noiseLevel, rig.requested.player.masking.level);
     window->close();
   }
 
@@ -484,7 +484,7 @@ class StudyTest : public QObject {
     QTRY_VERIFY(!window);
     QVERIFY(rig.records().empty());
     QCOMPARE(playback::declinedIn(rig.study.toStdString()), std::size_t{1});
-    QCOMPARE(rig.desk->findChild<QLineEdit*>("studyParticipant")->text(), QString("P01"));
+    QCOMPARE(rig.dialog->findChild<QLineEdit*>("studyParticipant")->text(), QString("P01"));
   }
 
   void aLongConsentIsReadByKeys() {
@@ -528,7 +528,7 @@ class StudyTest : public QObject {
     other.show();
     QPointer<StudyWindow> window = rig.begin();
     QVERIFY(window->isFullScreen());
-    QVERIFY(!rig.desk->isVisible() && !other.isVisible());
+    QVERIFY(!rig.dialog->isVisible() && !other.isVisible());
     QCOMPARE(window->windowTitle(), QString("Study"));
     agree(window);
     QCloseEvent fromOutside;
@@ -538,25 +538,25 @@ class StudyTest : public QObject {
     QTest::keyClick(window, Qt::Key_L);
     QTest::keyClick(window, Qt::Key_F12);
     QTRY_VERIFY(!window);
-    QVERIFY(rig.desk->isVisible() && other.isVisible());
+    QVERIFY(rig.dialog->isVisible() && other.isVisible());
   }
 
   /// editor_study_two_screens runs it where there are two.
-  void theDeskStaysOnAScreenOfItsOwn() {
+  void theExperimenterDialogStaysOnAScreenOfItsOwn() {
     const QList<QScreen*> screens = QGuiApplication::screens();
     if (screens.size() < 2) QSKIP("there is one screen");
     Rig rig;
     rig.makeStudy();
     QWidget other;
     other.show();
-    QVERIFY(rig.desk->findChild<QComboBox*>("studyScreen")->isVisible());
+    QVERIFY(rig.dialog->findChild<QComboBox*>("studyScreen")->isVisible());
     StudyWindow* window = rig.begin();
     QCOMPARE(window->geometry(), screens.last()->geometry());
-    QVERIFY(rig.desk->isVisible() && !other.isVisible());
+    QVERIFY(rig.dialog->isVisible() && !other.isVisible());
     agree(window);
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
-    const QString words = rig.desk->findChild<QLabel*>("studyProgress")->text();
+    const QString words = rig.dialog->findChild<QLabel*>("studyProgress")->text();
     QVERIFY2(words.contains("P01") && words.contains("1 of 4"), qPrintable(words));
     window->close();
     QVERIFY(other.isVisible());
@@ -569,7 +569,7 @@ class StudyTest : public QObject {
     maker.findChild<QuantityField*>("makerPractice")->setValue(1);
     maker.setFolder(rig.study);
     maker.findChild<QPushButton*>("makerMake")->click();
-    rig.desk->showStudy(rig.study);
+    rig.dialog->showStudy(rig.study);
     StudyWindow* window = rig.begin();
     const auto words = [&] { return window->findChild<QLabel*>("studyWords"); };
     QTest::keyClick(window, Qt::Key_Y);
@@ -587,7 +587,7 @@ class StudyTest : public QObject {
     window->close();
   }
 
-  void aThresholdIsAskedInTheWindow() {
+  void aThresholdStudyRunsInTheWindow() {
     Rig rig;
     StudyMaker maker({&rig.a}, {});
     choose(maker, playback::StudyKind::threshold);
@@ -596,7 +596,7 @@ class StudyTest : public QObject {
     maker.findChild<QuantityField*>("makerPractice")->setValue(0);
     maker.setFolder(rig.study);
     maker.findChild<QPushButton*>("makerMake")->click();
-    rig.desk->showStudy(rig.study);
+    rig.dialog->showStudy(rig.study);
     StudyWindow* window = rig.begin();
     agree(window);
     QVERIFY(buttonIn(window, "studyX") == nullptr);
@@ -612,7 +612,7 @@ class StudyTest : public QObject {
     window->close();
   }
 
-  void scalesAreAskedInTheWindow() {
+  void scaleQuestionsRunInTheWindow() {
     for (const int scale : {0, 1, 2}) {
       Rig rig;
       StudyMaker maker({&rig.a, &rig.b}, {});
@@ -622,7 +622,7 @@ class StudyTest : public QObject {
       maker.findChild<QuantityField*>("makerPractice")->setValue(0);
       maker.setFolder(rig.study);
       maker.findChild<QPushButton*>("makerMake")->click();
-      rig.desk->showStudy(rig.study);
+      rig.dialog->showStudy(rig.study);
       StudyWindow* window = rig.begin();
       agree(window);
       const int questions = scale == 2 ? 1 : 2;
@@ -806,7 +806,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeTimed(playback::TimingTask::tapping, 1);
     rig.finger->sensed = true;
-    rig.desk->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
+    rig.dialog->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
     StudyWindow* window = rig.begin();
     QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     agree(window);
@@ -833,14 +833,14 @@ class StudyTest : public QObject {
         rig.makeTimed(playback::TimingTask::tapping, 1);
       else
         rig.makeStudy();
-      rig.desk->findChild<QCheckBox*>("studyForce")->setChecked(true);
+      rig.dialog->findChild<QCheckBox*>("studyForce")->setChecked(true);
       QVERIFY(rig.begin() == nullptr);  // none is chosen
       QVERIFY(!rig.trouble().isEmpty());
       rig.force = *playback::forceDeviceFrom("sim:rig");
       rig.finger->sensed = true;
       StudyWindow* window = rig.begin();
       QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
-      QVERIFY(rig.asked.force && rig.asked.force->profile.name == rig.force->profile.name);
+      QVERIFY(rig.requested.force && rig.requested.force->profile.name == rig.force->profile.name);
       agree(window);
       QVERIFY(buttonIn(window, "studyPad") == nullptr);
       QTest::keyClick(window, Qt::Key_Escape);
@@ -869,8 +869,9 @@ class StudyTest : public QObject {
     for (const char* wrong : {"", "0.1; 0.2; x", "7"}) {
       maker.findChild<QLineEdit*>("makerWindows")->setText(wrong);
       QVERIFY2(!make->isEnabled(), wrong);
-      const QString told = maker.findChild<QLabel*>("makerLength")->text();
-      QVERIFY2(told.startsWith("Windows, s: ") && told.contains("0.01 to 1 s"), qPrintable(told));
+      const QString lengthText = maker.findChild<QLabel*>("makerLength")->text();
+      QVERIFY2(lengthText.startsWith("Windows, s: ") && lengthText.contains("0.01 to 1 s"),
+               qPrintable(lengthText));
     }
     maker.findChild<QLineEdit*>("makerWindows")->setText("0,1; 0.2");
     maker.findChild<QLineEdit*>("makerIntervals")->setText("0.7");
@@ -881,7 +882,7 @@ class StudyTest : public QObject {
     QCOMPARE(study->design.windows_s, (std::vector<double>{0.1, 0.2}));
     QCOMPARE(study->design.intervals_s, std::vector<double>{0.7});
     QCOMPARE(study->design.trials, std::size_t{60});
-    rig.desk->showStudy(rig.study);
+    rig.dialog->showStudy(rig.study);
     rig.answersBy(3);  // without an error: no such thing in timing
     QVERIFY(rig.begin() == nullptr);
     QVERIFY2(rig.trouble().startsWith("Answers by: ") && rig.records().empty(), qPrintable(rig.trouble()));
@@ -893,18 +894,20 @@ class StudyTest : public QObject {
     Rig rig;
     StudyMaker maker({&rig.a, &rig.b}, {});
     maker.setFolder(rig.study);
-    const auto told = [&] { return maker.findChild<QLabel*>("makerLength")->text(); };
+    const auto lengthText = [&] { return maker.findChild<QLabel*>("makerLength")->text(); };
     for (const char* box : {"makerFull", "makerClicks", "makerSlopes"})
       maker.findChild<QCheckBox*>(box)->setChecked(false);
-    QVERIFY2(told().startsWith("Feedback: "), qPrintable(told()));
+    QVERIFY2(lengthText().startsWith("Feedback: "), qPrintable(lengthText()));
     maker.findChild<QCheckBox*>("makerFull")->setChecked(true);
     auto* list = maker.findChild<QListWidget*>("makerButtons");
     list->item(0)->setCheckState(Qt::Unchecked);
-    QVERIFY2(told().contains("at least two") && !told().contains("file"), qPrintable(told()));
+    QVERIFY2(lengthText().contains("at least two") && !lengthText().contains("file"),
+             qPrintable(lengthText()));
     list->item(0)->setCheckState(Qt::Checked);
     choose(maker, playback::StudyKind::timing);
     maker.findChild<QLineEdit*>("makerIntervals")->setText("9");
-    QVERIFY2(told().startsWith("Intervals, s: ") && told().contains("0.2 to 5 s"), qPrintable(told()));
+    QVERIFY2(lengthText().startsWith("Intervals, s: ") && lengthText().contains("0.2 to 5 s"),
+             qPrintable(lengthText()));
     rig.makeStudy();
     QVERIFY(rig.begin("no name!") == nullptr);
     QVERIFY2(rig.trouble().startsWith("Next participant: "), qPrintable(rig.trouble()));
@@ -913,10 +916,10 @@ class StudyTest : public QObject {
   void theSensorReachesTheFinger() {
     Rig rig;
     rig.makeStudy();
-    rig.desk->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
+    rig.dialog->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
     StudyWindow* window = rig.begin();
     QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
-    QCOMPARE(rig.asked.sensorPort, std::string("/dev/ttyACM3"));
+    QCOMPARE(rig.requested.sensorPort, std::string("/dev/ttyACM3"));
     agree(window);
     QVERIFY(window->findChild<QLabel*>("studyHint")->text().contains("pad"));
     window->close();

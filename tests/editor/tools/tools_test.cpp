@@ -46,7 +46,7 @@ class ToolsTest : public QObject {
   void controlLetsGoOfTheGrid();
   void arrowKeysNudgeInOneStep();
   void arrowKeysWithShiftAndAlt();
-  void tabWalksThroughAllPoints();
+  void tabSelectsEachPointInTurn();
   void deleteRemovesKnotAndJump();
   void insertAddsAKnotHalfway();
   void slopeHandlesByKeys();
@@ -59,7 +59,7 @@ class ToolsTest : public QObject {
   void panMovesTheViewAlone();
   void wheelZoomsAtThePointer();
   void aRectangleBecomesTheView();
-  void dragOnEmptyGroundSelectsWhatLiesInIt();
+  void dragOnEmptySpaceSelectsThePointsInside();
   void aJumpAddedElsewhereLeavesTheSelectionAlone();
   void undoKeepsTheSelectionOnItsKnot();
   void shiftAddsAndTakesAway();
@@ -209,8 +209,8 @@ void ToolsTest::slopeHandleTurnsBothSidesOfASmoothKnot() {
   QVERIFY(rig.button() == before);
 }
 
-// On every segment of both strokes, in all directions: the pointer's curve passes through it or stops, and all
-// knots and every other segment stay.
+// On every segment of both strokes, in all directions: the pointer's curve passes through it or stops, and
+// all knots and every other segment stay.
 void ToolsTest::aDragOnASegmentBendsItBetweenItsKnots() {
   const Button before = require(tactileButton());
   WorkspaceRig rig(before);
@@ -372,7 +372,7 @@ void ToolsTest::arrowKeysWithShiftAndAlt() {
       near(rig.canvas().values().press.tactile.at(0).displacement_mm, was.displacement_mm - 0.001, 1e-12));
 }
 
-void ToolsTest::tabWalksThroughAllPoints() {
+void ToolsTest::tabSelectsEachPointInTurn() {
   WorkspaceRig rig(require(tactileButton()));
   const std::size_t points = pointMarks(rig.canvas().state(), rig.canvas().values()).size();
   std::vector<MarkId> seen;
@@ -525,7 +525,7 @@ void ToolsTest::wheelZoomsAtThePointer() {
   QVERIFY(near(rig.canvas().shownRange().width(), before, 1e-9));
 }
 
-void ToolsTest::dragOnEmptyGroundSelectsWhatLiesInIt() {
+void ToolsTest::dragOnEmptySpaceSelectsThePointsInside() {
   WorkspaceRig rig(require(tactileButton()));
   const QRectF shown = rig.canvas().shownRange();
   const QRectF range = rig.canvas().mapping().clip_px;
@@ -598,12 +598,12 @@ void ToolsTest::undoUnderARectangleKeepsTheSelectionTrue() {
   rig.document.history().apply(more, "Add knot");
   const MarkId added{MarkKind::knot, Stroke::press, 1}, last{MarkKind::knot, Stroke::press, knots};
   rig.canvas().setSelection({added, last});
-  const QPointF ground(60, 60);
-  rig.press(ground, Qt::ShiftModifier);
+  const QPointF emptySpot(60, 60);
+  rig.press(emptySpot, Qt::ShiftModifier);
   rig.document.history().stack().undo();
-  rig.move(ground + QPointF(12, 9), Qt::ShiftModifier);
+  rig.move(emptySpot + QPointF(12, 9), Qt::ShiftModifier);
   QCOMPARE(rig.canvas().selection(), (std::vector{MarkId{MarkKind::knot, Stroke::press, knots - 1}}));
-  rig.release(ground + QPointF(12, 9));
+  rig.release(emptySpot + QPointF(12, 9));
   // Marks that name nothing are not selected, and no edit takes them for something.
   rig.canvas().setSelection({last, {MarkKind::knot, Stroke::press, 0}});
   QCOMPARE(rig.canvas().selection().size(), std::size_t{1});

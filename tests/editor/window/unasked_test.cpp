@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing changes a number unasked: every field, cell, tick box, list and mark of the button editor is visited, what
-// it shows is typed again or clicked, and the button is what it was.
+// Nothing changes a number unasked: every field, cell, tick box, list and mark of the button editor is
+// visited, what it shows is typed again or clicked, and the button is what it was.
 
 #include <algorithm>
 #include <QAbstractItemView>
@@ -73,7 +73,7 @@ class UnaskedTest : public QObject {
     QCoreApplication::processEvents();
   }
 
-  /// What a field shows is typed into it again, and Enter is pressed.
+  /// Types a field's shown text into it again and presses Enter.
   void typeAgain(QLineEdit& edit) {
     const QString text = edit.text();
     edit.setFocus();
@@ -189,20 +189,20 @@ class UnaskedTest : public QObject {
     QCoreApplication::processEvents();
   }
 
-  /// Every mark, and the curve between marks: clicked, held with a trembling hand, dragged there and back, opened and
-  /// closed with Enter.
+  /// Every mark, and the curve between marks: clicked, held with a trembling hand, dragged there and back,
+  /// opened and closed with Enter.
   void visitMarks() {
     const Seen before = seen();
-    std::vector<CurvePoint> places;
-    for (const Mark& mark : pointMarks(canvas().state(), canvas().values())) places.push_back(mark.at);
+    std::vector<CurvePoint> clicked;
+    for (const Mark& mark : pointMarks(canvas().state(), canvas().values())) clicked.push_back(mark.at);
     for (const Stroke stroke : {Stroke::press, Stroke::release}) {
       const StrokeCurve& curve = document().graph().curve(stroke);
       for (std::size_t i = 0; i + 1 < curve.knots().size(); ++i) {
         const double mm = 0.5 * (curve.knots()[i].displacement_mm + curve.knots()[i + 1].displacement_mm);
-        places.push_back({mm, curve.force_N(mm)});
+        clicked.push_back({mm, curve.force_N(mm)});
       }
     }
-    for (const CurvePoint& place : places) {
+    for (const CurvePoint& place : clicked) {
       const QPointF at = canvas().mapping().toPixel(place.displacement_mm, place.force_N);
       const QString where = QStringLiteral("%1 mm, %2 N").arg(place.displacement_mm).arg(place.force_N);
       for (const Qt::KeyboardModifier modifier : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier})

@@ -80,7 +80,7 @@ namespace {
 QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/samples/") + name; }
 
 /// Choices that are ours to word; names of devices and files may be of any length.
-void lookAtChoices(const QComboBox& box, QStringList& cut) {
+void collectCutChoices(const QComboBox& box, QStringList& cut) {
   if (!box.isVisible() || box.isEditable() ||
       box.sizeAdjustPolicy() == QComboBox::AdjustToMinimumContentsLengthWithIcon)
     return;
@@ -94,7 +94,7 @@ void lookAtChoices(const QComboBox& box, QStringList& cut) {
 }
 
 /// Headings of tables, and columns that lie beyond the right edge.
-void lookAtHeadings(const QHeaderView& header, QStringList& cut) {
+void collectCutHeadings(const QHeaderView& header, QStringList& cut) {
   if (!header.isVisible() || header.orientation() != Qt::Horizontal) return;
   const QString table = header.parentWidget()->objectName();
   for (int i = 0; i < header.count(); ++i)
@@ -111,7 +111,7 @@ void lookAtHeadings(const QHeaderView& header, QStringList& cut) {
 /// Texts of buttons, labels, boxes and tables of this window that are wider than their room.
 QStringList cutTexts(const QWidget& window) {
   QStringList cut;
-  const auto look = [&cut](const QWidget& widget, const QString& text) {
+  const auto collectIfCut = [&cut](const QWidget& widget, const QString& text) {
     if (widget.isVisible() && !text.isEmpty() && widget.sizeHint().width() > widget.width() + 1)
       cut << QString("%1: \"%2\" needs %3, has %4")
                  .arg(widget.objectName(), text)
@@ -119,12 +119,13 @@ QStringList cutTexts(const QWidget& window) {
                  .arg(widget.width());
   };
   for (const auto* button : window.findChildren<QAbstractButton*>())
-    if (button->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored) look(*button, button->text());
+    if (button->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored)
+      collectIfCut(*button, button->text());
   for (const auto* label : window.findChildren<QLabel*>())
     if (!label->wordWrap() && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored)
-      look(*label, label->text());
-  for (const auto* box : window.findChildren<QComboBox*>()) lookAtChoices(*box, cut);
-  for (const auto* header : window.findChildren<QHeaderView*>()) lookAtHeadings(*header, cut);
+      collectIfCut(*label, label->text());
+  for (const auto* box : window.findChildren<QComboBox*>()) collectCutChoices(*box, cut);
+  for (const auto* header : window.findChildren<QHeaderView*>()) collectCutHeadings(*header, cut);
   return cut;
 }
 
@@ -205,15 +206,15 @@ double contrastIn(const QImage& picture) {
 }
 
 /// The highest contrast to the background on the way into a control, from its left edge at half height.
-double outlineContrast(const QImage& picture, const QRect& control, const QColor& ground) {
+double outlineContrast(const QImage& picture, const QRect& control, const QColor& background) {
   double best = 0;
   for (int x = control.left(); x < control.center().x(); ++x)
-    best = std::max(best, contrast(picture.pixelColor(x, control.center().y()), ground));
+    best = std::max(best, contrast(picture.pixelColor(x, control.center().y()), background));
   return best;
 }
 
 /// Of a window what is seen of it, of a page in a scroll area the whole.
-void lookAtTexts(QWidget& window, const QString& where) {
+void collectCutTexts(QWidget& window, const QString& where) {
   QTest::qWait(50);
   const QImage seen = window.grab().toImage();
   if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty())
@@ -837,15 +838,15 @@ class WindowTest : public QObject {
     rig.window->files().open({path});
     rig.scale(1.1);
     writeOther(2);
-    const QByteArray theirs = contents(path);
+    const QByteArray otherCopy = contents(path);
     rig.action("save")->trigger();  // before the watch could have said anything
-    QCOMPARE(contents(path), theirs);
+    QCOMPARE(contents(path), otherCopy);
     QVERIFY(rig.notices().join(' ').contains("changed"));
     QVERIFY(rig.document().history().modified());
     // Save as leaves theirs alone.
     rig.prompts.saveAnswers.push_back(at("mine.button.json"));
     rig.press("saveAs");
-    QCOMPARE(contents(path), theirs);
+    QCOMPARE(contents(path), otherCopy);
     QVERIFY(QFile::exists(at("mine.button.json")));
     QVERIFY(!rig.document().history().modified());
     // Overwrite is a decision, and one for this content only.
@@ -1434,17 +1435,17 @@ class WindowTest : public QObject {
     QCOMPARE(view.underlayOpacity(), ViewSettings().underlayOpacity());
   }
 
-  void textCanBeReadOnEveryGround() {
+  void textCanBeReadOnEveryBackground() {
     for (const QPalette& palette : {lightPalette(), darkPalette()}) {
-      for (const auto& [text, ground] :
+      for (const auto& [text, background] :
            {std::pair(QPalette::WindowText, QPalette::Window), std::pair(QPalette::Text, QPalette::Base),
             std::pair(QPalette::Text, QPalette::AlternateBase),
             std::pair(QPalette::ButtonText, QPalette::Button),
             std::pair(QPalette::HighlightedText, QPalette::Highlight),
             std::pair(QPalette::Link, QPalette::Base),
             std::pair(QPalette::ToolTipText, QPalette::ToolTipBase)})
-        QVERIFY2(contrast(palette.color(text), palette.color(ground)) >= 4.5,
-                 qPrintable(QString("role %1 on %2").arg(text).arg(ground)));
+        QVERIFY2(contrast(palette.color(text), palette.color(background)) >= 4.5,
+                 qPrintable(QString("role %1 on %2").arg(text).arg(background)));
     }
   }
 
@@ -1461,22 +1462,22 @@ class WindowTest : public QObject {
       rig.action(appearance)->trigger();
       rig.action("compare")->trigger();
       QTest::qWait(50);
-      lookAtTexts(*rig.window, appearance);
+      collectCutTexts(*rig.window, appearance);
       for (QWidget* setup : {static_cast<QWidget*>(rig.window->findChild<FeelSetup*>()),
                              static_cast<QWidget*>(rig.window->findChild<ForceSetup*>())})
-        lookAtTexts(*setup, QString(appearance) + ' ' + setup->metaObject()->className());
+        collectCutTexts(*setup, QString(appearance) + ' ' + setup->metaObject()->className());
       for (const char* name : {"operationScaleForce", "forecasts", "study"}) {
         rig.action(name)->trigger();
         const auto opened = windowsBeside(rig);
         QVERIFY2(opened.size() == 1, name);
-        lookAtTexts(*opened.front(), QString(appearance) + ' ' + name);
+        collectCutTexts(*opened.front(), QString(appearance) + ' ' + name);
         opened.front()->close();
       }
       ImportDialog import(rig.view);
       import.show();
       import.openFile(sample("plots/black-red-curves.png"));
       QTRY_VERIFY_WITH_TIMEOUT(import.findChild<QPushButton*>("import")->isEnabled(), 60000);
-      lookAtTexts(import, QString(appearance) + " import");
+      collectCutTexts(import, QString(appearance) + " import");
     }
   }
 
@@ -1546,15 +1547,15 @@ class WindowTest : public QObject {
       QCoreApplication::processEvents();
       QCOMPARE(isDark(QApplication::palette()), dark);
       QCOMPARE(isDark(canvas.palette()), dark);
-      const auto groundIsDark = [&rig] {  // beside all axes and their names
+      const auto backgroundIsDark = [&rig] {  // beside all axes and their names
         const QImage picture = rig.window->tabs().current()->workspace().canvas().grab().toImage();
         return picture.pixelColor(2, 2).lightness() < 128;
       };
-      QTRY_COMPARE(groundIsDark(), dark);
-      lookAtTexts(*rig.window, dark ? "desktop turned dark" : "desktop turned light");
+      QTRY_COMPARE(backgroundIsDark(), dark);
+      collectCutTexts(*rig.window, dark ? "desktop turned dark" : "desktop turned light");
       for (const QPointer<QWidget>& window : windowsBeside(rig))
-        lookAtTexts(*window,
-                    (dark ? "desktop turned dark " : "desktop turned light ") + window->objectName());
+        collectCutTexts(*window,
+                        (dark ? "desktop turned dark " : "desktop turned light ") + window->objectName());
     }
     // A choice by hand is not overruled by the desktop.
     rig.action("appearanceLight")->trigger();
@@ -1563,7 +1564,7 @@ class WindowTest : public QObject {
     QVERIFY(!isDark(QApplication::palette()));
   }
 
-  void noticesCanBeReadOnTheirGround() {
+  void noticesCanBeReadOnTheirBackground() {
     Rig rig(folder_->path());
     for (const char* appearance : {"appearanceDark", "appearanceLight", "appearanceDark"}) {
       rig.action(appearance)->trigger();
@@ -1611,7 +1612,7 @@ class WindowTest : public QObject {
     rig.window->tabs().remove(*rig.window->tabs().all()[0]);
   }
 
-  void geometryIsToldByName() {
+  void geometryIsReportedByName() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
     QCoreApplication::processEvents();

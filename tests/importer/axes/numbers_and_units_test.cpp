@@ -51,7 +51,7 @@ TEST_CASE("numbers as plots print them") {
   CHECK(printedNumber("1'250") == 1250);
   CHECK(printedNumber("12\xE2\x80\x99"
                       "000") == 12000);
-  CHECK_FALSE(printedNumber("5'25").has_value());   // feet and inches
+  CHECK_FALSE(printedNumber("5'25").has_value());   // a foot-and-inch length
   CHECK_FALSE(printedNumber("0'500").has_value());  // no thousand begins with zero
   CHECK_FALSE(printedNumber("2+3").has_value());
 }
@@ -59,9 +59,9 @@ TEST_CASE("numbers as plots print them") {
 TEST_CASE("numbers that readers take for each other") {
   for (const auto& [read, number] :
        {std::pair{"8", "0"}, {"0.8", "0.0"}, {"66", "60"}, {"7.5", "1.5"}, {"80", "80"}})
-    CHECK(looksLike(read, number));
+    CHECK(resembles(read, number));
   for (const auto& [read, number] : {std::pair{"3.7", "3.5"}, {"8", "80"}, {"20", "40"}, {"", "0"}})
-    CHECK_FALSE(looksLike(read, number));
+    CHECK_FALSE(resembles(read, number));
 }
 
 TEST_CASE("what is no number is none") {
@@ -71,10 +71,10 @@ TEST_CASE("what is no number is none") {
 
 TEST_CASE("every printed decimal is read back") {
   REQUIRE(rc::check("decimal", [] {
-    const int whole = *rc::gen::inRange(-9999, 9999), places = *rc::gen::inRange(0, 3);
-    const double value = whole / std::pow(10.0, places);
+    const int whole = *rc::gen::inRange(-9999, 9999), decimals = *rc::gen::inRange(0, 3);
+    const double value = whole / std::pow(10.0, decimals);
     char text[32];
-    std::snprintf(text, sizeof text, "%.*f", places, value);
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
     RC_ASSERT(printedNumber(text) == Approx(value).margin(1e-12));
   }));
 }

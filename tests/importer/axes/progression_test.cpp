@@ -158,13 +158,13 @@ TEST_CASE("a line that is none, beside one of few, does not bend an even row of 
   DrawnAxis axis;
   for (int k = 0; k < 6; ++k)
     axis.labels.push_back({133.0 + 27 * k, 6, numberReadings(std::to_string(120 - 20 * k))});
-  const double gridline = 133 + 2 * 27, turn = 133 + 5 * 27 - 4, foot = 133 + 6 * 27;
-  axis.ticks = {{gridline, 1, true}, {turn, 1, false}, {foot, 1, true}};
+  const double gridline = 133 + 2 * 27, turn = 133 + 5 * 27 - 4, axisLine = 133 + 6 * 27;
+  axis.ticks = {{gridline, 1, true}, {turn, 1, false}, {axisLine, 1, true}};
   const auto p = fitProgression(axis.labels, axis.ticks, false);
   REQUIRE(p);
   CHECK(p->labels == 6);
   CHECK(p->fromTicks);
-  CHECK(p->value(foot) == Approx(0).margin(0.01));
+  CHECK(p->value(axisLine) == Approx(0).margin(0.01));
   CHECK(p->value(gridline) == Approx(80).margin(0.01));
 
   SECTION("where no line is on the row's scale the labels stand for it") {
@@ -172,7 +172,7 @@ TEST_CASE("a line that is none, beside one of few, does not bend an even row of 
     const auto alone = fitProgression(axis.labels, axis.ticks, false);
     REQUIRE(alone);
     CHECK_FALSE(alone->fromTicks);
-    CHECK(alone->value(foot) == Approx(0).margin(0.01));
+    CHECK(alone->value(axisLine) == Approx(0).margin(0.01));
   }
 }
 

@@ -24,7 +24,7 @@ struct Looked {
 };
 
 /// Plots here stand upright; where more than one way is likely, reading settles it, a step later.
-Looked look(const cv::Mat& grey) {
+Looked readingOfWhole(const cv::Mat& grey) {
   const auto document = documentOf(grey);
   const auto page = document.page(1).value();
   const auto candidates = findPlotFrames(page);
@@ -37,10 +37,9 @@ Looked look(const cv::Mat& grey) {
   return looked;
 }
 
-/// The frame of a drawn plot whose ink is gone: there is nothing to recognise, texts are what the test
-/// writes.
-Looked lookWithoutInk(const PlotStyle& s) {
-  auto looked = look(drawn(s));
+/// The frame of a drawn plot whose pixels were erased: no text is recognised except the test's own.
+Looked readWithoutCurves(const PlotStyle& s) {
+  auto looked = readingOfWhole(drawn(s));
   for (auto& p : looked.view.raster.rgb) p = 255;
   return looked;
 }
@@ -63,7 +62,7 @@ void writeLeft(PageView& view, const PlotStyle& s) {
 }
 
 AxesFound read(const cv::Mat& grey, const AxisHints& hints = {}) {
-  const auto looked = look(grey);
+  const auto looked = readingOfWhole(grey);
   auto axes = readAxes(looked.view, looked.frame, hints);
   if (!axes.ok()) FAIL(axes.failure().sentence());
   return std::move(axes).value();
@@ -134,7 +133,7 @@ TEST_CASE("a picture askew is calibrated where its corners were drawn") {
   cv::Mat askew;
   cv::warpAffine(drawn(s), askew, turn, {s.width, s.height}, cv::INTER_CUBIC, cv::BORDER_CONSTANT,
                  cv::Scalar(255));
-  const auto looked = look(askew);
+  const auto looked = readingOfWhole(askew);
   const auto axes = readAxes(looked.view, looked.frame);
   INFO(degrees << " degrees");
   REQUIRE(axes.ok());
@@ -176,7 +175,7 @@ TEST_CASE("a label that contradicts the grid is left out, and said") {
 
 TEST_CASE("a number that looks like what its even row says contradicts it where it was read for certain") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   writeBelow(looked.view, s), writeLeft(looked.view, s);
   looked.view.texts[0].utf8 = "8";
   const auto said = [&] {
@@ -200,7 +199,7 @@ TEST_CASE("a zero beside its corner contradicts nothing") {
 TEST_CASE("a number of which only a digit was read makes no scale") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   auto& view = looked.view;
   writeBelow(view, s);
   // Room for two digits at 20, of which one is there.
@@ -214,7 +213,7 @@ TEST_CASE("a number of which only a digit was read makes no scale") {
 
 TEST_CASE("a zero with two digits' room lost its point, and so did the numbers that count on from it") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   auto& view = looked.view;
   writeBelow(view, s);
   const auto [zeroFrom_px, most] = GENERATE(std::pair(68.0, 3.0), std::pair(80.0, 30.0));
@@ -232,7 +231,7 @@ TEST_CASE("a zero with two digits' room lost its point, and so did the numbers t
 
 TEST_CASE("numbers at the ticks make the scale, not more of them that count on farther out") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   auto& view = looked.view;
   writeBelow(view, s);
   writeLeft(view, s);
@@ -305,12 +304,12 @@ TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
   const auto candidates = findPlotFrames(page);
   REQUIRE(candidates.size() == 1);
   const auto narrow = document.view(page, {0, 0, 1150, 600}).value(),
-             wide = document.view(page, {0, 0, 1500, 600}).value();
+             wideText_px = document.view(page, {0, 0, 1500, 600}).value();
   const auto frame = locatePlotFrame(narrow, page, candidates[0].value)->value;
   auto axes = readAxes(narrow, frame).value();
   REQUIRE_FALSE(axes.calibration.value.x.unitFound);
   const double sureBefore = axes.calibration.confidence, before = axes.calibration.value.mmPerPx();
-  readMissingUnits(axes, wide, frame, Affine{});
+  readMissingUnits(axes, wideText_px, frame, Affine{});
   CHECK(axes.calibration.value.x.unitFound);
   CHECK(axes.calibration.value.x.unit == symbolOf(LengthUnit::micrometre));
   CHECK(axes.calibration.value.mmPerPx() == Approx(before / 1000));
@@ -353,7 +352,7 @@ TEST_CASE("a travel axis that stands at the top alone is read there") {
 
 TEST_CASE("a title set so tight that its line reaches into that of the numbers is read") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   writeBelow(looked.view, s), writeLeft(looked.view, s);
   for (auto& text : looked.view.texts)
     if (text.box.y0 == 512) text.box.y1 = 542;  // as high as its typeface
@@ -394,14 +393,14 @@ TEST_CASE("a frame follows its numbers only to an edge that is drawn") {
   const double above = s.top - (s.bottom - s.top) / s.ySteps;
   canvas.text("120", s.left - 28, above, 0);
   const auto widened = [](const cv::Mat& grey) {
-    const auto looked = look(grey);
+    const auto looked = readingOfWhole(grey);
     return frameByNumbers(looked.view, looked.frame, readAxes(looked.view, looked.frame)->calibration.value);
   };
   CHECK_FALSE(widened(canvas.grey()));  // the number stands above the last line
   canvas.row(above, s.left + 0.3 * (s.right - s.left), s.left + 0.75 * (s.right - s.left), 1, s.lineGrey);
-  const auto wide = widened(canvas.grey());  // a piece of the top edge is there
-  REQUIRE(wide);
-  CHECK(wide->y0 == Approx(above).margin(3));
+  const auto wideText_px = widened(canvas.grey());  // a piece of the top edge is there
+  REQUIRE(wideText_px);
+  CHECK(wideText_px->y0 == Approx(above).margin(3));
 }
 
 TEST_CASE("a frame without edges follows its numbers where its lines go on to them") {
@@ -415,7 +414,7 @@ TEST_CASE("a frame without edges follows its numbers where its lines go on to th
   const double beyond = s.right + (s.right - s.left) / s.xSteps;
   canvas.text("3", beyond, s.bottom + s.labelDrop, 0);
   const auto rightEnd = [](const cv::Mat& grey) {
-    const auto looked = look(grey);
+    const auto looked = readingOfWhole(grey);
     const auto axes = readAxes(looked.view, looked.frame);
     REQUIRE(axes.ok());
     return frameByNumbers(looked.view, looked.frame, axes->calibration.value).value_or(looked.frame.box()).x1;
@@ -442,7 +441,7 @@ TEST_CASE("a drawn edge ends the frame though the axis goes on to a number") {
   const double above = s.top - (s.bottom - s.top) / s.ySteps;
   canvas.text("120", s.left - 28, above, 0);
   canvas.column(s.left, above, s.top, 1, s.lineGrey);
-  const auto looked = look(canvas.grey());
+  const auto looked = readingOfWhole(canvas.grey());
   CHECK_FALSE(
       frameByNumbers(looked.view, looked.frame, readAxes(looked.view, looked.frame)->calibration.value));
 }
@@ -456,8 +455,8 @@ TEST_CASE("digits that touch the axis belong to their numbers") {
   const auto write = [&](double value, double cx, double cy, bool left) {
     const std::string text = shown(value);
     int below = 0;
-    const double wide = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.4, 1, &below).width;
-    canvas.text(text, left ? cx - 0.5 * wide : cx, cy, 0, 0.4);
+    const double wideText_px = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.4, 1, &below).width;
+    canvas.text(text, left ? cx - 0.5 * wideText_px : cx, cy, 0, 0.4);
   };
   for (int k = 0; k <= s.xSteps; ++k)
     write(k * s.xStep, s.left + (s.right - s.left) * k / s.xSteps, s.bottom + s.labelDrop, false);
@@ -469,7 +468,7 @@ TEST_CASE("digits that touch the axis belong to their numbers") {
 TEST_CASE("numbers that were all misread alike make no certain scale") {
   PlotStyle s;
   const auto sureWith = [&](const std::vector<std::string>& texts) {
-    auto looked = lookWithoutInk(s);
+    auto looked = readWithoutCurves(s);
     writeBelow(looked.view, s);
     for (int k = 0; k <= s.ySteps; ++k) {
       const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
@@ -485,7 +484,7 @@ TEST_CASE("numbers that were all misread alike make no certain scale") {
 
 TEST_CASE("thousands among hundreds are read on the axis") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   writeBelow(looked.view, s);
   const std::vector<std::string> texts{"0", "250", "500", "750", "1,000", "1,250", "1,500"};
   for (int k = 0; k <= s.ySteps; ++k) {
@@ -500,7 +499,7 @@ TEST_CASE("thousands among hundreds are read on the axis") {
 
 TEST_CASE("thousands or three decimals: the one that makes a button's size") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   const auto ended = [&](const char* title, const char* decimalsTitle) {
     PageView view = looked.view;
     for (int k = 0; k <= s.xSteps; ++k) {
@@ -539,7 +538,7 @@ TEST_CASE("numbers of the y axis that read upwards are read") {
   PlotStyle s;
   const auto at = [&](int k) { return s.bottom - (s.bottom - s.top) * k / s.ySteps; };
   SECTION("the document's own") {
-    auto looked = lookWithoutInk(s);
+    auto looked = readWithoutCurves(s);
     writeBelow(looked.view, s);
     for (int k = 0; k <= s.ySteps; ++k) {
       const std::string text = shown(s.yFrom + k * s.yStep);
@@ -592,7 +591,7 @@ TEST_CASE("ranges given by hand are kept") {
 
 TEST_CASE("what cannot be read is refused with a sentence") {
   if (skipWithoutEngine()) return;
-  const auto looked = look(drawn({}));
+  const auto looked = readingOfWhole(drawn({}));
   SECTION("no numbers") {
     PlotStyle s;
     s.labels = false;
@@ -631,7 +630,7 @@ TEST_CASE("what cannot be read is refused with a sentence") {
 TEST_CASE("the document's own text is taken, not its pixels") {
   PlotStyle s;
   s.xStep = 0.25, s.yStep = 10;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   auto& view = looked.view;
   writeBelow(view, s);
   writeLeft(view, s);
@@ -647,7 +646,7 @@ TEST_CASE("the document's own text is taken, not its pixels") {
 
 TEST_CASE("a row of numbers without ticks makes a scale by itself where it is whole and even") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   looked.frame.xLines.clear(), looked.frame.yLines.clear();
   writeBelow(looked.view, s), writeLeft(looked.view, s);
   // Units by hand: what is certain here are the scales.
@@ -666,7 +665,7 @@ TEST_CASE("a row of numbers without ticks makes a scale by itself where it is wh
 
 TEST_CASE("a misread label is kept, marked as not used") {
   PlotStyle s;
-  auto looked = lookWithoutInk(s);
+  auto looked = readWithoutCurves(s);
   auto& view = looked.view;
   writeBelow(view, s);
   view.texts.at(3).utf8 = "75";
@@ -683,7 +682,7 @@ namespace {
 
 /// The axes with what stands in the plot and beside it; `before`: texts that were read earlier.
 Result<AxesFound> readWithTexts(const cv::Mat& grey, const std::vector<SeenText>& before = {}) {
-  const auto looked = look(grey);
+  const auto looked = readingOfWhole(grey);
   auto axes = readAxes(looked.view, looked.frame);
   REQUIRE(axes.ok());
   axes->texts.insert(axes->texts.end(), before.begin(), before.end());
@@ -879,7 +878,7 @@ TEST_CASE("letters behind the numbers are no digits of them") {
   s.left = 150, s.yStep = 50;
   s.yUnit = GENERATE(as<std::string>{}, "g", "gf", "cN", "N");
   CAPTURE(s.yUnit);
-  const auto looked = look(drawn(s));
+  const auto looked = readingOfWhole(drawn(s));
   const auto axes = readAxes(looked.view, looked.frame, {});
   if (!axes || axes->calibration.confidence < 0.5) return;  // doubted, not misread
   CHECK(axes->calibration.value.y.max == Approx(s.ySteps * s.yStep));
@@ -931,14 +930,15 @@ TEST_CASE("a small unit in brackets is told by its shape behind letters that the
   s.yTitle = "";
   Canvas c(s.width, s.height, s.paperGrey);
   drawInto(c, s);
-  const double foot = 26, square_px = 11;
+  const double lowEdge = 26, square_px = 11;
   for (const double x : {s.left - 40, s.left - 27}) {  // square letters of strokes that hang together
-    for (const double row : {foot - square_px, foot - 6, foot}) c.row(row, x, x + square_px, 1, s.textGrey);
-    c.column(x + 3, foot - square_px, foot, 1, s.textGrey);
-    c.column(x + 8, foot - 6, foot, 1, s.textGrey);
+    for (const double row : {lowEdge - square_px, lowEdge - 6, lowEdge})
+      c.row(row, x, x + square_px, 1, s.textGrey);
+    c.column(x + 3, lowEdge - square_px, lowEdge, 1, s.textGrey);
+    c.column(x + 8, lowEdge - 6, lowEdge, 1, s.textGrey);
   }
   const std::string unit = GENERATE(as<std::string>{}, "(gf)", "(cN)", "(N)");
-  c.text(unit, s.left + 2, foot - 4, s.textGrey, 0.4);
+  c.text(unit, s.left + 2, lowEdge - 4, s.textGrey, 0.4);
   const auto axes = read(c.grey());
   CAPTURE(unit);
   CHECK(axes.calibration.value.y.unitFound);

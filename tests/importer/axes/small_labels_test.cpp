@@ -43,7 +43,7 @@ const std::map<char, Rows> kLetters{
 /// Writes a text with its top left corner here; returns the box of its pixels.
 Box write(cv::Mat& darkness, const std::string& text, int x, int y) {
   const int from = x;
-  int top = 7, foot = 0;
+  int top = 7, bottom = 0;
   for (const char c : text) {
     const Rows& rows = kLetters.at(c);
     std::size_t width = 0;
@@ -53,12 +53,12 @@ Box write(cv::Mat& darkness, const std::string& text, int x, int y) {
         if (rows[v][u] != '#') continue;
         darkness.at<std::uint8_t>(y + static_cast<int>(v), x + static_cast<int>(u)) = 200;
         top = std::min(top, static_cast<int>(v));
-        foot = std::max(foot, static_cast<int>(v));
+        bottom = std::max(bottom, static_cast<int>(v));
       }
     }
     x += static_cast<int>(width) + 1;
   }
-  return {from - 0.5, y + top - 0.5, x - 1.5, y + foot + 0.5};
+  return {from - 0.5, y + top - 0.5, x - 1.5, y + bottom + 0.5};
 }
 
 struct Column {
@@ -150,12 +150,12 @@ using Texts = std::vector<std::string>;
 
 /// Labels in even steps by equal shapes, given the engine's readings.
 std::optional<Texts> readAlike(const Texts& drawn, const Texts& engine, bool rising = true) {
-  cv::Mat ink = cv::Mat::zeros(20, 40 * static_cast<int>(drawn.size()) + 40, CV_8U);
+  cv::Mat marks = cv::Mat::zeros(20, 40 * static_cast<int>(drawn.size()) + 40, CV_8U);
   std::vector<std::vector<LetterShape>> letters;
   std::vector<double> centers_px;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const Box word = write(ink, drawn[i], 10 + 40 * static_cast<int>(i), 5);
-    letters.push_back(lettersOf(ink, word));
+    const Box word = write(marks, drawn[i], 10 + 40 * static_cast<int>(i), 5);
+    letters.push_back(lettersOf(marks, word));
     CHECK(letters.back().size() == drawn[i].size());
     centers_px.push_back(10 + 40.0 * static_cast<double>(i));
   }
@@ -183,19 +183,19 @@ TEST_CASE("shapes that fit no scale, or several as well, are not read") {
 }
 
 TEST_CASE("digits that touch, or are smoothed, have no shapes of their own") {
-  cv::Mat ink = cv::Mat::zeros(20, 240, CV_8U);
+  cv::Mat marks = cv::Mat::zeros(20, 240, CV_8U);
   std::vector<std::vector<LetterShape>> letters;
   std::vector<double> centers_px;
   for (const std::string text : {"80", "60", "40", "20", "0"}) {
     const int x = 10 + 40 * static_cast<int>(letters.size());
-    letters.push_back(lettersOf(ink, write(ink, text, x, 5)));
+    letters.push_back(lettersOf(marks, write(marks, text, x, 5)));
     centers_px.push_back(x);
   }
   const Texts engine{"100", "60", "40", "20", "0"};
   CHECK(readEqualDigits(letters, centers_px, false, engine));
   LetterShape& touching = letters[0][0];
   touching.width *= 2;
-  touching.ink.insert(touching.ink.end(), touching.ink.begin(), touching.ink.end());
+  touching.isDark.insert(touching.isDark.end(), touching.isDark.begin(), touching.isDark.end());
   CHECK_FALSE(readEqualDigits(letters, centers_px, false, engine));
   cv::Mat darkness = cv::Mat::zeros(20, 60, CV_8U);
   const std::vector<Box> words{write(darkness, "0.6", 5, 5), write(darkness, "45", 35, 5)};
@@ -206,25 +206,25 @@ TEST_CASE("digits that touch, or are smoothed, have no shapes of their own") {
 }
 
 TEST_CASE("the digits of both axes are known where their print is not smoothed") {
-  cv::Mat ink = cv::Mat::zeros(20, 60, CV_8U);
+  cv::Mat marks = cv::Mat::zeros(20, 60, CV_8U);
   AxisCalibration axes;
   for (const auto& [text, left] : {std::pair{"0.6", 5}, {"60", 35}}) {
     TickLabel tick;
-    tick.text = text, tick.box = write(ink, text, left, 5), tick.used = true;
+    tick.text = text, tick.box = write(marks, text, left, 5), tick.used = true;
     axes.x.ticks.push_back(tick);
   }
-  const std::vector<LetterShape> digits = digitsOf(ink, ink, axes);
+  const std::vector<LetterShape> digits = digitsOf(marks, marks, axes);
   REQUIRE(digits.size() == 2);
   CHECK((digits[0].sign == '0' && digits[1].sign == '6'));
   cv::Mat smoothed;
-  cv::GaussianBlur(ink, smoothed, {}, 0.5);
-  CHECK(digitsOf(smoothed, ink, axes).empty());
+  cv::GaussianBlur(marks, smoothed, {}, 0.5);
+  CHECK(digitsOf(smoothed, marks, axes).empty());
 }
 
 TEST_CASE("digits known by their shape stand in names, whatever the engine makes of them") {
-  cv::Mat ink = cv::Mat::zeros(20, 120, CV_8U);
-  const std::vector<LetterShape> name = lettersOf(ink, write(ink, "1.0N", 10, 5));
-  std::vector<LetterShape> known = lettersOf(ink, write(ink, "10", 60, 5));
+  cv::Mat marks = cv::Mat::zeros(20, 120, CV_8U);
+  const std::vector<LetterShape> name = lettersOf(marks, write(marks, "1.0N", 10, 5));
+  std::vector<LetterShape> known = lettersOf(marks, write(marks, "10", 60, 5));
   known[0].sign = '1', known[1].sign = '0';
   CHECK(withKnownDigits("1.6 N", name, known) == "1.0 N");
   CHECK(withKnownDigits("1.6 NN", name, known) == "1.6 NN");  // not letter for letter

@@ -34,17 +34,17 @@ std::optional<UnitToken> behindSquares(const std::string& latin, double gap_px, 
   square(c, 40, 30);
   square(c, 74, 30);
   int below = 0;
-  const double wide = cv::getTextSize(latin, cv::FONT_HERSHEY_DUPLEX, 0.9, 1, &below).width;
+  const double wideText_px = cv::getTextSize(latin, cv::FONT_HERSHEY_DUPLEX, 0.9, 1, &below).width;
   cv::Mat grey = c.grey();
   cv::putText(grey, latin, {static_cast<int>(100 + gap_px), 54}, cv::FONT_HERSHEY_DUPLEX, 0.9, cv::Scalar(0),
               1, cv::LINE_AA);
-  REQUIRE(wide < 250);
+  REQUIRE(wideText_px < 250);
   if (upwards) cv::rotate(grey, grey, cv::ROTATE_90_COUNTERCLOCKWISE);
   const auto document = documentOf(grey);
   const auto page = document.page(1).value();
   const auto view = document.view(page, {-0.5, -0.5, grey.cols - 0.5, grey.rows - 0.5}).value();
   TextReader reader(view);
-  auto letters = glyphBoxes(inkOf(darknessOf(view.raster)), 2, 60);
+  auto letters = glyphBoxes(darkMaskOf(darknessOf(view.raster)), 2, 60);
   const int turns = upwards ? 1 : 0;
   for (Box& letter : letters) letter = turned(letter, turns);
   return unitAtEnd(reader, letters, turns, upwards ? 90 : 0);

@@ -117,10 +117,10 @@ TEST_CASE("one wild sample of a force meter costs nothing but itself") {
   std::mt19937 random(2);
   std::normal_distribution<double> noise(0, 0.001);
   for (int i = 0; i <= 400; ++i) points.push_back({0.009 * i, truth.force_N(0.009 * i) + noise(random)});
-  for (const double wild : {-55.8, 500.0, 1e30}) {
-    CAPTURE(wild);
+  for (const double outlier : {-55.8, 500.0, 1e30}) {
+    CAPTURE(outlier);
     std::vector<CurvePoint> spoilt = points;
-    spoilt[137].force_N = wild;
+    spoilt[137].force_N = outlier;
     const auto fitted = fitStroke(spoilt, Stroke::press, withNoise(0.003, 0.001));
     REQUIRE(fitted);
     CHECK(worstForceError(fitted->curve, truth, 3.5) < 0.01);

@@ -51,10 +51,10 @@ TEST_CASE("the footpoint is where the line of sight is square to the curve") {
     for (const double off : {-3.0, 0.5, 4.0}) {
       const double speed = std::hypot(piece.h, piece.dv(t));
       const SigmaPoint p{piece.u(t) - off * piece.dv(t) / speed, piece.v(t) + off * piece.h / speed, 1};
-      const Footpoint foot = nearestOn(piece, p);
-      CHECK(foot.t == Approx(t).margin(1e-5));
-      CHECK(std::sqrt(foot.squaredDistance) == Approx(std::abs(off)).margin(1e-6));
-      CHECK(signedResidual(piece, p, foot.t) == Approx(off).margin(1e-6));
+      const Footpoint projection = nearestOn(piece, p);
+      CHECK(projection.t == Approx(t).margin(1e-5));
+      CHECK(std::sqrt(projection.squaredDistance) == Approx(std::abs(off)).margin(1e-6));
+      CHECK(signedResidual(piece, p, projection.t) == Approx(off).margin(1e-6));
     }
 }
 
@@ -200,14 +200,14 @@ TEST_CASE("standard errors shrink with the root of the number of points") {
 
 TEST_CASE("a fit whose knot could stand anywhere is ill conditioned, and says so") {
   const auto points = wave(800, 1);
-  const double told = knotErrors(segmentStroke(points, 200, 30).chain, points, {}).condition;
+  const double kinkedCondition = knotErrors(segmentStroke(points, 200, 30).chain, points, {}).condition;
   std::vector<SigmaPoint> line;
   for (int i = 0; i <= 100; ++i) line.push_back({1.0 * i, 0.5 * i, 1});
   const KnotChain chain{{{0, 0, 0.5, 0.5}, JointKind::smooth},
                         {{50, 25, 0.5, 0.5}, JointKind::smooth},
                         {{100, 50, 0.5, 0.5}, JointKind::smooth}};
-  CHECK(told >= 1);
-  CHECK(knotErrors(chain, line, {}).condition > 3 * told);
+  CHECK(kinkedCondition >= 1);
+  CHECK(knotErrors(chain, line, {}).condition > 3 * kinkedCondition);
 }
 
 namespace {

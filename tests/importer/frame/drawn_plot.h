@@ -41,7 +41,7 @@ class Canvas {
   Canvas(int width, int height, int paper) : grey_(height, width, CV_8U, cv::Scalar(paper)) {}
 
   /// Fills the box between pixel edges given in pixel centre coordinates, with exact partial cover.
-  void fill(double x0, double y0, double x1, double y1, int ink) {
+  void fill(double x0, double y0, double x1, double y1, int shade) {
     for (int y = std::max(0, static_cast<int>(std::floor(y0)));
          y <= std::min(grey_.rows - 1, static_cast<int>(std::ceil(y1))); ++y)
       for (int x = std::max(0, static_cast<int>(std::floor(x0)));
@@ -50,23 +50,23 @@ class Canvas {
                      cy = std::min(y1, y + 0.5) - std::max(y0, y - 0.5);
         if (cx <= 0 || cy <= 0) continue;
         auto& p = grey_.at<std::uint8_t>(y, x);
-        p = cv::saturate_cast<std::uint8_t>(p + (ink - p) * cx * cy);
+        p = cv::saturate_cast<std::uint8_t>(p + (shade - p) * cx * cy);
       }
   }
-  void column(double x, double y0, double y1, double width, int ink) {
-    fill(x - 0.5 * width, y0, x + 0.5 * width, y1, ink);
+  void column(double x, double y0, double y1, double width, int shade) {
+    fill(x - 0.5 * width, y0, x + 0.5 * width, y1, shade);
   }
-  void row(double y, double x0, double x1, double width, int ink) {
-    fill(x0, y - 0.5 * width, x1, y + 0.5 * width, ink);
+  void row(double y, double x0, double x1, double width, int shade) {
+    fill(x0, y - 0.5 * width, x1, y + 0.5 * width, shade);
   }
 
   /// Text centred at a point; `quarterTurns` counter-clockwise.
-  void text(const std::string& s, double cx, double cy, int ink, double scale = 0.5, int quarterTurns = 0) {
+  void text(const std::string& s, double cx, double cy, int shade, double scale = 0.5, int quarterTurns = 0) {
     int base = 0;
     const auto size = cv::getTextSize(s, cv::FONT_HERSHEY_SIMPLEX, scale, 1, &base);
     const int paper = grey_.at<std::uint8_t>(0, 0);
     cv::Mat box(size.height + base + 6, size.width + 6, CV_8U, cv::Scalar(paper));
-    cv::putText(box, s, {3, size.height + 3}, cv::FONT_HERSHEY_SIMPLEX, scale, cv::Scalar(ink), 1,
+    cv::putText(box, s, {3, size.height + 3}, cv::FONT_HERSHEY_SIMPLEX, scale, cv::Scalar(shade), 1,
                 cv::LINE_AA);
     for (int k = 0; k < quarterTurns; ++k) cv::rotate(box, box, cv::ROTATE_90_COUNTERCLOCKWISE);
     // Digits have no descender: their middle is half the ascent.
@@ -83,9 +83,9 @@ class Canvas {
         cv::max(to, from, to);
     }
   }
-  void curve(const std::vector<cv::Point2d>& points, int ink, double width) {
+  void curve(const std::vector<cv::Point2d>& points, int shade, double width) {
     for (std::size_t i = 1; i < points.size(); ++i)
-      cv::line(grey_, cv::Point2d(points[i - 1]) * 256, cv::Point2d(points[i]) * 256, cv::Scalar(ink),
+      cv::line(grey_, cv::Point2d(points[i - 1]) * 256, cv::Point2d(points[i]) * 256, cv::Scalar(shade),
                static_cast<int>(width), cv::LINE_AA, 8);
   }
   cv::Mat& grey() { return grey_; }

@@ -19,7 +19,7 @@ struct Seen {
   std::vector<PlotFrame> frames;
 };
 
-Seen lookAt(const cv::Mat& grey) {
+Seen readingOf(const cv::Mat& grey) {
   const auto document = documentOf(grey);
   const auto page = document.page(1).value();
   Seen seen;
@@ -56,7 +56,7 @@ TEST_CASE("few numbers below stand for themselves where those beside the plot re
   for (const auto& [text, k] :
        {std::pair("0.0", 0), std::pair("0.5", 1), std::pair("1.0", 2), std::pair("1.5", 3)})
     c.text(text, s.left - 20, s.bottom - (s.bottom - s.top) * k / 3, 0, 0.4, 1);
-  const Seen seen = lookAt(c.grey());
+  const Seen seen = readingOf(c.grey());
   REQUIRE(seen.frames.size() == 1);
   requireCorners(seen.frames[0], s, 0.6);
 }
@@ -77,7 +77,7 @@ TEST_CASE("frames of many styles are found where they were drawn") {
     s.ySteps = 4;
     s.xStep = 1, s.yTitle = "", s.textScale = 0.4;
   }
-  const auto seen = lookAt(drawn(s));
+  const auto seen = readingOf(drawn(s));
   REQUIRE(seen.frames.size() == 1);
   CHECK(seen.candidates[0].value.quarterTurns == 0);
   CHECK(seen.candidates[0].confidence > 0.5);
@@ -89,7 +89,7 @@ TEST_CASE("gridlines and ticks are placed to a tenth of a pixel") {
   s.left = 100.4, s.right = 819.6, s.top = 41.3, s.bottom = 499.7;
   s.lineWidth = 1.5;
   s.grid = GENERATE(true, false);
-  const auto seen = lookAt(drawn(s));
+  const auto seen = readingOf(drawn(s));
   REQUIRE(seen.frames.size() == 1);
   for (int k = 0; k <= s.xSteps; ++k) {
     const double x = s.left + (s.right - s.left) * k / s.xSteps;
@@ -105,7 +105,7 @@ TEST_CASE("a grid open at the top ends where its lines end") {
   PlotStyle s;
   s.topEdge = false;
   s.gridGrey = 0;
-  const auto seen = lookAt(drawn(s));
+  const auto seen = readingOf(drawn(s));
   REQUIRE(seen.frames.size() == 1);
   CHECK(seen.frames[0].corners[0].y == Approx(s.top).margin(2));
 }
@@ -117,7 +117,7 @@ TEST_CASE("an axis that runs on to an arrow does not widen the frame") {
   drawInto(c, s);
   c.column(s.left, s.top - 35, s.bottom, 1, 0);
   c.row(s.bottom, s.left, s.right + 70, 1, 0);
-  const auto seen = lookAt(c.grey());
+  const auto seen = readingOf(c.grey());
   REQUIRE(seen.frames.size() == 1);
   requireCorners(seen.frames[0], s, 0.15);
 }
@@ -132,7 +132,7 @@ TEST_CASE("writing that punches holes into the grid does not split the frame") {
   c.text("operating point", 365, 245, 0, 0.7);
   c.fill(430, 380, 640, 410, 255);
   c.text("reset point", 535, 395, 0, 0.7);
-  const auto seen = lookAt(c.grey());
+  const auto seen = readingOf(c.grey());
   REQUIRE(seen.frames.size() == 1);
   requireCorners(seen.frames[0], s, 0.15);
 }
@@ -146,7 +146,7 @@ TEST_CASE("several graphs come in reading order") {
   Canvas c(s.width, s.height, 255);
   drawInto(c, s);
   drawInto(c, t);
-  const auto seen = lookAt(c.grey());
+  const auto seen = readingOf(c.grey());
   REQUIRE(seen.frames.size() == 2);
   requireCorners(seen.frames[0], s, 0.15);
   requireCorners(seen.frames[1], t, 0.15);
@@ -162,7 +162,7 @@ TEST_CASE("a graph that lies on its side says how it stands up") {
                             upright.rowRange(static_cast<int>(s.bottom) + 3, upright.rows)})
       cv::erode(numbers, numbers, cv::Mat::ones(1, 4, CV_8U));
   cv::rotate(upright, lying, clockwise ? cv::ROTATE_90_CLOCKWISE : cv::ROTATE_90_COUNTERCLOCKWISE);
-  const auto seen = lookAt(lying);
+  const auto seen = readingOf(lying);
   REQUIRE_FALSE(seen.candidates.empty());
   const bool offered = std::any_of(
       seen.candidates.begin(), seen.candidates.end(),
@@ -173,7 +173,7 @@ TEST_CASE("a graph that lies on its side says how it stands up") {
 TEST_CASE("a graph on its head is looked at so before one with numbers at the top and at the right") {
   cv::Mat onItsHead;
   cv::rotate(drawn(PlotStyle{}), onItsHead, cv::ROTATE_180);
-  const auto seen = lookAt(onItsHead);
+  const auto seen = readingOf(onItsHead);
   REQUIRE(seen.candidates.size() == 2);
   CHECK(seen.candidates[0].value.quarterTurns == 2);
   CHECK(seen.candidates[1].value.quarterTurns == 0);
@@ -189,7 +189,7 @@ TEST_CASE("a scan a degree askew keeps its four corners") {
   cv::Mat askew;
   cv::warpAffine(drawn(s), askew, turn, {s.width, s.height}, cv::INTER_CUBIC, cv::BORDER_CONSTANT,
                  cv::Scalar(255));
-  const auto seen = lookAt(askew);
+  const auto seen = readingOf(askew);
   REQUIRE(seen.frames.size() == 1);
   const auto expect = [&](double x, double y, const Point& found) {
     CHECK(found.x ==
@@ -278,18 +278,18 @@ TEST_CASE("lines rounded by Agg are known by their rims") {
   s.grid = false;
   SECTION("whole-pixel crest, thin equal rims: half a pixel off") {
     s.lineWidth = 1.11;
-    const auto seen = lookAt(drawn(s));
+    const auto seen = readingOf(drawn(s));
     REQUIRE(seen.frames.size() == 1);
     CHECK(seen.frames[0].drawnOffset_px == Point{0.5, 0.5});
   }
   SECTION("one pixel sharp: nothing known") {
-    const auto seen = lookAt(drawn(s));
+    const auto seen = readingOf(drawn(s));
     REQUIRE(seen.frames.size() == 1);
     CHECK(seen.frames[0].drawnOffset_px == Point{0, 0});
   }
   SECTION("smoothed where they stand") {
     s.lineWidth = 1.11, s.left = 100.3, s.right = 820.6, s.top = 40.2, s.bottom = 500.7;
-    const auto seen = lookAt(drawn(s));
+    const auto seen = readingOf(drawn(s));
     REQUIRE(seen.frames.size() == 1);
     CHECK(seen.frames[0].drawnOffset_px == Point{0, 0});
   }
@@ -341,7 +341,7 @@ TEST_CASE("what is no plot has no frame") {
     for (int i = 0; i < 9; ++i) cv::line(grey, {150 + 60 * i, 100}, {150 + 60 * i, 500}, cv::Scalar(0));
     for (int k = 0; k < 7; ++k) cv::line(grey, {150, 100 + 60 * k}, {630, 100 + 60 * k}, cv::Scalar(0));
   }
-  CHECK(lookAt(grey).candidates.empty());
+  CHECK(readingOf(grey).candidates.empty());
 }
 
 TEST_CASE("a page border around a graph is not taken for it") {
@@ -349,7 +349,7 @@ TEST_CASE("a page border around a graph is not taken for it") {
   Canvas c(s.width, s.height, 255);
   drawInto(c, s);
   cv::rectangle(c.grey(), {6, 6}, {893, 593}, cv::Scalar(0), 2);
-  const auto seen = lookAt(c.grey());
+  const auto seen = readingOf(c.grey());
   REQUIRE(seen.frames.size() == 1);
   requireCorners(seen.frames[0], s, 0.15);
 }

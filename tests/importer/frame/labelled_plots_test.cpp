@@ -15,11 +15,11 @@ using namespace detent::importer;
 namespace {
 
 /// Numbers along two axes; nothing else.
-cv::Mat numbersOf(int columns, int rows, int paper, int ink) {
+cv::Mat numbersOf(int columns, int rows, int paper, int shade) {
   cv::Mat grey(520, 800, CV_8U, cv::Scalar(paper));
   const auto write = [&](const std::string& text, int cx, int cy) {
     cv::putText(grey, text, {cx - 6 * static_cast<int>(text.size()), cy + 6}, cv::FONT_HERSHEY_SIMPLEX, 0.55,
-                cv::Scalar(ink), 1, cv::LINE_AA);
+                cv::Scalar(shade), 1, cv::LINE_AA);
   };
   for (int k = 0; k < columns; ++k) write(std::to_string(k), 100 + 120 * k, 460);
   for (int k = 0; k < rows; ++k) write(std::to_string(20 * k + 10), 60, 430 - 70 * k);
@@ -36,14 +36,14 @@ Raster rasterOf(const cv::Mat& grey) {
 }
 
 std::vector<LabelledPlot> plotsIn(const cv::Mat& grey) {
-  return findLabelledPlots(inkOf(darknessOf(rasterOf(grey), PaperBy::region)), 80, 60);
+  return findLabelledPlots(darkMaskOf(darknessOf(rasterOf(grey), PaperBy::region)), 80, 60);
 }
 
 }  // namespace
 
 TEST_CASE("a row and a column of numbers enclose a plot, without any line") {
-  for (const auto& [paper, ink] : {std::pair{255, 0}, {30, 230}, {110, 250}}) {
-    const auto plots = plotsIn(numbersOf(6, 5, paper, ink));
+  for (const auto& [paper, shade] : {std::pair{255, 0}, {30, 230}, {110, 250}}) {
+    const auto plots = plotsIn(numbersOf(6, 5, paper, shade));
     REQUIRE(plots.size() == 1);
     CHECK(plots.front().below >= 5);
     CHECK(plots.front().left == 5);

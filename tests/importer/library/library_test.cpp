@@ -59,8 +59,8 @@ class Folder {
 /// A switch by a bump on a spring: peak at 1.2 mm, bottom-out at 3.6 mm; the release 6 gf below.
 double force_gf(double x_mm, double start_gf, double bump_gf) {
   const double bump = bump_gf * std::exp(-(x_mm - 1.2) * (x_mm - 1.2) / 0.08);
-  const double wall = x_mm > 3.6 ? 400 * (x_mm - 3.6) : 0;
-  return std::min(start_gf, 300 * x_mm) + 8 * x_mm + bump + wall;
+  const double bottomOut_N = x_mm > 3.6 ? 400 * (x_mm - 3.6) : 0;
+  return std::min(start_gf, 300 * x_mm) + 8 * x_mm + bump + bottomOut_N;
 }
 
 /// In the layout of force-curves-tidy: force, displacement in gf and mm, way down, then up.
@@ -200,9 +200,9 @@ TEST_CASE("a short answer is the beginning of the long one, of equals the first 
   const auto like = readSwitches((folder / "s/nearer.csv").string(), false);
   REQUIRE(like);
   CHECK_FALSE(like->front().sigmas[KeyFigure::totalTravel]);
-  const auto names = [&](const std::optional<FeltShape>& asked, std::size_t limit) {
+  const auto names = [&](const std::optional<FeltShape>& query, std::size_t limit) {
     std::string all;
-    for (const FoundSwitch& each : found({database, asked, {}, limit})) all += each.entry.name + " ";
+    for (const FoundSwitch& each : found({database, query, {}, limit})) all += each.entry.name + " ";
     return all;
   };
   CHECK(names(like->front().shape, 9) == "nearer a b c d e tactile ");
@@ -258,8 +258,8 @@ TEST_CASE("the nearest are those that all distances say, though few curves are r
        {std::vector<FigureRange>{}, std::vector<FigureRange>{{KeyFigure::totalTravel, 3.1, 3.3}}})
     for (const std::size_t like : {0U, 17U, 100U, 239U})
       for (const std::size_t limit : {1U, 2U, 7U, 50U, 1000U}) {
-        const FeltShape& asked = files[like].switches.front().shape;
-        const FeelDistance distance(asked);
+        const FeltShape& query = files[like].switches.front().shape;
+        const FeelDistance distance(query);
         std::vector<std::pair<double, std::string>> all;
         for (const LibraryFile& file : files) {
           const LibrarySwitch& each = file.switches.front();
@@ -268,7 +268,7 @@ TEST_CASE("the nearest are those that all distances say, though few curves are r
           all.emplace_back(distance.to(each.shape), each.name);
         }
         std::ranges::sort(all);
-        const auto result = findSwitches({database, asked, ranges, limit});
+        const auto result = findSwitches({database, query, ranges, limit});
         REQUIRE(result);
         CHECK(result->fitting == all.size());
         REQUIRE(result->found.size() == std::min(limit, all.size()));

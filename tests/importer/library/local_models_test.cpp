@@ -94,12 +94,12 @@ TEST_CASE("noise that samples carry on is in the errors") {
 }
 
 TEST_CASE("a corner's error covers its truth") {
-  const Covered foot =
+  const Covered bottomOut =
       covered([](double x) { return 0.5 + 0.05 * x + (x > 3.6 ? 6 * (x - 3.6) : 0); }, 3.3, 3.75, {3.6, 0.68},
               [](const LocalWindow& window) { return cornerIn(window, 3.59); });
-  CHECK(foot.place == Approx(68).margin(14));
-  CHECK(foot.force == Approx(68).margin(14));
-  CHECK(foot.sigma_mm < 0.0005);
+  CHECK(bottomOut.place == Approx(68).margin(14));
+  CHECK(bottomOut.force == Approx(68).margin(14));
+  CHECK(bottomOut.sigma_mm < 0.0005);
 }
 
 TEST_CASE("the force at the beginning is what is read before contact, however near that is") {

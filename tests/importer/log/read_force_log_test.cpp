@@ -135,7 +135,7 @@ TEST_CASE("signs are turned and said") {
 }
 
 TEST_CASE("a dome that collapses keeps its direction, though force falls with travel on the whole") {
-  // As the largest of a dome bench's records: a hump over the first half, a valley, a short wall.
+  // Like the largest record of a dome bench: a hump over the first half, a valley, a short bottom-out.
   const auto dome_gf = [](double x) {
     return 110 * std::sin(std::min(3.0, x) / 3 * 3.14159) + 15 * x / 3 + (x > 3.7 ? 800 * (x - 3.7) : 0);
   };

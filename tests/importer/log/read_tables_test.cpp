@@ -731,11 +731,11 @@ TEST_CASE("sheets named as strokes are one button") {
                             table("B release", plain.c_str(), false, false, 1, 1.5) +
                             table("C release", plain.c_str(), false, false, 1, 2)),
                        "c.ods");
-  const LogReading both = readLog(two.path());
-  REQUIRE(both.records.size() == 2);
-  CHECK(both.records[0].name == "A");
-  CHECK(both.records[1].name == "B");
-  CHECK(both.records[1].release);
+  const LogReading bothStrokes = readLog(two.path());
+  REQUIRE(bothStrokes.records.size() == 2);
+  CHECK(bothStrokes.records[0].name == "A");
+  CHECK(bothStrokes.records[1].name == "B");
+  CHECK(bothStrokes.records[1].release);
 }
 
 TEST_CASE("a column of contact gives the operating and the reset point") {

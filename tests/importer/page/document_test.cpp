@@ -754,16 +754,16 @@ TEST_CASE("drawing a page ends when it is cancelled, within half a second") {
   const auto document = Document::fromBytes(bytesOf(slowToDraw()), "plot.pdf");
   REQUIRE(document.ok());
   const auto start = Clock::now();
-  std::optional<Clock::time_point> asked;
+  std::optional<Clock::time_point> stopped;
   Progress progress;
   progress.cancelled = [&] {  // interpreting takes less
     if (secondsSince(start) < 2) return false;
-    if (!asked) asked = Clock::now();
+    if (!stopped) stopped = Clock::now();
     return true;
   };
   const auto page = document->page(1, progress);
-  REQUIRE(asked);
-  CHECK(secondsSince(*asked) < 0.5);
+  REQUIRE(stopped);
+  CHECK(secondsSince(*stopped) < 0.5);
   REQUIRE_FALSE(page.ok());
   CHECK(page.failure().code == FailureCode::cancelled);
 }

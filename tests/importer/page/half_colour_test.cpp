@@ -30,9 +30,9 @@ cv::Mat twoLines(double paper) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       double rgb[3] = {paper, paper, paper};
-      for (const auto& [from, ink] : {std::pair(25.3, navy), std::pair(25.3 + apart_px, ochre)}) {
+      for (const auto& [from, lineColour] : {std::pair(25.3, navy), std::pair(25.3 + apart_px, ochre)}) {
         const double cover = std::clamp(thickness_px / 2 + 0.5 - offLine(x, y, from), 0.0, 1.0);
-        const double full[3] = {double(ink.r), double(ink.g), double(ink.b)};
+        const double full[3] = {double(lineColour.r), double(lineColour.g), double(lineColour.b)};
         for (int c = 0; c < 3; ++c) rgb[c] += cover * (full[c] - rgb[c]);
       }
       for (int c = 0; c < 3; ++c)

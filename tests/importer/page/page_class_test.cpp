@@ -13,15 +13,15 @@ using namespace detent::importer;
 
 namespace {
 
-struct Look {
+struct Style {
   double grain = 0;      ///< levels, standard deviation
   double lightFall = 0;  ///< levels from left to right
   int paper = 255;
-  bool soft = true;  ///< a grey rim along the ink
+  bool soft = true;  ///< a grey rim along the lines
 };
 
 /// A grid and a slanting curve.
-Raster drawn(const Look& look) {
+Raster drawn(const Style& style) {
   constexpr int width = 640, height = 400;
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 1);
@@ -29,10 +29,10 @@ Raster drawn(const Look& look) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const double off = std::abs(y - 50 - 0.4 * x);
-      double level = look.paper - look.lightFall * x / width;
-      if (x % 80 == 0 || y % 80 == 0) level = look.soft ? 180 : 0;
-      if (off < 3) level = look.soft ? std::max(0.0, 255 * (off - 2)) : 0;
-      level += look.grain * noise(random);
+      double level = style.paper - style.lightFall * x / width;
+      if (x % 80 == 0 || y % 80 == 0) level = style.soft ? 180 : 0;
+      if (off < 3) level = style.soft ? std::max(0.0, 255 * (off - 2)) : 0;
+      level += style.grain * noise(random);
       raster.rgb.insert(raster.rgb.end(), 3, static_cast<std::uint8_t>(std::clamp(level, 0.0, 255.0)));
     }
   }

@@ -178,8 +178,8 @@ TEST_CASE("uneven light is divided away, ink keeps its share of it, dark ground 
   const bool dark = GENERATE(false, true);
   for (int y = 0; y < 480; ++y)
     for (int x = 0; x < 640; ++x) {
-      const bool ink = y % 60 == 30;
-      const double value = dark ? (ink ? 230 : 40) : (ink ? 110 : 220);
+      const bool drawn = y % 60 == 30;
+      const double value = dark ? (drawn ? 230 : 40) : (drawn ? 110 : 220);
       for (const double tint : {1.0, 0.96, 0.85})
         shaded.rgb.push_back(static_cast<std::uint8_t>(value * tint * (dark ? 1 : lightAt(x))));
     }
@@ -190,9 +190,9 @@ TEST_CASE("uneven light is divided away, ink keeps its share of it, dark ground 
   }
   for (const int x : {5, 320, 630}) {
     INFO(x);
-    const Rgb paper = pixel(even, x, 100), ink = pixel(even, x, 150);
+    const Rgb paper = pixel(even, x, 100), drawn = pixel(even, x, 150);
     for (const int channel : {int(paper.r), int(paper.g), int(paper.b)}) CHECK(std::abs(channel - 240) <= 6);
-    for (const int channel : {int(ink.r), int(ink.g), int(ink.b)}) CHECK(std::abs(channel - 120) <= 6);
+    for (const int channel : {int(drawn.r), int(drawn.g), int(drawn.b)}) CHECK(std::abs(channel - 120) <= 6);
   }
 }
 
@@ -291,10 +291,10 @@ TEST_CASE("16 bits, grey and transparency become opaque 8-bit colour") {
 }
 
 TEST_CASE("transparent plots stand on the background on which their ink shows") {
-  const auto lettersIn = [](const cv::Scalar& ink, const cv::Scalar& grid) {
+  const auto lettersIn = [](const cv::Scalar& drawn, const cv::Scalar& grid) {
     cv::Mat mat(60, 60, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     for (int i = 0; i < 60; i += 10) mat.row(i) = grid;  // many pixels of grid, few of letters
-    for (int i = 25; i < 35; ++i) mat.at<cv::Vec4b>(i, 5) = cv::Vec4b(ink);
+    for (int i = 25; i < 35; ++i) mat.at<cv::Vec4b>(i, 5) = cv::Vec4b(drawn);
     return mat;
   };
   const cv::Scalar black(0, 0, 0, 255), white(255, 255, 255, 255), light(220, 220, 220, 255),
@@ -304,11 +304,12 @@ TEST_CASE("transparent plots stand on the background on which their ink shows") 
 }
 
 TEST_CASE("a framed plot's ground is no ink within a rim: its letters say on what it stands") {
-  const auto letteredPlot = [](int letters, int line, int ground) {
+  const auto letteredPlot = [](int letters, int line, int background) {
     cv::Mat mat(120, 160, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     const cv::Rect area(30, 10, 120, 90);
     mat(area) = cv::Scalar(line, line, line, 255);
-    mat({area.x + 1, area.y + 1, area.width - 2, area.height - 2}) = cv::Scalar(ground, ground, ground, 255);
+    mat({area.x + 1, area.y + 1, area.width - 2, area.height - 2}) =
+        cv::Scalar(background, background, background, 255);
     for (int y = 20; y < 90; y += 12) mat({10, y, 2, 8}) = cv::Scalar(letters, letters, letters, 255);
     return pixel(firstPage(encoded(".png", mat)).overview, 4, 115);
   };
@@ -318,7 +319,7 @@ TEST_CASE("a framed plot's ground is no ink within a rim: its letters say on wha
 }
 
 TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
-  const auto cutOut = [](int paper, int ink, int grid) {  // every line with half its contrast on both sides
+  const auto cutOut = [](int paper, int drawn, int grid) {  // every line with half its contrast on both sides
     cv::Mat mat(60, 60, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     const auto row = [&](int y, int line) {
       for (int dy : {-1, 0, 1}) {
@@ -327,7 +328,7 @@ TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
       }
     };
     for (int y = 5; y < 50; y += 8) row(y, grid);  // so pale that half its contrast hardly shows
-    row(53, ink);
+    row(53, drawn);
     return pixel(firstPage(encoded(".png", mat)).overview, 30, 58);
   };
   CHECK(cutOut(255, 0, 225) == Rgb{255, 255, 255});
@@ -336,7 +337,8 @@ TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
 
 namespace {
 
-/// 16 x 17 pixels as Pillow writes them, interlaced: row y in colour y % 4 of white, red, blue and one that is transparent.
+/// 16 x 17 pixels as Pillow writes them, interlaced: row y in colour y % 4 of white, red, blue and one that
+/// is transparent.
 Bytes interlacedGif() {
   return {0x47, 0x49, 0x46, 0x38, 0x39, 0x61, 0x10, 0x00, 0x11, 0x00, 0x81, 0x00, 0x00, 0xff, 0xff, 0xff,
           0xc8, 0x00, 0x00, 0x00, 0x00, 0xc8, 0x00, 0x78, 0x00, 0x21, 0xf9, 0x04, 0x01, 0x00, 0x00, 0x03,

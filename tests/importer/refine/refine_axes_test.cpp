@@ -46,8 +46,8 @@ Raster drawn(const AxisCalibration& truth, bool grid) {
       const double perX = std::abs(truth.toUnits({p.x + 1, p.y}).x - at.x),
                    perY = std::abs(truth.toUnits({p.x, p.y + 1}).y - at.y);
       const double away_px = std::min(offGrid(at.x, stepX) / perX, offGrid(at.y, stepY) / perY);
-      const double ink = std::clamp(1.25 - away_px, 0.0, 1.0);
-      const auto grey = static_cast<unsigned char>(std::lround(255 - 200 * ink));
+      const double darkness = std::clamp(1.25 - away_px, 0.0, 1.0);
+      const auto grey = static_cast<unsigned char>(std::lround(255 - 200 * darkness));
       for (int c = 0; c < 3; ++c) raster.rgb[static_cast<std::size_t>(3 * (y * width_px + x) + c)] = grey;
     }
   return raster;

@@ -73,7 +73,7 @@ struct Import {
     if (namedByLegend) found.evidence.push_back({EvidenceCode::namedByLegend});
     return {graph, traces, found, strokes, rms_px, rms_px, {}, {}, pageClass, explanation};
   }
-  /// What an import with this doubt is worth; empty without it.
+  /// Confidence of an import with this doubt; empty without the doubt.
   std::optional<double> weighed(DoubtCode kind) const {
     for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints))
       if (each.doubt.code == kind) return each.confidence;
@@ -88,7 +88,7 @@ struct Import {
       const bool isPartOnly =
           each.doubt.code == DoubtCode::belowTheAxis || each.doubt.code == DoubtCode::leavesThePlot ||
           each.doubt.code == DoubtCode::assumed || each.doubt.code == DoubtCode::namesNoStroke ||
-          (each.doubt.code == DoubtCode::inkLeftOver && !goesOn);
+          (each.doubt.code == DoubtCode::curveLeftOver && !goesOn);
       CHECK(each.confidence < 0.9);
       CHECK((each.confidence < confidenceBar) == !isPartOnly);
       CHECK_FALSE(english(messageOf(each.doubt)).empty());
@@ -181,13 +181,13 @@ TEST_CASE(
   CHECK(import.doubted(DoubtCode::implausibleForce));
   import.hints.axes.yMin = 0, import.hints.axes.yMax = 4000;
   CHECK_FALSE(import.doubted(DoubtCode::implausibleForce));
-  Import wide;
-  for (CurvePoint& p : wide.press) p.displacement_mm *= 10;
-  CHECK(wide.doubted(DoubtCode::implausibleTravel));
-  wide.hints.axes.xUnit = LengthUnit::millimetre;
-  CHECK(wide.doubted(DoubtCode::implausibleTravel));
-  wide.hints.axes.xMin = 0, wide.hints.axes.xMax = 40;
-  CHECK_FALSE(wide.doubted(DoubtCode::implausibleTravel));
+  Import wideGap;
+  for (CurvePoint& p : wideGap.press) p.displacement_mm *= 10;
+  CHECK(wideGap.doubted(DoubtCode::implausibleTravel));
+  wideGap.hints.axes.xUnit = LengthUnit::millimetre;
+  CHECK(wideGap.doubted(DoubtCode::implausibleTravel));
+  wideGap.hints.axes.xMin = 0, wideGap.hints.axes.xMax = 40;
+  CHECK_FALSE(wideGap.doubted(DoubtCode::implausibleTravel));
 }
 
 TEST_CASE(
@@ -203,32 +203,32 @@ TEST_CASE(
   Remainder left;
   left.likeness = 0.8, left.atAnEnd = true, left.box_px = {150, 150, 450, 300}, left.thickness = 1;
   const auto paint = [&](Rgb color, int rising) {
-    left.ink_px.clear();
+    left.pixels_px.clear();
     for (int x = 150; x < 450; ++x) {
       const int y = 225 + rising * (150 - x) / 4;
       std::uint8_t* p = picture.rgb.data() + 3 * (700 * y + x);
       p[0] = color.r, p[1] = color.g, p[2] = color.b;
-      left.ink_px.push_back({double(x), double(y)});
+      left.pixels_px.push_back({double(x), double(y)});
     }
     import.explanation = {{left}, {}, {}, {}};
   };
   paint(contact.color, 1);
   CHECK(import.doubts().empty());
   paint(stroke.color, 1);
-  CHECK(import.weighed(DoubtCode::inkLeftOver));
+  CHECK(import.weighed(DoubtCode::curveLeftOver));
   left.likeness = 0;
   paint({20, 20, 20}, 1);
-  CHECK(import.weighed(DoubtCode::inkLeftOver));  // another state's line
+  CHECK(import.weighed(DoubtCode::curveLeftOver));  // another state's line
   paint({20, 20, 20}, -1);
   CHECK(import.doubts().empty());
   paint(stroke.color, -1);
-  CHECK(import.weighed(DoubtCode::inkLeftOver));
+  CHECK(import.weighed(DoubtCode::curveLeftOver));
   import.explanation = {{}, {}, {}, { 0.5, inView({1, 2}) }};  // a line beside a press that was traced alone
-  CHECK(import.weighed(DoubtCode::inkLeftOver).value_or(1) < confidenceBar);
+  CHECK(import.weighed(DoubtCode::curveLeftOver).value_or(1) < confidenceBar);
   import.explanation = {{}, {{ inView({0.5, 3}), inView({1.5, 3}), 0.1 }}, {}, {}};
   CHECK(import.doubts().empty());
   import.explanation = {{}, {{ inView({0.5, 2}), inView({1.5, 2}), 0.1 }}, {}, {}};
-  CHECK(import.weighed(DoubtCode::curveWithoutInk));
+  CHECK(import.weighed(DoubtCode::curveOverPaper));
 }
 
 TEST_CASE(
@@ -255,7 +255,7 @@ TEST_CASE(
   paint(3, 0.5);  // its sample in the legend
   CHECK(import.doubts().empty());
   paint(0.3, 1.2);
-  CHECK(import.weighed(DoubtCode::inkLeftOver).value_or(1) < confidenceBar);
+  CHECK(import.weighed(DoubtCode::curveLeftOver).value_or(1) < confidenceBar);
   import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
   CHECK(import.doubts().empty());
 }
@@ -282,18 +282,19 @@ TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that
   import.explanation.left = {left};
   CHECK(import.doubts().empty());
   import.explanation.left.front().likeness = 0.8;
-  CHECK(import.doubted(DoubtCode::inkLeftOver));  // a remark: it may be another thing of the page
+  CHECK(import.doubted(DoubtCode::curveLeftOver));  // a remark: it may be another thing of the page
   import.explanation.left.front().atAnEnd = true;
-  CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: the curve goes on
+  CHECK(import.doubted(DoubtCode::curveLeftOver));  // a refusal: the curve goes on
   import.explanation.left.front().atAnEnd = false;
   import.explanation.left.front().dashed = true;
-  CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: no part of the page but a stroke is drawn so
+  CHECK(import.doubted(DoubtCode::curveLeftOver));  // a refusal: no part of the page but a stroke is drawn so
   import.explanation = {{}, {}, {0.05, { 200, 200 }}, {}};
   CHECK(import.doubts().empty());
   import.explanation.patches.share = 0.2;
-  CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: the curve may be a ground's rim
+  CHECK(
+      import.doubted(DoubtCode::curveLeftOver));  // a refusal: the curve may be the edge of a background area
   import.explanation = {{}, {{ {200, 200}, {200, 260}, 0.1 }}, {}, {}};
-  CHECK(import.doubted(DoubtCode::curveWithoutInk));
+  CHECK(import.doubted(DoubtCode::curveOverPaper));
   import.hints.drawn.press = {{100, 400}, { 400, 200 }};
   CHECK(import.doubts().empty());
 }
@@ -303,24 +304,27 @@ TEST_CASE("a line of neither stroke is another state's, however straight") {
   Remainder line;
   line.box_px = {250, 150, 420, 350}, line.thickness = 1.2, line.straight = true;
   import.explanation.left = {line};
-  CHECK(import.weighed(DoubtCode::inkLeftOver).value_or(1) < confidenceBar);
+  CHECK(import.weighed(DoubtCode::curveLeftOver).value_or(1) < confidenceBar);
   Import guide = import, leader = import, patch = import, chosen = import, legend = import, rim = import;
-  rim.explanation.left.front().ink_px = {inView({0.2, 0.31}), inView({0.9, 0.66}), inView({2, 0.61}),
-                                         inView({2.9, 0.79})};
-  legend.explanation.left.front().ink_px = {{250, 200}, {250, 300}, {300, 150}, {400, 350}, {420, 250}};
+  rim.explanation.left.front().pixels_px = {inView({0.2, 0.31}), inView({0.9, 0.66}), inView({2, 0.61}),
+                                            inView({2.9, 0.79})};
+  legend.explanation.left.front().pixels_px = {{250, 200}, {250, 300}, {300, 150}, {400, 350}, {420, 250}};
   guide.explanation.left.front().box_px = {250, 300, 420, 303};
   leader.explanation.left.front().box_px = {250, 150, 300, 250};
   patch.explanation.left.front().thickness = 30;
   chosen.hints.strokes.curve = "1";
   for (const Import* each : {&guide, &leader, &patch, &chosen, &legend, &rim})
-    CHECK_FALSE(each->weighed(DoubtCode::inkLeftOver));
+    CHECK_FALSE(each->weighed(DoubtCode::curveLeftOver));
 }
 
 TEST_CASE("what a step took for granted is said") {
   Import import;
   import.assumed = {{ EvidenceCode::pressAboveRelease, { "0.9" } }};
   CHECK(import.doubts().empty());
-  import.assumed = {{EvidenceCode::nameNearly, { "Tactile", "Tactlle" }}, { EvidenceCode::footUnderAnother }};
+  import.assumed = {{EvidenceCode::nameNearly,
+                     { "Tactile",
+                       "Tactlle" }},
+                    { EvidenceCode::startUnderAnother }};
   CHECK(import.doubts() == std::vector{DoubtCode::assumed, DoubtCode::assumed});
   import.assumed.clear();
   import.graph.axes.calibration.evidence.push_back({EvidenceCode::unitsOfHeading, { "(cN, mm)" }});
@@ -359,7 +363,7 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import falling;  // a line of a chart that falls and comes back
   falling.press = {{0, 1}, {1, 0.4}, {2, 0}, {3, 0}, {3.5, 0.7}};
   CHECK(falling.doubted(DoubtCode::endsInAFall));
-  falling.press.back().force_N = 1.5;  // a key that snaps at once, and its wall
+  falling.press.back().force_N = 1.5;  // a key that snaps at once, and its bottom-out
   CHECK_FALSE(falling.doubted(DoubtCode::endsInAFall));
   Import pulls;
   pulls.press = {{0.02, 1.0}, {0.2, 1.4}, {0.5, 0.9},
@@ -480,7 +484,7 @@ TEST_CASE("the legend names another switch's strokes that were not traced") {
   CHECK_FALSE(import.doubted(DoubtCode::otherSwitchNamed));
 }
 
-/// Both strokes run along the foot of an axis that begins at 0.3 N.
+/// Both strokes run along the lower end of an axis that begins at 0.3 N.
 Import cutBelow() {
   Import below;
   below.press = {{0, 0.2}, {0.4, 0}, {0.5, 0}, {0.6, 0}, {3, 0.5}, {3.2, 1.3}};
@@ -498,7 +502,7 @@ TEST_CASE("a plot that shows a part of its curves") {
     p.force_N -= 0.3;  // where they stand on the page; their forces do not matter here
   CHECK(below.doubted(DoubtCode::belowTheAxis));
 
-  // Steep, so that its end alone is seen on the foot; then so far in that what is hidden is another button.
+  // First steep, so that only its end lies on the axis; then so far inside that the hidden part matters.
   below.press = {{0.1, 0}, {0.2, 0.4}, {3, 0.5}, {3.2, 1.3}};
   CHECK(below.doubted(DoubtCode::belowTheAxis));
   below.press = {{0.7, 0}, {0.9, 0.4}, {3, 0.5}, {3.2, 1.3}};
@@ -506,7 +510,7 @@ TEST_CASE("a plot that shows a part of its curves") {
   below.hints.axes.yMin = 0.3;
   CHECK(below.weighed(DoubtCode::belowTheAxis) == Approx(0.6));
 
-  // Out by the foot and in again, and a start half a line above it.
+  // Leaves the frame at the lower edge and returns; and a start half a line above that edge.
   Import dips;
   dips.graph.axes.calibration.value.viewToUnits = {0.01, 0, -1, 0, -0.01, 5.3, 0, 0, 1};
   dips.press = {{0.3, 0.03}, {1, 0.4}, {1.6, 0}, {1.8, 0}, {1.9, 0}, {3.2, 1.3}};
@@ -541,11 +545,11 @@ TEST_CASE("a plot that shows a part of its curves") {
   Raster& above = upwards.graph.view.raster;
   upwards.press = {{0, 0.2}};
   for (int i = 0; i <= 100; ++i)
-    upwards.press.push_back({3 + 0.001 * i, 1 + 0.03 * i});  // a wall up to the frame's top
+    upwards.press.push_back({3 + 0.001 * i, 1 + 0.03 * i});  // a bottom-out up to the frame's top
   upwards.traces[0].points_px.clear();
   for (const CurvePoint& p : upwards.press) upwards.traces[0].points_px.push_back(inView(p));
   CHECK(upwards.doubts().empty());
-  Import broken = upwards;  // its numbers go on beyond a break of the axis, its ink does not
+  Import broken = upwards;  // the tick labels go on beyond an axis break, the curve does not
   std::vector<TickLabel>& numbers = broken.graph.axes.calibration.value.y.ticks;
   numbers.assign(4, {});
   numbers.back().box = {60, 70, 90, 90};
@@ -583,20 +587,20 @@ TEST_CASE("a plot that shows a part of its curves") {
 }
 
 TEST_CASE("a wall on the frame's side, in the frame's ink, does not leave the plot below its top") {
-  Import wall;
-  wall.press.clear();
-  for (int i = 0; i <= 400; ++i) wall.press.push_back({0.01 * i, 0.2 + 0.002 * i});
-  for (int i = 1; i <= 200; ++i) wall.press.push_back({4, 1 + 0.01 * i});
-  wall.traces.resize(1);
-  wall.traces[0].color = {200, 30, 30};
-  for (const CurvePoint& p : wall.press) wall.traces[0].points_px.push_back(inView(p));
-  Raster& picture = wall.graph.view.raster;
+  Import withBottomOut;
+  withBottomOut.press.clear();
+  for (int i = 0; i <= 400; ++i) withBottomOut.press.push_back({0.01 * i, 0.2 + 0.002 * i});
+  for (int i = 1; i <= 200; ++i) withBottomOut.press.push_back({4, 1 + 0.01 * i});
+  withBottomOut.traces.resize(1);
+  withBottomOut.traces[0].color = {200, 30, 30};
+  for (const CurvePoint& p : withBottomOut.press) withBottomOut.traces[0].points_px.push_back(inView(p));
+  Raster& picture = withBottomOut.graph.view.raster;
   picture.rgb.assign(3UL * 700 * 600, 255);
   for (int y = 100; y < 500; ++y) {
     std::uint8_t* p = picture.rgb.data() + 3 * (700 * y + 500);
     p[0] = 200, p[1] = p[2] = 30;
   }
-  CHECK(!wall.doubted(DoubtCode::leavesThePlot));
+  CHECK(!withBottomOut.doubted(DoubtCode::leavesThePlot));
 }
 
 TEST_CASE("a curve that ends where the picture does, and a second scale") {
@@ -620,7 +624,7 @@ TEST_CASE("colours do not say which of two scales of forces a curve belongs to")
   Import scales;
   scales.graph.axes.rightScale = RightScale::otherForces;
   scales.hints.trace.pressColor = Rgb{200, 30, 30};
-  CHECK_FALSE(scales.doubted(DoubtCode::otherScale));  // the press alone, of the left one as asked
+  CHECK_FALSE(scales.doubted(DoubtCode::otherScale));  // the press alone, of the left graph as requested
   scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
   CHECK(scales.doubted(DoubtCode::otherScale));
 }
@@ -650,7 +654,7 @@ TEST_CASE("a second scale whose curve is known does not touch the strokes") {
 
 namespace {
 
-/// As a person does who follows advice: gives by hand what is asked for.
+/// Gives the requested value by hand, as a user does who follows the advice.
 void give(RemedyKind kind, ImportHints& hints) {
   switch (kind) {
     case RemedyKind::giveFrame:
@@ -724,11 +728,11 @@ TEST_CASE("what was given by hand is not asked for again, and something is alway
 TEST_CASE("after the last hint the strokes are drawn by hand, then the person's word counts") {
   ImportHints hints;
   hints.axes.xMin = 0, hints.axes.xMax = 4;
-  const Remedies asked = RemedyKind::giveXAxis;
-  CHECK(commandLineWords(leftToTry(asked, {})) == commandLineWords(asked));
-  CHECK(commandLineWords(leftToTry(asked, hints)).find("--press-line") != std::string::npos);
+  const Remedies wanted = RemedyKind::giveXAxis;
+  CHECK(commandLineWords(leftToTry(wanted, {})) == commandLineWords(wanted));
+  CHECK(commandLineWords(leftToTry(wanted, hints)).find("--press-line") != std::string::npos);
   hints.drawn.press = {{0, 0}, {1, 1}};
-  CHECK(commandLineWords(leftToTry(asked, hints)).find("--sure") != std::string::npos);
+  CHECK(commandLineWords(leftToTry(wanted, hints)).find("--sure") != std::string::npos);
   CHECK(leftToTry({}, hints).empty());
 }
 

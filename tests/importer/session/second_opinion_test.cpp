@@ -71,10 +71,10 @@ TEST_CASE("Two certain looks that agree leave the first as it is and are kept", 
   CHECK(travelOf(best) == Approx(4));
   CHECK(best.report->confidence == 0.9);
   CHECK(best.report->remarks.empty());
-  REQUIRE(best.report->looks.size() == 2);
-  CHECK(best.report->looks[0].taken);
-  CHECK_FALSE(best.report->looks[1].taken);
-  CHECK(best.report->looks[1].travel_mm.value() == Approx(4.01));
+  REQUIRE(best.report->readings.size() == 2);
+  CHECK(best.report->readings[0].taken);
+  CHECK_FALSE(best.report->readings[1].taken);
+  CHECK(best.report->readings[1].travel_mm.value() == Approx(4.01));
 }
 
 TEST_CASE("Two certain looks that differ are both told, and nothing is picked", "[second opinion]") {
@@ -111,7 +111,7 @@ TEST_CASE("An uncertain second look changes nothing", "[second opinion]") {
   const auto best = settled(certain(1, 4), doubted(2, 8, DoubtCode::axesUncertain), unasked, sure);
   CHECK_FALSE(best.report->doubt);
   CHECK(best.report->confidence == 0.9);
-  CHECK(best.report->looks[1].problem.empty() == false);
+  CHECK(best.report->readings[1].problem.empty() == false);
 }
 
 TEST_CASE("Two other looks of one mind take the place of an uncertain one", "[second opinion]") {
@@ -128,8 +128,8 @@ TEST_CASE("Two other looks of one mind take the place of an uncertain one", "[se
   REQUIRE(says(*best.report, RemarkCode::secondReadingTaken));
   CHECK_THAT(english(messageOf(best.report->remarks.back())),
              Catch::Contains(first == 0 ? "a travel of 6 mm" : "no even progression"));
-  REQUIRE(best.report->looks.size() == 3);
-  CHECK(best.report->looks[1].taken);
+  REQUIRE(best.report->readings.size() == 3);
+  CHECK(best.report->readings[1].taken);
 }
 
 TEST_CASE("One other look alone does not", "[second opinion]") {
@@ -147,7 +147,7 @@ TEST_CASE("One other look alone does not", "[second opinion]") {
   }
   SECTION("the third is not certain") {
     const auto third = [] { return doubted(1.5, 4, DoubtCode::axesUncertain); };
-    CHECK(settled(doubted(1, 6, DoubtCode::inkLeftOver), certain(2, 4), third, sure).report->doubt);
+    CHECK(settled(doubted(1, 6, DoubtCode::curveLeftOver), certain(2, 4), third, sure).report->doubt);
   }
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("What stands on the page is not read away", "[second opinion]") {
   CHECK_FALSE(anotherMaySettle({Failure{FailureCode::wrongUsage, {}, {}, "there is no such graph", {}}, {}}));
   CHECK_FALSE(anotherMaySettle({noRow, {}}));
   CHECK(anotherMaySettle({failureOf({DoubtCode::rangeUnreadable}), {}}));
-  CHECK(anotherMaySettle(doubted(1, 4, DoubtCode::inkLeftOver).attempt));
+  CHECK(anotherMaySettle(doubted(1, 4, DoubtCode::curveLeftOver).attempt));
 }
 
 TEST_CASE("A photograph is worth more where three looks read it alike", "[second opinion]") {
@@ -185,7 +185,7 @@ TEST_CASE("A photograph is worth more where three looks read it alike", "[second
               .report->doubt);
   }
   SECTION("one has another doubt") {
-    CHECK(settled(photo(1, 4), doubted(2, 4, DoubtCode::inkLeftOver), unasked, sure).report->doubt);
+    CHECK(settled(photo(1, 4), doubted(2, 4, DoubtCode::curveLeftOver), unasked, sure).report->doubt);
   }
   SECTION("still below what is asked for") {
     CHECK(settled(

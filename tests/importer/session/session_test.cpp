@@ -238,9 +238,9 @@ TEST_CASE("A cancelled import leaves nothing half done behind") {
   }();
   for (int atMost = 0; atMost < 60; atMost += 3) {
     auto session = opened("white-vector.pdf");
-    int asked = 0;
+    int requests = 0;
     Progress progress;
-    progress.cancelled = [&] { return ++asked > atMost; };
+    progress.cancelled = [&] { return ++requests > atMost; };
     const auto stopped = session.importGraph(firstGraph(), progress);
     if (!stopped) CHECK(stopped.failure().code == FailureCode::cancelled);
     CHECK(imported(session, firstGraph()).button.states() == whole.button.states());
@@ -271,16 +271,16 @@ TEST_CASE("A view that was let go is made again, and gives the same result") {
 TEST_CASE("Precise looks at a page twice and keeps what both looks came to") {
   auto session = opened("black-red-curves.png");
   ImportRequest request = firstGraph();
-  CHECK(imported(session, request).looks.empty());
+  CHECK(imported(session, request).readings.empty());
   request.quality = Quality::precise;
   const ImportReport report = imported(session, request);
-  REQUIRE(report.looks.size() == 2);
-  CHECK(report.looks[0].magnification == 1);
-  CHECK(report.looks[1].magnification == 2);
-  CHECK(report.looks[0].taken);
-  CHECK(report.looks[1].problem.empty());
-  CHECK(report.looks[1].travel_mm.value() == Approx(report.looks[0].travel_mm.value()).epsilon(0.01));
-  CHECK(report.looks[1].highest_N.value() == Approx(report.looks[0].highest_N.value()).epsilon(0.02));
+  REQUIRE(report.readings.size() == 2);
+  CHECK(report.readings[0].magnification == 1);
+  CHECK(report.readings[1].magnification == 2);
+  CHECK(report.readings[0].taken);
+  CHECK(report.readings[1].problem.empty());
+  CHECK(report.readings[1].travel_mm.value() == Approx(report.readings[0].travel_mm.value()).epsilon(0.01));
+  CHECK(report.readings[1].highest_N.value() == Approx(report.readings[0].highest_N.value()).epsilon(0.02));
   CHECK_FALSE(report.endedByTimeLimit);
 }
 
@@ -294,8 +294,8 @@ TEST_CASE("A second look stays with the graph, the frame and the axes that were 
   request.hints.frame = {{box.x0, box.y0}, {box.x1, box.y1}};
   request.hints.axes = {0, 10, 0, 10, LengthUnit::millimetre, ForceUnit::newton};
   const ImportReport report = imported(session, request);
-  REQUIRE(report.looks.size() == 2);
-  CHECK(report.looks[1].travel_mm.value() == Approx(report.looks[0].travel_mm.value()).epsilon(0.01));
+  REQUIRE(report.readings.size() == 2);
+  CHECK(report.readings[1].travel_mm.value() == Approx(report.readings[0].travel_mm.value()).epsilon(0.01));
   CHECK(report.x->max == 10);
 }
 

@@ -116,8 +116,8 @@ TEST_CASE("a frame stays where its scale is contradicted or it leans") {
 TEST_CASE("a wall that begins just beyond the frame takes it along") {
   Plot plot(504);
   Raster& picture = plot.graph.view.raster;
-  const int foot = static_cast<int>(std::lround(Plot::row(504)));
-  for (int y = foot; y > foot - 100; --y)
+  const int lowEdge = static_cast<int>(std::lround(Plot::row(504)));
+  for (int y = lowEdge; y > lowEdge - 100; --y)
     for (int x = 504; x < 506; ++x) {
       std::uint8_t* p = picture.rgb.data() + 3 * (700 * y + x);
       p[0] = 200, p[1] = p[2] = 30;

@@ -312,10 +312,10 @@ TEST_CASE(
     "A loop that stays open where neither stroke is steep is two curves, unless the legend says otherwise",
     "[strokes]") {
   // To 4 mm without a bottom-out; the release `open_px` of 190 lower at its end.
-  const auto flat = [](double open_px, Rgb ink) {
+  const auto flat = [](double open_px, Rgb colour) {
     CurveTrace t;
     for (int i = 0; i <= 400; ++i) t.points_px.push_back({50.0 + i, 250 - 0.475 * i + open_px});
-    t.color = ink;
+    t.color = colour;
     t.confidence = 1;
     return t;
   };
@@ -335,7 +335,7 @@ TEST_CASE(
 TEST_CASE("Two presses of one shape that end apart are two samples, unless something says what they are",
           "[strokes]") {
   // A dome of which the second sample is 17 % weaker; both rise to bottom-outs that end apart.
-  const auto dome = [](double scale, double moved_mm, Rgb ink) {
+  const auto dome = [](double scale, double moved_mm, Rgb colour) {
     CurveTrace t;
     for (double mm = 0; mm <= 3.6 + moved_mm; mm += 0.01) {
       const double at_mm = mm - moved_mm;
@@ -344,7 +344,7 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
                            2.3 * std::max(0.0, at_mm - 3.2);
       t.points_px.push_back({50 + 100 * mm, 450 - 200 * scale * force});
     }
-    t.color = ink;
+    t.color = colour;
     t.confidence = 1;
     return t;
   };
@@ -369,22 +369,22 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
 }
 
 TEST_CASE("Two walls that end at different heights beside each other are two presses'", "[strokes]") {
-  const auto through = [](const Polyline& points, Rgb ink) {
+  const auto through = [](const Polyline& points, Rgb colour) {
     CurveTrace t;
     t.points_px = densified(points, 1);
-    t.color = ink;
+    t.color = colour;
     t.confidence = 1;
     return t;
   };
   const CurveTrace press = through({{50, 450}, {60, 300}, {400, 270}, {420, 60}}, {0, 0, 0});
   const double beside_px = GENERATE(0.0, 8.0);
-  std::vector<CurveTrace> both{
+  std::vector<CurveTrace> bothStrokes{
       press, through({{50, 450}, {60, 350}, {404 + beside_px, 320}, {410 + beside_px, 165}}, {255, 0, 0})};
-  const auto found = separate(both);
+  const auto found = separate(bothStrokes);
   REQUIRE(found.ok());
   CHECK((found->confidence < 0.5) == (beside_px > 0));  // a release cut lower begins on the press
-  both[0].label = "Press", both[1].label = "Release";
-  CHECK(separate(both)->confidence > 0.9);
+  bothStrokes[0].label = "Press", bothStrokes[1].label = "Release";
+  CHECK(separate(bothStrokes)->confidence > 0.9);
 }
 
 TEST_CASE("A switch whose ink the legend names twice has two strokes", "[strokes]") {
@@ -411,11 +411,11 @@ TEST_CASE("A locked key's release covers part of the travel: the legend says tha
 TEST_CASE("A locked key's release comes down to the force at rest: no legend has to say whose it is",
           "[strokes]") {
   // From rest to 4 mm; the release leaves the bottom-out and ends at the travel at which the key locks.
-  const auto through = [](std::vector<CurvePoint> drawn, Rgb ink) {
+  const auto through = [](std::vector<CurvePoint> drawn, Rgb colour) {
     CurveTrace t;
     for (const CurvePoint& p : drawn)
       t.points_px.push_back({50 + 100 * p.displacement_mm, 450 - 200 * p.force_N});
-    t.color = ink;
+    t.color = colour;
     t.confidence = 1;
     return t;
   };
@@ -435,10 +435,10 @@ TEST_CASE("A locked key's release comes down to the force at rest: no legend has
 
 TEST_CASE("A curve that ends on another switch's way is hidden by it, one that ends across it is not",
           "[strokes]") {
-  const auto named = [](const Polyline& points, Rgb ink, const std::string& name) {
+  const auto named = [](const Polyline& points, Rgb colour, const std::string& name) {
     CurveTrace t;
     t.points_px = densified(points, 1);
-    t.color = ink;
+    t.color = colour;
     t.confidence = 1;
     t.label = name;
     return t;

@@ -14,7 +14,7 @@ using namespace detent::importer;
 
 namespace {
 
-constexpr std::array<Rgb, 3> kInks{Rgb{200, 30, 30}, {30, 120, 200}, {30, 150, 60}};
+constexpr std::array<Rgb, 3> kColours{Rgb{200, 30, 30}, {30, 120, 200}, {30, 150, 60}};
 
 /// A legend: one name below the other, each with a key in its curve's colour before it.
 struct Legend {
@@ -28,18 +28,18 @@ struct Legend {
     picture.rgb.assign(3UL * 240 * 200, 255);
     for (const std::string& name : names) {
       const Raster word = wordsDrawn(name, letters_px).value();
-      const Rgb ink = kInks[traces.size()];
+      const Rgb colour = kColours[traces.size()];
       const int left = 60, top = 20 + 40 * static_cast<int>(traces.size());
       for (int y = 0; y < word.height_px; ++y)
         for (int x = 0; x < word.width_px; ++x) put(left + x, top + y, grey(word.at(x, y)[0]));
       for (int x = left - 40; x < left - 8; ++x)
-        for (int y = 0; y < 2; ++y) put(x, top + word.height_px / 2 + y, ink);
+        for (int y = 0; y < 2; ++y) put(x, top + word.height_px / 2 + y, colour);
       words.push_back(
           {double(left), double(top), double(left + word.width_px), double(top + word.height_px)});
       CurveTrace trace;
-      trace.color = ink;
+      trace.color = colour;
       trace.points_px = {{5, 190}, {50, 195}};
-      switches.push_back({{}, ink, {}, {traces.size()}});
+      switches.push_back({{}, colour, {}, {traces.size()}});
       traces.push_back(trace);
     }
   }
@@ -48,8 +48,8 @@ struct Legend {
     std::uint8_t* const p = picture.rgb.data() + 3 * (picture.width_px * y + x);
     p[0] = color.r, p[1] = color.g, p[2] = color.b;
   }
-  std::optional<std::size_t> spotted(const std::string& asked) const {
-    return switchSpotted(switches, traces, picture, asked);
+  std::optional<std::size_t> spotted(const std::string& wanted) const {
+    return switchSpotted(switches, traces, picture, wanted);
   }
 };
 
@@ -87,10 +87,10 @@ TEST_CASE("a name that a curve runs through is not told") {
 
 TEST_CASE("a name that the legend says once for each stroke of its switch is that switch's") {
   Legend legend({"红轴 下压", "红轴 回弹", "青轴"});
-  legend.switches = {{{}, kInks[0], kInks[1], {0, 1}}, {{}, kInks[2], {}, {2}}};
+  legend.switches = {{{}, kColours[0], kColours[1], {0, 1}}, {{}, kColours[2], {}, {2}}};
   CHECK(legend.spotted("红轴") == 0);
   CHECK(legend.spotted("青轴") == 1);
-  legend.switches = {{{}, kInks[0], {}, {0}}, {{}, kInks[1], {}, {1}}, {{}, kInks[2], {}, {2}}};
+  legend.switches = {{{}, kColours[0], {}, {0}}, {{}, kColours[1], {}, {1}}, {{}, kColours[2], {}, {2}}};
   CHECK_FALSE(legend.spotted("红轴"));
 }
 

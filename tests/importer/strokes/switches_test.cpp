@@ -35,7 +35,7 @@ std::vector<std::string> namesOf(const std::vector<PlotSwitch>& switches) {
 using Names = std::vector<std::string>;
 
 /// The two strokes of a switch of `travel_px`, the release up to `lag_px` lower; neither named.
-std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, std::uint8_t blue) {
+std::vector<CurveTrace> loop(double baseline_px, double travel_px, double lag_px, std::uint8_t blue) {
   std::vector<CurveTrace> strokes{tracedSwitch("", 0, blue),
                                   tracedSwitch("", 0, static_cast<std::uint8_t>(blue + 1))};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -43,7 +43,7 @@ std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, st
     points.clear();
     for (double x = 0; x <= travel_px; ++x) {
       const double lag = k == 0 ? 0 : lag_px * std::sin(M_PI * x / travel_px);
-      points.push_back({x, 300 - foot_px * std::min(1.0, x / 10) - 0.4 * x + lag});
+      points.push_back({x, 300 - baseline_px * std::min(1.0, x / 10) - 0.4 * x + lag});
     }
   }
   return strokes;
@@ -194,10 +194,10 @@ TEST_CASE("A quantity that only falls belongs to no loop, however its fall waver
 }
 
 TEST_CASE("Where it is not clear what belongs together nothing is joined", "[switches]") {
-  std::vector<CurveTrace> onOneWall = loop(40, 300, 15, 1);
-  onOneWall.push_back(loop(60, 300, 0, 3)[0]);
-  onOneWall.back().points_px.back() = onOneWall[0].points_px.back();
-  CHECK(switchesAmong(onOneWall).empty());
+  std::vector<CurveTrace> onOneBottomOut = loop(40, 300, 15, 1);
+  onOneBottomOut.push_back(loop(60, 300, 0, 3)[0]);
+  onOneBottomOut.back().points_px.back() = onOneBottomOut[0].points_px.back();
+  CHECK(switchesAmong(onOneBottomOut).empty());
   CHECK(switchesAmong({tracedSwitch("Brown press", 10, 1), tracedSwitch("Red release", 30, 2)}).empty());
   CHECK(switchesAmong({tracedSwitch("A press", 10, 1), tracedSwitch("A release", 30, 2),
                        tracedSwitch("A release", 50, 3)})
@@ -270,35 +270,35 @@ TEST_CASE("A switch is asked for by name or number", "[switches]") {
                                        tracedSwitch("Gateron upstroke", 50, 4, 3)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 3);
-  for (const auto& [asked, index] : {std::pair{"Switch A", 0U},
-                                     {"switch-a", 0U},
-                                     {"SWITCH B", 1U},
-                                     {"gateron", 2U},
-                                     {"Gateron Upstroke", 2U},
-                                     {"3", 2U},
-                                     {"1", 0U}}) {
-    INFO(asked);
-    const auto chosen = chosenSwitch(switches, traces, asked);
+  for (const auto& [wanted, index] : {std::pair{"Switch A", 0U},
+                                      {"switch-a", 0U},
+                                      {"SWITCH B", 1U},
+                                      {"gateron", 2U},
+                                      {"Gateron Upstroke", 2U},
+                                      {"3", 2U},
+                                      {"1", 0U}}) {
+    INFO(wanted);
+    const auto chosen = chosenSwitch(switches, traces, wanted);
     REQUIRE(chosen.ok());
     CHECK(*chosen == index);
   }
-  for (const char* asked : {"Switch C", "Switch", "4", "0", "-1", "1.5", "?"}) {
-    INFO(asked);
-    const auto chosen = chosenSwitch(switches, traces, asked);
+  for (const char* wanted : {"Switch C", "Switch", "4", "0", "-1", "1.5", "?"}) {
+    INFO(wanted);
+    const auto chosen = chosenSwitch(switches, traces, wanted);
     REQUIRE_FALSE(chosen.ok());
     CHECK(chosen.failure().code == FailureCode::wrongUsage);
-    CHECK_THAT(chosen.failure().sentence(), Catch::Contains("\"Gateron\"") && Catch::Contains(asked));
+    CHECK_THAT(chosen.failure().sentence(), Catch::Contains("\"Gateron\"") && Catch::Contains(wanted));
   }
 }
 
 TEST_CASE("One letter within a long word may be misread; what tells switches apart may not", "[switches]") {
-  const auto chosen = [](const Names& read, const std::string& asked) -> std::optional<std::size_t> {
+  const auto chosen = [](const Names& read, const std::string& wanted) -> std::optional<std::size_t> {
     std::vector<CurveTrace> traces;
     for (const std::string& name : read)
       traces.push_back(tracedSwitch(name, 10 + 20 * static_cast<double>(traces.size()),
                                     static_cast<std::uint8_t>(traces.size() + 1),
                                     static_cast<int>(traces.size())));
-    const auto found = chosenSwitch(switchesAmong(traces), traces, asked);
+    const auto found = chosenSwitch(switchesAmong(traces), traces, wanted);
     return found ? std::optional(*found) : std::nullopt;
   };
   CHECK(chosen({"Linear 45", "Tactlle 45"}, "Tactile 45") == 1U);
@@ -319,16 +319,16 @@ TEST_CASE("A name that was read near to the one asked for is said", "[switches]"
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
   const std::vector<CurveTrace> traces{tracedSwitch("Linear 45", 40, 1, 0),
                                        tracedSwitch("Tachile 4S", 20, 2, 1)};
-  const auto near = [&](const std::string& asked) {
+  const auto near = [&](const std::string& wanted) {
     StrokeHints hints;
-    hints.curve = asked;
+    hints.curve = wanted;
     const auto found = separateStrokes(traces, axes, hints);
     REQUIRE(found.ok());
     return std::ranges::count(found->evidence, EvidenceCode::nameNearly, &EvidenceItem::code) == 1;
   };
   CHECK(near("Tactile 4S"));
   CHECK(near("Holy Tachile 4S"));  // found by its end
-  for (const char* asked : {"tachile-45", "2", "Linear 45"}) CHECK_FALSE(near(asked));
+  for (const char* wanted : {"tachile-45", "2", "Linear 45"}) CHECK_FALSE(near(wanted));
 }
 
 TEST_CASE("Presses in inks of their own that no switch could have both are offered by number", "[switches]") {
@@ -361,11 +361,12 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
     CHECK(switchesAmong(crossing).size() == 1);
   }
   SECTION("of three and more each ends beside the others' lines, which no release does") {
-    std::vector<CurveTrace> walls{tracedSwitch("", 10, 1), tracedSwitch("", 30, 2), tracedSwitch("", 50, 3)};
-    CHECK(switchesAmong(walls).size() == 3);
-    walls[1].label = "2.6 N";  // the one name that was read may be another curve's
-    CHECK(switchesAmong(walls).empty());
-    CHECK(switchesAmong({walls[0], walls[2]}).size() == 1);
+    std::vector<CurveTrace> bottomOuts{tracedSwitch("", 10, 1), tracedSwitch("", 30, 2),
+                                       tracedSwitch("", 50, 3)};
+    CHECK(switchesAmong(bottomOuts).size() == 3);
+    bottomOuts[1].label = "2.6 N";  // the one name that was read may be another curve's
+    CHECK(switchesAmong(bottomOuts).empty());
+    CHECK(switchesAmong({bottomOuts[0], bottomOuts[2]}).size() == 1);
   }
   SECTION("a mark beside a press") {
     CurveTrace mark = tracedSwitch("", 80, 7);
@@ -471,10 +472,10 @@ TEST_CASE("A stroke whose foot lies under another switch's runs down with that o
   const auto& points = found->value.press.points_px;
   CHECK(points.front() == Point{0, 300});
   CHECK(std::ranges::is_sorted(points, {}, &Point::x));
-  CHECK(found->evidence.back().code == EvidenceCode::footUnderAnother);
+  CHECK(found->evidence.back().code == EvidenceCode::startUnderAnother);
   hints.curve = "Switch A";
   CHECK(separateStrokes({steep, covered}, axes, hints)->evidence.back().code !=
-        EvidenceCode::footUnderAnother);
+        EvidenceCode::startUnderAnother);
   hints.curve = "Switch B";
   // One that comes from afar is passed, not run down along.
   CurveTrace passing = steep;

@@ -12,10 +12,10 @@ using namespace detent::importer;
 
 namespace {
 
-struct Ink {
+struct Colour {
   double r, g, b;
 };
-constexpr Ink black{20, 20, 20}, grey{190, 190, 190}, red{210, 40, 40};
+constexpr Colour black{20, 20, 20}, grey{190, 190, 190}, red{210, 40, 40};
 
 /// White paper on which lines are laid by coverage.
 class Paper {
@@ -25,7 +25,7 @@ class Paper {
     raster.rgb.assign(static_cast<std::size_t>(width * height * 3), 255);
   }
   template <class Y>
-  void curve(const Y& y, Ink ink, double width_px, double from = 0, double to = 1e9) {
+  void curve(const Y& y, Colour colour, double width_px, double from = 0, double to = 1e9) {
     for (int x = 0; x < raster.width_px; ++x) {
       const double at = x;
       if (at < from || at > to) continue;
@@ -34,7 +34,7 @@ class Paper {
         const double d = std::abs(row - y(at)) / across;
         const double cover = std::clamp(0.5 * width_px + 0.5 - d, 0.0, 1.0);
         auto* p = raster.rgb.data() + 3 * (row * raster.width_px + x);
-        const double colors[3] = {ink.r, ink.g, ink.b};
+        const double colors[3] = {colour.r, colour.g, colour.b};
         for (int c = 0; c < 3; ++c) p[c] = static_cast<std::uint8_t>(p[c] + cover * (colors[c] - p[c]));
       }
     }

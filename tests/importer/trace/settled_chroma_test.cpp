@@ -20,13 +20,13 @@ constexpr Rgb white{255, 255, 255}, red{190, 20, 60}, green{30, 120, 40};
 /// Two slanted lines, antialiased, on paper.
 Raster twoLines(double thickness_px) {
   Raster raster{width, height, std::vector<std::uint8_t>(3 * width * height, 255)};
-  const auto draw = [&](double from, double slope, Rgb ink) {
+  const auto draw = [&](double from, double slope, Rgb colour) {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const double off = std::abs(y - from - slope * x) / std::hypot(1, slope);
         const double cover = std::clamp(thickness_px / 2 + 0.5 - off, 0.0, 1.0);
         std::uint8_t* p = raster.rgb.data() + 3 * (y * width + x);
-        const std::array<std::uint8_t, 3> full{ink.r, ink.g, ink.b};
+        const std::array<std::uint8_t, 3> full{colour.r, colour.g, colour.b};
         for (std::size_t c = 0; c < 3; ++c)
           p[c] = static_cast<std::uint8_t>(std::lround(p[c] + cover * (full[c] - p[c])));
       }

@@ -12,13 +12,13 @@
 
 #include "importer/page/document.h"
 #include "importer/page/polyline.h"
-#include "importer/page/same_ink.h"
+#include "importer/page/same_colour.h"
+#include "importer/trace/axis_line_cut.h"
+#include "importer/trace/bottom_outs.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/explanation.h"
-#include "importer/trace/foot_line.h"
 #include "importer/trace/legend_words.h"
 #include "importer/trace/plot_scene.h"
-#include "importer/trace/walls.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -119,28 +119,28 @@ class Plot {
           c = std::max(c, static_cast<float>(std::clamp(0.5 * width + 0.5 - d, 0.0, std::min(1.0, width))));
         }
     }
-    const double ink[3] = {double(color.r), double(color.g), double(color.b)};
+    const double colour[3] = {double(color.r), double(color.g), double(color.b)};
     for (std::size_t i = 0; i < coverage.size(); ++i)
       for (std::size_t k = 0; k < 3 && coverage[i] > 0; ++k) {
         const double c = opacity * static_cast<double>(coverage[i]), under = view_.raster.rgb[3 * i + k];
-        view_.raster.rgb[3 * i + k] = static_cast<std::uint8_t>(std::lround(c * ink[k] + (1 - c) * under));
+        view_.raster.rgb[3 * i + k] = static_cast<std::uint8_t>(std::lround(c * colour[k] + (1 - c) * under));
       }
   }
   /// The area between a curve and the plot's bottom, as programs fill it; `opacity` at the top and at the
   /// bottom.
-  void area(const Curve& points, Rgb color, double opacity, double atFoot) {
+  void area(const Curve& points, Rgb color, double opacity, double atBaseline) {
     Raster& r = view_.raster;
-    const double ink[3] = {double(color.r), double(color.g), double(color.b)};
+    const double colour[3] = {double(color.r), double(color.g), double(color.b)};
     for (std::size_t i = 1; i < points.size(); ++i)
       for (double x = std::ceil(points[i - 1].x); x < points[i].x; ++x) {
         const double t = (x - points[i - 1].x) / (points[i].x - points[i - 1].x);
         const double from = std::max(box_.y0, std::lerp(points[i - 1].y, points[i].y, t));
         for (int y = static_cast<int>(from); y < box_.y1; ++y) {
-          const double c =
-              std::min(1.0, y + 1 - from) * std::lerp(opacity, atFoot, (y - box_.y0) / (box_.y1 - box_.y0));
+          const double c = std::min(1.0, y + 1 - from) *
+                           std::lerp(opacity, atBaseline, (y - box_.y0) / (box_.y1 - box_.y0));
           std::uint8_t* pixel = r.rgb.data() + 3 * (y * r.width_px + static_cast<int>(x));
           for (std::size_t k = 0; k < 3; ++k)
-            pixel[k] = static_cast<std::uint8_t>(std::lround(c * ink[k] + (1 - c) * pixel[k]));
+            pixel[k] = static_cast<std::uint8_t>(std::lround(c * colour[k] + (1 - c) * pixel[k]));
         }
       }
   }
@@ -275,22 +275,22 @@ TEST_CASE("Two coloured curves over a grid are traced to a tenth of a pixel", "[
 
 TEST_CASE("Tints that compression leaves beside a line are no curves", "[trace]") {
   const Rgb navy{12, 26, 84}, ochre{146, 130, 40}, green{20, 115, 79}, wine{98, 12, 44};
-  for (const auto& [pressInk, releaseInk] :
+  for (const auto& [pressColour, releaseColour] :
        {std::pair(navy, ochre), std::pair(ochre, navy), std::pair(wine, green)})
     for (const auto& [extension, quality] :
          {std::pair(".jpg", 75), std::pair(".jpg", 85), std::pair(".webp", 75)}) {
-      INFO(extension << ", quality " << quality << ", press " << nameOf(pressInk));
+      INFO(extension << ", quality " << quality << ", press " << nameOf(pressColour));
       Plot plot(900, 550);
       plot.grid(8, 10, {214, 214, 214});
       const Curve down = plot.at(press()), up = plot.at(release());
-      plot.line(up, 2, releaseInk, true);
-      plot.line(down, 2, pressInk, true);
+      plot.line(up, 2, releaseColour, true);
+      plot.line(down, 2, pressColour, true);
       plot.storeAs(extension, quality);
       const auto traces = plot.trace();
       REQUIRE(traces.ok());
       REQUIRE(traces->size() == 2);
-      CHECK(apart(ofColor(*traces, pressInk).points_px, clippedAtTop(plot, down)) < 0.3);
-      CHECK(apart(ofColor(*traces, releaseInk).points_px, up) < 2);  // the press hides a part of it
+      CHECK(apart(ofColor(*traces, pressColour).points_px, clippedAtTop(plot, down)) < 0.3);
+      CHECK(apart(ofColor(*traces, releaseColour).points_px, up) < 2);  // the press hides a part of it
     }
 }
 
@@ -360,25 +360,25 @@ TEST_CASE("A tolerance band around a curve is no second stroke", "[trace]") {
 
 TEST_CASE("Areas under both curves are taken off the paper: even, fading, compressed, on dark paper",
           "[trace]") {
-  struct Look {
-    double opacity, atFoot;
+  struct Style {
+    double opacity, atBaseline;
     const char* storedAs;
     Rgb paper, grid;
   };
-  const Look look =
-      GENERATE(Look{0.3, 0.3, "", kWhite, {225, 225, 225}}, Look{0.5, 0.5, "", kWhite, {225, 225, 225}},
-               Look{0.6, 0, "", kWhite, {225, 225, 225}}, Look{0.3, 0.3, ".jpg", kWhite, {225, 225, 225}},
-               Look{0.4, 0.4, "", {20, 22, 30}, {60, 62, 70}});
-  CAPTURE(look.opacity, look.atFoot, look.storedAs);
-  Plot plot(900, 550, look.paper);
-  plot.grid(8, 10, look.grid);
+  const Style style =
+      GENERATE(Style{0.3, 0.3, "", kWhite, {225, 225, 225}}, Style{0.5, 0.5, "", kWhite, {225, 225, 225}},
+               Style{0.6, 0, "", kWhite, {225, 225, 225}}, Style{0.3, 0.3, ".jpg", kWhite, {225, 225, 225}},
+               Style{0.4, 0.4, "", {20, 22, 30}, {60, 62, 70}});
+  CAPTURE(style.opacity, style.atBaseline, style.storedAs);
+  Plot plot(900, 550, style.paper);
+  plot.grid(8, 10, style.grid);
   const Rgb red{228, 60, 50}, sky{60, 150, 230};
   const Curve down = clippedAtTop(plot, plot.at(press())), up = plot.at(release());
-  plot.area(down, red, look.opacity, look.atFoot);
+  plot.area(down, red, style.opacity, style.atBaseline);
   plot.line(down, 2, red, true);
-  plot.area(up, sky, look.opacity, look.atFoot);
+  plot.area(up, sky, style.opacity, style.atBaseline);
   plot.line(up, 2, sky, true);
-  if (*look.storedAs) plot.storeAs(look.storedAs, 85);
+  if (*style.storedAs) plot.storeAs(style.storedAs, 85);
   const auto traces = plot.trace();
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 2);
@@ -696,7 +696,7 @@ TEST_CASE("A lost wall is found whatever level line stands above its foot", "[tr
   plot.line(stroke.points_px, 3, kBlack);
   plot.line({stroke.points_px.back(), plot.at(0.75, 1)}, 3, kBlack);
   std::vector<CurveTrace> traces{stroke};
-  trace::addLostWalls(traces, plot.scene());
+  trace::addLostBottomOuts(traces, plot.scene());
   CHECK(traces[0].points_px.back().y < plot.at(0.75, 0.97).y);
 }
 
@@ -757,7 +757,7 @@ TEST_CASE("A frame in a curve's ink is no wall of a curve that runs into its low
   curve.points_px = plot.at(falling), curve.color = kBlack;
   plot.line(curve.points_px, 3, kBlack);
   std::vector<CurveTrace> traces{curve};
-  trace::addLostWalls(traces, plot.scene());
+  trace::addLostBottomOuts(traces, plot.scene());
   CHECK(traces[0].points_px.back().y > plot.at(1, 0.1).y);
 }
 
@@ -779,7 +779,7 @@ TEST_CASE("A stroke followed along the axis ends where it came down to it, unles
   stroke.color = kBlack;
   stroke.width_px.assign(stroke.points_px.size(), 2);
   std::vector<CurveTrace> traces{stroke};
-  trace::cutAlongFootLine(traces, plot.scene());
+  trace::cutAlongAxisLine(traces, plot.scene());
   const auto [left, right] = std::ranges::minmax(traces[0].points_px, {}, &Point::x);
   CHECK(std::abs(left.x - plot.at(runsOn ? 0.02 : latched, 0).x) < 4);
   CHECK(std::abs(right.x - plot.at(0.8, 0).x) < 1);
@@ -803,7 +803,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     const Remainder left = worst({press});
     CHECK(left.likeness > 0.9);
     CHECK(left.width == Approx(0.7).margin(0.05));
-    CHECK_FALSE(left.ink_px.empty());
+    CHECK_FALSE(left.pixels_px.empty());
     CurveTrace release = press;
     release.points_px = plot.at(loop.release);
     CHECK(worst({press, release}).likeness < 0.2);
@@ -948,8 +948,8 @@ TEST_CASE("A stroke drawn through that takes the way of a line of dashes is seen
   CurveTrace press, release;
   press.color = release.color = kBlue;
   press.points_px = plot.at(loop.press), release.points_px = plot.at(loop.release);
-  const auto leaps = [&] { return explain(plot.scene(), {press, release}).leaps; };
-  CHECK(leaps().empty());
+  const auto jumps = [&] { return explain(plot.scene(), {press, release}).jumps; };
+  CHECK(jumps().empty());
   // Each goes over to the other's way gently: nowhere does one turn sharply.
   for (std::size_t i = 0; i < press.points_px.size(); ++i) {
     Point &a = press.points_px[i], &b = release.points_px[i];
@@ -958,7 +958,7 @@ TEST_CASE("A stroke drawn through that takes the way of a line of dashes is seen
     const Point middle = 0.5 * (a + b), half = (0.5 - over) * (a - b);
     a = middle - half, b = middle + half;
   }
-  CHECK_FALSE(leaps().empty());
+  CHECK_FALSE(jumps().empty());
 }
 
 TEST_CASE("A line thinner than a pixel is none of dashes where it lies between two rows", "[trace]") {
@@ -967,7 +967,7 @@ TEST_CASE("A line thinner than a pixel is none of dashes where it lies between t
   plot.line(way, 0.5, kBlue);
   CurveTrace press;
   press.color = kBlue, press.points_px = way;
-  CHECK(explain(plot.scene(), {press}).leaps.empty());
+  CHECK(explain(plot.scene(), {press}).jumps.empty());
 }
 
 TEST_CASE("A line of dashes is not drawn through where some of them are longer", "[trace]") {
@@ -979,7 +979,7 @@ TEST_CASE("A line of dashes is not drawn through where some of them are longer",
   }
   CurveTrace press;
   press.color = kBlue, press.points_px = way;
-  CHECK(explain(plot.scene(), {press}).leaps.empty());
+  CHECK(explain(plot.scene(), {press}).jumps.empty());
 }
 
 TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen", "[trace]") {
@@ -991,12 +991,12 @@ TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen",
   jumping.color = kBlue;
   for (const Point& p : loop.release)
     if (p.x < 0.5) jumping.points_px.push_back(plot.at(p.x, p.y));
-  const auto leaps = [&] { return explain(plot.scene(), {jumping}).leaps; };
-  CHECK(leaps().empty());
+  const auto jumps = [&] { return explain(plot.scene(), {jumping}).jumps; };
+  CHECK(jumps().empty());
   for (const Point& p : loop.press)
     if (p.x >= 0.5) jumping.points_px.push_back(plot.at(p.x, p.y));
-  REQUIRE(leaps().size() == 1);
-  CHECK(leaps().front().from_px.x == Approx(plot.at(0.5, 0).x).margin(8));
+  REQUIRE(jumps().size() == 1);
+  CHECK(jumps().front().from_px.x == Approx(plot.at(0.5, 0).x).margin(8));
 }
 
 TEST_CASE("A title across the wall, arrows in the curve's hue, a legend beside its samples", "[trace]") {
@@ -1079,10 +1079,10 @@ TEST_CASE("The gaps of a dashed curve are not taken for places where its neighbo
   const auto traces = plot.trace();
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 2);
-  const Curve &followed = ofColor(*traces, kRed).points_px, course = plot.at(up);
+  const Curve &followed = ofColor(*traces, kRed).points_px, path = plot.at(up);
   double worst = 0;
   for (const Point& p : followed)
-    if (p.x > plot.at(0.15, 0).x && p.x < plot.at(0.65, 0).x) worst = std::max(worst, distanceTo(p, course));
+    if (p.x > plot.at(0.15, 0).x && p.x < plot.at(0.65, 0).x) worst = std::max(worst, distanceTo(p, path));
   CHECK(worst < 1);
 }
 
@@ -1126,11 +1126,11 @@ TEST_CASE("One curve alone is one trace; more than two are all given", "[trace]"
 
   Plot many(700, 450);
   many.grid(5, 5, kGrey);
-  const Rgb inks[] = {kBlue, kRed, kTeal, {230, 160, 20}};
+  const Rgb colours[] = {kBlue, kRed, kTeal, {230, 160, 20}};
   for (int i = 0; i < 4; ++i) {
     Curve c = press();
     for (Point& p : c) p = {0.9 * p.x + 0.02 * i, 0.8 * p.y - 0.1 * i + 0.1};
-    many.line(many.at(c), 2, inks[i], true);
+    many.line(many.at(c), 2, colours[i], true);
   }
   const auto all = many.trace();
   REQUIRE(all.ok());
@@ -1154,21 +1154,22 @@ TEST_CASE("Beside loops in inks of their own one in the frame's ink is another s
   Plot plot(800, 500);
   plot.grid(6, 6, {214, 214, 214});
   plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 2, kBlack);
-  const auto loop = [&](double wide, double high, Rgb ink) {
+  const auto loop = [&](double loopWidth, double high, Rgb colour) {
     for (const Curve& stroke : {release(), press()}) {
       Curve scaled;
-      for (const Point p : stroke) scaled.push_back({wide * p.x, high * p.y});
-      plot.line(plot.at(scaled), 2.5, ink);
+      for (const Point p : stroke) scaled.push_back({loopWidth * p.x, high * p.y});
+      plot.line(plot.at(scaled), 2.5, colour);
     }
   };
   loop(1.4, 0.9, kRed);
   CHECK(plot.trace()->size() == 2);
   loop(1.2, 0.5, kBlack);
-  const auto both = plot.trace();
-  REQUIRE(both.ok());
-  REQUIRE(both->size() == 4);
-  for (const Rgb ink : {kRed, kBlack})
-    CHECK(std::ranges::count_if(*both, [&](const CurveTrace& t) { return isSameInk(t.color, ink); }) == 2);
+  const auto bothStrokes = plot.trace();
+  REQUIRE(bothStrokes.ok());
+  REQUIRE(bothStrokes->size() == 4);
+  for (const Rgb colour : {kRed, kBlack})
+    CHECK(std::ranges::count_if(*bothStrokes,
+                                [&](const CurveTrace& t) { return isSameColour(t.color, colour); }) == 2);
   loop(1.4, 0.7, kBlue);  // ends where the red one does
   CHECK(plot.trace()->size() == 6);
 }
@@ -1288,12 +1289,12 @@ TEST_CASE("The legend's words are put to the curve whose sample stands beside th
 TEST_CASE("A short way back that begins where the press ends is a curve, a leader there is none", "[trace]") {
   const Curve in{{0.02, 0.02}, {0.1, 0.3}, {0.5, 0.4}, {0.8, 0.5}, {0.9, 0.95}};
   const Curve back{{0.9, 0.95}, {0.86, 0.4}, {0.57, 0.25}, {0.55, 0.03}}, leader{{0.9, 0.95}, {0.7, 0.7}};
-  const Rgb ink = GENERATE(kRed, kBlack);
+  const Rgb colour = GENERATE(kRed, kBlack);
   for (const bool latches : {true, false}) {
     Plot plot(1000, 500);
     plot.grid(6, 6, kGrey);
     plot.line(plot.at(in), 2, kBlue, true);
-    plot.line(plot.at(latches ? back : leader), 2, ink, true);
+    plot.line(plot.at(latches ? back : leader), 2, colour, true);
     const auto traces = plot.trace();
     REQUIRE(traces.ok());
     CHECK(traces->size() == (latches ? 2 : 1));
@@ -1364,16 +1365,16 @@ TEST_CASE("Where a legend has no samples its letters' inks are the key", "[trace
   plot.grid(6, 6, kGrey);
   plot.line(plot.at(release()), 2, kRed, true);
   plot.line(plot.at(press()), 2, kBlue, true);
-  const bool oneInInk = GENERATE(false, true);
+  const bool oneInColour = GENERATE(false, true);
   plot.letters("Old", 0.05, 0.9, 14, kRed);
-  plot.letters("New", 0.05, 0.84, 14, oneInInk ? kBlack : kBlue);
+  plot.letters("New", 0.05, 0.84, 14, oneInColour ? kBlack : kBlue);
   const Point first = plot.at(0.05, 0.9), second = plot.at(0.05, 0.84);
   plot.say("Old", {first.x - 1, first.y - 15, first.x + 34, first.y + 1});
   plot.say("New", {second.x - 1, second.y - 15, second.x + 38, second.y + 1});
   const auto traces = plot.trace().value();
   REQUIRE(traces.size() == 2);
-  CHECK(ofColor(traces, kRed).label == (oneInInk ? "" : "Old"));  // all of them or none
-  CHECK(ofColor(traces, kBlue).label == (oneInInk ? "" : "New"));
+  CHECK(ofColor(traces, kRed).label == (oneInColour ? "" : "Old"));  // all of them or none
+  CHECK(ofColor(traces, kBlue).label == (oneInColour ? "" : "New"));
 }
 
 TEST_CASE("Names that stand at their curves' ends", "[trace]") {
@@ -1417,9 +1418,9 @@ TEST_CASE("The name of a curve in the frame's ink is found in line with the othe
   plot.line(ending(0.7, 0.3), 2, kBlack);
   const double beside = plot.box().x0 + 74;  // as far as the longest sample is looked for
   int row = 0;
-  for (const Rgb ink : {kRed, kBlue, kBlack}) {
+  for (const Rgb colour : {kRed, kBlue, kBlack}) {
     const double y = 50 + 20 * row++;
-    plot.line({{beside - 25, y}, {beside - 5, y}}, 2, ink);
+    plot.line({{beside - 25, y}, {beside - 5, y}}, 2, colour);
     plot.say("KSC" + std::to_string(row), {beside, y - 6, beside + 30, y + 6});
     plot.line({{plot.box().x0 - 8, y + 100}, {plot.box().x0, y + 100}}, 2,
               kBlack);  // a tick beside its number
@@ -1453,17 +1454,17 @@ TEST_CASE("Three switches, each a line and dashes in an ink of its own near the 
                     {0.85 * end, 1.3 * level},
                     {end, 0.95}});
   };
-  const auto dashes = [&](const Curve& way, Rgb ink) {
+  const auto dashes = [&](const Curve& way, Rgb colour) {
     const Curve points = densified(way, 1);
     for (std::size_t i = 0; i + 7 < points.size(); i += 11)
       plot.line({points.begin() + static_cast<std::ptrdiff_t>(i),
                  points.begin() + static_cast<std::ptrdiff_t>(i + 7)},
-                2, ink);
+                2, colour);
   };
-  for (const auto& [ink, end, level] :
+  for (const auto& [colour, end, level] :
        {std::tuple(red, 0.8, 0.4), std::tuple(blue, 0.7, 0.5), std::tuple(violet, 0.9, 0.27)}) {
-    plot.line(strokeOf(end, level), 2, ink);
-    dashes(strokeOf(end, level - 0.1), ink);
+    plot.line(strokeOf(end, level), 2, colour);
+    dashes(strokeOf(end, level - 0.1), colour);
   }
   const auto traces = plot.trace();
   REQUIRE(traces.ok());
@@ -1474,16 +1475,16 @@ TEST_CASE("Three switches, each a line and dashes in an ink of its own near the 
 namespace {
 
 /// Dashes of seven pixels, gaps of four.
-void drawDashes(Plot& plot, const Curve& way, Rgb ink, double width) {
+void drawDashes(Plot& plot, const Curve& way, Rgb colour, double width) {
   const Curve points = densified(way, 1);
   for (std::size_t i = 0; i + 7 < points.size(); i += 11)
     plot.line({points.begin() + static_cast<std::ptrdiff_t>(i),
                points.begin() + static_cast<std::ptrdiff_t>(i + 7)},
-              width, ink);
+              width, colour);
 }
 
 /// A press, or a release that begins where it ends and comes to lie at its edge on the bottom-out.
-Curve upToAWall(double below) {
+Curve upToABottomOut(double below) {
   return {{0, 0},      {0.08, 0.35 - below}, {0.4, 0.5 - below}, {0.43, 0.4 - below}, {0.8, 0.55 - below},
           {0.87, 0.95}};
 }
@@ -1491,23 +1492,23 @@ Curve upToAWall(double below) {
 }  // namespace
 
 TEST_CASE("A line in dashes of a paler shade of the other's ink is a curve of its own", "[trace]") {
-  const Rgb darkGrey{34, 34, 34}, paleGrey{170, 170, 170}, sky{150, 180, 208}, gridInk{225, 225, 225};
-  for (const auto& [ink, shade] :
+  const Rgb darkGrey{34, 34, 34}, paleGrey{170, 170, 170}, sky{150, 180, 208}, gridColour{225, 225, 225};
+  for (const auto& [colour, shade] :
        {std::pair(darkGrey, paleGrey), std::pair(kBlue, sky), std::pair(kBlue, paleGrey)}) {
-    INFO(nameOf(ink) << " and " << nameOf(shade));
+    INFO(nameOf(colour) << " and " << nameOf(shade));
     Plot plot(900, 550);
     for (int i = 1; i < 8; ++i) {
-      drawDashes(plot, plot.at({{i / 8.0, 0}, {i / 8.0, 1}}), gridInk, 1);
+      drawDashes(plot, plot.at({{i / 8.0, 0}, {i / 8.0, 1}}), gridColour, 1);
       plot.frame().xLines.push_back({plot.at(i / 8.0, 0).x});
     }
     plot.grid(1, 1, kBlack);
-    const Curve down = plot.at(upToAWall(0)), up = plot.at(upToAWall(0.1));
-    plot.line(down, 2.5, ink);
+    const Curve down = plot.at(upToABottomOut(0)), up = plot.at(upToABottomOut(0.1));
+    plot.line(down, 2.5, colour);
     drawDashes(plot, up, shade, 2);
     const auto traces = plot.trace();
     REQUIRE(traces.ok());
     REQUIRE(traces->size() == 2);
-    CHECK(apart(ofColor(*traces, ink).points_px, down) < 0.5);
+    CHECK(apart(ofColor(*traces, colour).points_px, down) < 0.5);
     const Curve& paler = ofColor(*traces, shade).points_px;
     CHECK(apart(paler, up) < 1);
     // On the bottom-out it lies at the other's edge, where it is not seen, and goes up with it.
@@ -1520,8 +1521,8 @@ TEST_CASE("A pale line that was not traced is seen beside one that was", "[expla
     INFO(drawn);
     Plot plot(900, 550);
     plot.grid(1, 1, kBlack);
-    plot.line(plot.at(upToAWall(0)), 2.5, kBlack);
-    if (drawn) drawDashes(plot, plot.at(upToAWall(0.1)), {238, 238, 238}, 1);
+    plot.line(plot.at(upToABottomOut(0)), 2.5, kBlack);
+    if (drawn) drawDashes(plot, plot.at(upToABottomOut(0.1)), {238, 238, 238}, 1);
     const auto traces = plot.trace();
     REQUIRE(traces.ok());
     const double share = explain(plot.scene(), {ofColor(*traces, kBlack)}).beside.share;
@@ -1540,16 +1541,16 @@ TEST_CASE(
     return plot.at({{0, 0}, {0.04 * end, level - under}, {0.92 * end, 1.3 * level - under}, {end, 0.9}});
   };
   int row = 0;
-  for (const auto& [ink, end, level, name] :
+  for (const auto& [colour, end, level, name] :
        {std::tuple(kRed, 0.7, 0.5, "Heron"), std::tuple(kBlue, 0.85, 0.25, "Kite")}) {
-    plot.line(strokeOf(end, level, 0), width_px, ink);
+    plot.line(strokeOf(end, level, 0), width_px, colour);
     Curve release = densified(strokeOf(end, level, below), 1);
-    const double foot_px = plot.at(0.92 * end, 0).x;
-    std::erase_if(release, [&](Point p) { return p.x > foot_px; });  // the bottom-out is the press' own
-    drawDashes(plot, release, ink, width_px);
+    const double baseline_px = plot.at(0.92 * end, 0).x;
+    std::erase_if(release, [&](Point p) { return p.x > baseline_px; });  // the bottom-out is the press' own
+    drawDashes(plot, release, colour, width_px);
     const double y = 50 + 40 * row++;
-    plot.line({{935, y}, {955, y}}, width_px, ink);
-    for (const double x : {935.0, 943.0, 951.0}) plot.line({{x, y + 20}, {x + 3, y + 20}}, width_px, ink);
+    plot.line({{935, y}, {955, y}}, width_px, colour);
+    for (const double x : {935.0, 943.0, 951.0}) plot.line({{x, y + 20}, {x + 3, y + 20}}, width_px, colour);
     plot.say(std::string(name) + " down", {960, y - 6, 998, y + 6});
     plot.say(std::string(name) + " up", {960, y + 14, 990, y + 26});
   }
@@ -1571,16 +1572,16 @@ TEST_CASE("Rims of the markers on press and release are no strokes in dashes", "
   const int corners = GENERATE(24, 3);  // circles; triangles, whose lower sides stand in a line
   CAPTURE(corners);
   Plot plot(1000, 600);
-  for (const auto& [ink, level] : {std::pair(kRed, 0.6), std::pair(kBlue, 0.35)}) {
+  for (const auto& [colour, level] : {std::pair(kRed, 0.6), std::pair(kBlue, 0.35)}) {
     const Curve way = densified(plot.at({{0, 0}, {0.05, level}, {0.85, 1.2 * level}, {0.93, 0.95}}), 1);
-    plot.line(way, 2, ink);
+    plot.line(way, 2, colour);
     for (std::size_t i = 12; i < way.size(); i += 24) {
       Curve rim;
       for (int k = 0; k <= corners; ++k) {
         const double angle = M_PI / 2 + 2 * M_PI * k / corners;
         rim.push_back({way[i].x + 7 * std::cos(angle), way[i].y - 7 * std::sin(angle)});
       }
-      plot.line(rim, 1.5, ink);
+      plot.line(rim, 1.5, colour);
     }
   }
   CHECK(plot.trace()->size() == 2);
@@ -1592,11 +1593,11 @@ TEST_CASE("Beside two shades of a colour two shades of the frame's ink are anoth
   Plot plot(900, 550);
   plot.grid(6, 6, {224, 224, 230});
   plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 1.5, slate);
-  const auto stroke = [&](double high, double lag, Rgb ink) {
-    Curve course = upToAWall(lag);
-    for (Point& p : course) p.y *= high;
-    plot.line(plot.at(course), 2, ink);
-    return plot.at(course);
+  const auto stroke = [&](double high, double lag, Rgb colour) {
+    Curve path = upToABottomOut(lag);
+    for (Point& p : path) p.y *= high;
+    plot.line(plot.at(path), 2, colour);
+    return plot.at(path);
   };
   stroke(1, 0, pink), stroke(1, 0.1, palePink);
   CHECK(plot.trace()->size() == 2);
@@ -1613,8 +1614,8 @@ TEST_CASE("Beside two curves in colours one in the frame's ink begins where they
     Plot plot(900, 500);
     plot.grid(6, 6, {214, 214, 214});
     plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 2, kBlack);
-    plot.line(plot.at(upToAWall(0)), 2, kRed);
-    plot.line(plot.at(upToAWall(0.1)), 2, kBlue);
+    plot.line(plot.at(upToABottomOut(0)), 2, kRed);
+    plot.line(plot.at(upToABottomOut(0.1)), 2, kBlue);
     plot.line(plot.at({from, {0.3, 0.35}, {0.6, 0.3}, {end, 0.5}}), 2, kBlack);
     return plot.trace()->size();
   };
@@ -1640,13 +1641,13 @@ TEST_CASE("Names in their curves' inks, wherever they stand beside three curves 
   Plot plot(1000, 500);
   plot.grid(5, 5, kGrey);
   const bool three = GENERATE(false, true);
-  int its = 0;
-  for (const auto& [ink, name, height] :
+  int count = 0;
+  for (const auto& [colour, name, height] :
        {std::tuple(kRed, "Old", 0.8), std::tuple(kBlue, "New", 0.5), std::tuple(kTeal, "Raw", 0.25)}) {
-    if (!three && its == 2) break;
-    plot.line(plot.at({{0, 0}, {0.2, height}, {0.9, height + 0.1}}), 2, ink);
-    const Point at = plot.at(0.3 + 0.15 * its++, height - 0.1);
-    plot.letters(name, (at.x - plot.box().x0) / plot.box().width(), height - 0.1, 14, ink);
+    if (!three && count == 2) break;
+    plot.line(plot.at({{0, 0}, {0.2, height}, {0.9, height + 0.1}}), 2, colour);
+    const Point at = plot.at(0.3 + 0.15 * count++, height - 0.1);
+    plot.letters(name, (at.x - plot.box().x0) / plot.box().width(), height - 0.1, 14, colour);
     plot.say(name, {at.x - 1, at.y - 15, at.x + 38, at.y + 1});
   }
   const auto traces = plot.trace().value();
@@ -1659,11 +1660,11 @@ TEST_CASE("Of two curves the words for press and release in their inks name them
   Plot plot(1000, 500);
   plot.grid(5, 5, kGrey);
   const std::string second = GENERATE("Upstroke", "Downstroke");
-  for (const auto& [ink, name, height] :
+  for (const auto& [colour, name, height] :
        {std::tuple(kRed, std::string("Downstroke"), 0.8), std::tuple(kBlue, second, 0.4)}) {
-    plot.line(plot.at({{0, 0}, {0.2, height}, {0.9, height + 0.1}}), 2, ink);
+    plot.line(plot.at({{0, 0}, {0.2, height}, {0.9, height + 0.1}}), 2, colour);
     const Point at = plot.at(0.5 - 0.2 * height, height - 0.1);
-    plot.letters(name, (at.x - plot.box().x0) / plot.box().width(), height - 0.1, 14, ink);
+    plot.letters(name, (at.x - plot.box().x0) / plot.box().width(), height - 0.1, 14, colour);
     plot.say(name, {at.x - 1, at.y - 15, at.x + 130, at.y + 1});
   }
   const auto traces = plot.trace().value();
@@ -1679,8 +1680,8 @@ TEST_CASE("The names of a line and of its dashes go by their samples, in whateve
   AxesFound axes;
   axes.texts = {{"press", pressName, 1, 0}, {"release", releaseName, 1, 0}};
   CurveTrace through, dashed;
-  through.points_px = densified(plot.at(upToAWall(0)), 1),
-  dashed.points_px = densified(plot.at(upToAWall(0.1)), 1);
+  through.points_px = densified(plot.at(upToABottomOut(0)), 1),
+  dashed.points_px = densified(plot.at(upToABottomOut(0.1)), 1);
   plot.line(through.points_px, 2, kRed);
   drawDashes(plot, dashed.points_px, kRed, 2);
   for (CurveTrace* trace : {&through, &dashed}) {

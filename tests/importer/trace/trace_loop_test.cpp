@@ -26,7 +26,7 @@ using Curve = std::vector<Point>;
 class Plot {
  public:
   Plot(int width, int height, double stroke) : stroke_(stroke) {
-    ink_ = Plane(width, height);
+    coverage_ = Plane(width, height);
     left_ = 0.1 * width;
     right_ = 0.95 * width;
     top_ = 0.06 * height;
@@ -80,10 +80,10 @@ class Plot {
   }
 
   void erase(const Box& box) {
-    for (int y = std::max(0, static_cast<int>(box.y0)); y < std::min(ink_.height, static_cast<int>(box.y1));
-         ++y)
-      for (int x = std::max(0, static_cast<int>(box.x0)); x < std::min(ink_.width, static_cast<int>(box.x1));
-           ++x)
+    for (int y = std::max(0, static_cast<int>(box.y0));
+         y < std::min(coverage_.height, static_cast<int>(box.y1)); ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0));
+           x < std::min(coverage_.width, static_cast<int>(box.x1)); ++x)
         pixel(x, y) = 0;
   }
 
@@ -91,35 +91,35 @@ class Plot {
 
   Result<std::vector<CurveTrace>> trace(const TraceHints& hints = {}, const Progress& progress = {}) const {
     const PlotArea area = makePlotArea(picture(), frame_, {}, hints.masks_px);
-    return traceLoop(area, inkOn(area), {}, {}, progress);
+    return traceLoop(area, coverageOn(area), {}, {}, progress);
   }
   PlotArea area() const { return makePlotArea(picture(), frame_); }
   /// The coverage that the area's picture shows.
-  static Plane inkOn(const PlotArea& area) {
-    Plane ink(area.raster.width_px, area.raster.height_px);
-    for (std::size_t i = 0; i < ink.values.size(); ++i)
+  static Plane coverageOn(const PlotArea& area) {
+    Plane coverage(area.raster.width_px, area.raster.height_px);
+    for (std::size_t i = 0; i < coverage.values.size(); ++i)
       if (area.masked.empty() || !area.masked[i])
-        ink.values[i] = static_cast<float>(255 - area.raster.rgb[3 * i]) / 255;
-    return ink;
+        coverage.values[i] = static_cast<float>(255 - area.raster.rgb[3 * i]) / 255;
+    return coverage;
   }
 
   double stroke() const { return stroke_; }
   PlotFrame& frame() { return frame_; }
 
  private:
-  float& pixel(int x, int y) { return ink_.at(x, y); }
+  float& pixel(int x, int y) { return coverage_.at(x, y); }
   Raster picture() const {
-    Raster raster{ink_.width, ink_.height, {}};
-    for (float c : ink_.values)
+    Raster raster{coverage_.width, coverage_.height, {}};
+    for (float c : coverage_.values)
       raster.rgb.insert(raster.rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255 * (1 - c))));
     return raster;
   }
   void segment(Point a, Point b, double width) {
     const double reach = width / 2 + 1;
     const int x0 = std::max(0, static_cast<int>(std::min(a.x, b.x) - reach)),
-              x1 = std::min(ink_.width - 1, static_cast<int>(std::max(a.x, b.x) + reach) + 1);
+              x1 = std::min(coverage_.width - 1, static_cast<int>(std::max(a.x, b.x) + reach) + 1);
     const int y0 = std::max(0, static_cast<int>(std::min(a.y, b.y) - reach)),
-              y1 = std::min(ink_.height - 1, static_cast<int>(std::max(a.y, b.y) + reach) + 1);
+              y1 = std::min(coverage_.height - 1, static_cast<int>(std::max(a.y, b.y) + reach) + 1);
     const double vx = b.x - a.x, vy = b.y - a.y, l2 = vx * vx + vy * vy;
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
@@ -131,7 +131,7 @@ class Plot {
     }
   }
 
-  Plane ink_;
+  Plane coverage_;
   PlotFrame frame_;
   double stroke_, left_, right_, top_, bottom_;
 };
@@ -449,9 +449,10 @@ TEST_CASE("loop: a wall that goes on in dashes ends before the first of them", "
   plot.grid(4, 6, 1);
   const Loop loop{{{0.0, 0.35}, {0.80, knee}}, {{0.0, 0.2}, {0.45, 0.25}, {0.5, 0.37}, {0.84, knee - 0.06}}};
   draw(plot, loop);
-  for (const Point foot : {loop.press.back(), loop.release.back()})
-    for (double y = foot.y; y < 0.95; y += dash + gap)
-      plot.curve(plot.at({{foot.x + 0.1 * (y - foot.y), y}, {foot.x + 0.1 * (y + dash - foot.y), y + dash}}));
+  for (const Point lowEnd : {loop.press.back(), loop.release.back()})
+    for (double y = lowEnd.y; y < 0.95; y += dash + gap)
+      plot.curve(plot.at(
+          {{lowEnd.x + 0.1 * (y - lowEnd.y), y}, {lowEnd.x + 0.1 * (y + dash - lowEnd.y), y + dash}}));
   const auto result = plot.trace();
   REQUIRE(result.ok());
   REQUIRE(result->size() == 2);
@@ -546,16 +547,16 @@ struct Explained {
 Explained explain(Plot& plot) {
   Explained out;
   const PlotArea area = plot.area();
-  out.plane = makeWorkPlane(Plot::inkOn(area), area);
+  out.plane = makeWorkPlane(Plot::coverageOn(area), area);
   out.structure = explainStructure(out.plane, findStraightLines(out.plane, {}, {}), {});
   out.corner = area.toView({0, 0});
   return out;
 }
 
 /// Mean unexplained coverage along a line given in view pixels.
-double meanInk(const Explained& e, const Curve& view) {
+double meanCoverage(const Explained& e, const Curve& view) {
   double sum = 0;
-  for (Point p : view) sum += double(e.structure.curveInk.sample(e.plane.fromArea(p - e.corner)));
+  for (Point p : view) sum += double(e.structure.remainingCoverage.sample(e.plane.fromArea(p - e.corner)));
   return sum / double(view.size());
 }
 
@@ -576,9 +577,9 @@ TEST_CASE("loop: gridlines are explained, a guide to the curve is weakened, the 
   const Curve guide = straight(plot.at(0.005, 0.42), plot.at(0.36, 0.42));
   plot.curve(guide);
   const Explained e = explain(plot);
-  CHECK(meanInk(e, straight(plot.at(0.05, 5.0 / 6), plot.at(0.85, 5.0 / 6))) < 0.1);
-  CHECK(meanInk(e, straight(plot.at(0.01, 0.42), plot.at(0.12, 0.42))) < 0.5);
-  CHECK(meanInk(e, plot.at(loop.release)) > 0.6);
+  CHECK(meanCoverage(e, straight(plot.at(0.05, 5.0 / 6), plot.at(0.85, 5.0 / 6))) < 0.1);
+  CHECK(meanCoverage(e, straight(plot.at(0.01, 0.42), plot.at(0.12, 0.42))) < 0.5);
+  CHECK(meanCoverage(e, plot.at(loop.release)) > 0.6);
 }
 
 TEST_CASE("loop: flat waves cut up by a grid are no row of letters", "[trace_loop]") {
@@ -588,7 +589,7 @@ TEST_CASE("loop: flat waves cut up by a grid are no row of letters", "[trace_loo
   for (int k = 0; k <= 48; ++k) anchors.push_back({0.01 + 0.02 * k, k % 2 ? 0.425 : 0.395});
   const Curve wave = plot.at(through(anchors));
   plot.curve(wave);
-  CHECK(meanInk(explain(plot), wave) > 0.5);
+  CHECK(meanCoverage(explain(plot), wave) > 0.5);
 }
 
 TEST_CASE("loop: a gridline cut by writing is a gridline still, not a dashed one", "[trace_loop]") {
@@ -602,7 +603,7 @@ TEST_CASE("loop: a gridline cut by writing is a gridline still, not a dashed one
   }
   const Explained e = explain(plot);
   for (const double x : {1.0 / 6, 2.0 / 6})
-    CHECK(meanInk(e, straight(plot.at(x, 0.91), plot.at(x, 0.99))) < 0.2);
+    CHECK(meanCoverage(e, straight(plot.at(x, 0.91), plot.at(x, 0.99))) < 0.2);
 }
 
 TEST_CASE("loop: two leaders side by side are no strokes", "[trace_loop]") {
@@ -657,8 +658,8 @@ TEST_CASE("loop: an arrow by itself is no part of the strokes, a dash as long is
   const Point tip = shaft.back();
   plot.curve({{tip.x - 12, tip.y - 6}, tip, {tip.x - 12, tip.y + 9}});
   const Explained e = explain(plot);
-  CHECK(meanInk(e, shaft) < 0.1);
-  CHECK(meanInk(e, dash) > 0.6);
+  CHECK(meanCoverage(e, shaft) < 0.1);
+  CHECK(meanCoverage(e, dash) > 0.6);
 }
 
 TEST_CASE("loop: random loops are never swapped and never far off", "[trace_loop]") {

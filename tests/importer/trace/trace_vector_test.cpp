@@ -317,13 +317,13 @@ TEST_CASE("markers on a line are no line of their own, dots beside it are") {
 }
 
 TEST_CASE("a line broken off where a word stands goes on behind it") {
-  for (const bool both : {true, false}) {
+  for (const bool bothStrokes : {true, false}) {
     Drawing drawing;
     drawing.stroke(std::vector<Polyline>{part(press, 0, 126), part(press, 139, 200)});
-    if (both) drawing.stroke(release);
+    if (bothStrokes) drawing.stroke(release);
     const auto traces = drawing.traced();
-    REQUIRE(traces.size() == (both ? 2 : 1));
-    CHECK(apart(both ? strokeOf(traces, Stroke::press).points_px : traces[0].points_px, press) < 1);
+    REQUIRE(traces.size() == (bothStrokes ? 2 : 1));
+    CHECK(apart(bothStrokes ? strokeOf(traces, Stroke::press).points_px : traces[0].points_px, press) < 1);
   }
 }
 
@@ -534,9 +534,9 @@ TEST_CASE(
     return drawing.traced();
   };
   const Polyline back = curve(low, 0.7, 0.95);
-  const auto both = traced(back);
-  REQUIRE(both.size() == 2);
-  CHECK(std::ranges::any_of(both, [&](const CurveTrace& trace) { return trace.points_px == back; }));
+  const auto bothStrokes = traced(back);
+  REQUIRE(bothStrokes.size() == 2);
+  CHECK(std::ranges::any_of(bothStrokes, [&](const CurveTrace& trace) { return trace.points_px == back; }));
   CHECK(traced(curve(low, 0.6, 0.85)).size() == 1);
   CHECK(traced({at(0.7, 0.2), at(0.8, 0.3), at(0.95, 0.4)}).size() == 1);
   CHECK(traced(curve(low, 0.87, 0.95)).size() == 1);

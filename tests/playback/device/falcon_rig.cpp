@@ -54,7 +54,7 @@ class Processor {
   void write(const std::uint8_t* bytes, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) write(bytes[i]);
   }
-  /// What the chip hands on next, at most `most` bytes.
+  /// The next bytes from the chip, at most `most`.
   Bytes take(std::size_t most) {
     const std::size_t count = std::min(most, replies_.size());
     Bytes bytes(replies_.begin(), replies_.begin() + static_cast<std::ptrdiff_t>(count));

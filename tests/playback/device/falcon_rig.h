@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A Novint Falcon that is none: its USB chip and its processor's boot loader under umockdev, so that Debian's own libusb talks to
-// it. What it should do is read from libnifalcon, not measured.
+// A Novint Falcon that is none: its USB chip and its processor's boot loader under umockdev, so that Debian's
+// own libusb talks to it. What it should do is read from libnifalcon, not measured.
 
 #include <array>
 #include <atomic>
@@ -22,7 +22,7 @@ class FalconRig {
   /// The handle: counts of the three encoders, and whether all index marks have been passed.
   std::array<std::atomic<int>, 3> counts{};
   std::atomic<bool> homed{true};
-  /// What the motors and the light were last told.
+  /// Last commands to the motors and the light.
   std::array<std::atomic<int>, 3> motors{};
   std::atomic<int> light{0};
   std::atomic<std::uint64_t> packets{0};  ///< good ones

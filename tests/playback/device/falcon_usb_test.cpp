@@ -75,7 +75,7 @@ TEST_CASE("Falcon: the firmware goes up byte for byte; 2,000 exchanges, none bad
           moveTo(rig, {3 * std::sin(i * 0.01), 2 * std::cos(i * 0.02), 135 - 15 * std::sin(i * 0.005)});
       const ForceReading reading = device->exchange(command);
       fresh += reading.fresh ? 1 : 0;
-      // What is read was true when the packet came: now or one exchange ago.
+      // A reading was true when its packet came: now or one exchange ago.
       const auto off = [&](const FalconPlace_mm& p) {
         return std::hypot(falconRest_mm - p[2] - reading.position_mm, p[0] - reading.sideways_mm[0],
                           p[1] - reading.sideways_mm[1]);

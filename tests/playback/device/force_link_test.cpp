@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Serial force devices over pseudo terminals: the sample firmware on a simulated board, an ODrive, and what goes wrong.
+// Serial force devices over pseudo terminals: the sample firmware on a simulated board, an ODrive, and what
+// goes wrong.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -45,7 +46,8 @@ using namespace detent;
 using namespace detent::playback;
 namespace fs = std::filesystem;
 
-/// The other end of a serial line, behind a link with a stable name: answers each line by a function, on a thread of its own.
+/// The other end of a serial line, behind a link with a stable name: answers each line by a function, on a
+/// thread of its own.
 class FakeDevice {
  public:
   using Answer = std::function<std::string(const std::string& line)>;
@@ -123,7 +125,7 @@ std::string goodBoard(const std::string& line, long position_nm) {
   return body.empty() || body == "X" || body == "S" || body == "U" ? "" : forceLine("A");
 }
 
-// On a loaded machine the other end may not get its turn within any period: what a test rests on is asked for again.
+// On a loaded machine the other end may miss whole periods, so each test repeats the request that it needs.
 constexpr int tries = 30;
 
 /// As the devices here have: 5 N.
@@ -259,7 +261,8 @@ TEST_CASE("serial force device: the sample firmware takes a table and renders th
 
 namespace {
 
-/// The sample firmware with a table, its handle at 2 mm and its force risen. From then on every `lost`th row does not get through; 0: none.
+/// The sample firmware with a table, its handle at 2 mm and its force risen. From then on every `lost`th row
+/// does not get through; 0: none.
 class TableBoard {
  public:
   explicit TableBoard(std::size_t lost = 0) {
@@ -590,7 +593,8 @@ TEST_CASE("serial force device: a table longer than the firmware takes is thinne
 
 namespace {
 
-/// An ODrive as its manual describes it: an axis with errors, a state, and a watchdog that counts while it is switched on.
+/// An ODrive as its manual describes it: an axis with errors, a state, and a watchdog that counts while it is
+/// switched on.
 class FakeOdrive {
  public:
   std::atomic<double> torque_Nm{0}, turns{1.5};
@@ -995,15 +999,29 @@ TEST_CASE("a serial port runs at any rate: 250000 baud is exact on a 16 MHz AVR"
 }
 
 TEST_CASE(
-    "serial force device: a table's force is withdrawn where its answers stop, and comes back with them") {
+    "serial force device: a table's force is withdrawn where its answers stop or are wrong, and comes back "
+    "with them") {
+  const std::string wrong = GENERATE(as<std::string>(), "none", "of no question", "of the first question",
+                                     "of a clock that stands");
+  CAPTURE(wrong);
   std::atomic<bool> mute{false};
   std::atomic<int> forcesOfNothing{0}, kept{0}, begun{0};
+  std::string stands_us = "1";  // of the device's thread alone
   FakeDevice fake([&](const std::string& line) {
     const std::string body = bodyOf(line);
+    if (!mute && (body.starts_with("F,") || body.starts_with("H,"))) stands_us = sequenceOf(body) + "000";
     if (mute && body.starts_with("F,") && body.ends_with(",0")) ++forcesOfNothing;
     if (mute && body.starts_with("H,")) ++kept;
     begun += body == "G" ? 1 : 0;
-    return mute ? std::string() : goodBoard(line, 0);
+    if (!mute) return goodBoard(line, 0);
+    if (wrong == "none" || !(body.starts_with("F,") || body.starts_with("H,"))) return std::string();
+    const unsigned long question = std::stoul(sequenceOf(body));
+    const unsigned long said = wrong == "of no question"          ? question + 7
+                               : wrong == "of the first question" ? 1
+                                                                  : question;
+    const std::string time_us =
+        wrong == "of a clock that stands" ? stands_us : std::to_string(1000 * question);
+    return forceLine("P," + std::to_string(said) + "," + time_us + ",0,1");
   });
   auto device = opened(fake, 0.004);
   REQUIRE(takesTable(*device, benchProgram(test::linearButton())));

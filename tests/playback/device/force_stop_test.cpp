@@ -64,7 +64,7 @@ class Pressed {
     }
     return false;
   }
-  /// In periods of the loop that ran meanwhile: a loaded machine lets a loop wait, which no loop can mend.
+  /// In periods of the loop that ran meanwhile: a loaded machine delays a loop, which no loop can prevent.
   double secondsToSilence(const std::function<void()>& stop) {
     const std::uint64_t before = loop_->status().deadlines.steps;
     stop();
@@ -142,7 +142,8 @@ TEST_CASE("force stop: hold-to-run gives force while the key repeats and takes i
 
 namespace {
 
-/// A pty whose other end is answered between two exchanges, on the same thread: what the exchange reads waits there already.
+/// A pty whose other end is answered between two exchanges, on the same thread: what the exchange reads waits
+/// there already.
 class AnsweredPty {
  public:
   AnsweredPty() {

@@ -38,7 +38,7 @@ class JackServer {
   std::string whyNot() const { return why_; }
   void stop();
   void start(int rate_Hz = 48000);
-  /// It stands still for a while: no callback comes, and no client is told that it has gone.
+  /// Pauses the server: no callbacks come, and no client receives a shutdown notice.
   void pause();
   void resume();
 

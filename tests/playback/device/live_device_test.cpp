@@ -296,7 +296,7 @@ TEST_CASE(
   };
   PressTrace fast{PressTrace::Quantity::displacement_mm, {}};
   for (int ms = 0; ms <= 100; ++ms) fast.readings.push_back({0.001 * ms, std::min(4.0, 0.15 * ms)});
-  for (int tries = 0; tries < 5 && !player.tracePlaying(); ++tries) {  // a busy machine looks when it is over
+  for (int tries = 0; tries < 5 && !player.tracePlaying(); ++tries) {  // a busy machine may check too late
     jumps_mm.clear();
     REQUIRE(player.playTrace(fast, 0.1));
     REQUIRE(within(2, jumped));

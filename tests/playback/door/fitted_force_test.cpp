@@ -174,8 +174,8 @@ OnSteadyLink pacedOn(const SteadyLink& link, std::uint64_t seed) {
   };
   RoundTrips trips;
   for (int i = 0; i < 40; ++i) trips.add(answer_s(0.1 + 0.002 * i));
-  const double usual_s = trips.usual_s(), asked_s = 0.001;
-  const double period_s = tooSlowFor(asked_s, usual_s) ? slowPeriod_s(asked_s, usual_s) : asked_s;
+  const double usual_s = trips.usual_s(), requested_s = 0.001;
+  const double period_s = tooSlowFor(requested_s, usual_s) ? slowPeriod_s(requested_s, usual_s) : requested_s;
   const double wait_s = answerWaitOfPeriod * period_s;
   ForceLimits limits;
   ForceGuard guard(limits, period_s, 0.01);

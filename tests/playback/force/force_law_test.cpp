@@ -243,8 +243,9 @@ TEST_CASE("spring button: k(x) and b(x) as polynomials are the paper's equation"
 
 TEST_CASE("prepare force: walls of 1e5 N and of 0.1 um are rendered within the device's limits") {
   for (const ForceDeviceProfile& device : presets()) {
-    for (const double wall_mm : {1e-4, 0.01}) {
-      const auto curve = StrokeCurve::fromKnots({{0, 0.1, 0, 0}, {2, 0.3, 0, 0}, {2 + wall_mm, 1e5, 0, 0}});
+    for (const double bottomOut_mm : {1e-4, 0.01}) {
+      const auto curve =
+          StrokeCurve::fromKnots({{0, 0.1, 0, 0}, {2, 0.3, 0, 0}, {2 + bottomOut_mm, 1e5, 0, 0}});
       REQUIRE(curve);
       const PreparedForce prepared =
           forceOf(buttonOf("wall", {{"", *ForceGraph::fromCurves(*curve, {}), {}, {}, {}}}), device);
@@ -252,7 +253,7 @@ TEST_CASE("prepare force: walls of 1e5 N and of 0.1 um are rendered within the d
       ForceRun run(prepared, device, FingerPresses{2.5, 5, 0.05, 0.05, 0.25});
       double most_N = 0;
       run.run(1, [&](const ForceStep& step) { most_N = std::max(most_N, std::abs(step.force_N)); });
-      INFO(device.name << ", " << wall_mm);
+      INFO(device.name << ", " << bottomOut_mm);
       CHECK(most_N <= device.limits.force_N);
       CHECK(run.leastFingerWork_mJ() >= -1e-6);
     }
@@ -279,8 +280,8 @@ TEST_CASE("prepare force: a travel beyond the device's reach is refused, with th
 
 // DETENT_SIMULATED_HOURS=24 for the whole day (.ci/nightly extremes).
 TEST_CASE("force law: a finger that rests for a day drifts by nothing") {
-  const char* asked = std::getenv("DETENT_SIMULATED_HOURS");
-  const double hours = asked != nullptr ? std::atof(asked) : 0.1;
+  const char* setting = std::getenv("DETENT_SIMULATED_HOURS");
+  const double hours = setting != nullptr ? std::atof(setting) : 0.1;
   REQUIRE(hours > 0.05);
   const Button button = sampleButton("B");
   for (const ForceDeviceProfile& device : presets()) {

@@ -14,12 +14,12 @@ using namespace detent::test;
 }  // namespace
 
 TEST_CASE("stability: a wall breaks the margin where it stands, a soft spring does not") {
-  const StabilityMargin wall = stabilityOf(sampleButton("A"), falconDevice(), 1000);
-  REQUIRE_FALSE(wall.stable());
-  CHECK(wall.unstable.back().from_mm > 3.9);
-  CHECK_FALSE(wall.unstable.back().falling);
-  CHECK(wall.least.bound == StabilityBound::device);
-  CHECK(wall.least.allowed_N_per_mm == 2);
+  const StabilityMargin steep = stabilityOf(sampleButton("A"), falconDevice(), 1000);
+  REQUIRE_FALSE(steep.stable());
+  CHECK(steep.unstable.back().from_mm > 3.9);
+  CHECK_FALSE(steep.unstable.back().falling);
+  CHECK(steep.least.bound == StabilityBound::device);
+  CHECK(steep.least.allowed_N_per_mm == 2);
   const Button soft = buttonOf("soft", {stateOf("", {{0, 0}, {4, 1}}, {})});
   CHECK(stabilityOf(soft, falconDevice(), 1000).stable());
   CHECK(nearestStable(soft, falconDevice(), 1000)->changes.empty());

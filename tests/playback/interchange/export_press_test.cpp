@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/file/button_file.h"
-#include "playback/interchange/limiter_course.h"
+#include "playback/interchange/limiter_gains.h"
 #include "playback/interchange/press_plan.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
@@ -163,14 +163,14 @@ TEST_CASE("The course of a limiter that acted gives every sample, by few points"
     const PressPlan plan =
         planPress(button, program, standardPress(program), "standard", RenderSettings{}).value();
     REQUIRE(plan.unlimited.size() == plan.samples.size());
-    const std::vector<GainPoint> course = limiterCourse(plan.unlimited, plan.samples, 1e-4);
-    CHECK(course.size() < plan.samples.size() / 20);
-    REQUIRE(course.size() > 2);
-    CHECK(course.front().frame == 0);
-    CHECK(course.back().frame == static_cast<std::int64_t>(plan.samples.size()) - 1);
+    const std::vector<GainPoint> gains = limiterGains(plan.unlimited, plan.samples, 1e-4);
+    CHECK(gains.size() < plan.samples.size() / 20);
+    REQUIRE(gains.size() > 2);
+    CHECK(gains.front().frame == 0);
+    CHECK(gains.back().frame == static_cast<std::int64_t>(plan.samples.size()) - 1);
     double worst = 0;
-    for (std::size_t i = 0; i + 1 < course.size(); ++i) {
-      const GainPoint &a = course[i], &b = course[i + 1];
+    for (std::size_t i = 0; i + 1 < gains.size(); ++i) {
+      const GainPoint &a = gains[i], &b = gains[i + 1];
       REQUIRE(a.frame < b.frame);
       CHECK((b.gain >= 0 && b.gain <= 1));
       for (std::int64_t frame = a.frame; frame <= b.frame; ++frame) {
@@ -183,8 +183,8 @@ TEST_CASE("The course of a limiter that acted gives every sample, by few points"
     }
     CHECK(worst <= 1.01e-4);
   }
-  CHECK(limiterCourse({}, {}, 1e-4).empty());
-  CHECK(limiterCourse({2}, {1}, 1e-4).front().gain == Approx(0.5).margin(1e-4));
+  CHECK(limiterGains({}, {}, 1e-4).empty());
+  CHECK(limiterGains({2}, {1}, 1e-4).front().gain == Approx(0.5).margin(1e-4));
 }
 
 TEST_CASE("A package says where a stroke has grains, and how strong each piece of a slope is") {

@@ -320,11 +320,11 @@ void checkDrv2605(const std::string& text, Limits& limits) {
 }
 
 void checkPcm(const std::string& text, Limits& limits) {
-  const bool wide = text.find("int16_t detent_samples") != std::string::npos;
+  const bool wide16 = text.find("int16_t detent_samples") != std::string::npos;
   const std::string head = between(text, "detent_samples[", "]");
   const std::vector<double> samples = numbersIn(array(text, "detent_samples["));
   limits.holds("as many samples as the array says", std::to_string(samples.size()) == head);
-  const double full = wide ? 32767 : 127;
+  const double full = wide16 ? 32767 : 127;
   for (const double sample : samples) limits.within("sample", sample, -full, full);
   limits.holds("silence", std::any_of(samples.begin(), samples.end(), [](double s) { return s != 0; }));
 }
@@ -443,12 +443,12 @@ namespace {
 ExportVerdict verdictOn(ExportFormat format, const std::vector<playback::ExportedFile>& files,
                         const playback::ExportLoss& loss) {
   ExportVerdict verdict{{}, violationsOf(format, files)};
-  const auto tells = [&](const char* what, double value) {
+  const auto reports = [&](const char* what, double value) {
     if (!std::isfinite(value) || value < 0) verdict.violations.push_back(std::string("loss: ") + what);
   };
-  for (const auto& kept : loss.energyKept) tells("energy_kept", kept.value_or(0));
-  tells("worst_timing_error_ms", loss.worstTimingError_ms);
-  tells("frequency_moved_Hz", loss.frequencyMoved_Hz);
+  for (const auto& kept : loss.energyKept) reports("energy_kept", kept.value_or(0));
+  reports("worst_timing_error_ms", loss.worstTimingError_ms);
+  reports("frequency_moved_Hz", loss.frequencyMoved_Hz);
   return verdict;
 }
 

@@ -469,13 +469,14 @@ TEST_CASE("Pairs of .haptic and .ahap made by others say the same") {
     };
     const std::string file = name;
     const nlohmann::json hapticJson = text(".haptic"), ahapJson = text(".ahap");
-    const ReferenceWaves mine = hapticWaves({hapticJson, "", file}), theirs = ahapWaves({ahapJson, "", file});
+    const ReferenceWaves mine = hapticWaves({hapticJson, "", file}),
+                         otherWaves = ahapWaves({ahapJson, "", file});
     double furthest = 0, furthest_Hz = 0;
     std::size_t points = 0;
     for (const WavePoint& point : mine.waves.front().points) {
       // Of a step, the side that is meant.
       double nearest = 1, nearest_Hz = 1000;
-      for (const PlayedWave& other : theirs.waves) {
+      for (const PlayedWave& other : otherWaves.waves) {
         for (const WavePoint& there : other.points) {
           if (std::fabs(there.time_s - point.time_s) > 1e-6) continue;
           nearest = std::fmin(nearest, std::fabs(there.amplitude - point.amplitude));

@@ -11,7 +11,7 @@ using namespace detent::playback;
 
 namespace {
 
-using Courses = std::array<LevelCourse, 2>;
+using Paths = std::array<LevelPath, 2>;
 
 struct Played {
   std::vector<double> levels;      // in the middle of every cell
@@ -24,7 +24,7 @@ std::array<Played, 2> playedSnippets(const std::array<int, snippetMemoryBytes>& 
   const std::size_t snippets = at(0), sequences = at(1), begin = 2 + snippets + sequences;
   REQUIRE(snippets <= 15);
   REQUIRE(sequences == 2);
-  std::array<Played, 2> both;
+  std::array<Played, 2> played;
   for (std::size_t k = 0; k < 2; ++k) {
     double last = 0;
     for (std::size_t i = at(1 + snippets + k) + 1; i <= at(2 + snippets + k); ++i) {
@@ -36,29 +36,29 @@ std::array<Played, 2> playedSnippets(const std::array<int, snippetMemoryBytes>& 
         const std::size_t cells = unit * ((at(p) >> 4U & 7U) + 1);
         const bool ramp = (at(p) & 0x80U) != 0;
         const double level = static_cast<double>(at(p) & 15U);
-        if (!ramp) both[k].begun.push_back(both[k].levels.size());
+        if (!ramp) played[k].begun.push_back(played[k].levels.size());
         for (std::size_t c = 0; c < cells; ++c)
-          both[k].levels.push_back(ramp ? last + (level - last) * (static_cast<double>(c) + 0.5) /
-                                                     static_cast<double>(cells)
-                                        : level);
+          played[k].levels.push_back(ramp ? last + (level - last) * (static_cast<double>(c) + 0.5) /
+                                                       static_cast<double>(cells)
+                                          : level);
         last = level;
       }
     }
     CHECK(last == 0);
   }
-  return both;
+  return played;
 }
 
 /// Falling bursts over a slope, as presses are.
-LevelCourse drawn(std::mt19937& bits, std::size_t cells, std::size_t bursts) {
-  LevelCourse course{std::vector<double>(cells, 0), {}};
-  for (std::size_t i = 0; i < cells; ++i) course.levels[i] = 2 + 1.5 * std::sin(static_cast<double>(i) / 40);
-  for (std::size_t b = 0; b < bursts; ++b) course.onsets.push_back(bits() % cells);
-  std::ranges::sort(course.onsets);
-  for (const std::size_t onset : course.onsets)
+LevelPath drawn(std::mt19937& bits, std::size_t cells, std::size_t bursts) {
+  LevelPath path{std::vector<double>(cells, 0), {}};
+  for (std::size_t i = 0; i < cells; ++i) path.levels[i] = 2 + 1.5 * std::sin(static_cast<double>(i) / 40);
+  for (std::size_t b = 0; b < bursts; ++b) path.onsets.push_back(bits() % cells);
+  std::ranges::sort(path.onsets);
+  for (const std::size_t onset : path.onsets)
     for (std::size_t i = onset; i < std::min(cells, onset + 28); ++i)
-      course.levels[i] = std::max(course.levels[i], 14 - 0.5 * static_cast<double>(i - onset));
-  return course;
+      path.levels[i] = std::max(path.levels[i], 14 - 0.5 * static_cast<double>(i - onset));
+  return path;
 }
 
 }  // namespace
@@ -69,20 +69,20 @@ TEST_CASE("What the memory holds is whole, in time and near the course") {
   for (const std::size_t cells : {1U, 30U, 220U, 1500U, 8000U}) {
     for (const std::size_t bursts : {0U, 1U, 3U, 40U}) {
       INFO(cells << " cells, " << bursts << " bursts");
-      const Courses courses{drawn(bits, cells, bursts), drawn(bits, cells / 2 + 1, bursts / 2)};
-      const auto rows = snippetsOf(courses);
+      const Paths paths{drawn(bits, cells, bursts), drawn(bits, cells / 2 + 1, bursts / 2)};
+      const auto rows = snippetsOf(paths);
       const auto found = playedSnippets(memoryOf(rows));
       for (std::size_t k = 0; k < 2; ++k) {
         CHECK(rows[k].held <= found[k].levels.size());
-        CHECK(rows[k].cut == (rows[k].held < courses[k].levels.size()));
+        CHECK(rows[k].cut == (rows[k].held < paths[k].levels.size()));
         cut += rows[k].cut ? 1 : 0;
-        for (const std::size_t onset : courses[k].onsets)
+        for (const std::size_t onset : paths[k].onsets)
           if (onset < rows[k].held) CHECK(std::ranges::binary_search(found[k].begun, onset));
         if (bursts > 3 || cells > 1500) continue;
         double squares = 0;
-        for (std::size_t i = 0; i < courses[k].levels.size(); ++i)
-          squares += std::pow(found[k].levels.at(i) - courses[k].levels[i], 2);
-        CHECK(std::sqrt(squares / static_cast<double>(courses[k].levels.size())) < 0.6);
+        for (std::size_t i = 0; i < paths[k].levels.size(); ++i)
+          squares += std::pow(found[k].levels.at(i) - paths[k].levels[i], 2);
+        CHECK(std::sqrt(squares / static_cast<double>(paths[k].levels.size())) < 0.6);
       }
       if (bursts <= 3) CHECK_FALSE((rows[0].cut || rows[1].cut));
     }
@@ -92,7 +92,7 @@ TEST_CASE("What the memory holds is whole, in time and near the course") {
 
 TEST_CASE("One course takes the memory that the other leaves; nothing is one silent point") {
   std::mt19937 bits(8);
-  const LevelCourse busy = drawn(bits, 600, 20);
+  const LevelPath busy = drawn(bits, 600, 20);
   const auto alone = snippetsOf({busy, {}});
   CHECK_FALSE(alone[0].cut);
   REQUIRE(alone[1].snippets.size() == 1);

@@ -72,18 +72,18 @@ TEST_CASE("press plant: two presses at once are each to the last bit what it is 
       for (const double amplitude_N : {0.3, 1.5, 7.0}) {
         const std::array<PressCommand, 2> commands = {
             {{amplitude_N, 0.08, 0}, {1.7 * amplitude_N, 0.065, -0.02}}};
-        const std::array<PressOutcome, 2> both = simulatePresses(key, contact, finger, commands);
+        const std::array<PressOutcome, 2> outcomes = simulatePresses(key, contact, finger, commands);
         for (const std::size_t i : {0U, 1U}) {
           const PressOutcome alone = simulatePress(key, contact, finger, commands[i]);
-          CHECK(both[i].touch_s == alone.touch_s);
-          CHECK(both[i].activation_s == alone.activation_s);
-          CHECK(both[i].opening_s == alone.opening_s);
-          CHECK(both[i].rapidOpening_s == alone.rapidOpening_s);
-          CHECK(both[i].closings == alone.closings);
-          CHECK(both[i].peak_N == alone.peak_N);
-          CHECK(both[i].impulse_Ns == alone.impulse_Ns);
-          CHECK(both[i].deepest_m == alone.deepest_m);
-          CHECK(both[i].end_s == alone.end_s);
+          CHECK(outcomes[i].touch_s == alone.touch_s);
+          CHECK(outcomes[i].activation_s == alone.activation_s);
+          CHECK(outcomes[i].opening_s == alone.opening_s);
+          CHECK(outcomes[i].rapidOpening_s == alone.rapidOpening_s);
+          CHECK(outcomes[i].closings == alone.closings);
+          CHECK(outcomes[i].peak_N == alone.peak_N);
+          CHECK(outcomes[i].impulse_Ns == alone.impulse_Ns);
+          CHECK(outcomes[i].deepest_m == alone.deepest_m);
+          CHECK(outcomes[i].end_s == alone.end_s);
         }
       }
     }

@@ -35,8 +35,9 @@ Json timeOrNull(const std::optional<double>& time_s) { return time_s ? Json(*tim
 Json pressed(const Json& json) {
   const Result<Button> button = buttonFromJson(json.at("button").dump(), "the case's button");
   if (!button) throw std::runtime_error(button.failure().sentence());
-  const Json& told = json.at("command");
-  const PressCommand command{told.at("amplitude_N"), told.at("duration_s"), told.at("lift_s")};
+  const Json& commandJson = json.at("command");
+  const PressCommand command{commandJson.at("amplitude_N"), commandJson.at("duration_s"),
+                             commandJson.at("lift_s")};
   const PressOutcome outcome =
       simulatePress(KeyTables(button->states().front()), ContactPoints{json.at("close_m"), json.at("open_m")},
                     fingerFrom(json.at("finger")), command);

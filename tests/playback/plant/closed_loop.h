@@ -33,13 +33,13 @@ struct LoopSettings {
   std::uint64_t seed = 1;
 };
 
-/// What one period looked like.
+/// State of one period.
 struct LoopStep {
   double time_s = 0;
   double position_mm = 0;  ///< true
-  double read_mm = 0;      ///< as the engine was told
+  double read_mm = 0;      ///< as the engine received it
   bool fresh = false;
-  double command_N = 0;  ///< what the engine asked for
+  double command_N = 0;  ///< force that the engine requested
   double motor_N = 0;    ///< what acted, after delay and lag
   double finger_N = 0;
   double fingerWork_mJ = 0;

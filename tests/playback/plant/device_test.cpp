@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent-play force as a program, against a microcontroller and an ODrive at the far end of a pty, with a handle and a finger on
-// them: what reaches the hand, whatever the link and the firmware do. Issue 25, sections 1 and 2; [!shouldfail] as in safety_test.cpp.
+// detent-play force as a program, against a microcontroller and an ODrive at the far end of a pty, with a
+// handle and a finger on them: what reaches the hand, whatever the link and the firmware do. Issue 25,
+// sections 1 and 2; [!shouldfail] as in safety_test.cpp.
 
 #include <chrono>
 #include <cmath>
@@ -195,14 +196,15 @@ TEST_CASE("uploaded, by the host and simulated: the same force under the same li
     profile.limits.force_N = 5;
     auto program = std::make_unique<playback::ForceProgram>(preparedFor(sampleButton(button), profile));
     playback::ForceEngine engine(*program);
-    const auto told = [&](double position_mm) {
+    const auto forceAt = [&](double position_mm) {
       playback::ForceReading reading;
       reading.position_mm = position_mm;
       return engine.step(reading).force_N;
     };
-    for (int k = 0; k < 400; ++k) told(-0.5);
+    for (int k = 0; k < 400; ++k) forceAt(-0.5);
     for (double at_mm = -0.5; at_mm < 5.5; at_mm += 0.0005) {  // 0.5 mm/s: no damping to speak of
-      const double host_N = told(at_mm), uploaded_N = std::min(5.0, device.table().force_N(at_mm, true, 0));
+      const double host_N = forceAt(at_mm),
+                   uploaded_N = std::min(5.0, device.table().force_N(at_mm, true, 0));
       INFO(button << " at " << at_mm << " mm");
       REQUIRE(std::abs(host_N - uploaded_N) < 0.03);
     }
@@ -263,18 +265,18 @@ Exchanged exchanged(const std::string& from, const std::string& to, double reply
           e.overRamp_N, std::abs(moment.motor_N) - max_N * (moment.time_s - e.risen_s + 0.003) / ramp_s);
   }
   const playback::ForceProgram program = preparedFor(sampleButton(to), player.device.profile);
-  const playback::ForceStateTable& told = program.states[0];
+  const playback::ForceStateTable& forceAt = program.states[0];
   const UploadedTable& got = device.table();
   e.worst_N = 0;
   for (std::size_t i = 0; i < got.rows.size(); ++i) {
     const double at_mm = got.first_mm + got.spacing_mm * static_cast<double>(i);
-    const long row = std::lround((at_mm - told.first_mm) / told.spacing_mm);
+    const long row = std::lround((at_mm - forceAt.first_mm) / forceAt.spacing_mm);
     // The device may still hold the table of `from`, whose travel is another.
-    if (row < 0 || row >= static_cast<long>(told.rowCount)) {
+    if (row < 0 || row >= static_cast<long>(forceAt.rowCount)) {
       e.worst_N = std::numeric_limits<double>::infinity();
       break;
     }
-    const playback::ForceRow& expected = told.rows[static_cast<std::size_t>(row)];
+    const playback::ForceRow& expected = forceAt.rows[static_cast<std::size_t>(row)];
     e.worst_N = std::max({e.worst_N, std::abs(got.rows[i].press_N - expected.press_N),
                           std::abs(got.rows[i].release_N - expected.release_N)});
   }
@@ -325,10 +327,10 @@ namespace {
 
 struct Regained {
   double before_N = 0, untilArmed_N = 0, after_N = 0;  ///< largest
-  playback::ForceHalt told{};
+  playback::ForceHalt forceAt{};
   std::string refused{};
   bool fine(playback::ForceHalt halt) const {
-    return before_N > 0.3 && untilArmed_N == 0 && told == halt && after_N > 0.3 &&
+    return before_N > 0.3 && untilArmed_N == 0 && forceAt == halt && after_N > 0.3 &&
            after_N <= uploaded_N + 1e-4;
   }
 };
@@ -347,7 +349,7 @@ Regained regained(SerialEmulatorSettings settings, double replyDelay_s) {
     if (!running) return Regained{.refused = running.failure().sentence()};
     armed_s = 1.6;
     pause(armed_s);
-    r.told = (*running)->status().halt;
+    r.forceAt = (*running)->status().halt;
     (*running)->rearm();
     pause(1.2 + 26 * replyDelay_s);  // a line with each answer
   }
@@ -392,7 +394,7 @@ TEST_CASE("what takes an uploaded table away is told, and arming brings its forc
       INFO(taken.what << ", answers after " << replyDelay_s << " s " << r.refused);
       CHECK(r.before_N > 0.3);
       CHECK(r.untilArmed_N == 0);
-      CHECK(r.told == taken.halt);
+      CHECK(r.forceAt == taken.halt);
       CHECK(r.after_N > 0.3);
       CHECK(r.after_N <= uploaded_N + 1e-4);
     }
@@ -520,8 +522,8 @@ TEST_CASE("an ODrive that comes back with another count gives force of the right
   settings.pty.pluggedAgain_s = 0.1;
   settings.pty.resetAt_s = 0.35;
   const auto fine = [](const OdriveRun& r) {
-    const bool told = r.ran.refused() || r.ran.said.find("place") != std::string::npos;
-    return r.felt.useful() || (told && r.felt.mean_N == 0);
+    const bool forceAt = r.ran.refused() || r.ran.said.find("place") != std::string::npos;
+    return r.felt.useful() || (forceAt && r.felt.mean_N == 0);
   };
   const OdriveRun run = undisturbed([&] { return odrive(settings); }, fine);
   INFO(run.felt.mean_N << " N, shaking by " << run.felt.shaking_N << " N; " << run.ran.said);

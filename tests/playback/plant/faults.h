@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What goes wrong between an encoder and a law: readings as they would have been in, readings as they come out.
+// Faults between an encoder and the force law: each changes a sequence of correct readings.
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a finger feels of a device that is no ideal one: stability as claimed and as it is, energy at the finger.
-// Issue 25, section 2; [!shouldfail] as in safety_test.cpp.
+// What a finger feels of a device that is no ideal one: stability as claimed and as it is, energy at the
+// finger. Issue 25, section 2; [!shouldfail] as in safety_test.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double steepest_N_per_mm = 80, leastShare = 0.85;
 
-/// A device whose delay and lag are known, and told to the product.
+/// A device whose delay and lag are known and stated in its profile.
 struct DrawnDevice {
   playback::ForceDeviceProfile profile;
   double buttonDamping_Ns_per_mm = 0;
@@ -35,7 +35,7 @@ DrawnDevice drawnDevice(Chance& chance) {
   profile = playback::simulatedDevice();
   profile.mass_kg = chance.between(0.02, 0.2);
   profile.damping_Ns_per_mm = chance.between(0.0005, 0.006);
-  profile.friction_N = 0.1;  // told, so that the bound by encoder steps is far; the handle has none
+  profile.friction_N = 0.1;  // stated, so that the bound by encoder steps is far; the handle has none
   profile.step_mm = chance.between(0.0005, 0.01);
   profile.rate_Hz = chance.once(0.5) ? 1000 : chance.between(500, 4000);
   profile.largestSlope_N_per_mm = steepest_N_per_mm;
@@ -60,7 +60,8 @@ Button springOf(double slope_N_per_mm, double damping_Ns_per_mm) {
 
 constexpr double aside_mm = 0.2;
 
-/// The handle alone, pressed with a constant force to the middle of the spring and let go 0.2 mm beside it: how far it still swings
+/// The handle alone, pressed with a constant force to the middle of the spring and let go 0.2 mm beside it:
+/// how far it still swings
 /// 0.3 to 0.4 s later; infinity if it has left the spring.
 double stillSwings_mm(const DrawnDevice& drawn, double slope_N_per_mm) {
   const auto program = std::make_unique<playback::ForceProgram>(
@@ -140,8 +141,8 @@ TEST_CASE("300 devices: no slope is claimed to be stable that is not", "[margin]
   CHECK(over == 0);
 }
 
-// Damping of the button's own can keep a cycle of some encoder steps going on a slope at which a swing of 0.2 mm dies away: that is no
-// rest either.
+// Damping of the button's own can keep a cycle of some encoder steps going on a slope at which a swing of 0.2
+// mm dies away: that is no rest either.
 TEST_CASE("300 devices: what is claimed to be stable is within 15 % of what is", "[margin]") {
   const std::vector<double>& ratios = margins().claimedOverTrue;
   const auto far = std::count_if(ratios.begin(), ratios.end(), [](double r) { return r < leastShare; });
@@ -160,7 +161,8 @@ struct PressEnergy {
   std::string what;
 };
 
-/// One press on a device with delay and motor lag, both told; the handle begins and ends at rest without a finger on it.
+/// One press on a device with a stated delay and motor lag. The handle begins and ends at rest, without a
+/// finger.
 PressEnergy pressOnce(Chance& chance, const std::string& name, double delay_s, double lag_s) {
   playback::ForceDeviceProfile device = playback::simulatedDevice();
   device.delay_s = delay_s + lag_s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What people do with a finger, as plans for handle.h. All of them are functions of time alone.
+// Movements of a finger as plans for handle.h. Each is a function of time alone.
 
 #include <algorithm>
 #include <cmath>

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The independent world around the force engine: a handle with a motor, and a finger on it. Written from the papers and the public
-// headers, without sight of the engine, so that what it finds is evidence. Reading order: handle.h (mechanics), finger.h (who
-// presses), transport.h (what lies between), closed_loop.h (engine and world together), faults.h, *_emulator.h (devices on a pty).
+// The independent world around the force engine: a handle with a motor, and a finger on it. Written from the
+// papers and the public headers, without sight of the engine, so that what it finds is evidence. Reading
+// order: handle.h (mechanics), finger.h (who presses), transport.h (what lies between), closed_loop.h (engine
+// and world together), faults.h, *_emulator.h (devices on a pty).
 //
-// Signs as in the product: displacement in mm grows with pressing, the motor's force in N acts against pressing. Energies in mJ.
+// Signs as in the product: displacement in mm grows with pressing, the motor's force in N acts against
+// pressing. Energies in mJ.
 
 #include <cstddef>
 #include <functional>
 
 namespace detent::test {
 
-/// One degree of freedom: mass, viscous damping, Coulomb and static friction, hard stops, and a motor that lags and saturates.
+/// One degree of freedom: mass, viscous damping, Coulomb and static friction, hard stops, and a motor that
+/// lags and saturates.
 struct HandleSettings {
   double mass_kg = 0.05;
   double damping_Ns_per_mm = 0.001;
@@ -22,10 +25,11 @@ struct HandleSettings {
   double lowest_mm = -20, highest_mm = 200;
 };
 
-/// Fingertip: effective mass behind a pulp, moved by a muscle. Effective mass 3 to 9 g, 0.2 to 0.8 N/mm and 0.002 to 0.005 N·s/mm are the
-/// range Hajian and Howe give for the index finger (J. Biomech. Eng. 1997); the pulp's force grows exponentially with displacement
-/// (Pawluk and Howe, J. Biomech. Eng. 1999), here 0.6 N/mm at the first touch and 3 N/mm at 1 N; physiological tremor 8 to 12 Hz of
-/// 2 % of the force; a muscle follows its nerve with about 40 ms. Numbers from memory of these papers, not read off them.
+/// Fingertip: effective mass behind a pulp, moved by a muscle. Effective mass 3 to 9 g, 0.2 to 0.8 N/mm and
+/// 0.002 to 0.005 N·s/mm are the range Hajian and Howe give for the index finger (J. Biomech. Eng. 1997); the
+/// pulp's force grows exponentially with displacement (Pawluk and Howe, J. Biomech. Eng. 1999), here 0.6 N/mm
+/// at the first touch and 3 N/mm at 1 N; physiological tremor 8 to 12 Hz of 2 % of the force; a muscle
+/// follows its nerve with about 40 ms. Numbers from memory of these papers, not read off them.
 struct FingerSettings {
   double mass_kg = 0.006;
   double stiffness_N_per_mm = 0.3, damping_Ns_per_mm = 0.003;  ///< of the joint, towards where it aims
@@ -36,7 +40,7 @@ struct FingerSettings {
   double tremor_Hz = 9.5;
 };
 
-/// What the nerve asks for: a place to aim at through the joint's stiffness, a force on top of it.
+/// Command of the nerve: a target position reached through the joint's stiffness, plus a force.
 struct Intent {
   double aim_mm = 0, push_N = 0;
 };
@@ -56,15 +60,16 @@ struct EnergyAccount {
   double turnover_mJ = 0;  ///< sum of the sizes of all flows: what the residual is measured against
 };
 
-/// A handle with a finger on it. Implicit midpoint with the pulp's exact mean force over a step, so that energy is conserved
-/// to rounding; a slide that ends, ends within a step, and friction only ever takes. Deterministic; no clock.
+/// A handle with a finger on it. Implicit midpoint with the pulp's exact mean force over a step, so that
+/// energy is conserved to rounding; a slide that ends, ends within a step, and friction only ever takes.
+/// Deterministic; no clock.
 class HandleAndFinger {
  public:
   static constexpr double step_s = 1.0 / 40000;
 
   HandleAndFinger(const HandleSettings& handle, const FingerSettings& finger, Plan plan, double start_mm = 0);
 
-  /// One integration step. `command_N`: what the motor was last asked for.
+  /// One integration step. `command_N`: force last requested from the motor.
   void advance(double command_N);
   /// No finger: the handle is alone from now on, and energy is counted anew.
   void takeFingerAway();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device measured by the product, on handles whose mass, friction, damping, delay and lag the test knows. Issue 25, section 2.
+// A device measured by the product, on handles whose mass, friction, damping, delay and lag the test knows.
+// Issue 25, section 2.
 
 #include <algorithm>
 #include <cmath>
@@ -91,14 +92,14 @@ class Shaken {
     const std::int64_t periods = pausePeriods_ > 0 && ++steps_ % pauseEvery_ == 0 ? pausePeriods_ : 1;
     index_ += periods;
     next_s_ = static_cast<double>(index_) * period_s + wakes_.between(0, wakesLate_s_);
-    reading.periods = std::max(1.0, periods_);  // as the loop tells it
+    reading.periods = std::max(1.0, periods_);  // as the loop reports it
     periods_ = (next_s_ - now_s) / period_s;
     reading.position_mm = quantised_mm(world_.position_mm(), step_mm_);
     if (wakesLate_s_ > 0) sending_.send(now_s, force_N_);
     force_N_ = engine_.step(reading).force_N;
     if (wakesLate_s_ == 0) sending_.send(now_s, force_N_);
     playback::ForceStep kept = engine_.last();
-    if (wakesLate_s_ > 0) kept.asked_s = clockFrom_s + now_s;
+    if (wakesLate_s_ > 0) kept.requested_s = clockFrom_s + now_s;
     time_s_ += record_.time_s.empty() ? 0 : between_s(before_, kept, period_s);
     before_ = kept;
     record_.time_s.push_back(time_s_);
@@ -135,7 +136,7 @@ playback::MotionIdentification measured(const KnownDevice& device) {
   return *found;
 }
 
-/// How far off, in standard errors and of the truth.
+/// Error of an estimate, in standard errors and relative to the true value.
 struct Off {
   std::vector<double> sigmas, shares;
   void add(const playback::Estimate& found, double truth, double scale) {
@@ -148,7 +149,7 @@ struct Off {
            static_cast<double>(sigmas.size());
   }
   double worst() const { return *std::max_element(shares.begin(), shares.end()); }
-  std::string told() const {
+  std::string report() const {
     return std::to_string(100 * within(1)) + " % within one error, " + std::to_string(100 * within(2)) +
            " % within two, most " + std::to_string(*std::max_element(sigmas.begin(), sigmas.end())) +
            "; worst " + std::to_string(worst());
@@ -176,8 +177,8 @@ TEST_CASE("devices are measured within their errors", "[identify]") {
     lag.add(m.lag_s, d.handle.motorLag_s, 1);
     late.add(m.late_s, d.delay_s + d.handle.motorLag_s, 1);
   }
-  INFO("mass " << mass.told() << "\nfriction " << friction.told() << "\ndamping " << damping.told()
-               << "\ndelay " << delay.told() << "\nlag " << lag.told() << "\nlate " << late.told());
+  INFO("mass " << mass.report() << "\nfriction " << friction.report() << "\ndamping " << damping.report()
+               << "\ndelay " << delay.report() << "\nlag " << lag.report() << "\nlate " << late.report());
   CHECK(mass.worst() < 0.02);
   CHECK(friction.worst() < 0.005);
   CHECK(damping.worst() < 0.0002);

@@ -104,8 +104,9 @@ std::size_t actuationsOff(double share) {
 
 }  // namespace
 
-// A softened wall has its force later than drawn: an operating point left where it is drawn acts at 0.05 N.
-// A force that is led beyond the operating point, on a wall of 2 N/mm, lies above it: fast fingers go 0.14 mm between two readings.
+// A softened bottom-out reaches its force later than drawn: an operating point left where it is drawn acts at
+// 0.05 N. On a bottom-out of 2 N/mm a fast finger moves 0.14 mm between two readings, so the force at the first
+// reading beyond the operating point is larger than drawn.
 TEST_CASE("1,000 fingers: a latch acts within 5 % of its drawn force", "[latch]") {
   CHECK(actuationsOff(0.05) == 0);
 }

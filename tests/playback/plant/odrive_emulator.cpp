@@ -116,9 +116,9 @@ void OdriveEmulator::hear(const std::string& received) {
   const std::size_t star = line.find('*');
   const bool checksum = star != std::string::npos;
   if (checksum) {
-    unsigned sum = 0, told = 0;
+    unsigned sum = 0, stated = 0;
     for (std::size_t i = 0; i < star; ++i) sum ^= static_cast<unsigned char>(line[i]);
-    if (std::sscanf(line.c_str() + star + 1, "%u", &told) != 1 || told != sum) return;
+    if (std::sscanf(line.c_str() + star + 1, "%u", &stated) != 1 || stated != sum) return;
     line.resize(star);
   }
   watch();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The world that judges the force engine is judged itself: energy to rounding, friction that sticks and slips, lag, delay, fingers.
+// The world that judges the force engine is judged itself: energy to rounding, friction that sticks and
+// slips, lag, delay, fingers.
 
 #include <cmath>
 #include <complex>
@@ -139,12 +140,12 @@ TEST_CASE("messages arrive in order, late by what was asked, and as often lost a
 }
 
 TEST_CASE("fingers press, hold, slap and let go as fingers do", "[plant]") {
-  HandleSettings wall;  // a table: nothing gives
-  wall.lowest_mm = wall.highest_mm = 0;
+  HandleSettings table;  // a table: nothing gives
+  table.lowest_mm = table.highest_mm = 0;
   FingerSettings finger;
   SECTION("a finger that rests carries its weight, trembling by 2 % at 9.5 Hz") {
     finger.tremorShare = 0.02;
-    HandleAndFinger world(wall, finger, resting(0.8));
+    HandleAndFinger world(table, finger, resting(0.8));
     run(world, 1);
     std::complex<double> tremor{};
     double mean_N = 0;
@@ -160,7 +161,7 @@ TEST_CASE("fingers press, hold, slap and let go as fingers do", "[plant]") {
     CHECK(std::abs(tremor) / mean_N == Approx(0.02).epsilon(0.2));
   }
   SECTION("a slap at 200 mm/s meets the table with newtons for some milliseconds") {
-    HandleAndFinger world(wall, finger, resting(0.5));
+    HandleAndFinger world(table, finger, resting(0.5));
     world.throwTip(1, 200);
     double peak_N = 0;
     for (int k = 0; k < 2000; ++k) {
@@ -171,7 +172,7 @@ TEST_CASE("fingers press, hold, slap and let go as fingers do", "[plant]") {
     CHECK(peak_N < 6);
   }
   SECTION("one that lets go is gone within 0.2 s") {
-    HandleAndFinger world(wall, finger, lettingGo(2, 1, 0.5));
+    HandleAndFinger world(table, finger, lettingGo(2, 1, 0.5));
     run(world, 0.5);
     CHECK(world.fingerForce_N() > 0.8);
     run(world, 0.2);

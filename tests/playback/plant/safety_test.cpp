@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a force engine may never do to a person, whatever the encoder says: issue 25, section 1. Cases tagged [!shouldfail] hold what
-// is promised and not kept yet; each names its line, and goes red when it is kept, so that its tag is taken off.
+// What a force engine may never do to a person, whatever the encoder says: issue 25, section 1. Cases tagged
+// [!shouldfail] hold what is promised and not kept yet; each names its line, and goes red when it is kept, so
+// that its tag is taken off.
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +29,10 @@ playback::ForceDeviceProfile limitedTo(double force_N) {
   return device;
 }
 
-/// An engine that is told positions, on time.
-class Told {
+/// An engine that receives a position in each period, on time.
+class DrivenEngine {
  public:
-  explicit Told(const playback::ForceProgram& program)
+  explicit DrivenEngine(const playback::ForceProgram& program)
       : program_(std::make_unique<playback::ForceProgram>(program)), engine_(*program_) {}
 
   double step(const playback::ForceReading& reading) { return engine_.step(reading).force_N; }
@@ -69,7 +70,7 @@ TEST_CASE("a start at any depth rises no faster than the ramp of the largest for
     for (double max_N : {1.0, 5.0}) {
       const playback::ForceProgram program = preparedFor(sampleButton(name), limitedTo(max_N));
       for (double depth_mm = 0; depth_mm <= 50; depth_mm += 0.5) {
-        Told started(program);
+        DrivenEngine started(program);
         for (std::int64_t k = 0; k < 300; ++k) {
           const double force_N = started.step(depth_mm);
           INFO(name << ", at most " << max_N << " N, started at " << depth_mm << " mm, after " << k + 1
@@ -127,11 +128,11 @@ TEST_CASE("without readings, or with none that is a number, the force is gone wi
     for (FaultKind kind : {FaultKind::silent, FaultKind::notFinite}) {
       for (double depth_mm : {0.5, 1.2, 3.0, 3.9, 6.0}) {
         const playback::ForceProgram program = preparedFor(sampleButton(name), limitedTo(5));
-        Told told(program);
-        told.restAt(depth_mm);
+        DrivenEngine driven(program);
+        driven.restAt(depth_mm);
         FaultyEncoder encoder({{kind, 0, 1000, 0}});
         for (std::int64_t k = 0; k < 400; ++k) {
-          const double force_N = told.step(encoder.reading(k, depth_mm));
+          const double force_N = driven.step(encoder.reading(k, depth_mm));
           INFO(name << " at " << depth_mm << " mm, " << k + 1 << " ms after");
           REQUIRE(std::isfinite(force_N));
           if (static_cast<double>(k + 1) * program.period_s >= silenceIn_s) REQUIRE(force_N == 0);
@@ -143,26 +144,26 @@ TEST_CASE("without readings, or with none that is a number, the force is gone wi
 
 TEST_CASE("a stop takes the force away within 15 ms, and for good", "[stop]") {
   for (const std::string& name : buttons) {
-    Told told(preparedFor(sampleButton(name), limitedTo(5)));
-    told.restAt(3);
-    told.engine().stop();
+    DrivenEngine driven(preparedFor(sampleButton(name), limitedTo(5)));
+    driven.restAt(3);
+    driven.engine().stop();
     for (int k = 0; k < 1000; ++k) {
-      const double force_N = told.step(3 + 0.001 * k);
+      const double force_N = driven.step(3 + 0.001 * k);
       if (k >= 14) REQUIRE(force_N == 0);
     }
-    CHECK(told.engine().silent());
+    CHECK(driven.engine().silent());
   }
 }
 
 TEST_CASE("after a silence the force rises over the ramp again", "[silence]") {
   for (double depth_mm : {1.0, 3.0, 8.0, 30.0}) {
     const playback::ForceProgram program = preparedFor(sampleButton("B"), limitedTo(5));
-    Told told(program);
-    told.restAt(depth_mm);
-    for (int k = 0; k < 100; ++k) told.missing();
+    DrivenEngine driven(program);
+    driven.restAt(depth_mm);
+    for (int k = 0; k < 100; ++k) driven.missing();
     for (std::int64_t k = 0; k < 300; ++k) {
       INFO(depth_mm << " mm, " << k + 1 << " ms after the first reading");
-      REQUIRE(std::abs(told.step(depth_mm)) <= rampAt(k + 1, program.period_s, 5));
+      REQUIRE(std::abs(driven.step(depth_mm)) <= rampAt(k + 1, program.period_s, 5));
     }
   }
 }
@@ -171,10 +172,10 @@ TEST_CASE("a position that jumped is not believed: no force within 15 ms", "[jum
   for (double from_mm : {0.5, 1.5, 3.0, 3.9}) {
     for (double jump_mm : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, -1.0, -5.0, -50.0}) {
       const playback::ForceProgram program = preparedFor(sampleButton("B"), limitedTo(5));
-      Told told(program);
-      const double before_N = told.restAt(from_mm);
+      DrivenEngine driven(program);
+      const double before_N = driven.restAt(from_mm);
       for (int k = 0; k < 3000; ++k) {
-        const double force_N = told.step(from_mm + jump_mm);
+        const double force_N = driven.step(from_mm + jump_mm);
         INFO("from " << from_mm << " mm by " << jump_mm << " mm, " << k + 1 << " ms after; " << before_N
                      << " N before");
         REQUIRE(std::abs(force_N) <= std::abs(before_N) + 1e-6);
@@ -187,12 +188,12 @@ TEST_CASE("a position that jumped is not believed: no force within 15 ms", "[jum
 TEST_CASE("a flicker of 0.5 to 3 mm gives no steps of force, and none at all after 15 ms", "[flicker]") {
   for (const std::string& name : buttons) {
     for (double size_mm : {0.5, 1.0, 1.5, 3.0}) {
-      Told told(preparedFor(sampleButton(name), limitedTo(5)));
-      double before_N = told.restAt(3);
+      DrivenEngine driven(preparedFor(sampleButton(name), limitedTo(5)));
+      double before_N = driven.restAt(3);
       const double rest_N = std::abs(before_N);
       FaultyEncoder encoder({{FaultKind::flicker, 0, 1000, size_mm}});
       for (std::int64_t k = 0; k < 500; ++k) {
-        const double force_N = told.step(encoder.reading(k, 3));
+        const double force_N = driven.step(encoder.reading(k, 3));
         INFO(name << ", " << size_mm << " mm, " << k + 1 << " ms after; " << rest_N << " N before");
         // It only falls, no faster than the largest force does in the 10 ms of docs/guide/force-feedback.md.
         REQUIRE(std::abs(force_N) <= std::abs(before_N) + 1e-6);
@@ -207,9 +208,10 @@ TEST_CASE("a flicker of 0.5 to 3 mm gives no steps of force, and none at all aft
 TEST_CASE("too fast stays too fast while the speed is not known", "[speed]") {
   Chance chance(41);
   for (int run = 0; run < 400; ++run) {
-    Told told(preparedFor(sampleButton("latch"), limitedTo(5)));
-    told.restAt(0);
-    // Faster than 2 m/s at 150 m/s², which a thrown handle of 50 g does, and on at that speed, while answers go missing.
+    DrivenEngine driven(preparedFor(sampleButton("latch"), limitedTo(5)));
+    driven.restAt(0);
+    // Faster than 2 m/s at 150 m/s², which a thrown handle of 50 g does, and on at that speed, while answers
+    // go missing.
     const double last_mm_per_s = chance.between(2050, 2400), lost = chance.between(0, 0.8);
     double position_mm = 0, speed_mm_per_s = 0;
     int fast = 0;
@@ -219,7 +221,7 @@ TEST_CASE("too fast stays too fast while the speed is not known", "[speed]") {
       const bool answered = !chance.once(lost);
       // From the first answer on that shows it: before, nobody can know.
       if (speed_mm_per_s > 2000 && (answered || fast > 0)) ++fast;
-      const double force_N = answered ? told.step(position_mm) : told.missing();
+      const double force_N = answered ? driven.step(position_mm) : driven.missing();
       INFO("run " << run << ", " << lost << " of the answers missing, at " << position_mm
                   << " mm, too fast for " << fast << " ms");
       if (fast > 15) REQUIRE(force_N == 0);
@@ -228,7 +230,7 @@ TEST_CASE("too fast stays too fast while the speed is not known", "[speed]") {
 }
 
 TEST_CASE("a missing answer in a swift movement is no standstill: the damping stays", "[speed]") {
-  Told whole(preparedFor(sampleButton("push"), limitedTo(5))),
+  DrivenEngine whole(preparedFor(sampleButton("push"), limitedTo(5))),
       gap(preparedFor(sampleButton("push"), limitedTo(5)));
   whole.restAt(0);
   gap.restAt(0);
@@ -291,7 +293,7 @@ TEST_CASE("a finger that holds still is not taken for a dead encoder", "[dead]")
         settings.encoderStep_mm = step_mm;
         settings.start_mm = at_mm;
         settings.finger.stiffness_N_per_mm = 0.5;
-        ClosedLoop loop(program, settings, holding(at_mm, Told(program).restAt(at_mm)));
+        ClosedLoop loop(program, settings, holding(at_mm, DrivenEngine(program).restAt(at_mm)));
         loop.runUntil(2.5);
         INFO(name << " at " << at_mm << " mm, steps of " << step_mm << " mm");
         CHECK(loop.engine().halt() == playback::ForceHalt::none);
@@ -347,7 +349,7 @@ TEST_CASE("an encoder that dies under a pressing finger: no force after 20 ms, n
 
 namespace {
 
-/// What a careful person would want of any stretch of readings, kept apart from how the engine does it.
+/// Safety requirements on any sequence of readings, checked independently of the engine's code.
 class Watch {
  public:
   Watch(double max_N, double period_s, bool ramp) : max_N_(max_N), period_s_(period_s), ramp_(ramp) {}
@@ -399,7 +401,7 @@ std::string wrongInRandomFaults(bool watchRamp) {
   Chance chance(31);
   for (int run = 0; run < 10000; ++run) {
     const playback::ForceProgram& program = programs[chance.below(programs.size())];
-    Told told(program);
+    DrivenEngine driven(program);
     Watch watch(program.limits.force_N, program.period_s, watchRamp);
     FaultyEncoder encoder(randomFaults(chance));
     const double middle_mm = chance.between(0, 30), size_mm = chance.between(0, 4),
@@ -408,7 +410,7 @@ std::string wrongInRandomFaults(bool watchRamp) {
       const double true_mm =
           middle_mm + size_mm * std::sin(speed * static_cast<double>(k) * program.period_s);
       const playback::ForceReading reading = encoder.reading(k, true_mm);
-      const std::string wrong = watch.after(reading, told.step(reading));
+      const std::string wrong = watch.after(reading, driven.step(reading));
       if (!wrong.empty())
         return "sequence " + std::to_string(run) + ", step " + std::to_string(k) + ": " + wrong;
     }

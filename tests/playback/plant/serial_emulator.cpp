@@ -19,9 +19,9 @@ unsigned checksumOf(const std::string& text) {
 std::vector<std::string> fieldsOf(const std::string& line) {
   const std::size_t star = line.rfind('*');
   if (line.size() > 95 || star == std::string::npos || line.size() != star + 3) return {};
-  char told[3];
-  std::snprintf(told, sizeof told, "%02X", checksumOf(line.substr(0, star)));
-  if (line.substr(star + 1) != told) return {};
+  char checksum[3];
+  std::snprintf(checksum, sizeof checksum, "%02X", checksumOf(line.substr(0, star)));
+  if (line.substr(star + 1) != checksum) return {};
   std::vector<std::string> fields;
   std::istringstream body(line.substr(0, star));
   for (std::string field; std::getline(body, field, ',');) fields.push_back(field);
@@ -44,7 +44,7 @@ double UploadedTable::force_N(double position_mm, bool pressing, double speed_mm
     return rows[below].*column + (rows[below + 1].*column - rows[below].*column) * share;
   };
   return between(pressing ? &Row::press_N : &Row::release_N) +
-         std::max(0.0, position_mm - last_mm) * wall_N_per_mm +
+         std::max(0.0, position_mm - last_mm) * bottomOut_N_per_mm +
          between(&Row::damping_Ns_per_mm) * speed_mm_per_s;
 }
 
@@ -72,7 +72,7 @@ void SerialEmulator::sayPosition(const std::string& sequence) {
   say(body);
 }
 
-// L,FORCE,SLEW,SPEED,RISE,SILENCE: kept as told where the device can keep it, and said back.
+// L,FORCE,SLEW,SPEED,RISE,SILENCE: stores the limits, reduced to the device's own, and replies with them.
 void SerialEmulator::hearLimits(const std::string& body, const std::vector<std::string>& fields) {
   const double force_uN = numberIn(fields, 1), silence_ms = numberIn(fields, 5);
   if (fields.size() != 6 || force_uN <= 0 || force_uN > static_cast<double>(settings_.largestForce_uN) ||

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A microcontroller that speaks docs/reference/force-protocol.md, with the safety that the document asks of it.
+// A microcontroller that speaks docs/reference/force-protocol.md, with the safety that the document asks of
+// it.
 
 #include <cstdint>
 #include <string>
@@ -21,12 +22,12 @@ struct SerialEmulatorSettings {
   int losesRow = 0;      ///< once it has run a table, every so many-th row is lost on the way; 0: none
 };
 
-/// What a table says, as a device that runs it would use it.
+/// An uploaded table as the device uses it.
 struct UploadedTable {
   struct Row {
     double press_N = 0, release_N = 0, damping_Ns_per_mm = 0;
   };
-  double first_mm = 0, spacing_mm = 0, radius_mm = 0, wall_N_per_mm = 0;
+  double first_mm = 0, spacing_mm = 0, radius_mm = 0, bottomOut_N_per_mm = 0;
   std::vector<Row> rows;
   /// Force with the play wholly on one side, before any limit of the device.
   double force_N(double position_mm, bool pressing, double speed_mm_per_s) const;
@@ -37,11 +38,12 @@ class SerialEmulator : public PtyDevice {
   explicit SerialEmulator(const SerialEmulatorSettings& settings);
   ~SerialEmulator() override { halt(); }
 
-  /// The table it began last: one that is told anew, after a pause of the host, may still lack rows when a run ends.
+  /// The table last started. A table uploaded again after a pause of the host may still lack rows when a run
+  /// ends.
   const UploadedTable& table() const { return ran_; }
   bool ranTable() const { return !ran_.rows.empty(); }
   int rowsSinceTable() const { return rowsSinceTable_; }  ///< that were sent once it had run a table
-  /// Largest force the device was told it may ever give (version 2), or its own.
+  /// Largest force the host allowed (version 2), or the device's own.
   double limit_N() const { return static_cast<double>(limit_uN_) * 1e-6; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Buttons with graphs at several speeds under the independent finger: at a speed it feels that speed's graph, and never gets back more
-// than it gave.
+// Buttons with graphs at several speeds under the independent finger: at a speed it feels that speed's graph,
+// and never gets back more than it gave.
 
 #include <algorithm>
 #include <cmath>
@@ -149,7 +149,7 @@ TEST_CASE("no press of a family gives a finger more than it took, at whatever sp
       continue;
     }
     ++felt;
-    // What makes that so: no release above any press, in every row.
+    // The reason: in every row no release force is above any press force.
     const playback::ForceStateTable& t = prepared->program.states[0];
     bool ordered = true;
     for (std::size_t i = 0; i < t.rowCount; ++i) {
@@ -199,7 +199,7 @@ TEST_CASE("a family that would feed the handle is refused with the place, the sp
   CHECK_THAT(sentence(family({dome(1.1, 0.2), dome(0.8, 0.15)}, {10, 60})),
              Catch::Contains("from 10 to 60 mm/s the force drives the handle by 0.006 N·s/mm at 1.00 mm; "
                              "simulated device takes 0.0005"));
-  // What the button damps itself pays for it.
+  // The button's own damping provides the lost energy.
   std::vector<ButtonState> states = family({dome(1.1, 0.2), dome(1.0, 0.15)}, {10, 60}).states();
   const auto damped = [&](double damping) {
     states[0].damping = {{0, damping}, {4, damping}};

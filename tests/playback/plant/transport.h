@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What lies between a handle and a computer: encoder steps, and messages that take their time both ways.
+// The link between a handle and a computer: encoder steps, and the delay of messages in each direction.
 
 #include <cmath>
 #include <deque>

@@ -127,13 +127,13 @@ TEST_CASE("prepare: a slope that changes is felt piece by piece, every grain onc
 TEST_CASE("prepare: the wall behind a slope makes none of its grains louder") {
   PlaybackSettings settings;
   settings.feel = Feel::clear;
-  for (const bool wall : {false, true}) {
+  for (const bool withBottomOut : {false, true}) {
     std::vector<CurvePoint> points{{0, 0.1}, {4, 0.9}};
-    if (wall) points.push_back({4, 3});
+    if (withBottomOut) points.push_back({4, 3});
     const auto program =
         std::make_unique<HapticProgram>(programOf(buttonOf("wall", {stateOf("", points, {})}), settings));
     const StrokeTable& press = program->states[0].press;
-    INFO(wall);
+    INFO(withBottomOut);
     REQUIRE(press.slopeCount == 1);
     CHECK(20 * std::log10(press.slopes[0].level) == Approx(-2.8).margin(0.26));  // 0.2 N/mm, as drawn
   }
@@ -232,13 +232,13 @@ TEST_CASE("table: as close to the curve as its vertices allow, walls kept") {
                                      (b.displacement_mm - a.displacement_mm);
     REQUIRE(std::fabs(f - curve.force_N(x)) <= fit.error_N + 1e-6);
   }
-  const Result<StrokeCurve> wall =
+  const Result<StrokeCurve> withBottomOut =
       StrokeCurve::fromKnots({{0, 0, 0, 0.1}, {2, 0.2, 0.1, 0}, {2, 5, 0, 0.1}, {3, 5.1, 0.1, 0}});
-  REQUIRE(wall);
-  const TableFit steep = fitTable(*wall, 0, 3, -1e9, {});
-  int atWall = 0;
-  for (const TablePoint& p : steep.points) atWall += p.displacement_mm == 2 ? 1 : 0;
-  CHECK(atWall == 2);
+  REQUIRE(withBottomOut);
+  const TableFit steep = fitTable(*withBottomOut, 0, 3, -1e9, {});
+  int atBottomOut = 0;
+  for (const TablePoint& p : steep.points) atBottomOut += p.displacement_mm == 2 ? 1 : 0;
+  CHECK(atBottomOut == 2);
   CHECK(steep.error_N < 1e-9);
 }
 
@@ -358,7 +358,8 @@ TEST_CASE("prepare: the clear feel keeps the order of the jumps over the paper's
 }
 
 TEST_CASE("prepare: a click that the paper's levels drown is told, by its place") {
-  const auto told = [](const Button& button, const PlaybackSettings& settings, const DeviceProfile& profile) {
+  const auto remarksOf = [](const Button& button, const PlaybackSettings& settings,
+                            const DeviceProfile& profile) {
     const Result<PreparedProgram> prepared = prepareProgram(button, profile, settings);
     REQUIRE(prepared);
     for (const PrepareWarning& w : prepared->summary.warnings)
@@ -367,18 +368,18 @@ TEST_CASE("prepare: a click that the paper's levels drown is told, by its place"
   };
   PlaybackSettings paper;
   const Button weakFirst = twoClicks(0.12, 1.5);
-  CHECK(told(weakFirst, paper, {}).find("0.8 mm") != std::string::npos);
-  CHECK(told(weakFirst, paper, {}).find("--feel clear") != std::string::npos);
-  CHECK(told(weakFirst, paper, {}).find("2 mm") == std::string::npos);
+  CHECK(remarksOf(weakFirst, paper, {}).find("0.8 mm") != std::string::npos);
+  CHECK(remarksOf(weakFirst, paper, {}).find("--feel clear") != std::string::npos);
+  CHECK(remarksOf(weakFirst, paper, {}).find("2 mm") == std::string::npos);
   PlaybackSettings clear;
   clear.feel = Feel::clear;
-  CHECK(told(weakFirst, clear, {}).empty());
+  CHECK(remarksOf(weakFirst, clear, {}).empty());
   PlaybackSettings slopes;
   slopes.mode = FeedbackMode::slopeOnly;
-  CHECK(told(weakFirst, slopes, {}).empty());
-  CHECK(told(linearButton(), paper, {}).empty());
+  CHECK(remarksOf(weakFirst, slopes, {}).empty());
+  CHECK(remarksOf(linearButton(), paper, {}).empty());
   // A device that resonates at the jumps' frequency lifts them.
   DeviceProfile resonant;
   resonant.resonances = {{390, 10, 24}};
-  CHECK(told(weakFirst, paper, resonant).empty());
+  CHECK(remarksOf(weakFirst, paper, resonant).empty());
 }

@@ -11,10 +11,10 @@ TEST_CASE("endpoint: a port, an address and a port, nothing else") {
   REQUIRE(port);
   CHECK(port->host == "127.0.0.1");
   CHECK(port->port == 9000);
-  const Result<Endpoint> both = parseEndpoint("0.0.0.0:0", "--osc", "127.0.0.1", 0);
-  REQUIRE(both);
-  CHECK(both->host == "0.0.0.0");
-  CHECK(both->port == 0);
+  const Result<Endpoint> endpoint = parseEndpoint("0.0.0.0:0", "--osc", "127.0.0.1", 0);
+  REQUIRE(endpoint);
+  CHECK(endpoint->host == "0.0.0.0");
+  CHECK(endpoint->port == 0);
   for (const char* wrong :
        {"", ":", "99999", "65536", "-1", "+1", "9000x", "0x10", "1e3", "host:", ":9000", "9000 "}) {
     const Result<Endpoint> refused = parseEndpoint(wrong, "--osc", "", 1);

@@ -24,7 +24,7 @@ PlayerStatus healthy() {
 
 TEST_CASE("live warnings: nothing is said where nothing is wrong") {
   LiveWarnings warnings(true);
-  for (int i = 0; i < 100; ++i) CHECK(warnings.look(healthy(), 0.05 * i).empty());
+  for (int i = 0; i < 100; ++i) CHECK(warnings.update(healthy(), 0.05 * i).empty());
   CHECK_FALSE(warnings.mostUrgent().has_value());
 }
 
@@ -37,15 +37,15 @@ TEST_CASE("live warnings: what is wrong stands on the line as long as it lasts, 
     LiveWarnings warnings(true);
     PlayerStatus status = healthy();
     status.sensor = condition;
-    const std::vector<LiveWarning> first = warnings.look(status, 0);
+    const std::vector<LiveWarning> first = warnings.update(status, 0);
     REQUIRE(first.size() == 1);
     CHECK(first[0].code == code);
     CHECK(warnings.mostUrgent() == code);
-    for (int i = 1; i < 200; ++i) CHECK(warnings.look(status, 0.05 * i).empty());
+    for (int i = 1; i < 200; ++i) CHECK(warnings.update(status, 0.05 * i).empty());
     CHECK(warnings.mostUrgent().has_value());
-    CHECK(warnings.look(healthy(), 11).empty());
+    CHECK(warnings.update(healthy(), 11).empty());
     CHECK_FALSE(warnings.mostUrgent().has_value());
-    CHECK(warnings.look(status, 12).size() == 1);
+    CHECK(warnings.update(status, 12).size() == 1);
   }
 }
 
@@ -53,10 +53,10 @@ TEST_CASE("live warnings: a lost device comes before everything else") {
   LiveWarnings warnings(true);
   PlayerStatus status = healthy();
   status.sensor = SensorCondition::unplugged;
-  warnings.look(status, 0);
+  warnings.update(status, 0);
   CHECK(warnings.mostUrgent() == LiveWarningCode::sensorUnplugged);
   status.deviceLost = true;
-  CHECK(warnings.look(status, 0.1).size() == 1);
+  CHECK(warnings.update(status, 0.1).size() == 1);
   CHECK(warnings.mostUrgent() == LiveWarningCode::deviceLost);
 }
 
@@ -68,18 +68,18 @@ TEST_CASE("live warnings: what is counted is told with its number, every ten sec
     LiveWarnings warnings(true);
     PlayerStatus status = healthy();
     status.*count = 3;
-    const std::vector<LiveWarning> first = warnings.look(status, 0);
+    const std::vector<LiveWarning> first = warnings.update(status, 0);
     REQUIRE(first.size() == 1);
     CHECK(first[0].count == 3);
     CHECK(english(messageOf(first[0])).front() == '3');
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (int i = 1; i <= 200; ++i) {
       ++(status.*count);
-      told += warnings.look(status, 0.05 * i).size();
+      reported += warnings.update(status, 0.05 * i).size();
     }
-    CHECK(told == 1);
+    CHECK(reported == 1);
     CHECK(warnings.mostUrgent().has_value());
-    warnings.look(status, 14);
+    warnings.update(status, 14);
     CHECK_FALSE(warnings.mostUrgent().has_value());
   }
 }
@@ -87,21 +87,21 @@ TEST_CASE("live warnings: what is counted is told with its number, every ten sec
 TEST_CASE("live warnings: counts without a calibration, and forces by message that come too seldom") {
   PlayerStatus status = healthy();
   status.sensorSendsCounts = true;
-  CHECK(LiveWarnings(true).look(status, 0).empty());
-  CHECK(LiveWarnings(false).look(status, 0).size() == 1);
+  CHECK(LiveWarnings(true).update(status, 0).empty());
+  CHECK(LiveWarnings(false).update(status, 0).size() == 1);
 
-  const auto toldAt = [](double rate_Hz) {
+  const auto warningsAt = [](double rate_Hz) {
     LiveWarnings warnings(true);
     PlayerStatus messages;
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (double t = 0; t < 5; t += 0.05) {
       messages.messageForces = static_cast<std::uint64_t>(t * rate_Hz);
-      told += warnings.look(messages, t).size();
+      reported += warnings.update(messages, t).size();
     }
-    return told;
+    return reported;
   };
-  CHECK(toldAt(50) == 1);
-  CHECK(toldAt(425) == 0);
+  CHECK(warningsAt(50) == 1);
+  CHECK(warningsAt(425) == 0);
 }
 
 TEST_CASE("live doubts: what this button or device cannot give is said before anybody presses") {

@@ -176,9 +176,9 @@ TEST_CASE("session: a take that is stopped or replaced fades out, and nothing of
   rig.play(&first);
   rig.next(256);
   rig.play(&second);
-  const std::vector<float> both = rig.next(960);
-  CHECK(both[60] == Approx(0.5 * (1 - 60 / 240.0) + other[60]).margin(1e-5));
-  CHECK(both[500] == other[500]);
+  const std::vector<float> mixed = rig.next(960);
+  CHECK(mixed[60] == Approx(0.5 * (1 - 60 / 240.0) + other[60]).margin(1e-5));
+  CHECK(mixed[500] == other[500]);
   CHECK(rig.home.size() == 3);
 
   rig.play(&first);

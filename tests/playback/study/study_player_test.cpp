@@ -54,7 +54,7 @@ TEST_CASE("a force device is in no study of what only a vibration has, and none 
   CHECK(ofStrength.failure().code == FailureCode::wrongUsage);
   const StudyFolder plain({}, {"A", "B"});
   settings.sensorPort = "/dev/null";
-  const auto both = StudyPlayer::start(*plain.study, settings);
-  REQUIRE_FALSE(both);
-  CHECK_THAT(both.failure().sentence(), Catch::Contains("second finger"));
+  const auto bothFingers = StudyPlayer::start(*plain.study, settings);
+  REQUIRE_FALSE(bothFingers);
+  CHECK_THAT(bothFingers.failure().sentence(), Catch::Contains("second finger"));
 }

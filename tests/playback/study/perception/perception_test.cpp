@@ -323,9 +323,9 @@ TEST_CASE("a self-locking button is felt in both states") {
 
 TEST_CASE("all pairs: progress is told, cancelling gives nothing") {
   const std::vector<FeltButton> three{felt(sample("A")), felt(sample("B")), felt(sample("C"))};
-  std::size_t told = 0;
-  CHECK(predictAll(three, [&](std::size_t, std::size_t all) { return ++told, all == 3; }).size() == 3);
-  CHECK(told == 3);
+  std::size_t reported = 0;
+  CHECK(predictAll(three, [&](std::size_t, std::size_t all) { return ++reported, all == 3; }).size() == 3);
+  CHECK(reported == 3);
   CHECK(predictAll(three, [](std::size_t, std::size_t) { return false; }).empty());
   CHECK_FALSE(feel(sample("A"), {}, [] { return true; }));
 }
@@ -340,12 +340,12 @@ TEST_CASE("make distinguishable: every offer, applied by the factor that is told
       CHECK((!apart || found->empty()));
       for (const Suggestion& s : *found) {
         if (s.lever == Lever::snap) continue;  // set point by point
-        const double told = std::round(100 * s.factor) / 100;
+        const double reported = std::round(100 * s.factor) / 100;
         const Result<Button> changed =
-            s.lever == Lever::travel ? scaleTravel(button, told) : scaleForce(button, told);
+            s.lever == Lever::travel ? scaleTravel(button, reported) : scaleForce(button, reported);
         REQUIRE(changed);
         CHECK(predictConfusion(felt(*changed), felt(other)).toldApart());
-        const double less = told + (told > 1 ? -0.01 : 0.01);
+        const double less = reported + (reported > 1 ? -0.01 : 0.01);
         const Result<Button> nearly =
             s.lever == Lever::travel ? scaleTravel(button, less) : scaleForce(button, less);
         REQUIRE(nearly);

@@ -22,7 +22,7 @@ struct Observer {
   double threshold, slope, lapse;
 };
 
-ThresholdEstimate asked(const Observer& observer, std::size_t trials, StudyRandom& random) {
+ThresholdEstimate estimated(const Observer& observer, std::size_t trials, StudyRandom& random) {
   const std::vector<double> levels = hundredthToDouble();
   QuestPlus quest(levels);
   for (std::size_t i = 0; i < trials; ++i) {
@@ -47,13 +47,13 @@ TEST_CASE("QUEST+ asks and believes what the reference program asks and believes
                                           11, 15, 15, 14, 14, 14, 13, 13, 12, 11};
   const std::vector<double> levels = hundredthToDouble();
   QuestPlus quest(levels);
-  std::vector<std::size_t> levelsAsked;
+  std::vector<std::size_t> levelsRequested;
   for (int i = 0; i < 20; ++i) {
     const std::size_t level = quest.nextLevel();
-    levelsAsked.push_back(level);
+    levelsRequested.push_back(level);
     quest.take({level, levels[level] > 0.12 || i % 3 == 0});
   }
-  CHECK(levelsAsked == expected);
+  CHECK(levelsRequested == expected);
   const ThresholdEstimate e = quest.estimate();
   CHECK(e.credible.low == Approx(0.0381007743).epsilon(1e-8));
   CHECK(e.threshold == Approx(0.09459737).epsilon(1e-8));
@@ -69,7 +69,7 @@ TEST_CASE("observers' thresholds lie within the credible interval in 95 of 100")
   for (int i = 0; i < observers; ++i) {
     const Observer observer{0.01 * std::pow(150.0, drawShare(random)), std::pow(4.0, drawShare(random)),
                             0.05 * drawShare(random)};
-    const ThresholdEstimate e = asked(observer, 60, random);
+    const ThresholdEstimate e = estimated(observer, 60, random);
     within += e.credible.low <= observer.threshold && observer.threshold <= e.credible.high ? 1 : 0;
     squares += std::pow(std::log(e.threshold / observer.threshold), 2);
   }

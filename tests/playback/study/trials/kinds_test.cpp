@@ -111,15 +111,15 @@ TEST_CASE("what has more stands first as often as second, and its level follows 
   answer(study, "P01", "threshold=0.05", 100);
   const ParticipantRecord record = recordOf(study);
   CHECK(record.complete());
-  std::map<std::size_t, std::vector<double>> asked;
+  std::map<std::size_t, std::vector<double>> increasesByLevel;
   for (const Trial& trial : record.plan) {
     const StudyLevel* level = levelOf(study, trial.choices[trial.target]);
     REQUIRE(level != nullptr);
     CHECK(level->reference == trial.choices[1 - trial.target]);
     if (trial.practice) CHECK(level->increase == Approx(1));
-    if (!trial.practice) asked[level->reference].push_back(level->increase);
+    if (!trial.practice) increasesByLevel[level->reference].push_back(level->increase);
   }
-  for (const auto& [reference, increases] : asked) {
+  for (const auto& [reference, increases] : increasesByLevel) {
     CHECK(increases.front() > 0.1);  // where nothing is known, in the middle
     CHECK(*std::min_element(increases.begin(), increases.end()) < 0.08);
   }
@@ -186,13 +186,13 @@ TEST_CASE("a rating has to lie on its scale and to be felt") {
   const StudyFolder folder(ratings(RatingScale::preference), {"A"});
   Result<ParticipantSession> session = ParticipantSession::open(*folder.study, "P01", person);
   REQUIRE(session);
-  TrialDesk desk(*folder.study, *session->trial(), 0, 1);
-  CHECK_FALSE(desk.hasX());
-  CHECK_FALSE(desk.mayAnswer());
-  desk.tried(0, 2);
-  desk.felt({1, 1, 2, 3});
-  REQUIRE(desk.mayAnswer());
-  Answer given = desk.answer(0, 3);
+  TrialDesk controller(*folder.study, *session->trial(), 0, 1);
+  CHECK_FALSE(controller.hasX());
+  CHECK_FALSE(controller.mayAnswer());
+  controller.tried(0, 2);
+  controller.felt({1, 1, 2, 3});
+  REQUIRE(controller.mayAnswer());
+  Answer given = controller.answer(0, 3);
   CHECK_FALSE(session->record(given));
   for (const double wrong : {0.0, 8.0, 3.5, -1.0}) {
     given.rating = wrong;

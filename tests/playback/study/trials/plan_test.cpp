@@ -66,15 +66,15 @@ TEST_CASE("plan: the lists made before are those that are worked through, whoeve
 
 TEST_CASE("plan: modes and pairs of the planned are balanced, those who come besides are behind them") {
   const StudyFolder made(twoModes());
-  const PlannedPlaces places = usualPlaces(12);
-  CHECK(places.participants.back() == "P12");
+  const PlannedPlaces planned = usualPlaces(12);
+  CHECK(planned.participants.back() == "P12");
   std::size_t fullFirst = 0;
   for (std::size_t place = 0; place < 12; ++place)
-    if (planTrials(*made.study, places.participants[place], place).front().mode == FeedbackMode::full)
+    if (planTrials(*made.study, planned.participants[place], place).front().mode == FeedbackMode::full)
       ++fullFirst;
   CHECK(fullFirst == 6);
-  CHECK(placeOf(places, "P05", 0) == 4);
-  CHECK(placeOf(places, "guest", 3) == 15);
+  CHECK(placeOf(planned, "P05", 0) == 4);
+  CHECK(placeOf(planned, "guest", 3) == 15);
   CHECK(placeOf({}, "guest", 3) == 3);
 }
 

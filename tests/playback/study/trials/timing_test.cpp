@@ -68,20 +68,21 @@ TEST_CASE("intervals and windows come each as often, for every button") {
 TEST_CASE("a cue has four even beats, and the first press near the last of them counts") {
   const StudyFolder folder(timing(TimingTask::cue), {"A"});
   const Trial trial = oneTrial(0.6);
-  TimingDesk desk(*folder.study, trial, 100, 110);
-  REQUIRE(desk.beats_s().size() == 4);
-  for (std::size_t i = 1; i < 4; ++i) CHECK(desk.beats_s()[i] - desk.beats_s()[i - 1] == Approx(0.6));
-  const double cue_s = desk.cue_s();
-  desk.pressed(cue_s - 0.58, 0.001);  // beats time with the third
-  CHECK_FALSE(desk.over(cue_s + 0.55));
-  desk.pressed(cue_s - 0.03, 0.002);
-  desk.pressed(cue_s + 0.2, 0.001);
-  CHECK_FALSE(desk.over(cue_s + 0.3));
-  CHECK(desk.over(cue_s + 0.75));
-  CHECK(desk.fault() == TimingFault::notFelt);
-  desk.felt({1, 0, 1, 2});
-  REQUIRE(desk.fault() == TimingFault::none);
-  const Answer given = desk.answer(cue_s + 0.8);
+  TimingDesk controller(*folder.study, trial, 100, 110);
+  REQUIRE(controller.beats_s().size() == 4);
+  for (std::size_t i = 1; i < 4; ++i)
+    CHECK(controller.beats_s()[i] - controller.beats_s()[i - 1] == Approx(0.6));
+  const double cue_s = controller.cue_s();
+  controller.pressed(cue_s - 0.58, 0.001);  // beats time with the third
+  CHECK_FALSE(controller.over(cue_s + 0.55));
+  controller.pressed(cue_s - 0.03, 0.002);
+  controller.pressed(cue_s + 0.2, 0.001);
+  CHECK_FALSE(controller.over(cue_s + 0.3));
+  CHECK(controller.over(cue_s + 0.75));
+  CHECK(controller.fault() == TimingFault::notFelt);
+  controller.felt({1, 0, 1, 2});
+  REQUIRE(controller.fault() == TimingFault::none);
+  const Answer given = controller.answer(cue_s + 0.8);
   CHECK(*countedPress(trial, given.presses_s) == Approx(-0.03));
   CHECK(given.presses_s.size() == 3);
   CHECK(given.pressWithin_s == 0.002);
@@ -92,13 +93,13 @@ TEST_CASE("a cue has four even beats, and the first press near the last of them 
 TEST_CASE("a trial without a press that counts is none") {
   const StudyFolder folder(timing(TimingTask::window), {"A"});
   const Trial trial = oneTrial(0.8, 0.1);
-  TimingDesk desk(*folder.study, trial, 0, 0);
-  CHECK(desk.wayAt(desk.cue_s() - 0.8) == Approx(0));
-  CHECK(desk.wayAt(desk.cue_s()) == Approx(1));
-  desk.felt({1, 1, 1, 2});
-  for (const double off_s : {-0.41, 0.81}) desk.pressed(desk.cue_s() + off_s, 0);
-  CHECK(desk.over(desk.cue_s() + 0.81));
-  CHECK(desk.fault() == TimingFault::noPress);
+  TimingDesk controller(*folder.study, trial, 0, 0);
+  CHECK(controller.wayAt(controller.cue_s() - 0.8) == Approx(0));
+  CHECK(controller.wayAt(controller.cue_s()) == Approx(1));
+  controller.felt({1, 1, 1, 2});
+  for (const double off_s : {-0.41, 0.81}) controller.pressed(controller.cue_s() + off_s, 0);
+  CHECK(controller.over(controller.cue_s() + 0.81));
+  CHECK(controller.fault() == TimingFault::noPress);
 }
 
 TEST_CASE("tapping runs from the first press on, and a key that repeats is no tapping") {
@@ -107,16 +108,16 @@ TEST_CASE("tapping runs from the first press on, and a key that repeats is no ta
   const StudyFolder folder(design, {"A"});
   const Trial trial = oneTrial(0);
   for (const bool held : {false, true}) {
-    TimingDesk desk(*folder.study, trial, 0, 0);
-    CHECK_FALSE(desk.over(60));
-    CHECK(desk.left_s(60) == 4);
+    TimingDesk controller(*folder.study, trial, 0, 0);
+    CHECK_FALSE(controller.over(60));
+    CHECK(controller.left_s(60) == 4);
     double at_s = 60;
-    for (int i = 0; i < 50; ++i, at_s += held && i > 20 ? 0.033 : 0.15) desk.pressed(at_s, 0);
-    desk.felt({50, 50, 1, 2});
-    CHECK_FALSE(desk.over(63.9));
-    CHECK(desk.over(at_s + 1));
-    CHECK((desk.fault() == TimingFault::held) == held);
-    if (!held) CHECK(desk.answer(70).presses_s.size() == 27);  // 4 s of 0.15
+    for (int i = 0; i < 50; ++i, at_s += held && i > 20 ? 0.033 : 0.15) controller.pressed(at_s, 0);
+    controller.felt({50, 50, 1, 2});
+    CHECK_FALSE(controller.over(63.9));
+    CHECK(controller.over(at_s + 1));
+    CHECK((controller.fault() == TimingFault::held) == held);
+    if (!held) CHECK(controller.answer(70).presses_s.size() == 27);  // 4 s of 0.15
   }
 }
 

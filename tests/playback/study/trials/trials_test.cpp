@@ -720,22 +720,22 @@ TEST_CASE("session: an early end keeps the columns; stopping is told") {
 TEST_CASE("desk: nothing is answered unfelt; times and tries are counted") {
   const StudyFolder made;
   const Trial trial = planTrials(*made.study, "P01").front();
-  TrialDesk desk(*made.study, trial, 100, 110);
-  CHECK_FALSE(desk.mayAnswer());
-  desk.felt({1, 1, 1, 1});  // nothing is under the finger yet
-  desk.tried(0, 111);
-  desk.felt({1, 1, 1.5, 3});
-  desk.tried(desk.slotOfX(), 112);
-  desk.felt({1, 1, 1.5, 3});
-  CHECK_FALSE(desk.mayAnswer());
-  desk.tried(1, 113);
-  CHECK_FALSE(desk.mayAnswer());
-  desk.felt({1, 0, 0.5, 1});  // let go too early
-  CHECK_FALSE(desk.mayAnswer());
-  desk.tried(1, 114);
-  desk.felt({1, 1, 1.2, 2.5});
-  REQUIRE(desk.mayAnswer());
-  const Answer a = desk.answer(1, 116);
+  TrialDesk controller(*made.study, trial, 100, 110);
+  CHECK_FALSE(controller.mayAnswer());
+  controller.felt({1, 1, 1, 1});  // nothing is under the finger yet
+  controller.tried(0, 111);
+  controller.felt({1, 1, 1.5, 3});
+  controller.tried(controller.slotOfX(), 112);
+  controller.felt({1, 1, 1.5, 3});
+  CHECK_FALSE(controller.mayAnswer());
+  controller.tried(1, 113);
+  CHECK_FALSE(controller.mayAnswer());
+  controller.felt({1, 0, 0.5, 1});  // let go too early
+  CHECK_FALSE(controller.mayAnswer());
+  controller.tried(1, 114);
+  controller.felt({1, 1, 1.2, 2.5});
+  REQUIRE(controller.mayAnswer());
+  const Answer a = controller.answer(1, 116);
   CHECK(a.replays == std::vector<std::size_t>{1, 2});
   CHECK(a.onset_s == 10);
   CHECK(a.firstPress_s == 1);
@@ -867,9 +867,9 @@ TEST_CASE("page: every bar of the chart has a name of its own, however long the 
 }
 
 TEST_CASE("results: no two pairs are named alike, whatever hyphens their labels hold") {
-  const std::vector<std::string> plain{"A", "B"}, hyphens{"A-B", "C", "A", "B-C"}, both{"A-B", "C | D", "E"};
+  const std::vector<std::string> plain{"A", "B"}, hyphens{"A-B", "C", "A", "B-C"}, mixed{"A-B", "C | D", "E"};
   CHECK(pairName(plain, 0, 1) == "A-B");
-  for (const std::vector<std::string>& labels : {hyphens, both}) {
+  for (const std::vector<std::string>& labels : {hyphens, mixed}) {
     std::set<std::string> names;
     for (const auto& [first, second] : pairsOf(labels.size())) names.insert(pairName(labels, first, second));
     CHECK(names.size() == pairsOf(labels.size()).size());
@@ -966,16 +966,16 @@ std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor
   REQUIRE(session);
   for (int tries = 0; tries < 12 && session->trial() != nullptr; ++tries) {
     const Trial& trial = *session->trial();
-    TrialDesk desk(study, trial, 0, tries);
-    for (std::size_t slot = 0; slot <= desk.slotOfX(); ++slot) {
-      const Result<PreparedProgram> prepared = programFor(study, desk.buttonIn(slot), trial.mode);
+    TrialDesk controller(study, trial, 0, tries);
+    for (std::size_t slot = 0; slot <= controller.slotOfX(); ++slot) {
+      const Result<PreparedProgram> prepared = programFor(study, controller.buttonIn(slot), trial.mode);
       const auto program = std::make_unique<HapticProgram>(prepared->program);
       StrokeTracker tracker;
       PressCounter counter;
       tracker.use(program.get());
       counter.use(program.get());
       const double strongest_N = 1.3 * strongestForce_N(*program), stuck_N = strongest_N * drawShare(random);
-      desk.tried(slot, tries + 0.1);
+      controller.tried(slot, tries + 0.1);
       for (int i = 0; i <= 200 && sensor != Sensor::silent; ++i) {
         const double share = i <= 100 ? i / 100.0 : (200 - i) / 100.0;
         double force_N = strongest_N * share;
@@ -987,14 +987,15 @@ std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor
         counter.take(tracker.position());
       }
       const PressCount count = counter.taken();
-      desk.felt({count.begun, count.whole, count.peak_N, count.travel_mm});
+      controller.felt({count.begun, count.whole, count.peak_N, count.travel_mm});
     }
-    if (desk.mayAnswer()) {
-      REQUIRE(session->record(desk.answer(drawBelow(random, 2), tries + 1.0)));
+    if (controller.mayAnswer()) {
+      REQUIRE(session->record(controller.answer(drawBelow(random, 2), tries + 1.0)));
     } else {  // a front end without a trial controller comes no further
       Answer blind = simulatedAnswer(study, id, trial, {});
-      for (std::size_t slot = 0; slot < desk.slotOfX(); ++slot) blind.felt[slot] = desk.feltOf(slot);
-      blind.feltX = desk.feltOf(desk.slotOfX());
+      for (std::size_t slot = 0; slot < controller.slotOfX(); ++slot)
+        blind.felt[slot] = controller.feltOf(slot);
+      blind.feltX = controller.feltOf(controller.slotOfX());
       CHECK_FALSE(session->record(blind));
     }
   }

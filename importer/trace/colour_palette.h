@@ -11,17 +11,18 @@
 namespace detent::importer::trace {
 
 struct PaletteLimits {
-  int maxInks = 8;
+  int maxColours = 8;
   double minMass_px = 12;     ///< fainter colours are dust
   double mergeAngle_deg = 9;  ///< closer directions are one colour
 };
 
 /// Colours by number of pixels, largest first; pixels set in `excluded` are ignored. Blends of two larger
 /// colours are left out.
-std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const PaletteLimits& limits = {});
+std::vector<PaletteColour> findColours(const PlotScene& scene, const Mask& excluded,
+                                       const PaletteLimits& limits = {});
 
 /// Adds the colour of most letters, unless it is in the palette; otherwise their pixels would count as the
 /// nearest curve's.
-void addLetterInk(std::vector<Ink>& colours, const PlotScene& scene);
+void addLetterColour(std::vector<PaletteColour>& colours, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/study/study_desk.h"
+#include "editor/study/experimenter_dialog.h"
 
 #include <algorithm>
 #include <QApplication>
@@ -29,24 +29,27 @@ constexpr double usualNoiseLevel = 0.1;  // rms, share of full scale; as `detent
 enum Column { idColumn, answeredColumn, kindColumn, notesColumn, columnCount };
 
 QString progressWords(const playback::ParticipantRecord& record) {
-  const QString answered =
-      QCoreApplication::translate("StudyDesk", "%1 of %2").arg(record.answers.size()).arg(record.plan.size());
-  if (record.complete()) return QCoreApplication::translate("StudyDesk", "%1, complete").arg(answered);
-  return record.endedEarly ? QCoreApplication::translate("StudyDesk", "%1, ended early").arg(answered)
-                           : answered;
+  const QString answered = QCoreApplication::translate("ExperimenterDialog", "%1 of %2")
+                               .arg(record.answers.size())
+                               .arg(record.plan.size());
+  if (record.complete())
+    return QCoreApplication::translate("ExperimenterDialog", "%1, complete").arg(answered);
+  return record.endedEarly
+             ? QCoreApplication::translate("ExperimenterDialog", "%1, ended early").arg(answered)
+             : answered;
 }
 
 QString kindWords(const playback::ParticipantRecord& record) {
   if (record.sessions.empty()) return {};
   switch (record.sessions.back().kind) {
     case playback::SessionKind::real:
-      return QCoreApplication::translate("StudyDesk", "person");
+      return QCoreApplication::translate("ExperimenterDialog", "person");
     case playback::SessionKind::rehearsal:
-      return QCoreApplication::translate("StudyDesk", "REHEARSAL, nothing felt");
+      return QCoreApplication::translate("ExperimenterDialog", "REHEARSAL, nothing felt");
     case playback::SessionKind::simulated:
       break;
   }
-  return QCoreApplication::translate("StudyDesk", "SIMULATED");
+  return QCoreApplication::translate("ExperimenterDialog", "SIMULATED");
 }
 
 /// "P01", "P02", ...: the first that nobody has.
@@ -75,7 +78,8 @@ void HiddenWindows::bringBack() {
   hidden_.clear();
 }
 
-StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
+ExperimenterDialog::ExperimenterDialog(StudyPlaces places, QWidget* parent)
+    : QDialog(parent), places_(std::move(places)) {
   setObjectName("studyDesk");
   setWindowTitle(tr("Study: experimenter"));
   resize(onScreen(*this, {760, 560}));
@@ -99,7 +103,7 @@ StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), pla
 
 // ---- widgets
 
-QLayout* StudyDesk::folderRow() {
+QLayout* ExperimenterDialog::folderRow() {
   const auto button = [this](const char* name, const QString& text, const QString& tip, auto act) {
     auto* made = described(new QPushButton(text), name, tip);
     made->setAutoDefault(false);
@@ -107,15 +111,15 @@ QLayout* StudyDesk::folderRow() {
     return made;
   };
   auto* row = new QHBoxLayout;
-  row->addWidget(
-      button("studyNew", tr("&New study…"), tr("Make a study of the open buttons"), &StudyDesk::makeNew));
-  row->addWidget(
-      button("studyOpen", tr("&Open a study…"), tr("Choose the folder of a study"), &StudyDesk::choose));
+  row->addWidget(button("studyNew", tr("&New study…"), tr("Make a study of the open buttons"),
+                        &ExperimenterDialog::makeNew));
+  row->addWidget(button("studyOpen", tr("&Open a study…"), tr("Choose the folder of a study"),
+                        &ExperimenterDialog::choose));
   row->addStretch();
   return row;
 }
 
-QWidget* StudyDesk::peopleTable() {
+QWidget* ExperimenterDialog::peopleTable() {
   people_ = described(new QTableWidget(0, columnCount), "studyPeople", {}, tr("Participants"));
   people_->setHorizontalHeaderLabels(
       {tr("Participant"), tr("Answered"), tr("Answers by"), tr("To be known")});
@@ -129,7 +133,7 @@ QWidget* StudyDesk::peopleTable() {
   return people_;
 }
 
-QLayout* StudyDesk::nextForm() {
+QLayout* ExperimenterDialog::nextForm() {
   participant_ =
       described(new QLineEdit, "studyParticipant",
                 tr("Letters, digits, - and _; no name of a person. One that is in the list goes on at the "
@@ -182,14 +186,14 @@ QLayout* StudyDesk::nextForm() {
   return form;
 }
 
-QLayout* StudyDesk::actionRow() {
+QLayout* ExperimenterDialog::actionRow() {
   start_ = described(new QPushButton(tr("&Begin or go on")), "studyStart",
                      tr("Open the participant's window, or let the program answer"));
   report_ = described(new QPushButton(tr("Write the &report…")), "studyReport",
                       tr("Write tables and pictures of the answers so far as one HTML page"));
   report_->setAutoDefault(false);
-  connect(start_, &QPushButton::clicked, this, &StudyDesk::start);
-  connect(report_, &QPushButton::clicked, this, &StudyDesk::writeReport);
+  connect(start_, &QPushButton::clicked, this, &ExperimenterDialog::start);
+  connect(report_, &QPushButton::clicked, this, &ExperimenterDialog::writeReport);
   auto* row = new QHBoxLayout;
   row->addWidget(start_);
   row->addWidget(report_);
@@ -197,29 +201,29 @@ QLayout* StudyDesk::actionRow() {
   return row;
 }
 
-void StudyDesk::tell(const QString& text) { trouble_->setText(text); }
+void ExperimenterDialog::tell(const QString& text) { trouble_->setText(text); }
 
 // ---- the folder
 
-void StudyDesk::makeNew() {
+void ExperimenterDialog::makeNew() {
   auto* maker = new StudyMaker(places_.documents(), places_.profileFile(), this);
   maker->setAttribute(Qt::WA_DeleteOnClose);
-  connect(maker, &StudyMaker::made, this, &StudyDesk::showStudy);
+  connect(maker, &StudyMaker::made, this, &ExperimenterDialog::showStudy);
   maker->open();
 }
 
-void StudyDesk::choose() {
+void ExperimenterDialog::choose() {
   const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a study"), folder_);
   if (!folder.isEmpty()) showStudy(folder);
 }
 
-void StudyDesk::showStudy(const QString& folder) {
+void ExperimenterDialog::showStudy(const QString& folder) {
   folder_ = folder;
   tell({});
   refresh();
 }
 
-void StudyDesk::refresh() {
+void ExperimenterDialog::refresh() {
   start_->setEnabled(false);
   report_->setEnabled(false);
   people_->setRowCount(0);
@@ -242,7 +246,7 @@ void StudyDesk::refresh() {
   participant_->setText(freeId(*records));
 }
 
-void StudyDesk::listPeople(const std::vector<playback::ParticipantRecord>& records) {
+void ExperimenterDialog::listPeople(const std::vector<playback::ParticipantRecord>& records) {
   for (const playback::ParticipantRecord& record : records) {
     QStringList notes;
     for (const std::string& note : record.notes) notes << QString::fromStdString(note);
@@ -257,7 +261,7 @@ void StudyDesk::listPeople(const std::vector<playback::ParticipantRecord>& recor
 
 // ---- a participant
 
-void StudyDesk::start() {
+void ExperimenterDialog::start() {
   tell({});
   if (window_) {
     return tell(tr("A participant is at work: finish or pause there first."));
@@ -272,7 +276,7 @@ void StudyDesk::start() {
   if (!started) tell(studySentence(started.failure()));
 }
 
-Result<Done> StudyDesk::startPerson(playback::Study opened) {
+Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
   StudyWork work;
   work.study = std::make_unique<playback::Study>(std::move(opened));
   work.participant = participant_->text().trimmed().toStdString();
@@ -320,7 +324,7 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
 
 /// A participant who has agreed goes on at once; one who has not reads the consent first, and is in no
 /// journal until then.
-Result<Done> StudyDesk::askOrOpen(const playback::ParticipantRecord& record, StudyWork& work) {
+Result<Done> ExperimenterDialog::askOrOpen(const playback::ParticipantRecord& record, StudyWork& work) {
   if (!record.consent) {
     Result<playback::ConsentText> consent =
         playback::consentIn(work.study->folder, work.language.toStdString());
@@ -335,7 +339,7 @@ Result<Done> StudyDesk::askOrOpen(const playback::ParticipantRecord& record, Stu
   return Done{};
 }
 
-QScreen* StudyDesk::participantScreen() const {
+QScreen* ExperimenterDialog::participantScreen() const {
   const QList<QScreen*> screens = QGuiApplication::screens();
   const int chosen = screen_->currentData().toInt();
   return chosen < screens.size() ? screens[chosen] : QGuiApplication::primaryScreen();
@@ -343,28 +347,28 @@ QScreen* StudyDesk::participantScreen() const {
 
 /// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own
 /// the experimenter's view stays.
-void StudyDesk::showStation(StudyWork work) {
+void ExperimenterDialog::showStation(StudyWork work) {
   atWork_ = QString::fromStdString(work.participant);
   window_ = new StudyWindow(std::move(work));
-  QScreen* const theirs = participantScreen();
-  connect(window_, &StudyWindow::progressed, this, &StudyDesk::showProgress);
+  QScreen* const theirScreen = participantScreen();
+  connect(window_, &StudyWindow::progressed, this, &ExperimenterDialog::showProgress);
   connect(window_, &StudyWindow::finished, this, [this] {
     hidden_.bringBack();
     progress_->clear();
     raise();
     activateWindow();
   });
-  connect(window_, &QObject::destroyed, this, &StudyDesk::refresh, Qt::QueuedConnection);
-  window_->setGeometry(theirs->geometry());
+  connect(window_, &QObject::destroyed, this, &ExperimenterDialog::refresh, Qt::QueuedConnection);
+  window_->setGeometry(theirScreen->geometry());
   window_->showFullScreen();
-  hidden_.hideAllBut(window_, theirs == screen() ? nullptr : this);
+  hidden_.hideAllBut(window_, theirScreen == screen() ? nullptr : this);
   window_->raise();
   window_->activateWindow();  // the keys are the participant's at once
   window_->setFocus();
   progress_->setText(tr("%1 is at work.").arg(atWork_));
 }
 
-void StudyDesk::showProgress(const StudyProgress& progress) {
+void ExperimenterDialog::showProgress(const StudyProgress& progress) {
   const auto words = [&] {
     switch (progress.at) {
       case StudyProgress::At::consent:
@@ -391,12 +395,12 @@ void StudyDesk::showProgress(const StudyProgress& progress) {
                          .arg(words()));
 }
 
-Result<Done> StudyDesk::tellDone(const std::string& participant) {
+Result<Done> ExperimenterDialog::tellDone(const std::string& participant) {
   tell(tr("%1 has answered everything.").arg(QString::fromStdString(participant)));
   return Done{};
 }
 
-Result<Done> StudyDesk::simulate(const playback::Study& study) {
+Result<Done> ExperimenterDialog::simulate(const playback::Study& study) {
   const Result<playback::Simulation> simulation =
       playback::simulationNamed(answers() == Answers::guess ? "guess" : "perfect");
   if (!simulation) return simulation.failure();
@@ -421,7 +425,7 @@ Result<Done> StudyDesk::simulate(const playback::Study& study) {
 
 // ---- the report
 
-void StudyDesk::writeReport() {
+void ExperimenterDialog::writeReport() {
   const QString file = QFileDialog::getSaveFileName(this, tr("Write the report"), folder_ + "/report.html",
                                                     tr("Web page (*.html)"));
   if (file.isEmpty()) return;
@@ -429,7 +433,7 @@ void StudyDesk::writeReport() {
   tell(written ? tr("Written: %1").arg(file) : studySentence(written.failure()));
 }
 
-Result<Done> StudyDesk::writeReportTo(const QString& file) {
+Result<Done> ExperimenterDialog::writeReportTo(const QString& file) {
   const Result<playback::Study> study = playback::openStudy(folder_.toStdString());
   if (!study) return study.failure();
   const auto records = playback::readParticipants(*study);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/trace/foot_line.h"
+#include "importer/trace/axis_line_cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ constexpr double kColumn_px = 3;    // beside a vertical line of the plot, where
 /// Thickness of the x axis between two places, at columns accepted by `take` and not crossed by a vertical
 /// line of the plot; nullopt for fewer than `least_px` columns.
 template <class Take>
-std::optional<double> axisThickness(const InkOnArea& coverage, const PlotArea& area, double from, double to,
-                                    double least_px, Take take) {
+std::optional<double> axisThickness(const ColourOnArea& coverage, const PlotArea& area, double from,
+                                    double to, double least_px, Take take) {
   std::vector<double> runs;
   for (int x = static_cast<int>(std::ceil(from)); x <= to; ++x)
     if (!isAtOneOf(area.columns_px, x, kColumn_px) && take(x))
@@ -70,7 +70,7 @@ std::optional<std::size_t> tailOnAxis(const std::vector<Point>& points, const Pl
 
 /// Number of points at a trace's left end that lie on the x axis and are only the axis.
 std::size_t pointsOnAxisLine(const CurveTrace& trace, const std::vector<CurveTrace>& traces,
-                             const PlotArea& area, const InkOnArea& coverage) {
+                             const PlotArea& area, const ColourOnArea& coverage) {
   const std::vector<Point> points = onArea(trace, area);
   std::vector<Point> clear;
   std::ranges::copy_if(points, std::back_inserter(clear),
@@ -92,7 +92,7 @@ std::size_t pointsOnAxisLine(const CurveTrace& trace, const std::vector<CurveTra
 /// Number of points at a trace's right end without its colour: on the frame's upper or right edge, and the
 /// way there over bare paper.
 std::size_t pointsBeyondColour(const std::vector<Point>& points, const PlotArea& area,
-                               const InkOnArea& coverage) {
+                               const ColourOnArea& coverage) {
   constexpr double near_px = 3, bare = 0.3, leastBare = 0.02;  // coverage; of the frame's height
   const Box& frame = area.frame;
   const auto onEdge = [&](Point p) { return p.y - frame.y0 <= near_px || frame.x1 - p.x <= near_px; };
@@ -117,12 +117,12 @@ void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   for (CurveTrace& trace : traces) {
     const std::vector<Point> points = onArea(trace, area);
     if (trace.fromVector || points.empty() || area.frame.x1 - points.back().x > kThickest_px) continue;
-    const InkOnArea& coverage = scene.inkOf(trace.color);
+    const ColourOnArea& coverage = scene.coverageOf(trace.color);
     if (coverage.distinct()) dropEnd(trace, pointsBeyondColour(points, area, coverage), true);
   }
 }
 
-void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotScene& scene) {
+void cutAlongAxisLine(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   if (scene.empty()) return;
   const PlotArea& area = scene.area();
   const auto mayRunOnAxis = [&](const CurveTrace& trace) {
@@ -131,7 +131,7 @@ void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   if (std::ranges::none_of(traces, mayRunOnAxis)) return;
   std::vector<std::size_t> onLine;
   for (const CurveTrace& trace : traces) {
-    const InkOnArea& coverage = scene.inkOf(trace.color);
+    const ColourOnArea& coverage = scene.coverageOf(trace.color);
     onLine.push_back(
         mayRunOnAxis(trace) && coverage.distinct() ? pointsOnAxisLine(trace, traces, area, coverage) : 0);
   }

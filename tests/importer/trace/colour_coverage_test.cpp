@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unmixing pixels whose colours are known to the last level.
 
-#include "importer/trace/ink_coverage.h"
+#include "importer/trace/colour_coverage.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -40,26 +40,26 @@ PlotScene sceneWithLine() {
 TEST_CASE("unmix: an ink that is what lies behind it explains nothing there") {
   const PlotScene scene = sceneWithLine();
   REQUIRE(scene.onLine(5, kLine_px));
-  const Coverage coverage =
-      unmix(scene, {inkOfColor(kCoverageGrey, scene.paper()), inkOfColor(kCoverageRed, scene.paper())});
+  const Coverage coverage = unmix(
+      scene, {paletteColourOf(kCoverageGrey, scene.paper()), paletteColourOf(kCoverageRed, scene.paper())});
   for (int y : {kLine_px - 5, kLine_px}) {
     INFO("row " << y);
-    CHECK(coverage.ink[0].at(30, y) == 0);
-    CHECK(coverage.ink[1].at(30, y) == Approx(1).margin(0.01));
+    CHECK(coverage.planes[0].at(30, y) == 0);
+    CHECK(coverage.planes[1].at(30, y) == Approx(1).margin(0.01));
   }
-  for (const Plane& ink : coverage.ink)
-    for (float value : ink.values) REQUIRE(std::isfinite(value));
+  for (const Plane& plane : coverage.planes)
+    for (float value : plane.values) REQUIRE(std::isfinite(value));
 }
 
 TEST_CASE("scene: a colour's coverage is what is like it, lines too, and is reckoned once") {
   const PlotScene scene = sceneWithLine();
-  const InkOnArea& red = scene.inkOf(kCoverageRed);
+  const ColourOnArea& red = scene.coverageOf(kCoverageRed);
   CHECK(red.distinct());
   CHECK(red.at(30, kLine_px) == Approx(1).margin(0.01));
   CHECK(red.at(5, kLine_px) == 0);
-  CHECK(scene.inkOf(kCoverageGrey).at(5, kLine_px) == Approx(1).margin(0.01));
+  CHECK(scene.coverageOf(kCoverageGrey).at(5, kLine_px) == Approx(1).margin(0.01));
   CHECK(red.at(-1, kLine_px) == 0);
-  CHECK(&scene.inkOf(kCoverageRed) == &red);
+  CHECK(&scene.coverageOf(kCoverageRed) == &red);
   CHECK(&scene.lettering() == &scene.lettering());
   CHECK(scene.lettering().mask.size() == scene.area().pixels());
 }
@@ -74,13 +74,13 @@ TEST_CASE("palette: black letters are an ink beside grey lines") {
   PlotFrame frame;
   frame.corners = {{{0, 0}, {width_px - 1, 0}, {width_px - 1, height_px - 1}, {0, height_px - 1}}};
   const PlotScene scene(raster, frame, {{"press", {10, 12, 70, 36}, 1.0, 0}});
-  std::vector<Ink> inks = findInks(scene, scene.lettering().mask);
-  REQUIRE(inks.size() == 1);
-  addLetterInk(inks, scene);
-  REQUIRE(inks.size() == 2);
-  CHECK(inks[1].strength > 400);
-  addLetterInk(inks, scene);
-  CHECK(inks.size() == 2);
+  std::vector<PaletteColour> colours = findColours(scene, scene.lettering().mask);
+  REQUIRE(colours.size() == 1);
+  addLetterColour(colours, scene);
+  REQUIRE(colours.size() == 2);
+  CHECK(colours[1].strength > 400);
+  addLetterColour(colours, scene);
+  CHECK(colours.size() == 2);
 }
 
 TEST_CASE("scene: none where the frame lies outside the view") {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/trace/walls.h"
+#include "importer/trace/bottom_outs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "importer/page/quantile.h"
-#include "importer/trace/foot_line.h"
+#include "importer/trace/axis_line_cut.h"
 
 namespace detent::importer::trace {
 
@@ -63,7 +63,7 @@ struct Thickness {
 };
 
 /// Thickness of the frame in a curve's colour, if it is drawn on the left and at the top too; else 0.
-double frameLine(const InkOnArea& coverage, const PlotArea& area) {
+double frameLine(const ColourOnArea& coverage, const PlotArea& area) {
   const Box& frame = area.frame;
   const auto left = Thickness::between({coverage, area, frame.x0}, frame.y0 + 4, frame.y1 - 4);
   std::vector<double> top;
@@ -73,7 +73,7 @@ double frameLine(const InkOnArea& coverage, const PlotArea& area) {
 }
 
 /// Thickness of the plot's own vertical lines, of which the lane may be one; 0 if it is none.
-double ownLine(const InkOnArea& coverage, const PlotArea& area, double x, double within_px) {
+double ownLine(const ColourOnArea& coverage, const PlotArea& area, double x, double within_px) {
   if (!isAtOneOf(area.columns_px, x, within_px)) return 0;
   std::vector<double> others;
   for (const double column : area.columns_px)
@@ -114,7 +114,7 @@ struct Ends {
 };
 
 /// The bottom-out above a curve's end.
-std::optional<LostBottomOut> bottomOutAt(const Curve& curve, Ends ends, const InkOnArea& coverage,
+std::optional<LostBottomOut> bottomOutAt(const Curve& curve, Ends ends, const ColourOnArea& coverage,
                                          const PlotArea& area) {
   const double w = curve.thickness_px, height = area.frame.height(), margin = 1.5 * w + 2;
   const double least_px = std::max(kLeastHeight * height, 3 * w);
@@ -166,7 +166,7 @@ bool endTogether(const Curve& a, const Curve& b) {
 /// The bottom-out of another curve of the same colour, if this one ends beside it: the strokes of one button
 /// separate there.
 std::optional<LostBottomOut> sharedBottomOut(const Curve& curve, const std::vector<Curve>& curves,
-                                             const InkOnArea& coverage, const PlotArea& area) {
+                                             const ColourOnArea& coverage, const PlotArea& area) {
   const double least_px = std::max(kLeastHeight * area.frame.height(), 3 * curve.thickness_px);
   for (const Curve& other : curves) {
     if (&other == &curve || other.color != curve.color || !endTogether(curve, other)) continue;
@@ -194,7 +194,8 @@ std::size_t pointsOfHook(const Curve& curve, double x) {
 /// Strokes of one colour are as thick as the thinnest; overlapping lines appear thicker.
 void measureThickness(std::vector<Curve>& curves, const PlotScene& scene) {
   std::vector<double> seen_px;
-  for (const Curve& curve : curves) seen_px.push_back(scene.inkOf(curve.color).thicknessAlong(curve.points));
+  for (const Curve& curve : curves)
+    seen_px.push_back(scene.coverageOf(curve.color).thicknessAlong(curve.points));
   for (Curve& curve : curves)
     for (std::size_t k = 0; k < curves.size(); ++k)
       if (curves[k].color == curve.color && seen_px[k] > 0)
@@ -219,7 +220,7 @@ void lengthen(CurveTrace& trace, const LostBottomOut& bottomOut, bool reversed, 
 
 }  // namespace
 
-void addLostWalls(std::vector<CurveTrace>& traces, const PlotScene& scene) {
+void addLostBottomOuts(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   if (traces.empty() || scene.empty()) return;
   const PlotArea& area = scene.area();
   std::vector<Curve> curves;
@@ -230,7 +231,7 @@ void addLostWalls(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   std::vector<std::optional<LostBottomOut>> bottomOuts(traces.size());
   measureThickness(curves, scene);
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const InkOnArea& coverage = scene.inkOf(traces[i].color);
+    const ColourOnArea& coverage = scene.coverageOf(traces[i].color);
     if (!coverage.distinct() || curves[i].thickness_px <= 0) continue;
     Ends ends{curves[i].end().y, curves[i].end().y};
     for (const Curve& other : curves)

@@ -12,6 +12,6 @@ namespace detent::importer::trace {
 
 /// Extends every curve that ends at a bottom-out by it. A gridline is as thick above the curve's end as below
 /// it; a bottom-out holds about as many of the curve's pixels as the curve does.
-void addLostWalls(std::vector<CurveTrace>& traces, const PlotScene& scene);
+void addLostBottomOuts(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

@@ -16,7 +16,7 @@ struct GainPoint {
 /// The gain of the limiter as few points that turn `whole` into `limited` within `tolerance` (> 0, share of
 /// full scale) at every sample. The inputs have one length; a sample of `whole` that is larger was turned
 /// down. Empty for no samples. Any thread; allocates.
-std::vector<GainPoint> limiterCourse(const std::vector<float>& whole, const std::vector<float>& limited,
-                                     double tolerance);
+std::vector<GainPoint> limiterGains(const std::vector<float>& whole, const std::vector<float>& limited,
+                                    double tolerance);
 
 }  // namespace detent::playback

@@ -18,16 +18,16 @@ enum class Urgency { background, visible, now };
 
 /// The GUI thread's end of the conversation. Never waits: its end stops the running work, and the thread ends
 /// by itself.
-class ImportDesk : public QObject {
+class ImportClient : public QObject {
   Q_OBJECT
 
  public:
   using Ticket = quint64;  ///< 0 is none
 
-  explicit ImportDesk(QObject* parent = nullptr);
-  ~ImportDesk() override;
-  ImportDesk(const ImportDesk&) = delete;
-  ImportDesk& operator=(const ImportDesk&) = delete;
+  explicit ImportClient(QObject* parent = nullptr);
+  ~ImportClient() override;
+  ImportClient(const ImportClient&) = delete;
+  ImportClient& operator=(const ImportClient&) = delete;
 
   /// Queued after what is as urgent. The answer comes as `answered`, unless the ticket is forgotten.
   Ticket ask(Query query, Urgency urgency);
@@ -39,8 +39,8 @@ class ImportDesk : public QObject {
   bool isOpen(Ticket ticket) const;
 
  signals:
-  void answered(ImportDesk::Ticket ticket, std::shared_ptr<const Answer> answer);
-  void progressed(ImportDesk::Ticket ticket, double fraction, importer::ImportStep step);
+  void answered(ImportClient::Ticket ticket, std::shared_ptr<const Answer> answer);
+  void progressed(ImportClient::Ticket ticket, double fraction, importer::ImportStep step);
 
  private:
   struct Question {

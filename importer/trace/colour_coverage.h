@@ -5,18 +5,18 @@
 
 #include <vector>
 
-#include "importer/trace/ink_palette.h"
+#include "importer/trace/colour_palette.h"
 
 namespace detent::importer::trace {
 
 struct Coverage {
-  std::vector<Plane> ink;  ///< one per colour of the palette, 0..1.2
-  Plane unknown;           ///< covered by something that no colour explains
+  std::vector<Plane> planes;  ///< one per colour of the palette, 0..1.2
+  Plane unknown;              ///< covered by something that no colour explains
 };
 
 /// Maxima in blocks of `factor`² pixels, sufficient for the path search.
 Plane pooled(const Plane& plane, int factor);
 
-Coverage unmix(const PlotScene& scene, const std::vector<Ink>& colours);
+Coverage unmix(const PlotScene& scene, const std::vector<PaletteColour>& colours);
 
 }  // namespace detent::importer::trace

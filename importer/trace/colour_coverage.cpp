@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/trace/ink_coverage.h"
+#include "importer/trace/colour_coverage.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "importer/trace/ink_shades.h"
+#include "importer/trace/colour_shades.h"
 
 namespace detent::importer::trace {
 
@@ -24,8 +24,8 @@ struct Mixture {
 
 class PixelUnmixer {
  public:
-  PixelUnmixer(const std::vector<Ink>& colours, Color3 paper) {
-    for (const Ink& colour : colours) {
+  PixelUnmixer(const std::vector<PaletteColour>& colours, Color3 paper) {
+    for (const PaletteColour& colour : colours) {
       full_.push_back(paper + colour.difference());
       isCurve_.push_back(colour.isCurve ? 1 : 0);
     }
@@ -94,11 +94,11 @@ Plane pooled(const Plane& plane, int factor) {
   return out;
 }
 
-Coverage unmix(const PlotScene& scene, const std::vector<Ink>& colours) {
+Coverage unmix(const PlotScene& scene, const std::vector<PaletteColour>& colours) {
   const Raster& r = scene.area().raster;
   Coverage coverage;
   coverage.unknown = Plane(r.width_px, r.height_px);
-  for (std::size_t k = 0; k < colours.size(); ++k) coverage.ink.emplace_back(r.width_px, r.height_px);
+  for (std::size_t k = 0; k < colours.size(); ++k) coverage.planes.emplace_back(r.width_px, r.height_px);
   const PixelUnmixer unmixer(colours, scene.paper());
   const float floor = std::max(5.0F, 3 * scene.noise());
   const float typical = colours.empty() ? 255.0F : std::max(40.0F, colours.front().strength);
@@ -114,12 +114,13 @@ Coverage unmix(const PlotScene& scene, const std::vector<Ink>& colours) {
         coverage.unknown.values[i] = std::min(1.0F, length / typical);
         continue;
       }
-      if (mixture.first >= 0) coverage.ink[static_cast<std::size_t>(mixture.first)].values[i] = mixture.a;
-      if (mixture.second >= 0) coverage.ink[static_cast<std::size_t>(mixture.second)].values[i] = mixture.b;
+      if (mixture.first >= 0) coverage.planes[static_cast<std::size_t>(mixture.first)].values[i] = mixture.a;
+      if (mixture.second >= 0)
+        coverage.planes[static_cast<std::size_t>(mixture.second)].values[i] = mixture.b;
       if (mixture.residual > 2 * tolerance)
         coverage.unknown.values[i] = std::min(1.0F, mixture.residual / typical);
     }
-  partShades(coverage.ink, colours);
+  partShades(coverage.planes, colours);
   return coverage;
 }
 

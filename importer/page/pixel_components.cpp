@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/page/ink_pieces.h"
+#include "importer/page/pixel_components.h"
 
 #include <algorithm>
 #include <cstring>
@@ -8,8 +8,8 @@
 namespace detent::importer {
 namespace {
 
-/// The first column from `x` on that has ink; `width` if there is none.
-int nextInk(const std::uint8_t* row, int x, int width) {
+/// The first column from `x` on with a marked pixel; `width` if there is none.
+int nextMark(const std::uint8_t* row, int x, int width) {
   constexpr int word = sizeof(std::uint64_t);
   std::uint64_t eight = 0;
   while (x + word <= width && (std::memcpy(&eight, row + x, word), eight == 0)) x += word;
@@ -37,13 +37,13 @@ class Touching {
   std::vector<std::size_t> first_;
 };
 
-Box runBox(const InkRun& run) {
+Box runBox(const PixelRun& run) {
   return {static_cast<double>(run.from), static_cast<double>(run.y), static_cast<double>(run.to),
           run.y + 1.0};
 }
 
 /// The first run of each piece, in the order of the pieces.
-std::vector<std::size_t> piecesInOrder(const std::vector<InkRun>& runs, Touching& sets) {
+std::vector<std::size_t> piecesInOrder(const std::vector<PixelRun>& runs, Touching& sets) {
   std::vector<std::size_t> order;
   std::vector<int> leftmost(runs.size());  // of the piece's first two rows, known by its first run
   for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -60,15 +60,15 @@ std::vector<std::size_t> piecesInOrder(const std::vector<InkRun>& runs, Touching
 
 }  // namespace
 
-InkPieces inkPiecesOf(const std::uint8_t* mask, int width, int height, std::size_t stride) {
-  InkPieces found;
+PixelComponents pixelComponentsOf(const std::uint8_t* mask, int width, int height, std::size_t stride) {
+  PixelComponents found;
   Touching sets;
-  std::vector<int> openAbove;  // per run: pixels without ink right above them
+  std::vector<int> openAbove;  // per run: pixels with an unmarked pixel right above them
   std::size_t above = 0;       // the first run of the row above that may touch what follows
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* row = mask + static_cast<std::size_t>(y) * stride;
     const std::size_t rowStart = found.runs.size();
-    for (int x = nextInk(row, 0, width); x < width; x = nextInk(row, x, width)) {
+    for (int x = nextMark(row, 0, width); x < width; x = nextMark(row, x, width)) {
       const void* end = std::memchr(row + x, 0, static_cast<std::size_t>(width - x));
       const int to = end ? static_cast<int>(static_cast<const std::uint8_t*>(end) - row) : width;
       const std::size_t run = sets.add();
@@ -85,14 +85,14 @@ InkPieces inkPiecesOf(const std::uint8_t* mask, int width, int height, std::size
   const std::vector<std::size_t> order = piecesInOrder(found.runs, sets);
   found.all.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const InkRun& run = found.runs[order[i]];
+    const PixelRun& run = found.runs[order[i]];
     found.runs[order[i]].piece = i;
     found.all[i].box = runBox(run);
   }
   for (std::size_t k = 0; k < found.runs.size(); ++k) {
-    InkRun& run = found.runs[k];
+    PixelRun& run = found.runs[k];
     run.piece = found.runs[sets.firstOf(k)].piece;
-    InkPiece& piece = found.all[run.piece];
+    PixelComponent& piece = found.all[run.piece];
     piece.box = piece.box.joined(runBox(run));
     piece.area_px += run.to - run.from;
     piece.runsAcross += 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/trace/ink_palette.h"
+#include "importer/trace/colour_palette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ std::size_t cellOf(Color3 d) {
 
 std::vector<Sample> colourSamples(const PlotScene& scene, const Mask& excluded) {
   const PlotArea& area = scene.area();
-  const float threshold = std::max(24.0F, scene.inkThreshold());
+  const float threshold = std::max(24.0F, scene.coverageThreshold());
   std::vector<Sample> samples;
   const Raster& r = area.raster;
   // Half a pixel inside the frame, to exclude a frame line thicker than measured.
@@ -73,7 +73,7 @@ Color3 densestDirection(const std::vector<Sample>& samples, const std::vector<ch
 
 /// Returns true if p lies between the differences of two colours, like pixels where one line's edge runs over
 /// another line.
-bool isBlend(const Ink& p, const Ink& a, const Ink& b) {
+bool isBlend(const PaletteColour& p, const PaletteColour& a, const PaletteColour& b) {
   const Color3 u = a.difference(), v = b.difference(), w = p.difference();
   const Color3 along = v - u;
   const float t = dot(w - u, along) / std::max(1e-3F, dot(along, along));
@@ -83,13 +83,14 @@ bool isBlend(const Ink& p, const Ink& a, const Ink& b) {
 
 }  // namespace
 
-std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const PaletteLimits& limits) {
+std::vector<PaletteColour> findColours(const PlotScene& scene, const Mask& excluded,
+                                       const PaletteLimits& limits) {
   const std::vector<Sample> samples = colourSamples(scene, excluded);
   std::vector<char> taken(samples.size(), 0);
   const float cosine = static_cast<float>(std::cos(limits.mergeAngle_deg * M_PI / 180));
-  std::vector<Ink> colours;
+  std::vector<PaletteColour> colours;
   std::vector<float> lengths;
-  for (int round = 0; round < 3 * limits.maxInks && static_cast<int>(colours.size()) < limits.maxInks;
+  for (int round = 0; round < 3 * limits.maxColours && static_cast<int>(colours.size()) < limits.maxColours;
        ++round) {
     const Color3 direction = densestDirection(samples, taken, cosine);
     lengths.clear();
@@ -99,7 +100,7 @@ std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const Pa
         lengths.push_back(samples[i].length);
       }
     if (lengths.empty()) break;
-    Ink colour;
+    PaletteColour colour;
     colour.direction = direction;
     double sum = 0;
     for (float l : lengths) sum += static_cast<double>(l);
@@ -116,20 +117,21 @@ std::vector<Ink> findInks(const PlotScene& scene, const Mask& excluded, const Pa
                 isBlend(colour, colours[i], colours[j]);
     if (!blend) colours.push_back(colour);
   }
-  std::sort(colours.begin(), colours.end(), [](const Ink& a, const Ink& b) { return a.mass_px > b.mass_px; });
+  std::sort(colours.begin(), colours.end(),
+            [](const PaletteColour& a, const PaletteColour& b) { return a.mass_px > b.mass_px; });
   return colours;
 }
 
-void addLetterInk(std::vector<Ink>& colours, const PlotScene& scene) {
+void addLetterColour(std::vector<PaletteColour>& colours, const PlotScene& scene) {
   const Mask& letters = scene.lettering().mask;
   Mask others(letters.size());
   std::transform(letters.begin(), letters.end(), others.begin(), [](std::uint8_t l) { return l ? 0 : 1; });
   PaletteLimits one;
-  one.maxInks = 1;
-  for (const Ink& letter : findInks(scene, others, one)) {
+  one.maxColours = 1;
+  for (const PaletteColour& letter : findColours(scene, others, one)) {
     // The rim of a grey line is no colour of black letters: other colours explain what is darker than a
     // colour can be, and two opposite colours make black.
-    const bool known = std::any_of(colours.begin(), colours.end(), [&](const Ink& colour) {
+    const bool known = std::any_of(colours.begin(), colours.end(), [&](const PaletteColour& colour) {
       return dot(colour.direction, letter.direction) > 0.99F && letter.strength <= kDarkest * colour.strength;
     });
     if (!known) colours.push_back(letter);

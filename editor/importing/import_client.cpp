@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/importing/import_desk.h"
+#include "editor/importing/import_client.h"
 
 #include <algorithm>
 #include <QCoreApplication>
@@ -43,10 +43,11 @@ bool isFailure(const Answer& answer) {
 
 }  // namespace
 
-ImportDesk::ImportDesk(QObject* parent) : QObject(parent), thread_(newThread()), worker_(new ImportWorker) {
+ImportClient::ImportClient(QObject* parent)
+    : QObject(parent), thread_(newThread()), worker_(new ImportWorker) {
   worker_->moveToThread(thread_);
   connect(thread_, &QThread::finished, worker_, &QObject::deleteLater);
-  connect(worker_, &ImportWorker::answered, this, &ImportDesk::finish);
+  connect(worker_, &ImportWorker::answered, this, &ImportClient::finish);
   connect(worker_, &ImportWorker::progressed, this,
           [this](Ticket ticket, double fraction, importer::ImportStep step) {
             if (running_ && running_->question.ticket == ticket && !running_->forgotten)
@@ -55,19 +56,19 @@ ImportDesk::ImportDesk(QObject* parent) : QObject(parent), thread_(newThread()),
   thread_->start(QThread::LowPriority);
 }
 
-ImportDesk::~ImportDesk() {
+ImportClient::~ImportClient() {
   if (running_) running_->stop->store(true);
   thread_->quit();
 }
 
-void ImportDesk::enqueue(Question question, bool before) {
+void ImportClient::enqueue(Question question, bool before) {
   const auto place = std::find_if(queue_.begin(), queue_.end(), [&](const Question& other) {
     return before ? other.urgency <= question.urgency : other.urgency < question.urgency;
   });
   queue_.insert(place, std::move(question));
 }
 
-ImportDesk::Ticket ImportDesk::ask(Query query, Urgency urgency) {
+ImportClient::Ticket ImportClient::ask(Query query, Urgency urgency) {
   const Ticket ticket = ++last_;
   enqueue({ticket, std::move(query), urgency}, false);
   const bool inTheWay =
@@ -80,25 +81,25 @@ ImportDesk::Ticket ImportDesk::ask(Query query, Urgency urgency) {
   return ticket;
 }
 
-void ImportDesk::forget(Ticket ticket) {
+void ImportClient::forget(Ticket ticket) {
   queue_.remove_if([ticket](const Question& question) { return question.ticket == ticket; });
   if (!running_ || running_->question.ticket != ticket) return;
   running_->forgotten = true;
   running_->stop->store(true);
 }
 
-void ImportDesk::forgetAll() {
+void ImportClient::forgetAll() {
   queue_.clear();
   if (running_) forget(running_->question.ticket);
 }
 
-bool ImportDesk::isOpen(Ticket ticket) const {
+bool ImportClient::isOpen(Ticket ticket) const {
   if (running_ && running_->question.ticket == ticket) return !running_->forgotten;
   return std::any_of(queue_.begin(), queue_.end(),
                      [ticket](const Question& q) { return q.ticket == ticket; });
 }
 
-void ImportDesk::startNext() {
+void ImportClient::startNext() {
   if (running_ || queue_.empty()) return;
   running_ = Running{std::move(queue_.front()), std::make_shared<std::atomic<bool>>(false)};
   queue_.pop_front();
@@ -112,7 +113,7 @@ void ImportDesk::startNext() {
       Qt::QueuedConnection);
 }
 
-void ImportDesk::finish(Ticket ticket, const std::shared_ptr<const Answer>& answer) {
+void ImportClient::finish(Ticket ticket, const std::shared_ptr<const Answer>& answer) {
   Running done = std::move(*running_);
   running_.reset();
   if (done.interrupted && !done.forgotten && isFailure(*answer)) {

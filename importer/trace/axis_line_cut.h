@@ -12,7 +12,7 @@ namespace detent::importer::trace {
 
 /// Cuts traces where they run along the x axis and the axis is no thicker there than where no curve comes
 /// near. If the axis is as thick as the curves, nothing is cut.
-void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotScene& scene);
+void cutAlongAxisLine(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
 /// Cuts traces where they cross bare paper to the frame's upper or right edge and then run along it.
 void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotScene& scene);

@@ -20,18 +20,18 @@ void clearStrongLines(Plane& plane);
 
 /// The paler shade of lines with this colour's direction, away from its own lines, if there are enough for a
 /// curve. `coverage`: by the colour.
-std::optional<Ink> palerShade(const PlotScene& scene, const Ink& colour, const Plane& coverage,
-                              double leastMass_px);
+std::optional<PaletteColour> palerShade(const PlotScene& scene, const PaletteColour& colour,
+                                        const Plane& coverage, double leastMass_px);
 
 /// Returns true if two colours have one direction: shades of each other.
-bool areShades(const Ink& a, const Ink& b);
+bool areShades(const PaletteColour& a, const PaletteColour& b);
 
 /// Assigns coverage of colours with one direction to the shade whose lines it lies on.
-void partShades(std::vector<Plane>& coverage, const std::vector<Ink>& colours);
+void partShades(std::vector<Plane>& coverage, const std::vector<PaletteColour>& colours);
 
 /// Clears what belongs to no curve of the shades: dotted or dashed gridlines, boxes. `boxes`: of legends.
-void clearPlotLines(std::vector<Plane>& coverage, const std::vector<Ink>& colours, const PlotScene& scene,
-                    const std::vector<Box>& boxes);
+void clearPlotLines(std::vector<Plane>& coverage, const std::vector<PaletteColour>& colours,
+                    const PlotScene& scene, const std::vector<Box>& boxes);
 
 /// Extends the ends of a paler line along a stronger one's edge, where they are not visible, to its ends.
 void leadBeside(CurveTrace& paler, const CurveTrace& stronger);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/trace/curve_ink.h"
+#include "importer/trace/curve_colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +15,15 @@ constexpr float kCurveCoverage = 0.12F;  // coverage; less ends a line
 
 }  // namespace
 
-Ink inkOfColor(Rgb color, Color3 paper) {
+PaletteColour paletteColourOf(Rgb color, Color3 paper) {
   const Color3 difference = color3Of(color) - paper;
-  Ink colour;
+  PaletteColour colour;
   colour.strength = std::max(1.0F, norm(difference));
   colour.direction = (1 / colour.strength) * difference;
   return colour;
 }
 
-InkAcross InkOnArea::across(double x, double y, bool plumb) const {
+CoverageAcross ColourOnArea::across(double x, double y, bool plumb) const {
   const auto value = [&](int along) {
     return plumb ? at(along, static_cast<int>(std::lround(y))) : at(static_cast<int>(std::lround(x)), along);
   };
@@ -31,7 +31,7 @@ InkAcross InkOnArea::across(double x, double y, bool plumb) const {
   int middle = from;
   for (const int near : {from, from - 1, from + 1, from - 2, from + 2})
     if (value(near) > value(middle)) middle = near;
-  InkAcross run;
+  CoverageAcross run;
   if (value(middle) < kCurveCoverage) return run;
   double moment = 0;
   const auto take = [&](int along) {
@@ -47,7 +47,7 @@ InkAcross InkOnArea::across(double x, double y, bool plumb) const {
   return run;
 }
 
-double InkOnArea::thicknessAlong(const std::vector<Point>& points) const {
+double ColourOnArea::thicknessAlong(const std::vector<Point>& points) const {
   constexpr std::size_t samples = 120, reach = 3, fewest = 6;
   std::vector<double> runs;
   const std::size_t step = std::max<std::size_t>(1, points.size() / samples);
@@ -70,7 +70,7 @@ bool PlumbLane::onLevelLine(double y) const { return isAtOneOf(area_.rows_px, y,
 std::vector<double> PlumbLane::rows(double y0, double y1) const {
   std::vector<double> thicknesses;
   for (int y = static_cast<int>(std::ceil(y0)); y <= y1; ++y)
-    if (!onLevelLine(y)) thicknesses.push_back(ink_.across(x_, y, true).thickness_px);
+    if (!onLevelLine(y)) thicknesses.push_back(colour_.across(x_, y, true).thickness_px);
   return thicknesses;
 }
 
@@ -78,7 +78,7 @@ double PlumbLane::top(double baseline, double least_px, double gap_px) const {
   double last = baseline, missed = 0;
   for (double y = baseline; y >= area_.frame.y0 - 0.5 && missed <= gap_px; y -= 1) {
     if (onLevelLine(y)) continue;
-    if (ink_.across(x_, y, true).thickness_px >= least_px)
+    if (colour_.across(x_, y, true).thickness_px >= least_px)
       last = y, missed = 0;
     else
       missed += 1;
@@ -89,7 +89,7 @@ double PlumbLane::top(double baseline, double least_px, double gap_px) const {
 double PlumbLane::middle(double y0, double y1) const {
   std::vector<double> middles;
   for (int y = static_cast<int>(std::ceil(y0)); y <= y1; ++y)
-    if (const auto run = ink_.across(x_, y, true); !onLevelLine(y) && run.thickness_px > 0)
+    if (const auto run = colour_.across(x_, y, true); !onLevelLine(y) && run.thickness_px > 0)
       middles.push_back(run.middle);
   return middles.empty() ? x_ : quantileOf(middles, 0.5);
 }

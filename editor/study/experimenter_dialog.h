@@ -51,11 +51,11 @@ class HiddenWindows {
 };
 
 /// The experimenter's view. Not modal. GUI thread.
-class StudyDesk : public QDialog {
+class ExperimenterDialog : public QDialog {
   Q_OBJECT
 
  public:
-  explicit StudyDesk(StudyPlaces places = {}, QWidget* parent = nullptr);
+  explicit ExperimenterDialog(StudyPlaces places = {}, QWidget* parent = nullptr);
   /// Shows that study; a folder without a study is reported in the window.
   void showStudy(const QString& folder);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/interchange/limiter_course.h"
+#include "playback/interchange/limiter_gains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,8 @@ class Cone {
 
 }  // namespace
 
-std::vector<GainPoint> limiterCourse(const std::vector<float>& whole, const std::vector<float>& limited,
-                                     double tolerance) {
+std::vector<GainPoint> limiterGains(const std::vector<float>& whole, const std::vector<float>& limited,
+                                    double tolerance) {
   std::vector<GainPoint> gainPoints;
   const auto count = static_cast<std::int64_t>(std::min(whole.size(), limited.size()));
   const auto gainsAt = [&](std::int64_t frame) {

@@ -37,7 +37,7 @@ inline Color3 color3Of(Rgb c) {
   return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 
-struct Ink {
+struct PaletteColour {
   Color3 direction;      ///< unit vector, colour minus paper
   float strength = 0;    ///< distance of the full colour from the paper, colour levels
   double mass_px = 0;    ///< pixels of full coverage
@@ -46,29 +46,30 @@ struct Ink {
   Color3 difference() const { return strength * direction; }
 };
 
-inline constexpr double kSameInkAngle = 0.985;  // cosine between two differences to the paper of one colour
+inline constexpr double kSameColourAngle =
+    0.985;  // cosine between two differences to the paper of one colour
 
 /// The palette entry of a colour on a given paper.
-Ink inkOfColor(Rgb color, Color3 paper);
+PaletteColour paletteColourOf(Rgb color, Color3 paper);
 
 /// Coverage across a line: its sum and centroid.
-struct InkAcross {
+struct CoverageAcross {
   double thickness_px = 0;
   double middle = 0;
 };
 
 /// Coverage of the area's pixels by one curve's colour, including lines and letters of that colour.
-class InkOnArea {
+class ColourOnArea {
  public:
   /// `strength`: distance of the full colour from the paper, colour levels.
-  InkOnArea(Plane coverage, float strength) : coverage_(std::move(coverage)), strength_(strength) {}
+  ColourOnArea(Plane coverage, float strength) : coverage_(std::move(coverage)), strength_(strength) {}
 
   /// Returns true if the colour differs clearly from the paper.
   bool distinct() const { return strength_ > 40; }
   /// Coverage, 0..1; 0 outside the area and in other colours.
   float at(int x, int y) const { return coverage_.inside(x, y) ? coverage_.at(x, y) : 0.0F; }
   /// The run of coverage at the place, or within two pixels of it, across a vertical or a horizontal line.
-  InkAcross across(double x, double y, bool plumb) const;
+  CoverageAcross across(double x, double y, bool plumb) const;
   /// Thickness of a line along these points, area px; 0 if it is not visible.
   double thicknessAlong(const std::vector<Point>& points) const;
 
@@ -80,7 +81,8 @@ class InkOnArea {
 /// Coverage along a column of the area.
 class PlumbLane {
  public:
-  PlumbLane(const InkOnArea& coverage, const PlotArea& area, double x) : ink_(coverage), area_(area), x_(x) {}
+  PlumbLane(const ColourOnArea& coverage, const PlotArea& area, double x)
+      : colour_(coverage), area_(area), x_(x) {}
 
   /// Thicknesses of the rows between two rows, without horizontal lines of the plot.
   std::vector<double> rows(double y0, double y1) const;
@@ -92,7 +94,7 @@ class PlumbLane {
  private:
   bool onLevelLine(double y) const;
 
-  const InkOnArea& ink_;
+  const ColourOnArea& colour_;
   const PlotArea& area_;
   double x_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/trace/ink_shades.h"
+#include "importer/trace/colour_shades.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ void leadOn(std::vector<Point>& line, std::vector<double>& widths, const std::ve
 
 }  // namespace
 
-bool areShades(const Ink& a, const Ink& b) {
+bool areShades(const PaletteColour& a, const PaletteColour& b) {
   constexpr float same = 0.99999F;  // cosine; a shade has its colour's direction by construction
   return dot(a.direction, b.direction) > same;
 }
@@ -80,9 +80,9 @@ void clearStrongLines(Plane& plane) {
   values.setTo(0, linesReaching(values, kMostStrength));
 }
 
-std::optional<Ink> palerShade(const PlotScene& scene, const Ink& colour, const Plane& coverage,
-                              double leastMass_px) {
-  const float leastLevel = scene.inkThreshold() / std::max(1.0F, colour.strength);
+std::optional<PaletteColour> palerShade(const PlotScene& scene, const PaletteColour& colour,
+                                        const Plane& coverage, double leastMass_px) {
+  const float leastLevel = scene.coverageThreshold() / std::max(1.0F, colour.strength);
   Plane rest = coverage;
   clearStrongLines(rest);
   double mass = 0;
@@ -94,21 +94,21 @@ std::optional<Ink> palerShade(const PlotScene& scene, const Ink& colour, const P
     }
   const float level = ridgeLevel(rest);
   if (!(level > 0) || mass < leastMass_px * static_cast<double>(level)) return {};
-  Ink paler = colour;
+  PaletteColour paler = colour;
   paler.strength *= level;
   paler.mass_px = mass / static_cast<double>(level);
   return paler;
 }
 
-void clearPlotLines(std::vector<Plane>& coverage, const std::vector<Ink>& colours, const PlotScene& scene,
-                    const std::vector<Box>& boxes) {
+void clearPlotLines(std::vector<Plane>& coverage, const std::vector<PaletteColour>& colours,
+                    const PlotScene& scene, const std::vector<Box>& boxes) {
   for (std::size_t k = 0; k < colours.size(); ++k) {
-    const auto isStronger = [&](const Ink& other) {
+    const auto isStronger = [&](const PaletteColour& other) {
       return areShades(other, colours[k]) && other.strength > colours[k].strength;
     };
     if (std::ranges::none_of(colours, isStronger)) continue;
     Plane& pale = coverage[k];
-    for (const PixelAt p : dottedLines(InkOnArea(pale, colours[k].strength), scene)) pale.at(p.x, p.y) = 0;
+    for (const PixelAt p : dottedLines(ColourOnArea(pale, colours[k].strength), scene)) pale.at(p.x, p.y) = 0;
     for (const Box& box : boxes)
       for (int y = static_cast<int>(box.y0); y <= static_cast<int>(box.y1); ++y)
         for (int x = static_cast<int>(box.x0); x <= static_cast<int>(box.x1); ++x)
@@ -128,7 +128,7 @@ void leadBeside(CurveTrace& paler, const CurveTrace& stronger) {
   }
 }
 
-void partShades(std::vector<Plane>& coverage, const std::vector<Ink>& colours) {
+void partShades(std::vector<Plane>& coverage, const std::vector<PaletteColour>& colours) {
   for (std::size_t i = 0; i < colours.size(); ++i)
     for (std::size_t k = 0; k < colours.size(); ++k) {
       if (i == k || !areShades(colours[i], colours[k]) || colours[k].strength >= colours[i].strength)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces found run by run are those that a walk from pixel to pixel finds.
+// Components found by runs are the same as those found by a search from pixel to pixel.
 
-#include "importer/page/ink_pieces.h"
+#include "importer/page/pixel_components.h"
 
 #include <random>
 #include <set>
@@ -24,7 +24,7 @@ struct Mask {
   }
 };
 
-/// Bytes beyond the width are ink: they must not count.
+/// Bytes beyond the width are marked and must not count.
 Mask randomMask(int width, int height, double share, unsigned seed) {
   std::mt19937 random(seed);
   std::bernoulli_distribution inked(share);
@@ -49,7 +49,7 @@ Pixels pieceAround(const Mask& mask, int x, int y) {
   return seen;
 }
 
-void requireSame(const InkPiece& piece, const Pixels& pixels, const Mask& mask) {
+void requireSame(const PixelComponent& piece, const Pixels& pixels, const Mask& mask) {
   Box box{1e9, 1e9, -1e9, -1e9};
   int across = 0, down = 0;
   for (const auto& [x, y] : pixels) {
@@ -69,9 +69,9 @@ TEST_CASE("Pieces of a mask", "[ink]") {
   const auto share = GENERATE(0.0, 0.02, 0.2, 0.4, 0.6, 1.0);
   const auto size = GENERATE(std::pair(1, 1), std::pair(7, 40), std::pair(61, 23));
   const Mask mask = randomMask(size.first, size.second, share, 5);
-  const InkPieces found = inkPiecesOf(mask.bytes.data(), mask.width, mask.height, mask.stride);
+  const PixelComponents found = pixelComponentsOf(mask.bytes.data(), mask.width, mask.height, mask.stride);
   std::vector<Pixels> pixelsOf(found.all.size());
-  for (const InkRun& run : found.runs)
+  for (const PixelRun& run : found.runs)
     for (int x = run.from; x < run.to; ++x) {
       REQUIRE(mask.at(x, run.y));
       pixelsOf[run.piece].emplace(x, run.y);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Connected pieces of a mask, found run by run: a drawing is nearly all paper, and paper costs next to
+// nothing.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "importer/page/raster.h"
+
+namespace detent::importer {
+
+/// A connected component: marked pixels that touch at edges or corners.
+struct PixelComponent {
+  Box box;  ///< of whole pixels: x1 and y1 are the first column and row beyond it
+  int area_px = 0;
+  int runsAcross = 0;  ///< number of runs of marked pixels in all its rows
+  int runsDown = 0;    ///< the same in all its columns
+};
+
+/// Marked pixels of one row without a gap.
+struct PixelRun {
+  int y = 0, from = 0, to = 0;  ///< to: the first column beyond it
+  std::size_t piece = 0;        ///< index of the piece it belongs to
+};
+
+struct PixelComponents {
+  std::vector<PixelComponent> all;  ///< in the order in which their first pixels come, two rows at a time
+  std::vector<PixelRun> runs;       ///< row by row, from the left
+};
+
+/// The pieces of what is not 0 in `height` rows of `width` bytes, `stride` bytes apart.
+PixelComponents pixelComponentsOf(const std::uint8_t* mask, int width, int height, std::size_t stride);
+
+}  // namespace detent::importer
