@@ -22,17 +22,10 @@ namespace {
 
 constexpr double kNoMatch = std::numeric_limits<double>::infinity();  // cost
 
-constexpr std::array<std::pair<std::string_view, WordKind>, 11> kKinds{{{"press", WordKind::press},
-                                                                        {"release", WordKind::release},
-                                                                        {"point", WordKind::point},
-                                                                        {"wear", WordKind::wear},
-                                                                        {"curve", WordKind::curve},
-                                                                        {"variant", WordKind::variant},
-                                                                        {"series", WordKind::series},
-                                                                        {"quantity", WordKind::quantity},
-                                                                        {"symbol", WordKind::symbol},
-                                                                        {"also", WordKind::also},
-                                                                        {"unit", WordKind::unit}}};
+/// In the order of WordKind.
+constexpr std::array<std::string_view, 13> kKinds{"press",   "release", "point",      "wear",   "curve",
+                                                  "variant", "series",  "quantity",   "symbol", "also",
+                                                  "unit",    "column",  "column-unit"};
 
 /// A line's fields, set apart by tabs; empty ones at the end where it has fewer.
 template <std::size_t count>
@@ -85,12 +78,13 @@ class Tables {
   }
 
   void addWord(std::string_view line) {
-    if (line.empty() || line.front() == '#') return;
+    if (line.empty() || line.starts_with("# ")) return;
     const auto [word, language, kindName, value] = fieldsOf<4>(line);
-    const auto kind = std::ranges::find(kKinds, kindName, &std::pair<std::string_view, WordKind>::first);
+    const auto* const kind = std::ranges::find(kKinds, kindName);
     DETENT_CHECK(kind != kKinds.end() && !word.empty(), "a line of lexicon.tsv has a word and a known kind");
-    LexiconEntry entry{word, language, value, kind->second, WordForm::whole};
-    const bool isUnit = entry.kind == WordKind::unit;
+    const auto index = static_cast<std::size_t>(kind - kKinds.begin());
+    LexiconEntry entry{word, language, value, static_cast<WordKind>(index), WordForm::whole};
+    const bool isUnit = entry.kind == WordKind::unit || entry.kind == WordKind::columnUnit;
     if (!isUnit && word.size() > 1 && word.front() == '-') {
       entry.form = WordForm::end;
       entry.word.remove_prefix(1);
@@ -102,9 +96,9 @@ class Tables {
     } else if (!isUnit && isWrittenTogether(word)) {
       entry.form = WordForm::sign;
     }
-    const auto index = static_cast<std::size_t>(kind - kKinds.begin());
     byKind[index].push_back(entry);
-    if (entry.form != WordForm::phrase && entry.form != WordForm::sign)
+    const bool isOfTables = entry.kind == WordKind::column || entry.kind == WordKind::columnUnit;
+    if (!isOfTables && entry.form != WordForm::phrase && entry.form != WordForm::sign)
       words[index].push_back({entry, codePoints(entry.word), hasCyrillic(entry.word)});
   }
 

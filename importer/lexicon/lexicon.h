@@ -18,7 +18,21 @@ enum class TextSource {
 };
 
 /// The third column of lexicon.tsv, which describes each.
-enum class WordKind { press, release, point, wear, curve, variant, series, quantity, symbol, also, unit };
+enum class WordKind {
+  press,
+  release,
+  point,
+  wear,
+  curve,
+  variant,
+  series,
+  quantity,
+  symbol,
+  also,
+  unit,
+  column,
+  columnUnit
+};
 
 /// Where an entry may stand in a label.
 enum class WordForm {

@@ -6,67 +6,39 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
-#include "importer/log/table_words.h"
+#include "importer/lexicon/letters.h"
+#include "importer/lexicon/lexicon.h"
 #include "model/text.h"
 
 namespace detent::importer {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ColumnWord>, 19> kRoleNames{
-    {{"displacement", ColumnWord::displacement},
-     {"displacement-weak", ColumnWord::displacementWeak},
-     {"force", ColumnWord::force},
-     {"force-weak", ColumnWord::forceWeak},
-     {"time", ColumnWord::time},
-     {"index", ColumnWord::index},
-     {"cycle", ColumnWord::cycle},
-     {"record", ColumnWord::record},
-     {"direction", ColumnWord::direction},
-     {"press", ColumnWord::press},
-     {"release", ColumnWord::release},
-     {"contact", ColumnWord::contact},
-     {"other", ColumnWord::other},
-     {"mean", ColumnWord::mean},
-     {"spread", ColumnWord::spread},
-     {"copy", ColumnWord::copy},
-     {"unit", ColumnWord::unit},
-     {"raw", ColumnWord::raw},
-     {"neutral", ColumnWord::neutral}}};
+/// Values of the lexicon's kind "column", in the order of ColumnWord.
+constexpr std::array<std::string_view, 19> kMeanings{"displacement", "displacement-weak",
+                                                     "force",        "force-weak",
+                                                     "time",         "index",
+                                                     "cycle",        "record",
+                                                     "direction",    "press",
+                                                     "release",      "contact",
+                                                     "other",        "mean",
+                                                     "spread",       "copy",
+                                                     "unit",         "raw",
+                                                     "neutral"};
 
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Small letters; Latin and Cyrillic too.
-std::string smallLetters(std::string_view text) {
-  std::string small = lowered(text);
-  for (std::size_t i = 0; i + 1 < small.size(); ++i) {
-    auto a = static_cast<unsigned char>(small[i]), b = static_cast<unsigned char>(small[i + 1]);
-    const bool isLatinCapital = a == 0xC3 && b >= 0x80 && b <= 0x9E && b != 0x97;
-    const bool isCyrillicCapital = a == 0xD0 && b >= 0x90 && b <= 0x9F;
-    if (isLatinCapital || isCyrillicCapital)
-      small[i + 1] = static_cast<char>(b + 0x20);
-    else if ((a == 0xC4 || a == 0xC5) && b % 2 == 0 && b >= 0x80 && !(a == 0xC5 && b >= 0xB8))
-      small[i + 1] = static_cast<char>(b + (a == 0xC5 && b <= 0x88 && b >= 0x80 ? 0 : 1));
-    else if (a == 0xD0 && b >= 0xA0 && b <= 0xAF)
-      small[i] = '\xD1', small[i + 1] = static_cast<char>(b - 0x20);
-    if (a >= 0xC2) ++i;
-  }
-  return small;
-}
-
-bool isWrittenWithoutBlanks(std::string_view word) {
-  return word.size() >= 3 && static_cast<unsigned char>(word[0]) >= 0xE3;  // from U+3000 on
-}
-
 struct Vocabulary {
   std::unordered_map<std::string, std::uint32_t> words;      // of one or more words, joined by blanks
-  std::unordered_map<std::string, std::uint32_t> headFirst;  // those of Romance languages alone
+  std::unordered_set<std::string> headFirst;                 // those of Romance languages alone
   std::vector<std::pair<std::string, std::uint32_t>> signs;  // of writing without blanks, the longest first
   std::vector<std::pair<std::string, std::uint32_t>> ends;   // of compounds, the longest first
-  std::map<std::string, ColumnUnit, std::less<>> units, unitsInSmallLetters;
+  std::map<std::string, ColumnUnit, std::less<>> units, foldedUnits;
 };
 
 ColumnUnit::Kind unitKindNamed(std::string_view name) {
@@ -77,54 +49,38 @@ ColumnUnit::Kind unitKindNamed(std::string_view name) {
 }
 
 Vocabulary readVocabulary() {
+  constexpr std::string_view romance = "fr es it pt ro", compounding = "de nl sv da no";
   Vocabulary all;
-  std::string_view rest = tableWords();
-  all.words.reserve(static_cast<std::size_t>(std::ranges::count(rest, '\n')));
-  std::map<std::string, std::uint32_t> signs, ends;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
-    if (line.starts_with("# ") || first == std::string_view::npos || second == std::string_view::npos)
-      continue;
-    const std::string word(line.substr(0, first));
-    const std::string_view language = line.substr(first + 1, second - first - 1),
-                           role = line.substr(second + 1);
-    if (language == "unit") {
-      const std::size_t colon = role.find(':');
-      ColumnUnit unit{unitKindNamed(role.substr(0, colon)), 1, word};
-      const std::string_view size = role.substr(colon + 1);
-      std::from_chars(size.data(), size.data() + size.size(), unit.size);
-      all.units[word] = unit;
-      const auto [place, isNew] = all.unitsInSmallLetters.emplace(smallLetters(word), unit);
-      if (!isNew && (place->second.kind != unit.kind || place->second.size != unit.size))
-        place->second.kind = ColumnUnit::Kind::unknown;  // "mn": milli or mega
-      continue;
-    }
-    const auto* named = std::ranges::find(kRoleNames, role, &std::pair<std::string_view, ColumnWord>::first);
-    if (named == kRoleNames.end()) continue;
-    const auto meaning = static_cast<std::uint32_t>(named->second);
-    const std::string small = smallLetters(word);
-    if (isWrittenWithoutBlanks(small))
-      signs[small] |= meaning;
-    else
-      all.words[small] |= meaning;
-    if (language == "fr" || language == "es" || language == "it" || language == "pt" || language == "ro")
-      all.headFirst[small] |= meaning;
-    else
-      all.headFirst.erase(small);
-    if ((language == "de" || language == "nl" || language == "sv" || language == "da" || language == "no") &&
-        small.size() >= 3)
-      ends[small] |= meaning;
+  for (const LexiconEntry& entry : entriesOf(WordKind::columnUnit)) {
+    const std::size_t colon = entry.value.find(':');
+    const std::string spelled(entry.word);
+    ColumnUnit unit{unitKindNamed(entry.value.substr(0, colon)), 1, spelled};
+    const std::string_view size = entry.value.substr(colon + 1);
+    std::from_chars(size.data(), size.data() + size.size(), unit.size);
+    all.units[spelled] = unit;
+    const auto [place, isNew] = all.foldedUnits.emplace(folded(spelled), unit);
+    if (!isNew && (place->second.kind != unit.kind || place->second.size != unit.size))
+      place->second.kind = ColumnUnit::Kind::unknown;  // "mn": milli or mega
   }
-  const auto longestFirst = [](auto& list) {
-    std::ranges::stable_sort(list,
-                             [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+  std::map<std::string, std::uint32_t> signs, ends;
+  const auto words = entriesOf(WordKind::column);
+  all.words.reserve(words.size());
+  for (const LexiconEntry& entry : words) {
+    const auto* const named = std::ranges::find(kMeanings, entry.value);
+    const std::uint32_t meaning = 1U << static_cast<unsigned>(named - kMeanings.begin());
+    const std::string word(entry.word);
+    (entry.form == WordForm::sign ? signs[word] : all.words[word]) |= meaning;
+    if (romance.find(entry.language) != std::string_view::npos)
+      all.headFirst.insert(word);
+    else
+      all.headFirst.erase(word);
+    if (word.size() >= 3 && compounding.find(entry.language) != std::string_view::npos) ends[word] |= meaning;
+  }
+  const auto longestFirst = [](const auto& from, auto& list) {
+    list.assign(from.begin(), from.end());
+    std::ranges::stable_sort(list, std::greater<>{}, [](const auto& each) { return each.first.size(); });
   };
-  all.signs.assign(signs.begin(), signs.end());
-  all.ends.assign(ends.begin(), ends.end());
-  longestFirst(all.signs), longestFirst(all.ends);
+  longestFirst(signs, all.signs), longestFirst(ends, all.ends);
   return all;
 }
 
@@ -138,7 +94,7 @@ std::vector<std::string> titleWords(std::string_view text) {
   std::vector<std::string> words;
   std::string word;
   const auto end = [&] {
-    if (!word.empty()) words.push_back(smallLetters(word));
+    if (!word.empty()) words.push_back(folded(word));
     word.clear();
   };
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -215,8 +171,7 @@ std::optional<double> factorIn(std::string_view text) {
 ColumnUnit unitSpelled(std::string_view text) {
   const Vocabulary& all = vocabulary();
   if (const auto found = all.units.find(text); found != all.units.end()) return found->second;
-  if (const auto found = all.unitsInSmallLetters.find(smallLetters(text));
-      found != all.unitsInSmallLetters.end())
+  if (const auto found = all.foldedUnits.find(folded(text)); found != all.foldedUnits.end())
     return found->second;
   return {ColumnUnit::Kind::unknown, 1, std::string(text)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The title of a table's column: its known words (table_words.tsv) and its unit.
+// The title of a table's column: its known words (lexicon.tsv, kind "column") and its unit.
 
 #include <cstdint>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace detent::importer {
 
-/// The meaning of a word in a title; the third column of table_words.tsv.
+/// The meaning of a word in a title; a value of the kind "column" in lexicon.tsv.
 enum class ColumnWord : std::uint32_t {
   displacement = 1 << 0,
   displacementWeak = 1 << 1,  ///< "x": often, not always

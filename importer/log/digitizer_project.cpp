@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/log/digitizer_project.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/log/form_records.h"
+#include "importer/log/recorded_switches.h"
+#include "importer/log/table.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -24,10 +24,6 @@ struct TracedSet {
   std::string name, axes;
   std::vector<CurvePoint> points;
 };
-
-Failure noGraph(const std::string& subject, Message problem, Remedies remedies) {
-  return {FailureCode::noForceGraph, subject, {}, std::move(problem), std::move(remedies)};
-}
 
 const Json* listAt(const Json& object, const char* key) {
   const auto found = object.find(key);
@@ -147,35 +143,6 @@ bool isWordByte(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// The words of a name in small letters.
-std::vector<std::string> projectWords(const std::string& name) {
-  std::vector<std::string> words(1);
-  for (const char c : lowered(name))
-    if (isWordByte(c))
-      words.back() += c;
-    else if (!words.back().empty())
-      words.emplace_back();
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
-
-struct SetName {
-  std::string name;  ///< without the words that say the stroke
-  std::optional<Stroke> stroke;
-};
-
-SetName understood(const std::string& name) {
-  SetName is;
-  for (const std::string& word : projectWords(name)) {
-    const std::optional<Stroke> stroke = strokeNamedIn(word);
-    if (stroke)
-      is.stroke = stroke;
-    else
-      is.name += (is.name.empty() ? "" : " ") + word;
-  }
-  return is;
-}
-
 double meanForce(const std::vector<CurvePoint>& points) {
   double sum = 0;
   for (const CurvePoint& p : points) sum += p.force_N;
@@ -198,11 +165,11 @@ std::optional<Unit> unitIn(const std::string& text, std::optional<Unit> (*from)(
 
 RecordedSwitch switchOf(const TracedSet& press, const TracedSet* release) {
   RecordedSwitch one;
-  one.name = understood(press.name).name;
+  one.name = lowered(strokeNameOf(press.name).rest);
   const std::string said = press.axes + " " + press.name;
   one.xUnit = unitIn<LengthUnit>(said, lengthUnitFrom);
   one.yUnit = unitIn<ForceUnit>(said, forceUnitFrom);
-  if (!release && !understood(press.name).stroke) {
+  if (!release && !strokeNameOf(press.name).stroke) {
     one.run = press.points;
     return one;
   }
@@ -223,11 +190,12 @@ std::vector<RecordedSwitch> byName(const std::vector<TracedSet>& sets) {
   std::vector<RecordedSwitch> switches;
   std::set<const TracedSet*> taken;
   for (const TracedSet& set : sets) {
-    const SetName name = understood(set.name);
+    const StrokeName name = strokeNameOf(set.name);
     if (name.stroke == Stroke::release) continue;
     const auto release = std::ranges::find_if(sets, [&](const TracedSet& other) {
-      const SetName its = understood(other.name);
-      return its.stroke == Stroke::release && its.name == name.name && other.axes == set.axes;
+      const StrokeName its = strokeNameOf(other.name);
+      return its.stroke == Stroke::release && lowered(its.rest) == lowered(name.rest) &&
+             other.axes == set.axes;
     });
     const TracedSet* partner = release != sets.end() && !taken.contains(&*release) ? &*release : nullptr;
     if (partner) taken.insert(partner);
@@ -236,7 +204,7 @@ std::vector<RecordedSwitch> byName(const std::vector<TracedSet>& sets) {
   return switches;
 }
 
-bool saysNoStroke(const TracedSet& set) { return !understood(set.name).stroke; }
+bool saysNoStroke(const TracedSet& set) { return !strokeNameOf(set.name).stroke; }
 
 constexpr std::size_t tarBlock_bytes = 512;
 
@@ -260,15 +228,13 @@ Result<std::vector<RecordedSwitch>> switchesOfProject(const Json& document, cons
   const int major =
       version && !version->empty() && (*version)[0].is_number_integer() ? (*version)[0].get<int>() : 0;
   if (major != 3 && major != 4)
-    return Failure{FailureCode::unreadableInput,
-                   subject,
-                   {},
-                   Message("it is a WebPlotDigitizer project of a version other than 3 and 4"),
-                   Message("Export the data sets as CSV")};
+    return unreadableFile(subject,
+                          Message("it is a WebPlotDigitizer project of a version other than 3 and 4"),
+                          Message("Export the data sets as CSV"));
   const std::vector<TracedSet> sets = setsOf(document);
   if (sets.empty())
-    return noGraph(subject, Message("no data set on xy axes holds two points"),
-                   Message("Trace each stroke as a data set, then save the project"));
+    return noForceLog(subject, Message("no data set on xy axes holds two points"),
+                      Message("Trace each stroke as a data set, then save the project"));
   for (const TracedSet& set : sets)
     if (holdsSortedLoop(set.points))
       return Failure{FailureCode::notCertain, subject, Message("data set \"%1\"", set.name),
@@ -278,18 +244,15 @@ Result<std::vector<RecordedSwitch>> switchesOfProject(const Json& document, cons
     return pairOfUnnamed(sets);
   std::vector<RecordedSwitch> switches = byName(sets);
   if (switches.empty())
-    return noGraph(subject, Message("its data sets are all named as releases"),
-                   Message("Name the set of the way down \"press\""));
+    return noForceLog(subject, Message("its data sets are all named as releases"),
+                      Message("Name the set of the way down \"press\""));
   return switches;
 }
 
 Result<std::string> projectInArchive(std::string_view bytes, const std::string& subject) {
   const auto unreadable = [&](Message problem) {
-    return Failure{FailureCode::unreadableInput,
-                   subject,
-                   {},
-                   std::move(problem),
-                   Message("Save the project once more in WebPlotDigitizer")};
+    return unreadableFile(subject, std::move(problem),
+                          Message("Save the project once more in WebPlotDigitizer"));
   };
   for (std::size_t at = 0; at + tarBlock_bytes <= bytes.size();) {
     const std::string_view header = bytes.substr(at, tarBlock_bytes);

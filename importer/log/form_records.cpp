@@ -483,6 +483,24 @@ std::optional<Stroke> strokeNamedIn(std::string_view text) {
   return press ? Stroke::press : Stroke::release;
 }
 
+StrokeName strokeNameOf(std::string_view name) {
+  StrokeName split{"", strokeNamedIn(name)};
+  const auto isLetter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           static_cast<unsigned char>(c) >= 0x80;
+  };
+  for (auto from = name.begin(); from != name.end();) {
+    const auto to = std::find_if_not(from, name.end(), isLetter);
+    std::string word(from, to);
+    const KnownWords known = knownWordsIn(word);
+    if (known.has(ColumnWord::press) || known.has(ColumnWord::release))
+      std::erase_if(word, [](char c) { return c < '0' || c > '9'; });
+    if (!word.empty()) split.rest += (split.rest.empty() ? "" : " ") + word;
+    from = to == name.end() ? to : to + 1;
+  }
+  return split;
+}
+
 TableLack formRecords(const RecordRequest& request, LogInterpretation& made) {
   return RecordFormer(request, made).form();
 }

@@ -3,6 +3,7 @@
 // The rows of chosen columns cut into strokes, and strokes joined to records.
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "importer/log/log_interpretation.h"
@@ -23,6 +24,13 @@ TableLack formRecords(const RecordRequest& request, LogInterpretation& made);
 
 /// The stroke that a text names; nullopt: none, or both.
 std::optional<Stroke> strokeNamedIn(std::string_view text);
+
+/// A name parted into its words for strokes and the others: "Press2 (A)" is "2 A", a press.
+struct StrokeName {
+  std::string rest;
+  std::optional<Stroke> stroke;
+};
+StrokeName strokeNameOf(std::string_view name);
 
 /// Press and release of points that stand sorted by displacement, as digitizers export a loop: the force goes to and fro.
 bool holdsSortedLoop(const std::vector<CurvePoint>& points);

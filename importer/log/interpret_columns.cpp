@@ -97,6 +97,21 @@ bool isSum(const DataTable& data, std::size_t total, const Columns& others) {
   return column.high > column.low && worst <= within * (column.high - column.low);
 }
 
+std::vector<CurvePoint> byDisplacement(std::vector<CurvePoint> stroke) {
+  std::ranges::stable_sort(stroke, {}, &CurvePoint::displacement_mm);
+  return stroke;
+}
+
+/// Force of a stroke that is sorted by displacement; beyond its ends the force there.
+double forceAt(const std::vector<CurvePoint>& sorted, double x) {
+  const auto after = std::ranges::lower_bound(sorted, x, {}, &CurvePoint::displacement_mm);
+  if (after == sorted.begin()) return sorted.front().force_N;
+  if (after == sorted.end()) return sorted.back().force_N;
+  const CurvePoint &a = *(after - 1), &b = *after;
+  const double width = b.displacement_mm - a.displacement_mm;
+  return width > 0 ? std::lerp(a.force_N, b.force_N, (x - a.displacement_mm) / width) : b.force_N;
+}
+
 class Interpreter {
  public:
   Interpreter(const Table& table, const DataTable& data, const LogHints& hints, bool eitherStroke)
@@ -569,34 +584,18 @@ class Interpreter {
     const double finish = share(release.back().force_N);
     made.evidence.add("release", "force at its end", finish < 0.35 ? 0.5 : -3);
     double above = 0, count = 0;
-    for (const CurvePoint& p : sampledAt(release, press)) {
-      above += p.force_N > -0.02 * span_N, count += 1;  // difference press less release
+    const std::vector<CurvePoint> sorted = byDisplacement(press);
+    const std::size_t every = std::max<std::size_t>(1, release.size() / 100);
+    for (std::size_t i = 0; i < release.size(); i += every) {
+      const double x = release[i].displacement_mm;
+      if (!(x > sorted.front().displacement_mm && x <= sorted.back().displacement_mm)) continue;
+      above += forceAt(sorted, x) - release[i].force_N > -0.02 * span_N, count += 1;
     }
     if (count > 0)
       made.evidence.add("hysteresis", "press above release",
                         above / count > 0.7   ? 1
                         : above / count > 0.4 ? -1
                                               : -4);
-  }
-
-  /// Force of the press less that of the release at positions of the release.
-  static std::vector<CurvePoint> sampledAt(const std::vector<CurvePoint>& release,
-                                           const std::vector<CurvePoint>& press) {
-    std::vector<CurvePoint> sorted = press;
-    std::ranges::stable_sort(sorted, {}, &CurvePoint::displacement_mm);
-    std::vector<CurvePoint> differences;
-    const std::size_t every = std::max<std::size_t>(1, release.size() / 100);
-    for (std::size_t i = 0; i < release.size(); i += every) {
-      const double x = release[i].displacement_mm;
-      const auto after = std::ranges::lower_bound(sorted, x, {}, &CurvePoint::displacement_mm);
-      if (after == sorted.begin() || after == sorted.end()) continue;
-      const CurvePoint &a = *(after - 1), &b = *after;
-      const double width = b.displacement_mm - a.displacement_mm;
-      const double force =
-          width > 0 ? std::lerp(a.force_N, b.force_N, (x - a.displacement_mm) / width) : b.force_N;
-      differences.push_back({x, force - release[i].force_N});
-    }
-    return differences;
   }
 
   const Table& table_;
@@ -611,23 +610,10 @@ class Interpreter {
 };
 
 std::vector<double> resampled(const std::vector<CurvePoint>& stroke, const std::vector<double>& positions) {
-  std::vector<CurvePoint> sorted = stroke;
-  std::ranges::stable_sort(sorted, {}, &CurvePoint::displacement_mm);
+  const std::vector<CurvePoint> sorted = byDisplacement(stroke);
   std::vector<double> forces;
   forces.reserve(positions.size());
-  for (const double x : positions) {
-    const auto after = std::ranges::lower_bound(sorted, x, {}, &CurvePoint::displacement_mm);
-    if (after == sorted.begin())
-      forces.push_back(sorted.front().force_N);
-    else if (after == sorted.end())
-      forces.push_back(sorted.back().force_N);
-    else {
-      const CurvePoint &a = *(after - 1), &b = *after;
-      const double width = b.displacement_mm - a.displacement_mm;
-      forces.push_back(width > 0 ? std::lerp(a.force_N, b.force_N, (x - a.displacement_mm) / width)
-                                 : b.force_N);
-    }
-  }
+  for (const double x : positions) forces.push_back(forceAt(sorted, x));
   return forces;
 }
 

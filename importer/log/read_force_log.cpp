@@ -159,7 +159,7 @@ class LogReader {
 
   Result<std::string> bytesOf(const std::string& path) const {
     const auto unreadable = [&](Message problem, const Message& remedy) {
-      return Failure{FailureCode::unreadableInput, fileNameOf(path), {}, std::move(problem), remedy};
+      return unreadableFile(fileNameOf(path), std::move(problem), remedy);
     };
     std::error_code error;
     if (!std::filesystem::exists(path, error))
@@ -190,24 +190,22 @@ class LogReader {
     if (!bytes) return bytes.failure();
     const std::string subject = fileNameOf(path);
     const auto unreadable = [&](Message problem, const Message& remedy) {
-      return Failure{FailureCode::unreadableInput, subject, {}, std::move(problem), remedy};
+      return unreadableFile(subject, std::move(problem), remedy);
     };
-    switch (contentOf(*bytes)) {
+    const FileContent content = contentOf(*bytes);
+    if (content != FileContent::text && content != FileContent::oldSpreadsheet &&
+        bytes->size() > kMostArchive_bytes)
+      return unreadable(Message("it is larger than 32 MB"), Message("Export fewer switches into one file"));
+    switch (content) {
       case FileContent::oldSpreadsheet:
         return unreadable(Message("it is a spreadsheet of Excel 97 to 2003"),
                           Message("Save it as xlsx, ODS or CSV"));
       case FileContent::tar: {
-        if (bytes->size() > kMostArchive_bytes)
-          return unreadable(Message("it is larger than 32 MB"),
-                            Message("Export fewer switches into one file"));
         const auto switches = switchesOfArchive(*bytes, subject);
         if (!switches) return switches.failure();
         return fromSwitches(*switches);
       }
       case FileContent::spreadsheet: {
-        if (bytes->size() > kMostArchive_bytes)
-          return unreadable(Message("it is larger than 32 MB"),
-                            Message("Export fewer switches into one file"));
         auto sheets = tablesOfSpreadsheet(*bytes, subject);
         if (!sheets) return sheets.failure();
         auto found = fromSheets(std::move(*sheets), subject, eitherStroke);
@@ -351,11 +349,8 @@ class LogReader {
     joinSheets(pairs, readOf, read);
     if (read.empty())
       return why ? *why
-                 : Failure{FailureCode::noForceGraph,
-                           subject,
-                           {},
-                           Message("the spreadsheet holds no table of numbers"),
-                           Message("Give a sheet with a column of displacement and one of force")};
+                 : noForceLog(subject, Message("the spreadsheet holds no table of numbers"),
+                              Message("Give a sheet with a column of displacement and one of force"));
     // A sheet of titled columns is the log; sheets of numbers beside it are notes.
     constexpr double sure = 4;  // log-likelihood
     const auto isSure = [&](const FileRecords& each) {
@@ -381,22 +376,10 @@ class LogReader {
     };
     std::map<std::string, Button> buttons;
     for (std::size_t i = 0; i < sheets.size(); ++i) {
-      const std::string& name = sheets[i].name;
-      const std::optional<Stroke> stroke = strokeNamedIn(name);
-      if (!stroke) continue;
-      std::string rest;
-      constexpr std::string_view separators = " ._-()";
-      for (std::size_t at = 0; at < name.size();) {
-        const std::size_t end = std::min(name.find_first_of(separators, at), name.size());
-        std::string word = name.substr(at, end - at);
-        const KnownWords known = knownWordsIn(word);
-        if (known.has(ColumnWord::press) || known.has(ColumnWord::release))
-          std::erase_if(word, [](char c) { return c < '0' || c > '9'; });  // "Press2"
-        if (!word.empty()) rest += (rest.empty() ? "" : " ") + word;
-        at = end + 1;
-      }
-      Button& button = buttons[rest];
-      (*stroke == Stroke::press ? button.press : button.release).push_back(i);
+      const StrokeName name = strokeNameOf(sheets[i].name);
+      if (!name.stroke) continue;
+      Button& button = buttons[name.rest];
+      (*name.stroke == Stroke::press ? button.press : button.release).push_back(i);
     }
     std::vector<SheetPair> pairs;
     for (const auto& [name, button] : buttons)
@@ -464,24 +447,24 @@ class LogReader {
   }
 
   Result<FileRecords> fromTable(Table table, const std::string& subject, bool eitherStroke) {
-    const auto refuse = [&](FailureCode code, Message place, Message problem, const Remedies& remedies) {
-      return Failure{code, subject, std::move(place), std::move(problem), remedies};
+    const auto refuse = [&](FailureCode code, Message problem, const Remedies& remedies) {
+      return Failure{code, subject, {}, std::move(problem), remedies};
     };
     FileRecords found;
     found.data = dataIn(table);
     if (!found.data)
-      return refuse(FailureCode::noForceGraph, {}, Message("it holds no two columns of numbers"),
-                    Message("Give a table with a column of displacement and one of force, for example "
-                            "\"displacement_mm,force_N\""));
+      return noForceLog(subject, Message("it holds no two columns of numbers"),
+                        Message("Give a table with a column of displacement and one of force, for example "
+                                "\"displacement_mm,force_N\""));
     found.table = std::move(table);
     takeGivenUnits(*found.data);
     const DataTable& data = *found.data;
     if (data.rows() < 2) return strokeless("press stroke", data.rows());
     ColumnReading read = interpretColumns(*found.table, data, hints_, eitherStroke);
     if (read.badColumn)
-      return refuse(FailureCode::wrongUsage, {}, Message("no column is \"%1\"", *read.badColumn),
+      return refuse(FailureCode::wrongUsage, Message("no column is \"%1\"", *read.badColumn),
                     Message("Its columns are %1", titlesOf(data)));
-    if (read.best.empty()) return lacking(read, data, refuse);
+    if (read.best.empty()) return lacking(read.lack, data, subject);
     if (!read.unknownUnit.empty() &&
         !(read.unknownUnitOfForce ? hints_.yUnit.has_value() : hints_.xUnit.has_value()) &&
         usesUnknownUnit(read.best.front(), data)) {
@@ -493,16 +476,13 @@ class LogReader {
            force ? std::span<const char* const>(forceUnits) : std::span<const char* const>(lengthUnits))
         reading_.question->choices.push_back({unit, std::string(force ? "--y-unit " : "--x-unit ") + unit});
       return refuse(
-          FailureCode::notCertain, {},
+          FailureCode::notCertain,
           Message("its unit of %1, \"%2\", is not known", force ? "force" : "displacement", read.unknownUnit),
           force ? Remedies(RemedyKind::giveYUnit) : Remedies(RemedyKind::giveXUnit));
     }
-    if (saysNothing(read.best.front(), data)) {
-      read.lack = TableLack::columns;
-      return lacking(read, data, refuse);
-    }
+    if (saysNothing(read.best.front(), data)) return lacking(TableLack::columns, data, subject);
     if (auto unknown = unknownName(read.best.front(), data))
-      return refuse(FailureCode::notCertain, {}, std::move(*unknown),
+      return refuse(FailureCode::notCertain, std::move(*unknown),
                     Message("If so, pass %1", reading_.question->choices.front().option));
     found.best = std::move(read.best);
     found.records = found.best.front().records;
@@ -573,35 +553,33 @@ class LogReader {
     });
   }
 
-  template <class Refuse>
-  static Failure lacking(const ColumnReading& read, const DataTable& data, const Refuse& refuse) {
+  static Failure lacking(TableLack lack, const DataTable& data, const std::string& subject) {
     const std::string titles = titlesOf(data);
     const Message nameThem("If one of them is it: --displacement-column NAME|N, --force-column NAME|N");
-    switch (read.lack) {
+    switch (lack) {
       case TableLack::displacement:
-        return refuse(FailureCode::noForceGraph, {},
-                      Message("no column is a displacement; its columns are %1", titles), nameThem);
+        return noForceLog(subject, Message("no column is a displacement; its columns are %1", titles),
+                          nameThem);
       case TableLack::force:
-        return refuse(FailureCode::noForceGraph, {},
-                      Message("no column is a force; its columns are %1", titles), nameThem);
+        return noForceLog(subject, Message("no column is a force; its columns are %1", titles), nameThem);
       case TableLack::columns:
-        return refuse(FailureCode::noForceGraph, {},
-                      Message("no column is a displacement and none is a force; its columns are %1", titles),
-                      nameThem);
+        return noForceLog(
+            subject, Message("no column is a displacement and none is a force; its columns are %1", titles),
+            nameThem);
       case TableLack::movement:
-        return refuse(
-            FailureCode::noForceGraph, {},
+        return noForceLog(
+            subject,
             Message("its displacement does not change by more than its noise; its columns are %1", titles),
             Message("Give the log of a press"));
       case TableLack::sortedLoop:
-        return refuse(
-            FailureCode::noForceGraph, {},
+        return noForceLog(
+            subject,
             Message("press and release are sorted by displacement into one, and cannot be told apart"),
             Message("Export the points in the order travelled, or each stroke as a column of its own"));
       default:
-        return refuse(FailureCode::noForceGraph, {}, Message("it holds a release stroke but no press"),
-                      {{RemedyKind::swapStrokes, "if this is one"},
-                       {RemedyKind::advice, Message("Else record the press too")}});
+        return noForceLog(subject, Message("it holds a release stroke but no press"),
+                          {{RemedyKind::swapStrokes, "if this is one"},
+                           {RemedyKind::advice, Message("Else record the press too")}});
     }
   }
 
@@ -875,27 +853,29 @@ class LogReader {
         time = &each;
     if (!time || !made.fromRun) return;
     const std::vector<double>& x = data.columns[made.groups.front().displacement].values;
-    std::vector<CurvePoint> clock;  // s and mm
+    struct TimedPlace {
+      double time_s = 0, place_mm = 0;
+    };
+    std::vector<TimedPlace> run;
     const double seconds = time->unit.kind == ColumnUnit::Kind::time ? time->unit.size : 1;
     const double mm = found.xUnit.size * (made.displacementTurned ? -1 : 1);
     for (std::size_t row = 0; row < data.rows(); ++row)
       if (!std::isnan(x[row]) && !std::isnan(time->values[row]))
-        clock.push_back({time->values[row] * seconds, x[row] * mm});
-    if (clock.size() < 8) return;
-    const auto [least, most] = std::ranges::minmax(clock, {}, &CurvePoint::force_N);
-    const double range_mm = most.force_N - least.force_N;
+        run.push_back({time->values[row] * seconds, x[row] * mm});
+    if (run.size() < 8) return;
+    const auto [least, most] = std::ranges::minmax(run, {}, &TimedPlace::place_mm);
+    const double range_mm = most.place_mm - least.place_mm;
     if (!(range_mm > 0)) return;
     constexpr double endShare = 0.1;  // of the travel, at each end: there a stroke begins and stops
-    const double low_mm = least.force_N + endShare * range_mm, middle_mm = least.force_N + 0.5 * range_mm,
-                 high_mm = most.force_N - endShare * range_mm;
+    const double low_mm = least.place_mm + endShare * range_mm, middle_mm = least.place_mm + 0.5 * range_mm,
+                 high_mm = most.place_mm - endShare * range_mm;
     // When a place is passed, straight between samples; from `at` on.
     const auto passes = [&](double place_mm, bool down, std::size_t& at) -> std::optional<double> {
-      for (at = std::max<std::size_t>(at, 1); at < clock.size(); ++at) {
-        const CurvePoint &a = clock[at - 1], &b = clock[at];
-        if (down ? a.force_N < place_mm && b.force_N >= place_mm
-                 : a.force_N > place_mm && b.force_N <= place_mm)
-          return std::lerp(a.displacement_mm, b.displacement_mm,
-                           (place_mm - a.force_N) / (b.force_N - a.force_N));
+      for (at = std::max<std::size_t>(at, 1); at < run.size(); ++at) {
+        const TimedPlace &a = run[at - 1], &b = run[at];
+        if (down ? a.place_mm < place_mm && b.place_mm >= place_mm
+                 : a.place_mm > place_mm && b.place_mm <= place_mm)
+          return std::lerp(a.time_s, b.time_s, (place_mm - a.place_mm) / (b.place_mm - a.place_mm));
       }
       return {};
     };
@@ -975,38 +955,44 @@ class LogReader {
   static std::optional<Question> between(const LogInterpretation& a, const LogInterpretation& b,
                                          const DataTable& data) {
     const ColumnGroup &p = a.groups.front(), &q = b.groups.front();
-    const auto number = [&](std::size_t c) { return std::to_string(data.columns[c].index + 1); };
-    const auto columnChoice = [&](const char* option, std::size_t c) {
-      return Choice{data.columns[c].label(), option + number(c)};
+    const auto option = [&](const char* name, std::size_t c) {
+      return name + std::to_string(data.columns[c].index + 1);
     };
+    const auto question = [](const char* what, auto choice) {
+      return Question{what, {choice(0), choice(1)}};
+    };
+    const auto columns = [&](const char* what, const char* name, std::size_t first, std::size_t second) {
+      return question(what, [&](int k) {
+        const std::size_t c = k == 0 ? first : second;
+        return Choice{data.columns[c].label(), option(name, c)};
+      });
+    };
+    constexpr const char *toX = "--displacement-column ", *toF = "--force-column ";
     if (p.force != q.force && p.displacement != q.displacement)
-      return Question{
-          "which columns are displacement and force",
-          {{data.columns[p.displacement].label() + ", " + data.columns[p.force].label(),
-            "--displacement-column " + number(p.displacement) + " --force-column " + number(p.force)},
-           {data.columns[q.displacement].label() + ", " + data.columns[q.force].label(),
-            "--displacement-column " + number(q.displacement) + " --force-column " + number(q.force)}}};
-    if (p.force != q.force)
-      return Question{"which column is the force",
-                      {columnChoice("--force-column ", p.force), columnChoice("--force-column ", q.force)}};
+      return question("which columns are displacement and force", [&](int k) {
+        const ColumnGroup& g = k == 0 ? p : q;
+        return Choice{data.columns[g.displacement].label() + ", " + data.columns[g.force].label(),
+                      option(toX, g.displacement) + " " + option(toF, g.force)};
+      });
+    if (p.force != q.force) return columns("which column is the force", toF, p.force, q.force);
     if (p.displacement != q.displacement)
-      return Question{"which column is the displacement",
-                      {columnChoice("--displacement-column ", p.displacement),
-                       columnChoice("--displacement-column ", q.displacement)}};
+      return columns("which column is the displacement", toX, p.displacement, q.displacement);
+    const auto units = [&](const char* what, const std::string& name, AssumedUnit LogInterpretation::*unit) {
+      return question(what, [&](int k) {
+        const std::string& symbol = ((k == 0 ? a : b).*unit).symbol;
+        return Choice{symbol, name + symbol};
+      });
+    };
     if (a.yUnit.symbol != b.yUnit.symbol)
-      return Question{
-          "the unit of force",
-          {{a.yUnit.symbol, "--y-unit " + a.yUnit.symbol}, {b.yUnit.symbol, "--y-unit " + b.yUnit.symbol}}};
+      return units("the unit of force", "--y-unit ", &LogInterpretation::yUnit);
     if (a.xUnit.symbol != b.xUnit.symbol)
-      return Question{
-          "the unit of displacement",
-          {{a.xUnit.symbol, "--x-unit " + a.xUnit.symbol}, {b.xUnit.symbol, "--x-unit " + b.xUnit.symbol}}};
+      return units("the unit of displacement", "--x-unit ", &LogInterpretation::xUnit);
     const LogInterpretation& beside = a.groups.size() > b.groups.size() || a.groups.front().stroke ? a : b;
     if (beside.groups.size() < 2) return {};
     return Question{"whether a second column of force is the release",
-                    {{"it is the release", "--force-column " + number(p.force) + " --release-force-column " +
-                                               number(beside.groups[1].force)},
-                     {"it is another record", "--force-column " + number(p.force)}}};
+                    {{"it is the release",
+                      option(toF, p.force) + " " + option("--release-force-column ", beside.groups[1].force)},
+                     {"it is another record", option(toF, p.force)}}};
   }
 
   const std::string& path_;

@@ -9,16 +9,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "importer/log/digitizer_project.h"
 #include "importer/log/sheet_columns.h"
 #include "model/text.h"
 
 namespace detent::importer {
 namespace {
-
-Failure without(const std::string& subject, Message problem, Remedies remedies = {}) {
-  return {FailureCode::noForceGraph, subject, {}, std::move(problem), std::move(remedies)};
-}
 
 // -- spreadsheets ------------------------------------------------------------------------------------------------
 
@@ -214,17 +209,14 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, cons
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (isDigitizerProject(json)) return switchesOfProject(json, subject);
   if (json.is_discarded())
-    return Failure{FailureCode::unreadableInput,
-                   subject,
-                   {},
-                   Message("it is no JSON"),
-                   Message("Export it again: it may have been cut off")};
+    return unreadableFile(subject, Message("it is no JSON"),
+                          Message("Export it again: it may have been cut off"));
   if (json.is_object() && json.contains("resources"))
-    return without(subject, Message("it is the description of a data package"),
-                   Message("Import the CSV of its curve, which lies beside it"));
+    return noForceLog(subject, Message("it is the description of a data package"),
+                      Message("Import the CSV of its curve, which lies beside it"));
   if (!json.is_object() || !json.contains("down_x") || !json.contains("down_y"))
-    return without(subject, Message("it holds no strokes"),
-                   Message("A recording has the lists down_x, down_y and up_y"));
+    return noForceLog(subject, Message("it holds no strokes"),
+                      Message("A recording has the lists down_x, down_y and up_y"));
   RecordedSwitch one;
   const std::vector<double> x = numbersAt(json, "down_x");
   one.press = paired(x, numbersAt(json, "down_y"));
@@ -233,7 +225,7 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, cons
   one.operatingPoint = firstOf(json, "pressPoint");
   one.resetPoint = firstOf(json, "releasePoint");
   one.scaleDoubtful = true;
-  if (one.press.size() < 2) return without(subject, Message("its lists hold no press"));
+  if (one.press.size() < 2) return noForceLog(subject, Message("its lists hold no press"));
   return std::vector{std::move(one)};
 }
 
@@ -242,12 +234,10 @@ Result<std::vector<RecordedSwitch>> switchesOfArchive(const std::string& bytes, 
   if (!project) return project.failure();
   const nlohmann::json json = nlohmann::json::parse(*project, nullptr, false);
   if (isDigitizerProject(json)) return switchesOfProject(json, subject);
-  return Failure{FailureCode::unreadableInput,
-                 subject,
-                 {},
-                 json.is_discarded() ? Message("its wpd.json is no JSON")
-                                     : Message("its wpd.json is no project of WebPlotDigitizer"),
-                 Message("Save the project once more in WebPlotDigitizer")};
+  return unreadableFile(subject,
+                        json.is_discarded() ? Message("its wpd.json is no JSON")
+                                            : Message("its wpd.json is no project of WebPlotDigitizer"),
+                        Message("Save the project once more in WebPlotDigitizer"));
 }
 
 }  // namespace detent::importer

@@ -279,19 +279,13 @@ std::vector<std::pair<std::string, std::string>> worksheetsOf(const Archive& arc
 
 Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const std::string& subject) {
   const auto damaged = [&](Message problem) {
-    return Failure{FailureCode::unreadableInput,
-                   subject,
-                   {},
-                   std::move(problem),
-                   Message("Save the spreadsheet again, as xlsx, ODS or CSV")};
+    return unreadableFile(subject, std::move(problem),
+                          Message("Save the spreadsheet again, as xlsx, ODS or CSV"));
   };
   const Libzip* const libzip = Libzip::get();
   if (libzip == nullptr)
-    return Failure{FailureCode::unreadableInput,
-                   subject,
-                   {},
-                   Message("spreadsheets need the library libzip, which is not installed"),
-                   Message("Install it (on Debian: libzip4), or save the sheet as CSV")};
+    return unreadableFile(subject, Message("spreadsheets need the library libzip, which is not installed"),
+                          Message("Install it (on Debian: libzip4), or save the sheet as CSV"));
   const Archive archive(*libzip, bytes);
   if (!archive) return damaged(Message("it is no spreadsheet, or a damaged one"));
   std::vector<Table> tables;

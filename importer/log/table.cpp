@@ -11,11 +11,16 @@
 
 #include <iconv.h>
 
+#include "importer/lexicon/letters.h"
 #include "importer/log/column_words.h"
 #include "model/text.h"
 
 namespace detent::importer {
 namespace {
+
+bool isAscii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
@@ -314,7 +319,7 @@ Dialect dialectOf(std::string_view text) {
   if (isCommaComma(lines)) return {',', {',', 0}, true, 1};
   Dialect best;
   best.score = -std::numeric_limits<double>::infinity();
-  const bool isPlain = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  const bool isPlain = isAscii(text);
   const bool hasQuotes = text.find('"') != std::string_view::npos;
   const auto mayGroup = [&](char sign, char delimiter) {
     return !isPlain || (sign == delimiter ? hasQuotes : isBetweenDigits(text, sign));
@@ -494,7 +499,7 @@ std::optional<std::string> decoded(std::string_view bytes, const char* charset) 
   const iconv_t converter = iconv_open("UTF-8", charset);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): the value that iconv_open() states for a failure
   if (converter == reinterpret_cast<iconv_t>(-1)) return {};
-  std::string in(bytes), out(4 * bytes.size() + 16, '\0');
+  std::string in(bytes), out(3 * bytes.size() + 16, '\0');
   char *from = in.data(), *to = out.data();
   std::size_t left = in.size(), room = out.size();
   const bool isWhole =
@@ -517,9 +522,19 @@ std::optional<std::string> decodedByWords(const std::string& bytes) {
     // One ideograph may come by chance from another charset's bytes.
     constexpr std::size_t byChance_bytes = 3;
     std::size_t known_bytes = 0;
-    for (const KnownWords::Word& word : knownWordsIn(*text).words)
-      if (std::ranges::any_of(word.text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
-        known_bytes += word.text.size() > byChance_bytes ? word.text.size() : 1;
+    constexpr std::string_view separators = " \t\r\n,;:()[]/\"";
+    for (std::size_t at = 0; at < text->size();) {
+      const std::size_t end = std::min(text->find_first_of(separators, at), text->size());
+      const std::string_view part = std::string_view(*text).substr(at, end - at);
+      for (const KnownWords::Word& word : knownWordsIn(part).words) {
+        // A folded word is shorter than the written one, whose bytes are compared.
+        const bool isWhole = folded(part) == word.text;
+        if (isAscii(isWhole ? part : word.text)) continue;
+        const std::size_t size = isWhole ? part.size() : word.text.size();
+        known_bytes += size > byChance_bytes ? size : 1;
+      }
+      at = end + 1;
+    }
     if (known_bytes > most) best = charset, most = known_bytes;
   }
   return best ? decoded(bytes, best) : std::nullopt;
@@ -528,55 +543,28 @@ std::optional<std::string> decodedByWords(const std::string& bytes) {
 }  // namespace
 
 std::optional<std::string> utf8From(std::string bytes) {
-  const auto addCodePoint = [](std::string& out, char32_t c) {
-    const auto put = [&](unsigned value) { out += static_cast<char>(value); };
-    if (c < 0x80)
-      put(c);
-    else if (c < 0x800)
-      put(0xC0 | c >> 6), put(0x80 | (c & 63));
-    else if (c < 0x10000)
-      put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-    else
-      put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-  };
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  const std::string_view head = std::string_view(bytes).substr(0, 4096);
   std::size_t zerosEven = 0, zerosOdd = 0;
-  const std::size_t head = std::min<std::size_t>(bytes.size(), 4096);
-  for (std::size_t i = 0; i < head; ++i)
-    if (bytes[i] == 0) ++(i % 2 ? zerosOdd : zerosEven);
-  const bool marked =
-      bytes.size() >= 2 && ((byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF));
-  const bool little = marked ? byte(0) == 0xFF : zerosOdd > head / 5 && zerosEven < head / 50;
-  const bool big = marked ? byte(0) == 0xFE : zerosEven > head / 5 && zerosOdd < head / 50;
+  for (std::size_t i = 0; i < head.size(); ++i)
+    if (head[i] == 0) ++(i % 2 ? zerosOdd : zerosEven);
+  const bool littleMark = head.starts_with("\xFF\xFE"), bigMark = head.starts_with("\xFE\xFF");
+  const bool marked = littleMark || bigMark;
+  const bool little = littleMark || (!marked && zerosOdd > head.size() / 5 && zerosEven < head.size() / 50);
+  const bool big = bigMark || (!marked && zerosEven > head.size() / 5 && zerosOdd < head.size() / 50);
   if (little || big) {
-    std::string out;
-    out.reserve(bytes.size() / 2);
-    char32_t half = 0;
-    for (std::size_t i = marked ? 2 : 0; i + 1 < bytes.size(); i += 2) {
-      const char32_t unit =
-          little ? byte(i) | char32_t(byte(i + 1)) << 8 : byte(i + 1) | char32_t(byte(i)) << 8;
-      if (unit >= 0xD800 && unit < 0xDC00)
-        half = unit;
-      else if (unit >= 0xDC00 && unit < 0xE000)
-        addCodePoint(out, half ? 0x10000 + ((half - 0xD800) << 10) + (unit - 0xDC00) : 0xFFFD), half = 0;
-      else if (unit == 0)
-        return {};
-      else
-        addCodePoint(out, unit);
-    }
-    return out;
+    auto text = decoded(std::string_view(bytes).substr(marked ? 2 : 0), little ? "UTF-16LE" : "UTF-16BE");
+    return text && text->find('\0') == std::string::npos ? std::move(text) : std::nullopt;
   }
-  std::size_t odd = 0;
-  for (std::size_t i = 0; i < head; ++i) odd += byte(i) < 0x20 && !isBlank(bytes[i]) && bytes[i] != 0x1A;
-  if (odd > 0) return {};
+  const auto isControl = [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && !isBlank(c) && c != 0x1A;
+  };
+  if (std::ranges::any_of(head, isControl)) return {};
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-  // A spreadsheet's note to itself about the delimiter.
+  // Excel's note about the delimiter.
   if (bytes.starts_with("sep=")) bytes.erase(0, std::min(bytes.find('\n'), bytes.size() - 1) + 1);
   if (isUtf8(bytes)) return bytes;
-  if (auto decoded = decodedByWords(bytes)) return decoded;
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); ++i) addCodePoint(out, byte(i));
-  return out;
+  if (auto text = decodedByWords(bytes)) return text;
+  return decoded(bytes, "ISO-8859-1");
 }
 
 }  // namespace detent::importer

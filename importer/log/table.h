@@ -76,11 +76,19 @@ Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const s
 std::size_t uncalculatedFormulas(const std::string& bytes);
 
 /// Kind of a file's content, by its first bytes.
-enum class FileContent { text, spreadsheet, oldSpreadsheet, tar, binary };
+enum class FileContent { text, spreadsheet, oldSpreadsheet, tar };
 FileContent contentOf(std::string_view bytes);
 
 /// UTF-8, UTF-16 (with a byte order mark, or recognised by its zero bytes) and, where it is no UTF-8, Windows-1252, as UTF-8.
 /// nullopt: not text.
 std::optional<std::string> utf8From(std::string bytes);
+
+/// Failures of a file.
+inline Failure unreadableFile(const std::string& subject, Message problem, Remedies remedies) {
+  return {FailureCode::unreadableInput, subject, {}, std::move(problem), std::move(remedies)};
+}
+inline Failure noForceLog(const std::string& subject, Message problem, Remedies remedies = {}) {
+  return {FailureCode::noForceGraph, subject, {}, std::move(problem), std::move(remedies)};
+}
 
 }  // namespace detent::importer

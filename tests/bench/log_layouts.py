@@ -8,7 +8,7 @@ log_layouts.py write ROWS.jsonl...                  prints the reliability table
 
 Layouts are perturbed: titles in many languages, units and where they stand, column order, delimiters, decimal commas, preambles, other
 columns, trailing statistics, records stacked, beside each other or interleaved, signs and zeros of stages. The words here are written
-without looking at the reader's table_words.tsv: some are missing there. One table in eight is no force log.
+without looking at the reader's lexicon.tsv: some are missing there. One table in eight is no force log.
 Wrong: accepted with a stroke missing or invented, or more than 2 % of the span from the truth of every record of the file; any
 acceptance of a table that is no force log. Needs Debian's python3-numpy."""
 

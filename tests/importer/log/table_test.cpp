@@ -192,6 +192,7 @@ TEST_CASE("ounces are a force where a force is named") {
   };
   CHECK(forceOf("Travel (mm);Force (oz)") >= 2);
   CHECK(forceOf("mm;oz") >= 2);
+  CHECK(forceOf("Crosshead (mm);Δύναμη (oz)") >= 2);  // words of lists have no accents
   CHECK(forceOf("Travel (mm);Filling (oz)") < 0);
 }
 
