@@ -112,22 +112,23 @@ void TimedTrials::poll() {
 }
 
 void TimedTrials::draw() {
-  const playback::TimingDesk& desk = run_->desk();
+  const playback::TimingDesk& controller = run_->desk();
   const double now_s = player_.clock_s();
   TimingView view;
   view.task = study_.design.task;
   if (view.task == playback::TimingTask::cue) {
-    view.beats = desk.beats_s().size();
-    view.beatsCome = static_cast<std::size_t>(std::count_if(desk.beats_s().begin(), desk.beats_s().end(),
-                                                            [&](double at_s) { return at_s <= now_s; }));
+    view.beats = controller.beats_s().size();
+    view.beatsCome =
+        static_cast<std::size_t>(std::count_if(controller.beats_s().begin(), controller.beats_s().end(),
+                                               [&](double at_s) { return at_s <= now_s; }));
   }
   if (view.task == playback::TimingTask::window) {
-    view.way = desk.wayAt(now_s);
+    view.way = controller.wayAt(now_s);
     view.windowShare = run_->trial().window_s / run_->trial().interval_s;
   }
   view.run_s = study_.design.run_s;
   if (view.task == playback::TimingTask::tapping) {
-    view.left_s = desk.left_s(now_s);
+    view.left_s = controller.left_s(now_s);
     if (view.left_s < view.run_s) page_->showResult(QStringLiteral(" "));  // "Halt" was the run's before
   }
   if (view != page_->picture()->view()) page_->picture()->show(view);

@@ -13,8 +13,8 @@
 
 namespace detent::editor {
 
-/// All of it outlives the desks. GUI thread.
-struct DeskPlaces {
+/// All of it outlives the controllers. GUI thread.
+struct ControllerContext {
   QWidget& window;  ///< parent of dialogues
   TabArea& tabs;
   NoticeBar& notices;  ///< for what belongs to no tab
