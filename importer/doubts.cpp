@@ -2,7 +2,9 @@
 #include "importer/doubts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -100,42 +102,61 @@ std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns
   return rows;
 }
 
-/// Returns true if a stroke jumps to the other one, runs along it and jumps back: it was traced along the
-/// wrong line where a third line covers its own. On a key that snaps each stroke jumps only once.
-bool stepsOverAndBack(const StrokePair& strokes) {
+/// A stroke's way to the other one and back, in shares of the strokes' height and of the travel.
+struct StepOver {
+  double height, within;  ///< of each of the two steps
+  double leastAlong;      ///< of the way along the other stroke
+};
+
+/// Number of times that the release and the press step over to the other stroke and back. `ofPress` and
+/// `ofRelease`: their rows, column by column.
+std::array<int, 2> timesOver(const std::vector<double>& ofPress, const std::vector<double>& ofRelease,
+                             double height_px, const StepOver& least) {
   constexpr double together_px = 1.5;
-  // A jump: share of the strokes' height, within a share of the travel.
-  constexpr double stepShare = 0.04, within = 0.03;
-  constexpr double leastShare = 0.05;  // share of the travel that is traced along the other stroke
+  const auto columns = static_cast<double>(ofPress.size());
+  const double aside = std::max(3.0, least.within * columns);
+  const auto pressSteps = [&](std::size_t a, std::size_t b) {
+    return std::abs(ofPress[a] - ofPress[b]) > std::abs(ofRelease[a] - ofRelease[b]);
+  };
+  const auto between = [](std::size_t a, std::size_t b) { return static_cast<double>(b - a); };
+  std::array<int, 2> times{};
+  std::optional<std::size_t> lastApart, first;  // column where they were apart; where they came together
+  std::size_t last = 0;                         // where they were together
+  for (std::size_t x = 0; x < ofPress.size(); ++x) {
+    const double apart_px = std::abs(ofPress[x] - ofRelease[x]);
+    if (std::isnan(apart_px)) lastApart.reset(), first.reset();
+    if (apart_px <= together_px) {
+      if (!first) first = x;
+      last = x;
+    }
+    if (!(apart_px >= least.height * height_px)) continue;
+    const bool isOver = lastApart && first && between(*lastApart, *first) <= aside &&
+                        between(last, x) <= aside && between(*first, last) >= least.leastAlong * columns;
+    if (isOver && pressSteps(*lastApart, *first) == pressSteps(last, x)) ++times[pressSteps(last, x) ? 1 : 0];
+    lastApart = x;
+    first.reset();
+  }
+  return times;
+}
+
+/// Returns true if a stroke jumps to the other one, runs along it and jumps back: it was traced along the
+/// wrong line where a third line covers its own, or in the gaps of its dashes. On a key that snaps each stroke
+/// jumps only once.
+bool stepsOverAndBack(const StrokePair& strokes) {
+  constexpr StepOver onThirdLine{0.04, 0.03, 0.05}, inGap{0.02, 0.01, 0};
+  constexpr int fewestGaps = 3;  // two lines that cross come together once or twice
   const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
   if (press.size() < 2 || release.size() < 2) return false;
   const auto [left, right] = std::ranges::minmax(press, {}, &Point::x);
   const auto [top, lowest] = std::ranges::minmax(press, {}, &Point::y);
   const int from = static_cast<int>(left.x), columns = static_cast<int>(right.x) - from + 1;
-  const double step_px = stepShare * (lowest.y - top.y);
-  const auto aside = std::max(3, static_cast<int>(within * columns));
+  const double height_px = lowest.y - top.y;
   const std::vector<double> ofPress = rowsOf(press, from, columns),
                             ofRelease = rowsOf(release, from, columns);
-  const auto apart = [&](int x) {
-    const auto i = static_cast<std::size_t>(x);
-    return std::abs(ofPress[i] - ofRelease[i]);
+  const auto most = [&](const StepOver& least) {
+    return std::ranges::max(timesOver(ofPress, ofRelease, height_px, least));
   };
-  const auto pressSteps = [&](int a, int b) {
-    const auto moved = [&](const std::vector<double>& rows) {
-      return std::abs(rows[static_cast<std::size_t>(a)] - rows[static_cast<std::size_t>(b)]);
-    };
-    return moved(ofPress) > moved(ofRelease);
-  };
-  for (int x = aside; x + aside < columns; ++x) {
-    if (!(apart(x) <= together_px)) continue;
-    int to = x;
-    while (to + 1 < columns && apart(to + 1) <= together_px) ++to;
-    if (to - x >= leastShare * columns && to + aside < columns && apart(x - aside) >= step_px &&
-        apart(to + aside) >= step_px && pressSteps(x - aside, x) == pressSteps(to, to + aside))
-      return true;
-    x = to;
-  }
-  return false;
+  return most(onThirdLine) >= 1 || most(inGap) >= fewestGaps;
 }
 
 /// Returns true if pixels of this colour are in or beside nearly every column beyond a frame's right side,

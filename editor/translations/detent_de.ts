@@ -9015,8 +9015,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Drücken geht bis %1 hinab, unter null</translation>
     </message>
     <message>
-        <source>press and release are the same line over most of their length</source>
-        <translation>Drücken und Rückweg sind über den größten Teil ihrer Länge dieselbe Linie</translation>
+        <source>press and release are the same line over most of their length, or one jumps to the other and back</source>
+        <translation>Drücken und Rückweg sind über den größten Teil ihrer Länge dieselbe Linie, oder eine springt auf die andere und zurück</translation>
     </message>
     <message>
         <source>more than half of a curve is parallel to an axis, as gridlines are</source>

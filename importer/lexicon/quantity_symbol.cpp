@@ -28,12 +28,11 @@ bool isSymbolLetter(char32_t c) {
 
 bool isDigit(char32_t c) { return c >= U'0' && c <= U'9'; }
 
-/// Returns true for what may stand for a letter: engines make digits and signs of Greek ones, and so do
-/// documents whose fonts name their letters wrongly.
-bool mayBeSymbol(char32_t c, TextSource source) {
+/// Returns true for what may stand for a letter: engines make a euro of an epsilon, and documents whose fonts
+/// name their letters wrongly make other signs of Greek ones. A digit may be read of an ideograph.
+bool mayBeSymbol(char32_t c) {
   constexpr char32_t firstLatinSign = 0xA1, lastLatinSign = 0xBF, euro = 0x20AC;
-  const bool isLatinSign = c >= firstLatinSign && c <= lastLatinSign;
-  return isSymbolLetter(c) || isLatinSign || (source == TextSource::recognised && (isDigit(c) || c == euro));
+  return isSymbolLetter(c) || (c >= firstLatinSign && c <= lastLatinSign) || c == euro;
 }
 
 bool takeOff(std::string_view& text, std::string_view front) {
@@ -105,13 +104,9 @@ Quantity measuredIn(std::string_view unit) {
   return forceUnitFrom(symbol) ? Quantity::force : lengthUnitFrom(symbol) ? Quantity::travel : Quantity::none;
 }
 
-bool isSymbolOf(std::string_view symbol, std::string_view quantity, TextSource source) {
-  constexpr double likeliest = 0.5;  // cost of one letter that the engine confuses
-  // A letter is what it was read as; only other signs may be misread ones.
-  const bool mayBeMisread = source == TextSource::recognised && !isSymbolLetter(codeOf(symbol));
+bool isSymbolOf(std::string_view symbol, std::string_view quantity) {
   return std::ranges::any_of(entriesOf(WordKind::symbol), [&](const LexiconEntry& entry) {
-    return entry.value == quantity &&
-           (entry.word == symbol || (mayBeMisread && costOfReading(symbol, entry.word, likeliest, true)));
+    return entry.word == symbol && entry.value == quantity;
   });
 }
 
@@ -123,7 +118,7 @@ std::optional<QuantitySymbol> symbolBeforeUnit(std::string_view title, TextSourc
   std::string_view rest = plain;
   takeOffWhile(rest, isAround);
   rest = withoutDifference(rest, source);
-  if (rest.empty() || !mayBeSymbol(codeOf(firstSign(rest)), source)) return {};
+  if (rest.empty() || !mayBeSymbol(codeOf(firstSign(rest)))) return {};
   const std::string_view symbol = firstSign(rest);
   rest.remove_prefix(symbol.size());
   takeOffIndex(rest);
@@ -135,7 +130,7 @@ std::optional<QuantitySymbol> symbolBeforeUnit(std::string_view title, TextSourc
   const Quantity measured = measuredIn(rest);
   if (measured == Quantity::none) return {};
   const std::string_view quantity = measured == Quantity::force ? "force" : "travel";
-  return QuantitySymbol{std::string(symbol), isSymbolOf(symbol, quantity, source)};
+  return QuantitySymbol{std::string(symbol), isSymbolOf(symbol, quantity)};
 }
 
 }  // namespace detent::importer

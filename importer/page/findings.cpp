@@ -80,7 +80,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
     {DoubtCode::negativeTravel, "negative-travel", words("the press starts at %1, left of zero")},
     {DoubtCode::negativeForce, "negative-force", words("the press goes down to %1, below zero")},
     {DoubtCode::strokesCoincide, "strokes-coincide",
-     words("press and release are the same line over most of their length")},
+     words("press and release are the same line over most of their length, or one jumps to the other and "
+           "back")},
     {DoubtCode::alongAnAxis, "along-an-axis",
      words("more than half of a curve is parallel to an axis, as gridlines are")},
     {DoubtCode::manyTactilePoints, "many-tactile-points",

@@ -412,6 +412,29 @@ TEST_CASE("a stroke that steps onto the other one and back was led along what wa
   CHECK_FALSE(import.doubted(DoubtCode::strokesCoincide));
 }
 
+TEST_CASE("a release that jumps onto the press in the gaps of its dashes was traced along the wrong line") {
+  Import import;
+  import.press = {{0, 0.2}, {0.4, 0.9}, {1, 0.6}, {2.8, 0.7}, { 3.2, 1.6 }};
+  const auto onPress_N = [](double x_mm) { return 0.6 + 0.1 * (x_mm - 1) / 1.8; };
+  const auto releaseInGaps = [&](int gaps) {
+    std::vector<CurvePoint> release{{0, 0.1}};
+    for (int k = 0; k < gaps; ++k) {
+      const double x = 1.2 + 0.15 * k;
+      release.insert(release.end(), {{x, onPress_N(x) - 0.06},
+                                     {x + 0.01, onPress_N(x)},
+                                     {x + 0.05, onPress_N(x + 0.05)},
+                                     {x + 0.06, onPress_N(x) - 0.06}});
+    }
+    release.insert(release.end(), {{2.8, 0.63}, {3.2, 1.6}});
+    std::ranges::reverse(release);
+    return release;
+  };
+  import.release = releaseInGaps(4);
+  CHECK(import.doubted(DoubtCode::strokesCoincide));
+  import.release = releaseInGaps(2);
+  CHECK_FALSE(import.doubted(DoubtCode::strokesCoincide));
+}
+
 TEST_CASE("a press that begins with force where its release has long not come back to lost its way there") {
   Import import;
   import.press = {{0.8, 0.9}, {1.6, 1.0}, {2.4, 0.6}, { 3.2, 1.6 }};
