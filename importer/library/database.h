@@ -63,8 +63,8 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// All or nothing: what is not committed is rolled back. Takes the right to write at once, so that it never
-/// has to give up halfway.
+/// A transaction: destruction before commit() rolls everything back. It takes SQLite's write lock at once, so
+/// that it cannot fail halfway because another process writes.
 class Transaction {
  public:
   explicit Transaction(Database& database);
