@@ -30,9 +30,8 @@ struct AxisReading {
   DecidedBy unitBy = DecidedBy::found;
   /// false: nothing on the page names the unit, so a default was taken; an import must not rest on it
   bool unitFound = false;
-  std::string
-      /// the quantity in its title if that is neither displacement nor force: "kPa", "Time"; empty otherwise
-      otherQuantity;
+  /// the quantity in its title if that is neither displacement nor force: "kPa", "Time"; empty otherwise
+  std::string otherQuantity;
   /// every label has the form "1,000": read as decimals, but they may be thousands
   bool thousandsUnclear = false;
   std::vector<TickLabel> ticks;

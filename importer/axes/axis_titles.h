@@ -14,10 +14,9 @@ template <class Unit>
 struct AxisTitle {
   std::optional<PrintedUnit<Unit>> unit;
   std::string text;  ///< the line that names the unit, or else the nearest one
-  std::string
-      /// the quantity that the nearest line names if it is neither displacement nor force, as printed: "kPa",
-      /// "Time"; else empty
-      other;
+  /// the quantity that the nearest line names if it is neither displacement nor force, as printed: "kPa",
+  /// "Time"; else empty
+  std::string other;
 };
 
 /// Title below the labels or at the right end of the axis. Uses the document's own text; pixels are read only

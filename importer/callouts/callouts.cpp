@@ -165,9 +165,8 @@ std::optional<Callout> follow(const Phrase& phrase, const MarkTest& marks, const
       const double length = distance(anchor, target);
       if (length < 0.8 * height || length > 14 * height || axisParallel(anchor, target)) continue;
       const double share = leaderShare(marks, target, anchor);
-      const double score =
-          // of equal shares the longest line wins: the whole leader, not its end
-          share + 0.002 * length / height;
+      // of equal shares the longest line wins: the whole leader, not its end
+      const double score = share + 0.002 * length / height;
       if (share < leastShare || score <= bestScore) continue;
       bestScore = score;
       best = Callout{phrase.kind, stroke.points[i], target, share, phrase.text};

@@ -56,9 +56,8 @@ Affine reducedBy(double factor) {
   return {s, 0, 0, s, shift, shift};
 }
 
-constexpr int maxSide_px =
-    // px; larger pictures are searched at half or quarter size, and frames are then located at full size
-    2600;
+// px; larger pictures are searched at half or quarter size, and frames are then located at full size
+constexpr int maxSide_px = 2600;
 
 Overview seen(const Page& page, const FrameSearch& search) {
   Overview o;

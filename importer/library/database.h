@@ -49,8 +49,8 @@ class Statement {
   Statement& bind(int parameter, const std::optional<double>& value);
   Statement& bindText(int parameter, std::string_view text);
   Statement& bindBytes(int parameter, std::string_view bytes);
-  bool step();    ///< whether there is a row
-  void finish();  ///< steps to the end, and is ready for the next parameters
+  bool step();    ///< goes to the next row; false: there is none
+  void finish();  ///< steps to the last row, then accepts new parameters
 
   std::int64_t integer(int column) const;
   std::optional<double> real(int column) const;

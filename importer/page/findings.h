@@ -81,7 +81,7 @@ enum class DoubtCode {
   belowTheAxis,   ///< force at which the axis begins, N
   otherScale,
   curveLeftOver,     ///< travel and force at its middle, mm and N
-  curveOverPaper,    ///< the same
+  curveOverPaper,    ///< travel and force at its middle, mm and N
   readingsDiffer,    ///< messages: the button of the first reading, and of the second
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover

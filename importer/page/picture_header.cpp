@@ -257,9 +257,8 @@ PictureHeader bmpHeader(std::span<const unsigned char> bytes) {
       old ? in.u16(20) : std::abs(static_cast<long long>(static_cast<std::int32_t>(in.u32(22))));
   const std::uint32_t bitsPerPixel = in.u16(old ? 24 : 28), compression = old ? 0 : in.u32(30);
   if (!old) header.dpi = plausibleDpi(in.u32(38) * mmPerInch / 1000);
-  const bool runLengths =
-      // for compressed pixels, completeness is known only after reading
-      compression == 1 || compression == 2;
+  // for compressed pixels, completeness is known only after reading
+  const bool runLengths = compression == 1 || compression == 2;
   if (!runLengths && header.width_px > 0 && header.width_px < (1LL << 31)) {
     const long long rowBytes = (header.width_px * bitsPerPixel + 31) / 32 * 4;
     const long long available = static_cast<long long>(in.size()) - static_cast<long long>(pixelsAt);

@@ -24,9 +24,8 @@ struct StrokePair {
 
 struct StrokeHints {
   bool swap = false;
-  std::string
-      /// name or number of the switch to take if there are several (chosenSwitch); empty: the only one
-      curve;
+  /// name or number of the switch to take if there are several (chosenSwitch); empty: the only one
+  std::string curve;
 
   bool operator==(const StrokeHints&) const = default;
 };
